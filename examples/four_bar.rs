@@ -13,7 +13,7 @@
 //! Four revolute joints are eight equations, the driver is the ninth, for nine coordinates:
 //!
 //! ```text
-//! cargo run --release --example four_bar
+//! cargo run --example four_bar
 //! cargo run --release --example four_bar -- solve --at 0.5
 //! cargo run --release --example four_bar -- sweep --from 0 --to 1 --steps 100 --format csv --out four_bar.csv
 //! cargo run --release --example four_bar -- solve --set l1=0.12,l2=0.45 --guess rocker.phi=1.5

@@ -1,1 +1,1 @@
-//! One mechanism per file: `cargo run --release --example four_bar`.
+//! One mechanism per file: `cargo run --example four_bar`.

@@ -1,16 +1,16 @@
-//! The inputs on the way from one instant to the next.
+//! The inputs along the path from one instant to the next.
 //!
-//! A motion is followed along a place s. Where the inputs are functions of time, s is time. Between two instants whose
-//! inputs are all that is known, with x = (s − s₀)/(s₁ − s₀), h = t₁ − t₀ and Δu = u₁ − u₀:
+//! A motion is followed along a parameter s. If the inputs are functions of time, s is time. Between two instants at
+//! which only the inputs are known, with x = (s − s₀)/(s₁ − s₀), h = t₁ − t₀ and Δu = u₁ − u₀:
 //!
 //! ```text
 //! smooth    s = t:    u = u₀ + h u̇₀ x + ½ h² ü₀ x² + c₃ x³ + c₄ x⁴ + c₅ x⁵
 //! straight  s = t:    u = u₀ + Δu x,    u̇ = Δu/h,    ü = 0
-//! frozen    s = x:    u = u₀ + Δu x,    t stays what it is, within a few units in its last place
+//! frozen    s = x:    u = u₀ + Δu x,    t constant, up to a few units in its last place
 //! ```
 //!
-//! with c₃, c₄, c₅ such that the quintic has value, rate and acceleration of both ends. On a frozen way derivatives are
-//! by s: time itself contributes nothing to them.
+//! with c₃, c₄, c₅ such that the quintic has the values, rates and accelerations of both ends. On a frozen path
+//! derivatives are by s, and time does not contribute to them.
 
 use crate::workspace::{Instant, Signal};
 
@@ -18,26 +18,26 @@ use crate::workspace::{Instant, Signal};
 #[cfg(feature = "std")]
 pub(crate) type InputFunction<'a> = Option<&'a dyn Fn(f64, &mut [Signal])>;
 
-/// Deviation of a signal's end from what its other end foretells, relative to its change, up to which rates and
-/// accelerations are believed.
+/// Largest deviation of a signal at one end from the prediction by its rate and acceleration at the other end, relative
+/// to its change, with which rates and accelerations are used.
 const BELIEVED: f64 = 0.25;
 
-/// Units in the last place of t below which there is no room for steps in time.
+/// Smallest difference of t, in units in the last place, that leaves room for steps in time.
 const NEIGHBOURS: f64 = 64.0;
 
-/// How the inputs go from one instant to the next.
+/// The path of the inputs from one instant to the next.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Kind {
-    /// With rates and accelerations of both ends.
+    /// A quintic with the rates and accelerations of both ends.
     Smooth,
-    /// In proportion to the time that has passed.
+    /// Proportional to the elapsed time.
     Straight,
-    /// Without time.
+    /// With constant time.
     Frozen,
 }
 
-/// How the inputs go between two instants with equally many of them: smoothly where t goes on and the rates at both ends
-/// agree with the change between them, straight where they do not, frozen where t stands still.
+/// The path between two instants with equally many inputs: smooth if t increases and the rates at both ends agree with
+/// the change, straight if they do not, frozen if t is constant.
 pub(crate) fn kind(from: &Instant<'_>, to: &Instant<'_>) -> Kind {
     let h = to.t - from.t;
     let believed = |(a, b): (&Signal, &Signal)| {
@@ -82,29 +82,29 @@ fn write(kind: Kind, t: [f64; 2], [from, to]: [&[Signal]; 2], s: f64, inputs: &m
     }
 }
 
-/// What is followed: where it leads, and the instants on it.
+/// A path of instants along which a motion is followed.
 pub(crate) trait Course {
     /// First and last place.
     fn ends(&self) -> [f64; 2];
     /// Writes the inputs at a place and gives the time there.
     fn at(&self, s: f64, inputs: &mut [Signal]) -> f64;
-    /// True where time stands still, so that derivatives are by s.
+    /// True if time is constant, so that derivatives are by s.
     fn is_frozen(&self) -> bool;
-    /// True where its last place has the rates of the instant that it leads to, too.
+    /// True if the rates at its end are those of the instant to which it leads.
     fn has_rates_of_end(&self) -> bool;
 }
 
-/// From one instant to another, by what is known of the inputs at both.
+/// The path from one instant to another, by the inputs at both.
 pub(crate) struct Between<'a> {
     pub(crate) kind: Kind,
     pub(crate) from: Instant<'a>,
     pub(crate) to: Instant<'a>,
 }
 
-/// Around one instant, with rates and accelerations as they are there.
+/// The neighbourhood of one instant, by its rates and accelerations.
 pub(crate) struct Around<'a> {
     pub(crate) instant: Instant<'a>,
-    /// A place on the side from which it is looked at.
+    /// A value of s on the side from which the instant is approached.
     pub(crate) from: f64,
 }
 
@@ -148,7 +148,7 @@ impl Course for Between<'_> {
     }
 }
 
-/// From one time to another, with inputs that are functions of time.
+/// The path from one time to another, with inputs that are functions of time.
 #[cfg(feature = "std")]
 pub(crate) struct Timed<'a> {
     pub(crate) from: f64,
@@ -176,10 +176,10 @@ impl Course for Timed<'_> {
     }
 }
 
-/// From one instant to another; its buffers are used again for the next.
+/// The path from one instant to another, with buffers that are reused for the next path.
 #[cfg(feature = "std")]
 #[derive(Clone, Debug)]
-pub(crate) struct Way {
+pub(crate) struct InputPath {
     pub(crate) kind: Kind,
     t: [f64; 2],
     from: Vec<Signal>,
@@ -187,18 +187,18 @@ pub(crate) struct Way {
 }
 
 #[cfg(feature = "std")]
-impl Way {
-    /// A way that leads nowhere yet; derivatives are by time.
+impl InputPath {
+    /// A path of length 0 at an instant; derivatives are by time.
     pub(crate) fn resting(at: &Instant<'_>) -> Self {
         Self { kind: Kind::Smooth, t: [at.t; 2], from: at.inputs.to_vec(), to: at.inputs.to_vec() }
     }
 
-    /// A way without time that leads nowhere.
+    /// A path of length 0 with constant time.
     pub(crate) const fn frozen() -> Self {
         Self { kind: Kind::Frozen, t: [0.0; 2], from: Vec::new(), to: Vec::new() }
     }
 
-    /// Makes it the way between two instants with equally many inputs.
+    /// Sets it to the path between two instants with equally many inputs.
     pub(crate) fn lead(&mut self, from: &Instant<'_>, to: &Instant<'_>) {
         self.t = [from.t, to.t];
         self.from.clear();
@@ -208,7 +208,7 @@ impl Way {
         self.kind = kind(from, to);
     }
 
-    /// Forgets rates and accelerations.
+    /// Makes it straight: rates and accelerations are no longer used.
     pub(crate) fn straighten(&mut self) {
         if self.kind == Kind::Smooth {
             self.kind = Kind::Straight;
@@ -220,7 +220,7 @@ impl Way {
         ends(self.kind, self.t)
     }
 
-    /// True where neither time nor a value changes on the way.
+    /// True if neither time nor an input changes on the path.
     pub(crate) fn is_still(&self) -> bool {
         self.t[0] == self.t[1] && self.from.iter().zip(&self.to).all(|(a, b)| a.value == b.value)
     }
@@ -281,7 +281,7 @@ mod tests {
 
     #[test]
     fn rates_are_believed_where_they_agree_with_the_values() {
-        let mut way = Way::resting(&Instant { t: 0.0, inputs: &[Signal::default()] });
+        let mut way = InputPath::resting(&Instant { t: 0.0, inputs: &[Signal::default()] });
         let mut kind = |t: f64, from: Signal, to: Signal| {
             way.lead(&Instant { t: 0.0, inputs: &[from] }, &Instant { t, inputs: &[to] });
             way.kind

@@ -13,21 +13,21 @@ use crate::trajectory::Trajectory;
 use crate::workspace::Instant;
 use nalgebra::{DMatrix, DVector};
 
-/// The analyses under the names of the field, for every mechanism: each is the method of a [`Solver`] with default options,
-/// where it is described with its errors.
+/// The analyses under their usual names, for every mechanism. Each calls a method of a [`Solver`] with default options,
+/// which describes it and its errors.
 pub trait Kinematics: Mechanism {
     /// A solver with default options and the mechanism's own guesses.
     fn solver(&self) -> Solver<'_, Self> {
         Solver::new(self)
     }
 
-    /// The assembly modes: groups that close in two ways, told apart by a sign. [`Solver::modes`] has those of a
-    /// configuration, [`Solver::with_mode`] asks for one.
+    /// The assembly modes: groups that close in two ways, distinguished by a sign. [`Solver::modes`] gives the signs of
+    /// a configuration, [`Solver::with_mode`] asks for one.
     fn modes() -> &'static [ModeInfo] {
         Self::model().plan.modes
     }
 
-    /// q of [`Solver::position`].
+    /// q from [`Solver::position`].
     fn position_analysis(&self, at: &Instant<'_>, start: &[f64]) -> Result<Vec<f64>, SolveError> {
         Ok(self.solver().position(at, start)?.q)
     }

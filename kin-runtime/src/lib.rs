@@ -1,6 +1,6 @@
 #![doc = include_str!("tour.md")]
 #![cfg_attr(not(feature = "std"), no_std)]
-// Says on docs.rs which feature a thing needs.
+// Shows on docs.rs which feature an item needs.
 #![cfg_attr(docsrs, feature(doc_cfg))]
 
 #[cfg(feature = "alloc")]
@@ -81,7 +81,7 @@ pub use {
     sweep::events,
 };
 
-/// The linear algebra of dense results, so that a crate needs no version of its own to match.
+/// The linear algebra crate whose types occur in dense results, re-exported so that users have the same version.
 #[cfg(feature = "std")]
 pub use nalgebra;
 

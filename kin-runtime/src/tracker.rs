@@ -2,7 +2,7 @@
 
 use crate::analysis;
 use crate::analysis::position::position;
-use crate::course::{Kind, Way};
+use crate::course::{InputPath, Kind};
 use crate::equations::Equations;
 use crate::equations::system::{Evaluator, System};
 use crate::error::SolveError;
@@ -20,31 +20,31 @@ use crate::workspace::Instant;
 /// A mechanism that is followed from instant to instant, as its inputs come in.
 ///
 /// It is made by [`Solver::tracker`], which assembles the mechanism at the first instant. Every
-/// [`update`](Self::update) follows the branch from the last good instant to the new one and never leaves it, by the
-/// means of a sweep: predict with q̇ and q̈, correct, judge by contraction, velocity and the sign of the determinant of
-/// Φ_q, halve the step where that fails. In between, with x from 0 to 1, the inputs go
+/// [`update`](Self::update) follows the branch from the last good instant to the new one and never leaves it, in the
+/// same way as a sweep: predict with q̇ and q̈, correct, judge by contraction, velocity and the sign of the determinant
+/// of Φ_q, and halve the step if that fails. Between the two instants the inputs follow, with x from 0 to 1,
 ///
-/// - along the quintic that has value, rate and acceleration of both instants, where t goes on and the rates agree with
-///   the values: where u + h u̇ + ½ h² ü of either instant is within a quarter of the change of the other's value;
-/// - in a straight line, u = u₀ + x (u₁ − u₀), where they do not agree (a noisy signal, a rate nobody measures), where t
-///   goes back, and where the quintic leads out of the mechanism's range;
-/// - in a straight line with t standing still, where only the inputs have changed.
+/// - the quintic with the values, rates and accelerations of both instants, if t increases and the rates agree with the
+///   values: if u + h u̇ + ½ h² ü from either instant predicts the other's value to within a quarter of the change;
+/// - a straight line, u = u₀ + x (u₁ − u₀), if they do not agree (a noisy signal, a rate that is not measured), if t
+///   decreases, and if the quintic leaves the mechanism's range;
+/// - a straight line with constant t, if only the inputs have changed.
 ///
-/// The answer is at the new values on the branch, with q̇ and q̈ for the new rates and accelerations, whichever way was
-/// taken. Where several branches could be reached, around a singular configuration, the way decides; so it does where rows
-/// of velocity level make the position depend on the way.
+/// The answer is on the branch at the new values, with q̇ and q̈ for the new rates and accelerations, whichever path
+/// was taken. The path matters near a singular configuration, from which several branches can be reached, and if rows
+/// of velocity level make the position depend on the path.
 ///
 /// After an error, [`state`](Self::state) is still the last good instant, and the next update goes on from there. How
 /// long a refused update takes is bounded by [`Options::min_step`](crate::Options::min_step) and
-/// [`Options::max_steps`](crate::Options::max_steps), for each of the two ways that are tried: a controller may prefer
-/// larger and fewer steps than the default.
+/// [`Options::max_steps`](crate::Options::max_steps), for each of the two paths that are tried: a controller may prefer
+/// fewer and larger steps than the default.
 ///
-/// Parameters are those at the time when the tracker was made, which borrows (or owns) the mechanism; for other
-/// dimensions make another one with [`Solver::tracker_from`] and [`State::q`]. States, workspaces and buffers are used
-/// again by every update; solutions with Φ_q, and its factorisation where that must be dense, still allocate.
+/// The tracker borrows (or owns) the mechanism and has the parameters of the time when it was made; for other
+/// dimensions make another one with [`Solver::tracker_from`] and [`State::q`]. States, workspaces and buffers are
+/// reused by every update; solutions with Φ_q, and a dense factorisation if one is needed, still allocate.
 ///
-/// A tracker stays on its thread: it is not `Send`, because the functions of a mechanism need not be. The mechanism is,
-/// where its fields are; send that, and make the tracker where it is updated.
+/// A tracker is not `Send`, because the functions of a mechanism need not be. A mechanism is `Send` if its fields are:
+/// send the mechanism, and make the tracker on the thread that updates it.
 ///
 /// ```
 /// use kin_runtime::{Instant, Kinematics, Mechanism, Signal, mechanism};
@@ -109,12 +109,12 @@ impl<'m> Tracker<'m> {
         self.follower.state()
     }
 
-    /// The internal steps of the last update that full Newton had to take although there is a plan.
+    /// The internal steps of the last update on which full Newton took over from the plan.
     pub fn fallbacks(&self) -> &[Fallback] {
         &self.follower.fallbacks
     }
 
-    /// q at the limit itself, n numbers, where the last update failed because a group of the plan came to a limit that was
+    /// q at the limit itself, n numbers, if the last update failed because a group of the plan reached a limit that was
     /// located ([`SolveError::limit`] has its t).
     pub fn q_at_limit(&self) -> Option<&[f64]> {
         self.equations.system.q_at_limit().filter(|_| self.is_at_limit)
@@ -142,17 +142,17 @@ impl<'m> Tracker<'m> {
             return Ok(());
         }
         let from = follower.state().instant();
-        let way = equations.way.get_or_insert_with(|| Way::resting(at));
+        let way = equations.way.get_or_insert_with(|| InputPath::resting(at));
         way.lead(&from, at);
         if way.kind == Kind::Smooth {
             follower.depart_in_time();
             if follower.advance(equations, at.t, false).is_ok() {
                 return Ok(());
             }
-            // They belong to a way that was not taken.
+            // These belong to a path that was not taken.
             follower.fallbacks.clear();
         }
-        let way = equations.way.get_or_insert_with(|| Way::resting(at));
+        let way = equations.way.get_or_insert_with(|| InputPath::resting(at));
         way.straighten();
         let (still, [start, end]) = (way.is_still(), way.ends());
         if still {
@@ -162,7 +162,7 @@ impl<'m> Tracker<'m> {
         follower.arrive(equations, end, at)
     }
 
-    /// Begins anew: assembles the mechanism from the guesses, on whatever branch they lead to.
+    /// Restarts: assembles the mechanism from the guesses, on the branch to which they lead.
     ///
     /// # Errors
     /// As [`Solver::state`]; the last good instant stays then.
@@ -170,7 +170,7 @@ impl<'m> Tracker<'m> {
         self.anew(at, assemble_in)
     }
 
-    /// Begins anew from a complete start, n numbers.
+    /// Restarts from a complete start, n numbers.
     ///
     /// # Errors
     /// As [`Solver::state_from`]; the last good instant stays then.
@@ -233,9 +233,9 @@ impl core::fmt::Debug for Tracker<'_> {
 }
 
 impl<'m, M: Mechanism> Solver<'m, M> {
-    /// Assembles the mechanism from the guesses, to be followed from there instant by instant.
+    /// Assembles the mechanism from the guesses and returns a tracker that follows it from there.
     ///
-    /// Functions of [`with_inputs`](Self::with_inputs) have no part in it.
+    /// Functions of [`with_inputs`](Self::with_inputs) are not used.
     ///
     /// # Errors
     /// As [`state`](Self::state).

@@ -171,4 +171,15 @@ struct Named {
     l: f64,
 }
 
+/// Nothing else says in which unit masses are.
+#[mechanism]
+#[bodies(crank)]
+#[revolute(O: ground @ (0, 0), crank @ (0, 0))]
+#[driver(drive: crank.phi = t)]
+#[mass(crank @ (l, 0), mass = l)]
+struct Masses {
+    #[param(1, unit = "m")]
+    l: f64,
+}
+
 fn main() {}

@@ -1,10 +1,11 @@
-//! The equilibrium of all bodies, cut free: what loads and inertia leave for the joints to carry.
+//! The equilibrium of free bodies: the generalised forces of loads and inertia that joints and drivers must balance.
 //!
 //! ```text
 //! M q̈ + Φ_qᵀ λ = Q        r = Q − M q̈ = Σ force · ∂quantity/∂q        Φ_qᵀ λ = r
 //! ```
-//! The same holds with the poses of all bodies free. Then coordinates that are held or carried are prescribed by rows of
-//! their own, v − e = 0, and their multipliers follow from the columns of these coordinates, the last carried body first.
+//! The same equations hold with the poses of all bodies free. Held and carried coordinates then have rows of their own,
+//! v − e = 0, and the multipliers of these rows follow from the columns of these coordinates, beginning with the last
+//! carried body.
 
 use super::free_bodies::FreeBodies;
 use super::load::Acting;
@@ -14,7 +15,7 @@ use crate::joints::rows_of;
 use crate::mechanism::{BodyOrigin, Component, Source};
 use std::collections::BTreeMap;
 
-/// A row by the coordinates of free bodies.
+/// The derivatives of a row by the coordinates of free bodies.
 #[derive(Clone, Debug, Default)]
 pub(super) struct FreeRow {
     /// ∂Φ/∂coordinate, or ∂η/∂rate of a row of velocity level.
@@ -26,10 +27,10 @@ pub(super) struct FreeRow {
 /// A row v − e = 0 of a coordinate that is held or carried.
 #[derive(Clone, Debug)]
 pub(super) struct Hold {
-    /// The body and the coordinate of it.
+    /// The body and its coordinate.
     pub(super) body: usize,
     pub(super) component: Component,
-    /// The place of v among the coordinates of free bodies.
+    /// The index of v among the coordinates of free bodies.
     pub(super) place: u32,
     pub(super) row: FreeRow,
 }
@@ -42,7 +43,7 @@ pub(super) struct Equilibrium {
     free: BTreeMap<u32, ExprId>,
     /// The rows of Φ.
     pub(super) rows: Vec<FreeRow>,
-    /// The rows of coordinates that are held or carried; those of a body stand behind those of the body that carries it.
+    /// The rows of held and carried coordinates; those of a body come after those of the body that carries it.
     pub(super) holds: Vec<Hold>,
 }
 
@@ -59,7 +60,7 @@ impl Equilibrium {
         all
     }
 
-    /// Everything in terms of q.
+    /// Expresses everything in terms of q.
     fn replace_coordinates(&mut self, bodies: &mut FreeBodies<'_>) {
         let rows = self.rows.iter_mut().chain(self.holds.iter_mut().map(|hold| &mut hold.row));
         let entries = rows.flat_map(|row| row.gradient.values_mut().chain([&mut row.partial_t]));
@@ -123,7 +124,7 @@ fn free_rows(bodies: &mut FreeBodies<'_>, set: &ConstraintSet) -> Vec<FreeRow> {
             for (_, index) in Assembly::instances(joint.range) {
                 a.index = index;
                 let rows = rows_of(a, &joint.operands);
-                // What is drawn of a curve is not asked for here.
+                // The outline of a curve, which is for drawings, is not needed here.
                 a.outline = None;
                 values.extend(rows.residuals.into_iter().map(|(_, _, phi)| (phi, None)));
                 values.extend(rows.velocity.map(|row| (row.eta, Some(row.b))));
@@ -181,7 +182,7 @@ fn holds(bodies: &mut FreeBodies<'_>, set: &ConstraintSet) -> Vec<Hold> {
     holds
 }
 
-/// How many bodies carry a body, one by the other.
+/// The length of the chain of bodies that carry a body.
 fn depth(set: &ConstraintSet, place: usize) -> usize {
     let mut depth = 0;
     let mut next = set.bodies[place].carried_by;

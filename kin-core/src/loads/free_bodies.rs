@@ -1,8 +1,8 @@
-//! Free bodies: the bodies of a mechanism cut from one another, each with x, y and φ of its own.
+//! Free bodies: the bodies of a mechanism without their joints, each with its own x, y and φ.
 //!
-//! Coordinates that are held, or carried by another body, are no entries of q; the ground has none at all. For
-//! reactions they are introduced again as symbols behind those of q. What is written with them is differentiated by
-//! them, and then they are replaced by what they are.
+//! Held and carried coordinates are not in q, and the ground has no coordinates. To compute reactions, they are
+//! introduced as further symbols after those of q; expressions are differentiated by them, and then they are replaced
+//! by their values in terms of q.
 
 use crate::constraint::{Assembly, ConstraintSet, Frame, PlacedPoint, Pose};
 use crate::expr::{ExprId, Graph, IdMap, Symbol, total_derivatives};
@@ -17,21 +17,21 @@ pub(super) struct Motion {
     pub(super) acceleration: ExprId,
 }
 
-/// The bodies of a mechanism, as they are and cut free.
+/// The bodies of a mechanism in two views: as the mechanism has them, and with all bodies free.
 pub(super) struct FreeBodies<'m> {
     pub(super) a: Assembly<'m>,
-    /// The field that pulls masses.
+    /// The field of gravity.
     pub(super) field: [ExprId; 2],
-    /// The poses, and defines that are made of them, of the other view.
+    /// The poses of the other view, and the defines that depend on them.
     other: View,
-    /// The places of x, y, φ of the ground and of all bodies among the coordinates of free bodies.
+    /// The indices of x, y, φ of the ground and of all bodies among the coordinates of free bodies.
     ground: [u32; 3],
     bodies: Vec<[u32; 3]>,
-    /// What the coordinates that are not in q are.
+    /// The values, in terms of q, of the coordinates that are not in q.
     values: BTreeMap<u32, ExprId>,
 }
 
-/// What changes with the view: poses of the ground and of bodies, and defines.
+/// The parts that differ between the views: poses of the ground and of bodies, and defines.
 struct View {
     ground: [ExprId; 3],
     poses: Vec<Pose>,
@@ -64,7 +64,7 @@ impl<'m> FreeBodies<'m> {
         Self { a, field: [zero; 2], other, ground, bodies, values }
     }
 
-    /// What `write` writes as the bodies are, and with all of them free.
+    /// The results of `write` in both views: as the mechanism has the bodies, and with all of them free.
     pub(super) fn both<T>(&mut self, write: impl Fn(&mut Assembly<'m>) -> T) -> [T; 2] {
         let posed = write(&mut self.a);
         self.exchange();
@@ -73,7 +73,7 @@ impl<'m> FreeBodies<'m> {
         [posed, free]
     }
 
-    /// What `write` writes with all bodies free.
+    /// The result of `write` with all bodies free.
     pub(super) fn free<T>(&mut self, write: impl FnOnce(&mut Assembly<'m>) -> T) -> T {
         self.exchange();
         let free = write(&mut self.a);
@@ -87,7 +87,7 @@ impl<'m> FreeBodies<'m> {
         std::mem::swap(&mut self.a.defines, &mut self.other.defines);
     }
 
-    /// The places of x, y, φ of a frame among the coordinates of free bodies.
+    /// The indices of x, y, φ of a frame among the coordinates of free bodies.
     pub(super) fn places(&self, frame: Frame) -> [u32; 3] {
         match frame {
             Frame::Ground => self.ground,
@@ -95,7 +95,7 @@ impl<'m> FreeBodies<'m> {
         }
     }
 
-    /// x, y, φ of a frame as it is.
+    /// x, y, φ of a frame as the mechanism has it.
     pub(super) fn pose(&mut self, frame: Frame) -> [ExprId; 3] {
         match frame {
             Frame::Ground => [self.a.graph.zero(); 3],
@@ -103,22 +103,22 @@ impl<'m> FreeBodies<'m> {
         }
     }
 
-    /// A point as it is placed, and with all bodies free.
+    /// A point in both views.
     pub(super) fn place(&mut self, place: &Place) -> [PlacedPoint; 2] {
         self.both(|a| a.place(place))
     }
 
-    /// The angle of a body, and with all bodies free.
+    /// The angle of a body in both views.
     pub(super) fn angle(&mut self, body: &BodyRef) -> [ExprId; 2] {
         self.both(|a| a.pose(body)[2])
     }
 
-    /// A formula as it is.
+    /// A formula as the mechanism has it.
     pub(super) fn formula(&mut self, formula: &Formula) -> ExprId {
         self.a.formula(formula)
     }
 
-    /// The derivatives of an expression in which no body is free.
+    /// An expression in terms of q with its time derivatives.
     pub(super) fn motion(&mut self, e: ExprId) -> Motion {
         let graph = &mut self.a.graph;
         let zero = graph.zero();
@@ -132,7 +132,7 @@ impl<'m> FreeBodies<'m> {
         Motion { rate: jet.rate, acceleration }
     }
 
-    /// Replaces the coordinates that are not in q by what they are.
+    /// Replaces the coordinates that are not in q by their values.
     pub(super) fn posed(&mut self, free: &mut [ExprId]) {
         let rates: BTreeMap<u32, ExprId> = {
             let values: Vec<(u32, ExprId)> = self.values.iter().map(|(k, value)| (*k, *value)).collect();
@@ -147,7 +147,7 @@ impl<'m> FreeBodies<'m> {
     }
 }
 
-/// What stands for coordinates that are not in q.
+/// The substitution of coordinates that are not in q.
 struct Posed<'v> {
     values: &'v BTreeMap<u32, ExprId>,
     rates: BTreeMap<u32, ExprId>,

@@ -21,7 +21,7 @@ pub fn forms() -> impl Iterator<Item = &'static StatementForm> {
     KINDS.iter().map(|kind| kind.form)
 }
 
-/// What a mass or a load does; none for what is neither.
+/// The action of a mass or a load; none for other statements.
 pub(super) fn acts(bodies: &mut FreeBodies<'_>, operands: &Operands) -> Option<Acting> {
     let kind = KINDS.iter().find(|kind| kind.form == operands.form())?;
     (kind.acts)(bodies, operands)

@@ -1,7 +1,7 @@
-//! What joints and drivers exert, from the multipliers of their rows.
+//! Efforts of drivers and reactions of joints, from the multipliers of their rows.
 //!
-//! A row Φ with its multiplier exerts −λ ∂Φ/∂(x, y, φ) on a body: a force, and a moment about the body's origin. About a
-//! point P it is m_P = m − (r_P − r) × f. None of it depends on how a row is scaled or signed.
+//! A row Φ with its multiplier exerts −λ ∂Φ/∂(x, y, φ) on a body: a force, and a moment about the body's origin. About
+//! a point P it is m_P = m − (r_P − r) × f. These do not depend on the scale and the sign of a row.
 
 use super::equilibrium::{Equilibrium, FreeRow, Hold};
 use super::free_bodies::FreeBodies;
@@ -14,7 +14,7 @@ use crate::plan::Probe;
 use crate::system::KinematicSystem;
 use crate::vocabulary::Role;
 
-/// What a driver exerts along the quantity that it drives, and the rate of that.
+/// The force or torque of a driver along the quantity that it drives, and the rate of that quantity.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Effort {
     /// The driver's name, or that of a row.
@@ -25,32 +25,32 @@ pub struct Effort {
     pub numbers: [ExprId; 2],
 }
 
-/// What a joint exerts.
+/// The reaction of a joint.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ReactionForce {
     /// The joint's name.
     pub name: String,
     /// The place of its first number among the results.
     pub place: usize,
-    /// The rows whose multipliers it is made of; those of held and carried coordinates stand behind those of Φ.
+    /// The rows whose multipliers it depends on; rows of held and carried coordinates come after those of Φ.
     pub rows: Vec<usize>,
     /// The body that force and moment act on.
     pub on: Option<Frame>,
-    /// Where, and what force.
+    /// The point at which it acts, and the force.
     pub force: Option<[[ExprId; 2]; 2]>,
     /// The moment about that point, or the couple.
     pub moment: Option<ExprId>,
     /// Couples on other bodies.
     pub couples: Vec<(Frame, ExprId)>,
-    /// What is conjugate to the user's own rows: −λ.
+    /// −λ of the user's own rows.
     pub generalized: Vec<ExprId>,
-    /// Where bodies touch: the normal part of the force, positive where they press on one another.
+    /// For contacts: the normal component of the force, positive if the bodies press on one another.
     pub normal: Option<ExprId>,
-    /// Where they roll on one another without slipping: the part along the line, or along growing ψ.
+    /// For rolling without slipping: the component along the line, or in the direction of growing ψ.
     pub tangential: Option<ExprId>,
 }
 
-/// Writes what is exerted.
+/// Writes efforts and reactions.
 pub(super) struct Writer<'w, 'm> {
     pub(super) bodies: &'w mut FreeBodies<'m>,
     pub(super) system: &'w KinematicSystem,
@@ -70,7 +70,7 @@ impl Writer<'_, '_> {
         rows.get(row).unwrap_or_else(|| &self.equilibrium.holds[row - rows.len()].row)
     }
 
-    /// What rows exert on a body, about its origin.
+    /// The wrench of rows on a body, about the origin of the body.
     fn wrench(&mut self, rows: &[usize], frame: Frame) -> Wrench {
         let places = self.bodies.places(frame);
         places.map(|place| {
@@ -96,7 +96,7 @@ impl Writer<'_, '_> {
         self.or_zero(moment)
     }
 
-    /// What is zero for all values is a literal zero.
+    /// Replaces an expression that is identically zero by the literal 0.
     fn or_zero(&mut self, id: ExprId) -> ExprId {
         let graph = &mut self.bodies.a.graph;
         if self.probe.is_zero(graph, id) { graph.zero() } else { id }
@@ -143,7 +143,7 @@ impl Writer<'_, '_> {
         }
     }
 
-    /// What joints exert, and what holds or carries coordinates.
+    /// The reactions of joints, and those of held and carried coordinates.
     pub(super) fn reactions(&mut self) -> Vec<ReactionForce> {
         let joints = &self.system.set.joints;
         let of_joints: Vec<ReactionForce> = joints.iter().filter_map(|joint| self.reaction(joint)).collect();
@@ -216,7 +216,7 @@ impl Writer<'_, '_> {
         Some(reaction)
     }
 
-    /// The parts of a contact's force on a body across and along what it touches.
+    /// The normal and the tangential component of a contact's force on a body.
     fn touch(&mut self, joint: &JointInstance, frame: Frame, force: [ExprId; 2], reaction: &mut ReactionForce) {
         self.bodies.a.index = joint.family.1;
         let mechanism = self.bodies.a.mechanism;
@@ -248,15 +248,16 @@ impl Writer<'_, '_> {
         }
         reaction.normal = Some(graph.mul(side, across));
         if sticks {
-            // The last row holds arcs, R φ of the second body: its multiplier is the force that turns the body at the arm R,
-            // on a line along the axis, on a disc against growing ψ. Whoever drives ψ pushes besides, and not in the contact.
+            // The last row contains the arc R φ of the second body: its multiplier is the force on the body at the arm
+            // R, on a line along the axis, on a disc against growing ψ. A force that drives ψ does not act in the
+            // contact.
             let turning = self.multipliers[joint.first_row + joint.rows - 1];
             reaction.tangential =
                 Some(if matches!(normal, Normal::Direction(_)) { turning } else { graph.neg(turning) });
         }
     }
 
-    /// Where the joint's point of a body is.
+    /// The joint's point on a body.
     fn point(&mut self, joint: &JointInstance, frame: Frame) -> Option<[ExprId; 2]> {
         let has = |role: Role| joint.geometry.iter().rev().find(|piece| piece.role == role && piece.frame == frame);
         let piece = has(Role::Q).or_else(|| has(Role::P))?;
@@ -267,7 +268,7 @@ impl Writer<'_, '_> {
         Some([graph.add(x, rho[0]), graph.add(y, rho[1])])
     }
 
-    /// The couples that rows exert on all bodies but one, about a point where there is one.
+    /// The couples of rows on all bodies except `but`, about `point` if it is given.
     fn couples(&mut self, rows: &[usize], but: Option<Frame>, point: Option<[ExprId; 2]>) -> Vec<(Frame, ExprId)> {
         let frames = (0..self.set().bodies.len()).map(Frame::Body).chain([Frame::Ground]);
         let frames: Vec<Frame> = frames.filter(|frame| Some(*frame) != but).collect();

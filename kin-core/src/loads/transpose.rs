@@ -6,8 +6,8 @@
 
 use crate::expr::{ExprId, Graph, IdMap, Node, Symbol};
 
-/// λ for `rows` rows, where `solution` is x for right-hand sides that are the symbols [`Symbol::Right`]; none where x is
-/// not written as sums and products of them.
+/// λ for `rows` rows. `solution` is x for right-hand sides that are the symbols [`Symbol::Right`]; none if x does not
+/// consist of sums and products of them.
 pub(super) fn transpose(graph: &mut Graph, solution: &[ExprId], r: &[ExprId], rows: usize) -> Option<Vec<ExprId>> {
     let order = graph.reachable(solution.iter().copied());
     let mut linear: IdMap<bool> = IdMap::default();

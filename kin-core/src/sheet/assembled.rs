@@ -6,14 +6,14 @@ use super::shown::{Row, Shown, symbol};
 use super::steps::bracketed;
 use crate::notation::{Formula, Notation};
 
-/// Coordinates and rows of the largest mechanism whose matrices are written.
+/// Most coordinates and most rows of a mechanism whose matrices are written.
 const MOST: usize = 24;
-/// Columns of plain text that an entry of Φ_q may take, and that of a column vector.
+/// Width, in columns of plain text, of an entry of Φ_q and of an entry of a column vector.
 const ENTRY: [usize; 2] = [24, 72];
 
 /// Matrices with names for entries that are too long.
 pub(super) struct Assembled {
-    /// What each matrix is called, and its entries row by row.
+    /// The name of each matrix, and its entries row by row.
     pub(super) matrices: Vec<(&'static str, Vec<Vec<String>>)>,
     /// Entries that were too long, with the names that stand for them.
     pub(super) long: Vec<Line>,
@@ -24,7 +24,7 @@ pub(super) struct Assembled {
 }
 
 impl Sheet {
-    /// The matrices of the whole mechanism; none where joints are left out or where they would be too large to be read.
+    /// The matrices of the whole mechanism; none if joints are left out, or if they would be too large to be read.
     pub(super) fn assembled(&self, notation: Notation) -> Option<Assembled> {
         let rows: Vec<&Row> = self.joints.iter().flat_map(|joint| &joint.rows).collect();
         let small = rows.len() <= MOST && self.coordinates.len() <= MOST;
@@ -63,7 +63,7 @@ impl Sheet {
 }
 
 impl Assembled {
-    /// As equations, a matrix each, and what their names stand for.
+    /// One equation per matrix, then the equations of names for long entries.
     pub(super) fn lines(self, notation: Notation) -> Vec<Line> {
         let q = self.coordinates.iter().map(|name| vec![name.clone()]).collect();
         let q = Line { left: called("q", notation), right: vec![bracketed(q, notation)] };
@@ -71,7 +71,7 @@ impl Assembled {
         std::iter::once(q).chain(self.matrices.into_iter().map(matrix)).chain(self.long).collect()
     }
 
-    /// As text: every matrix with the names of its rows beside it, Φ_q with those of its columns above it.
+    /// As text: every matrix with the names of its rows beside it, and Φ_q with the names of its columns above it.
     pub(super) fn text(&self) -> String {
         let mut out = String::new();
         for (name, rows) in &self.matrices {
@@ -83,7 +83,7 @@ impl Assembled {
     }
 }
 
-/// What stands for a long entry: no name of a mechanism looks like it.
+/// The name for a long entry. It differs from all names of a mechanism.
 fn numbered(number: usize, notation: Notation) -> String {
     match notation {
         Notation::Unicode => format!("⟨{number}⟩"),

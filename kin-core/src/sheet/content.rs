@@ -1,26 +1,26 @@
-//! What a sheet holds.
+//! The contents of a sheet.
 
 use super::shown::{Row, Shown};
 use super::steps::Step;
 use crate::joints;
 use crate::vectors::{Equation, NamedJoint};
 
-/// All of it.
+/// The derivation of a mechanism.
 #[derive(Clone, Debug, Default)]
 pub struct Sheet {
     /// The mechanism's name.
     pub name: String,
     /// First paragraph of its documentation.
     pub doc: String,
-    /// Entries of q.
+    /// The coordinates in q.
     pub coordinates: Vec<String>,
     /// Joints, constraints and drivers.
     pub joints: Vec<Joint>,
-    /// True where every row is there, so that the matrices of the mechanism can be written.
+    /// True if all rows are present, so that the matrices of the mechanism can be written.
     pub whole: bool,
-    /// How they are solved, step by step.
+    /// The steps of the solution plan.
     pub steps: Vec<Step>,
-    /// Why there are no steps, where that is worth saying.
+    /// The reason why there are no steps; empty if it need not be shown.
     pub unsolved: String,
     /// M and Q of a mechanism with masses or loads.
     pub dynamics: Option<Dynamics>,
@@ -60,9 +60,9 @@ pub struct Joint {
     pub name: String,
     /// `revolute, crank – coupler`.
     pub what: String,
-    /// Names of those that are alike: other members of its family, where they are not written out.
+    /// Names of other members of its family with the same equations, which are not written out.
     pub alike: Vec<String>,
-    /// Its own equations, in vectors.
+    /// Its equations in vectors.
     pub(super) own: Vec<Equation>,
     /// Its rows.
     pub rows: Vec<Row>,

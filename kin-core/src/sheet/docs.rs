@@ -1,4 +1,4 @@
-//! As documentation of the mechanism's struct: HTML that Markdown leaves alone, to be read without a network.
+//! A sheet as documentation of the mechanism's struct: HTML inside Markdown, without network access.
 //!
 //! A block of HTML ends at a blank line, so there is none. Of large mechanisms the equations of some joints are written
 //! out and the rest are named; derivatives are folded.
@@ -10,17 +10,16 @@ use super::shown::symbol;
 use crate::notation::Notation::MathMl;
 use crate::notation::escaped;
 
-/// Bytes after which joints are named only. A four-bar takes a tenth.
+/// Size in bytes after which joints are only named. A four-bar takes a tenth of it.
 const LONG: usize = 200_000;
 
-/// Coordinates that are listed.
+/// Most coordinates that are listed.
 const MANY: usize = 60;
 
 impl Sheet {
     /// Sections for the documentation of the struct, to stand after the user's own text.
     ///
-    /// Members of a family are written once, with the names of those that are like it; after 200 000 bytes joints are
-    /// only named.
+    /// One member of a family is written, with the names of the others; after 200 000 bytes joints are only named.
     pub fn docs(&self) -> String {
         let mut out =
             format!("\n\n# Equations\n\n<style>{STYLE}{OWN}</style>\n<div class=\"kin-sheet\">\n{}", self.q());
@@ -44,7 +43,7 @@ impl Sheet {
         out + &self.docs_solution() + &self.docs_dynamics()
     }
 
-    /// The steps of the plan in a section of their own, until they are too long.
+    /// The steps of the plan as a section, which is cut if it is too long.
     fn docs_solution(&self) -> String {
         if self.steps.is_empty() {
             return String::new();
@@ -92,7 +91,7 @@ impl Sheet {
     }
 }
 
-/// Beside the equations themselves.
+/// Styles in addition to those of equations.
 const OWN: &str = "\
 .kin-sheet h4{margin:1.1rem 0 .1rem;font-size:1.02rem}\
 .kin-sheet h4 span{font-weight:400;opacity:.75;margin-left:.5em}\
@@ -118,7 +117,7 @@ fn section(joint: &Joint) -> String {
     )
 }
 
-/// `a, b and c`; of many the first and the last.
+/// `a, b and c`; of many names the first two and the last.
 fn enumeration(names: &[&str]) -> String {
     let escaped: Vec<String> = names.iter().map(|name| escaped(name)).collect();
     match escaped.as_slice() {

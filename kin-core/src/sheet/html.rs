@@ -1,4 +1,4 @@
-//! As a page with MathML, which browsers show by themselves.
+//! A sheet as a page with MathML, which browsers show without scripts.
 
 use super::content::{Joint, Sheet};
 use super::lines::{Line, derivatives, own};
@@ -7,10 +7,10 @@ use crate::notation::Notation::MathMl;
 use crate::notation::escaped;
 use crate::vectors;
 
-/// Columns of plain text for which there is room on a page.
+/// Width of a page in columns of plain text.
 pub(super) const WIDTH: usize = 92;
 
-/// How equations are set, for a class of its own: a page around them may have tables, too.
+/// Styles of equations, limited to a class of their own, because the surrounding page may have tables, too.
 pub(super) const STYLE: &str = "\
 .kin-eq{overflow-x:auto;overflow-y:hidden;margin:.2rem 0 .6rem;padding-bottom:.2rem}\
 .kin-eq.kin-eq table{display:table;width:auto;margin:0;border:0;border-collapse:separate;border-spacing:0 .1rem}\
@@ -21,7 +21,7 @@ pub(super) const STYLE: &str = "\
 .kin-eq math{font-size:1.06em;math-style:normal}\
 .kin-eq mfrac{margin:0 .1em}";
 
-/// Shadows at the sides on which an equation goes on, and a bar to scroll it that is always there.
+/// Shadows at the sides to which an equation can be scrolled, and a scroll bar that is always visible.
 const SHADOWS: &str = "\
 .kin-eq{scrollbar-width:thin;background:\
 linear-gradient(90deg,Canvas 30%,transparent) left/2.5rem 100% no-repeat local,\
@@ -30,7 +30,7 @@ radial-gradient(farthest-side at 0 50%,#8886,transparent) left/.9rem 100% no-rep
 radial-gradient(farthest-side at 100% 50%,#8886,transparent) right/.9rem 100% no-repeat scroll}";
 
 impl Sheet {
-    /// A page that needs nothing else.
+    /// A self-contained page.
     pub fn page(&self) -> String {
         let name = escaped(&self.name);
         let sections: String = self.joints.iter().map(section).collect();
@@ -51,13 +51,13 @@ impl Sheet {
 }
 
 impl Sheet {
-    /// The matrices of the mechanism; nothing where they are not asked for, or too large.
+    /// The matrices of the mechanism; empty if they are not wanted or too large.
     fn html_assembled(&self) -> String {
         let assembled = self.assembled(MathMl).map(|assembled| assembled.lines(MathMl));
         assembled.map_or_else(String::new, |lines| format!("<h1>All rows together</h1>\n{}", table(lines.into_iter())))
     }
 
-    /// The steps of the plan; nothing where there are none.
+    /// The steps of the plan; empty if there are none.
     fn html_solution(&self) -> String {
         let mut out = String::new();
         if !self.steps.is_empty() || !self.unsolved.is_empty() {
@@ -105,7 +105,7 @@ pub(super) fn own_equations(joint: &Joint) -> String {
     format!("<div class=\"kin-eq\">{}</div>\n", lines.collect::<String>())
 }
 
-/// Equations with their signs below one another; nothing where there are none.
+/// Equations aligned at their signs; empty if there are none.
 pub(super) fn table(lines: impl Iterator<Item = Line>) -> String {
     let row = |line: Line| {
         let more = |part: &String| {

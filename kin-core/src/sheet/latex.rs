@@ -1,4 +1,4 @@
-//! As LaTeX: a document, or its inside.
+//! A sheet as LaTeX: a document, or a fragment to be included in one.
 
 use super::content::{Joint, Sheet};
 use super::lines::{Line, derivatives, own};
@@ -6,7 +6,7 @@ use super::steps::ORDERS;
 use crate::notation::Notation::Latex;
 use crate::vectors;
 
-/// Columns of plain text for which there is room on a page.
+/// Width of a page in columns of plain text.
 const WIDTH: usize = 80;
 
 impl Sheet {
@@ -21,13 +21,13 @@ impl Sheet {
         )
     }
 
-    /// The inside of a document: a paragraph for every joint, each with one display.
+    /// A fragment for a document: a paragraph for every joint, each with one display.
     pub fn latex_fragment(&self) -> String {
         let joints: String = self.joints.iter().map(joint).collect();
         joints + &self.latex_assembled() + &self.latex_solution() + &self.latex_dynamics()
     }
 
-    /// The matrices of the mechanism; nothing where they are not asked for, or too large. A wide matrix is set in small type.
+    /// The matrices of the mechanism; empty if they are not wanted or too large. A wide matrix is set in small type.
     fn latex_assembled(&self) -> String {
         let Some(assembled) = self.assembled(Latex) else { return String::new() };
         let (count, lines) = (assembled.coordinates.len(), assembled.lines(Latex));
@@ -40,7 +40,7 @@ impl Sheet {
         )
     }
 
-    /// The steps of the plan; nothing where there are none.
+    /// The steps of the plan; empty if there are none.
     fn latex_solution(&self) -> String {
         if self.steps.is_empty() && self.unsolved.is_empty() {
             return String::new();
@@ -72,7 +72,7 @@ fn joint(joint: &Joint) -> String {
     format!("\\paragraph{{{}}} {}\n{}", prose(&joint.name), prose(&joint.what), display(&lines))
 }
 
-/// Lines below one another; nothing where there are none.
+/// Aligned lines as one display; empty if there are none.
 pub(super) fn display(lines: &[String]) -> String {
     match lines {
         [] => String::new(),
@@ -80,13 +80,13 @@ pub(super) fn display(lines: &[String]) -> String {
     }
 }
 
-/// An equation, continued to the right of its sign.
+/// An equation; continuation lines are indented to the right of its sign.
 pub(super) fn equation(line: &Line) -> String {
     let right: Vec<&str> = line.right.iter().map(|part| part.trim_start()).collect();
     format!("{} &= {}", line.left, right.join(" \\\\\n&\\quad {} "))
 }
 
-/// A text beside formulas: what means something to LaTeX stands for itself.
+/// A text outside of formulas, with LaTeX's special characters escaped.
 pub(super) fn prose(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for letter in text.chars() {

@@ -1,4 +1,4 @@
-//! What every form of a sheet has in common: the lines of a row, with left sides and broken right sides.
+//! The lines of a row in every notation, with left sides and right sides that may be broken.
 
 use super::shown::{Row, Shown, symbol};
 use crate::notation::Notation;
@@ -8,12 +8,12 @@ use crate::notation::escaped;
 pub(super) struct Line {
     /// Left of the sign.
     pub(super) left: String,
-    /// Right of it, over so many lines.
+    /// The right side, one entry per line.
     pub(super) right: Vec<String>,
 }
 
 impl Shown {
-    /// Over several lines where it is longer than so many columns.
+    /// The right side broken into lines of at most `width` columns.
     pub(super) fn lines(&self, notation: Notation, width: usize) -> Vec<String> {
         match self {
             Self::Formula(formula) => formula.lines(notation, width),
@@ -22,7 +22,7 @@ impl Shown {
     }
 }
 
-/// = 0.
+/// ` = 0` in a notation.
 pub(super) fn zero(notation: Notation) -> &'static str {
     match notation {
         Notation::Unicode | Notation::Latex => " = 0",
@@ -30,7 +30,7 @@ pub(super) fn zero(notation: Notation) -> &'static str {
     }
 }
 
-/// Φ = 0 of a row.
+/// The equation Φ = 0 of a row.
 pub(super) fn own(row: &Row, notation: Notation, width: usize) -> Line {
     let mut right = row.phi.lines(notation, width);
     if let Some(last) = right.last_mut() {
@@ -39,7 +39,7 @@ pub(super) fn own(row: &Row, notation: Notation, width: usize) -> Line {
     Line { left: of_row(phi(row), &row.name, notation), right }
 }
 
-/// Its derivatives: the entries of Φ_q that are not 0, Φ_t and γ.
+/// The derivatives of a row: the entries of Φ_q that are not 0, Φ_t and γ.
 pub(super) fn derivatives(row: &Row, notation: Notation, width: usize) -> Vec<Line> {
     let line = |left: String, shown: &Shown| Line { left, right: shown.lines(notation, width) };
     let phi = of_row(phi(row), &row.name, notation);
@@ -70,7 +70,7 @@ fn phi(row: &Row) -> &'static str {
     if row.position { "Φ" } else { "η" }
 }
 
-/// A letter with the name of a row.
+/// A letter with the name of a row as its index.
 fn of_row(letter: &str, name: &str, notation: Notation) -> String {
     match notation {
         Notation::Unicode => letter.to_owned(),

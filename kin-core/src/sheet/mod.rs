@@ -1,8 +1,8 @@
 //! The derivation for people: joint by joint, each with its own equation first, then its rows of Φ, Φ_q, Φ_t and γ, and
 //! how the solution plan solves them; as text, LaTeX, a page, and documentation of the struct.
 //!
-//! A sheet is made of texts that were printed from the graph that the code is emitted from: by [`Sheet::of_system`] where
-//! that graph is at hand, or from the tables of a compiled mechanism.
+//! The formulas of a sheet come from the graph from which the code is generated: directly by [`Sheet::of_system`] at
+//! compile time, or from the tables of a compiled mechanism.
 
 mod assembled;
 mod content;

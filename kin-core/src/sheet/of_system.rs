@@ -1,4 +1,4 @@
-//! A sheet from the graph itself.
+//! A sheet from the expression graph, while the mechanism is compiled.
 
 use super::content::{Dynamics, Joint, Sheet};
 use super::shown::{Row, Shown};
@@ -13,9 +13,9 @@ use crate::vocabulary::JointKind;
 use crate::vocabulary::Role;
 
 impl Sheet {
-    /// The derivation of a system, as it is written where the graph is at hand: of a family the first member only, where
-    /// the others differ by their indices alone, and their names; the steps of a plan that was made with its formulas; and
-    /// the equations of motion.
+    /// The derivation of a system. Of a family only the first member is written, with the names of the others, if these
+    /// differ in their indices only. The steps are those of a plan that was made with its formulas. A mechanism with masses
+    /// has its equations of motion.
     pub fn of_system(mechanism: &Mechanism, system: &KinematicSystem, plan: &SolutionPlan) -> Self {
         let set = &system.set;
         let mut joints: Vec<Joint> = Vec::new();
@@ -49,7 +49,7 @@ impl Sheet {
     }
 }
 
-/// What members of a family have in common: which derivatives there are, and how long they are.
+/// The shape of a member of a family: which derivatives it has, and how long these are.
 fn shape(system: &KinematicSystem, joint: &JointInstance) -> Vec<String> {
     let without_digits = |text: String| text.chars().filter(|c| !c.is_ascii_digit()).collect::<String>();
     let rows = joint.first_row..joint.first_row + joint.rows;

@@ -1,4 +1,4 @@
-//! Formulas of a sheet, and rows of them.
+//! Rows and formulas of a sheet.
 
 use crate::notation::{Formula, Name, Notation, escaped};
 
@@ -19,17 +19,17 @@ pub struct Row {
     pub gamma: Shown,
 }
 
-/// A formula, or a text that was too long to be one.
+/// A formula, or a text that is too long to be parsed as one.
 #[derive(Clone, Debug)]
 pub enum Shown {
-    /// A formula, tidied.
+    /// A simplified formula.
     Formula(Formula),
-    /// As it was printed.
+    /// The text as the graph printed it.
     Text(String),
 }
 
 impl Shown {
-    /// Reads what the graph prints.
+    /// Reads the text that the graph prints.
     pub fn new(text: &str) -> Self {
         Formula::parse(text).map_or_else(|_| Self::Text(text.to_owned()), |formula| Self::Formula(formula.tidied()))
     }
@@ -47,7 +47,7 @@ impl Shown {
     }
 }
 
-/// A name's symbol.
+/// The symbol of a name.
 pub(super) fn symbol(name: &str, notation: Notation) -> String {
     Name::new(name).write(notation)
 }

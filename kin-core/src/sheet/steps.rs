@@ -5,7 +5,8 @@ use super::shown::{Shown, symbol};
 use crate::notation::{Formula, Name, Notation};
 use crate::plan;
 
-/// A step: what gives its coordinates, their rates and their accelerations, each by what stands before it.
+/// A step: the formulas for its coordinates, their rates and their accelerations; each uses results of earlier formulas
+/// only.
 #[derive(Clone, Debug)]
 pub struct Step {
     /// Its number in the plan, from 1.
@@ -19,13 +20,13 @@ pub struct Step {
 /// A line of a step.
 #[derive(Clone, Debug)]
 pub enum Line {
-    /// A name and its value; `zero` where an iteration brings that to 0.
+    /// A name and its value, or a residual that an iteration makes 0.
     Equation {
         /// The name.
         left: String,
         /// The value.
         right: Shown,
-        /// True for what an iteration brings to 0.
+        /// True for a residual.
         zero: bool,
     },
     /// matrix · unknowns = right.
@@ -34,12 +35,12 @@ pub enum Line {
         matrix: Vec<Vec<Shown>>,
         /// Names.
         unknowns: Vec<String>,
-        /// As many as rows.
+        /// The right-hand side of every row.
         right: Vec<Shown>,
     },
 }
 
-/// What the three groups of lines are called.
+/// The headings of the three groups of lines.
 pub(super) const ORDERS: [&str; 3] = ["Position", "Velocity", "Acceleration"];
 
 impl Step {
@@ -69,7 +70,7 @@ impl Line {
         Self::Equation { left: left.to_owned(), right: Shown::new(right), zero }
     }
 
-    /// As equations: a system is one of matrices where they are small enough for `width`, otherwise row by row.
+    /// As equations: a system is written with matrices if these fit into `width`, otherwise row by row.
     pub(super) fn write(&self, notation: Notation, width: usize) -> Vec<lines::Line> {
         match self {
             Self::Equation { left, right, zero } => {
@@ -98,7 +99,7 @@ impl Line {
     }
 }
 
-/// row · unknowns.
+/// The product row · unknowns as a formula.
 fn product(row: &[Shown], unknowns: &[String]) -> Shown {
     let term = |(entry, name): (&Shown, &String)| match entry {
         Shown::Formula(entry) if entry.is_zero() => None,

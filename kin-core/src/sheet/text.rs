@@ -1,4 +1,4 @@
-//! As aligned text.
+//! A sheet as aligned text.
 
 use super::content::{Joint, Sheet};
 use super::lines::{Line, derivatives, own};
@@ -6,11 +6,11 @@ use super::shown::Row;
 use crate::notation::Notation::Unicode;
 use crate::vectors;
 
-/// Columns of a page.
+/// Width of a page in columns.
 const WIDTH: usize = 100;
 
 impl Sheet {
-    /// All joints, one below the other.
+    /// The whole sheet.
     pub fn text(&self) -> String {
         let joints = self.joints.iter().map(joint);
         let joints: String = joints.collect();
@@ -18,7 +18,7 @@ impl Sheet {
         format!("{}\n{joints}{assembled}{solution}{dynamics}", self.name)
     }
 
-    /// The matrices of the mechanism; nothing where they are not asked for, or too large.
+    /// The matrices of the mechanism; empty if they are not wanted or too large.
     fn text_assembled(&self) -> String {
         let Some(assembled) = self.assembled(Unicode) else { return String::new() };
         let mut out = format!("\nAll rows together\n{}", assembled.text());
@@ -28,7 +28,7 @@ impl Sheet {
         out
     }
 
-    /// The steps of the plan; nothing where there are none.
+    /// The steps of the plan; empty if there are none.
     fn text_solution(&self) -> String {
         if self.steps.is_empty() && self.unsolved.is_empty() {
             return String::new();
@@ -66,7 +66,7 @@ fn of_row(row: &Row) -> String {
     aligned(std::iter::once(first).chain(derivatives(row, Unicode, usize::MAX)).collect())
 }
 
-/// Equations with their signs below one another.
+/// Equations aligned at their signs.
 pub(super) fn aligned(lines: Vec<Line>) -> String {
     let width = lines.iter().map(|line| shown(&line.left)).max().unwrap_or(0);
     let line = |Line { left, right }: Line| {
@@ -78,12 +78,13 @@ pub(super) fn aligned(lines: Vec<Line>) -> String {
     lines.into_iter().map(line).collect()
 }
 
-/// Columns that a text takes: combining dots take none.
+/// Width of a text: combining dots have no width.
 pub(super) fn shown(text: &str) -> usize {
     text.chars().filter(|c| !('\u{300}'..='\u{36f}').contains(c)).count()
 }
 
-/// Broken before signs between terms, those outside of brackets first; a term alone is broken where it must be.
+/// Breaks a text before the signs of terms, outside of brackets if possible; a single long term is broken inside its
+/// brackets.
 fn wrap(text: &str, width: usize) -> Vec<String> {
     let mut lines = vec![String::new()];
     let fits = |line: &str, more: &str| line.is_empty() || shown(line) + 1 + shown(more) <= width;
@@ -111,7 +112,7 @@ fn wrap(text: &str, width: usize) -> Vec<String> {
     lines
 }
 
-/// The terms of a sum, each with its sign: those in at most so many brackets.
+/// Splits a sum into terms with their signs, also inside of up to `brackets` nested brackets.
 fn split(text: &str, brackets: usize) -> Vec<String> {
     let (mut terms, mut depth) = (Vec::<String>::new(), 0_usize);
     for part in text.split(' ') {

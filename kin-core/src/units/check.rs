@@ -1,4 +1,4 @@
-//! Where the units of a mechanism do not agree.
+//! Finds where the units of a mechanism do not agree.
 
 use super::checker::{
     Checker,
@@ -12,8 +12,8 @@ use crate::mechanism::{
     Axis, BodyOrigin, Component, Curve, Dimension, Formula, GuessTarget, Joint, Mechanism, Operand, Slot, Value,
 };
 
-/// Every place where quantities of different units are added, compared or equated. The mechanism is sound: indices
-/// exist and defines end somewhere.
+/// An error for every place where quantities of different units are added, compared or equated. The mechanism must have
+/// passed the other checks: indices are valid, and defines are not circular.
 pub fn check(mechanism: &Mechanism) -> Vec<ModelError> {
     let mut checker = Checker::new(mechanism);
     checker.mechanism();
@@ -26,7 +26,7 @@ pub fn check(mechanism: &Mechanism) -> Vec<ModelError> {
 impl Checker<'_> {
     pub(super) fn mechanism(&mut self) {
         let m = self.mechanism;
-        // What others use comes first: a long chain of defines must not become deep recursion.
+        // Defines are visited before those that use them, so that a long chain of defines causes no deep recursion.
         for k in order_of_defines(m).order {
             self.define(k);
         }
@@ -107,13 +107,13 @@ impl Checker<'_> {
         }
     }
 
-    /// The unit that the operands of one unit agree on, the first where they do not.
+    /// The common unit of the operands that must have one unit; the first one if they do not agree.
     fn agreed(&mut self, joint: &Joint) -> Option<Unit> {
         let common = |slot: &Slot| matches!(slot.dimension, Dimension::Common | Dimension::CommonLength);
         let together = |operand: &Operand| matches!(operand, Operand::Radii(_));
         let operands: Vec<&Operand> =
             joint.operands.iter().filter(|(slot, _)| common(slot)).map(|(_, operand)| operand).collect();
-        // Radii agree with one another, and the rest with them.
+        // Radii must agree with one another, and the other operands with the radii.
         let values = match operands.iter().find(|operand| together(operand)) {
             Some(Operand::Radii(radii)) => {
                 self.at = radii.j.origin;
@@ -137,7 +137,7 @@ impl Checker<'_> {
         }
     }
 
-    /// Radii are lengths or numbers of teeth, and no angles.
+    /// Checks that a radius is a length or a number of teeth, and not an angle.
     fn radius(&mut self, radius: &Value) {
         let number = match self.quantity(&radius.value) {
             Of(unit) => unit.is_number(),

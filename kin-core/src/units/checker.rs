@@ -1,4 +1,4 @@
-//! What is known while units are checked.
+//! The state of the check of units.
 
 use super::parse::{angles, parse};
 use super::unit::{Unit, near};
@@ -6,38 +6,38 @@ use crate::error::{ModelError, Origin};
 use crate::mechanism::{Formula, Mechanism};
 use Quantity::{Any, Of};
 
-/// What is known of a quantity.
+/// The unit of a quantity, as far as it is known.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Quantity {
-    /// Anything.
+    /// Not known: it agrees with every unit.
     Any,
-    /// A plain number, of whatever unit is wanted.
+    /// A plain number, which takes any unit that is expected.
     Plain,
-    /// t or a power of it: a time where units are multiplied, and as free as a number where it is added or compared, so
-    /// that `phi = t` turns by one radian in a unit of time.
+    /// t or a power of it: in products a time; in sums and comparisons it takes any unit, as a number does, so that
+    /// `phi = t` means one radian per unit of time.
     Clock(Unit),
-    /// Of this unit.
+    /// A quantity with this unit.
     Of(Unit),
 }
 
 /// The state of checking units.
 pub(super) struct Checker<'m> {
     pub(super) mechanism: &'m Mechanism,
-    /// What is written of parameters, scalar coordinates, inputs and defines.
+    /// The written units of parameters, scalar coordinates, inputs and defines.
     pub(super) written: [Vec<Option<Written>>; 4],
-    /// What scalar coordinates and inputs without a unit meet.
+    /// The units with which scalar coordinates and inputs without a unit are compared.
     pub(super) met: [Vec<Met>; 2],
-    /// Of positions.
+    /// The unit of positions.
     pub(super) length: Unit,
-    /// What has the unit of length first.
+    /// The name that has a unit of length first.
     pub(super) first_length: Option<String>,
-    /// Of t.
+    /// The unit of t.
     pub(super) time: Unit,
-    /// Of masses.
+    /// The unit of masses.
     pub(super) mass: Unit,
-    /// Of the defines that have been looked at.
+    /// The units of the defines that have been checked.
     pub(super) defines: Vec<Option<(Quantity, f64)>>,
-    /// Where the formula at hand stands.
+    /// The origin of the current formula.
     pub(super) at: Origin,
     pub(super) errors: Vec<ModelError>,
 }
@@ -50,7 +50,7 @@ pub(super) struct Written {
     pub(super) angle: f64,
 }
 
-/// What a name without a unit meets in equations.
+/// The unit with which a name without a unit is compared in equations.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) enum Met {
     #[default]
@@ -60,7 +60,7 @@ pub(super) enum Met {
     Several,
 }
 
-/// What may have a unit.
+/// Kinds of names that may have a unit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Named {
     Parameter,
@@ -69,7 +69,7 @@ pub(super) enum Named {
     Define,
 }
 
-/// Everything that is written, with what has it.
+/// All written units, with the names that have them.
 pub(super) fn texts(mechanism: &Mechanism) -> impl Iterator<Item = (&str, &str)> {
     let m = mechanism;
     let parameters = m.parameters.iter().map(|p| (&p.name, &p.unit));
@@ -115,17 +115,17 @@ impl<'m> Checker<'m> {
         }
     }
 
-    /// What is written of a name.
+    /// The written unit of a name.
     pub(super) fn written(&self, named: Named, k: usize) -> Option<Written> {
         self.written[named as usize].get(k).copied().flatten()
     }
 
-    /// The quantity of a name that has a unit, or none.
+    /// The quantity of a name, with or without a unit.
     pub(super) fn of(&self, named: Named, k: usize) -> Quantity {
         self.written(named, k).map_or(Any, |written| Of(written.unit))
     }
 
-    /// A name without a unit that stands alone is of the unit that it meets.
+    /// Records that a name without a unit, which is a formula by itself, is compared with a unit.
     pub(super) fn meets(&mut self, formula: &Formula, unit: Unit, angle: f64) {
         let (named, member) = match formula {
             Formula::Neg(a) => return self.meets(a, unit, angle),

@@ -1,4 +1,4 @@
-//! What the units of a mechanism are: those that are written, and those that follow from them.
+//! The units of a mechanism: those that are written, and those that follow from them.
 
 use super::checker::{
     Checker, Met,
@@ -9,23 +9,23 @@ use super::parse::symbol_of;
 use super::unit::{Unit, near};
 use crate::mechanism::Mechanism;
 
-/// The units of what a mechanism reports, as people write them.
+/// The units of the results of a mechanism, as text.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Units {
-    /// Of x and y, where a unit of length is written.
+    /// The unit of x and y, if a unit of length is written.
     pub length: Option<String>,
-    /// Of t; s where units are written, and none of them is a time.
+    /// The unit of t; s if units are written but none of them is a time.
     pub time: Option<String>,
-    /// Of scalar coordinates, inputs and defines, by their names without index, where they are known.
+    /// The known units of scalar coordinates, inputs and defines, by their names without index.
     pub named: Vec<(String, String)>,
 }
 
-/// True where a unit is written.
+/// True if the description has units.
 pub fn are_written(mechanism: &Mechanism) -> bool {
     texts(mechanism).next().is_some()
 }
 
-/// The units of a mechanism without mistakes.
+/// The units of a mechanism that has passed all checks.
 pub fn derive(mechanism: &Mechanism) -> Units {
     let mut checker = Checker::new(mechanism);
     checker.mechanism();
@@ -57,7 +57,7 @@ pub fn derive(mechanism: &Mechanism) -> Units {
     units
 }
 
-/// A unit in the units of the mechanism; none for a number.
+/// A unit as text in the units of the mechanism; none for a number.
 fn text(units: &Units, checker: &Checker<'_>, unit: Unit, angle: f64) -> Option<String> {
     let [length, time, mass] = unit.powers;
     let scale = checker.length.scale.unwrap_or(1.0).powf(length) * checker.time.scale.unwrap_or(1.0).powf(time);

@@ -1,4 +1,4 @@
-//! The units of forces, moments, energies and powers, from those of masses, lengths and times that are written.
+//! The units of forces, moments, energies and powers, which follow from the written units of masses, lengths and times.
 
 use super::checker::{Checker, texts};
 use super::derived::derive;
@@ -6,7 +6,7 @@ use super::parse::parse;
 use super::unit::Unit;
 use crate::mechanism::Mechanism;
 
-/// The units of forces, as people write them; none where no unit tells the size of a mass.
+/// The units of forces, as text; none if no written unit determines that of masses.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct ForceUnits {
     /// Of forces.
@@ -19,10 +19,10 @@ pub struct ForceUnits {
     pub power: Option<String>,
 }
 
-/// Symbols with which forces, energies and powers are written.
+/// Symbols for forces, energies and powers.
 const SYMBOLS: [&str; 14] = ["N", "kN", "mN", "MN", "uN", "J", "kJ", "mJ", "MJ", "W", "kW", "mW", "MW", "uW"];
 
-/// The units of forces of a mechanism without mistakes.
+/// The units of forces of a mechanism that has passed all checks.
 pub fn force_units(mechanism: &Mechanism) -> ForceUnits {
     known(mechanism).unwrap_or_default()
 }
@@ -30,7 +30,7 @@ pub fn force_units(mechanism: &Mechanism) -> ForceUnits {
 fn known(mechanism: &Mechanism) -> Option<ForceUnits> {
     let checker = Checker::new(mechanism);
     let (length, time) = (checker.length.scale?, checker.time.scale?);
-    // Where no mass has a unit, that of a force or a stiffness tells it.
+    // If no mass has a unit, that of a force or a stiffness determines it.
     let units = texts(mechanism).filter_map(|(_, text)| parse(text).ok());
     let of_others = |unit: Unit| {
         let [a, b, c] = unit.powers;

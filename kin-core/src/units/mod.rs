@@ -1,4 +1,4 @@
-//! Units that are written, checked wherever an expression adds, compares or equates quantities, and those that follow.
+//! Units: reading them, checking them wherever an expression adds, compares or equates quantities, and deriving others.
 //!
 //! kin computes with plain numbers in any consistent units. Rules:
 //!
@@ -6,11 +6,11 @@
 //!   (mm and m, deg and rad) are inconsistent.
 //! - x and y of bodies and points, and distances, are lengths in the first unit of length that is written; φ is an
 //!   angle; t is a time in the first unit of time, or s; `dot` divides by it.
-//! - A plain number takes the unit that its surroundings want: in `l + 0.1` it is a length, in `2*l` a factor; with
-//!   time or with another number, as in `2*t` and `0.1*sin(a)`, the product is as free as the number. A factor of a
-//!   conversion (powers of ten, 12, 25.4, 30, 60, 180, …) leaves the scale open: `l_mm/1000`, `n*2*pi/60`.
-//! - t alone fits everywhere, too, as in `phi = t`; times a quantity with a unit it is a time.
-//! - Parameters, scalar coordinates, inputs and defines without a unit, and supplied functions, fit everywhere.
+//! - A plain number takes the unit that its context needs: in `l + 0.1` it is a length, in `2*l` a factor. Products of
+//!   a number with time or with another number, as in `2*t` and `0.1*sin(a)`, take any unit, too. A factor that is
+//!   typical of conversions (powers of ten, 12, 25.4, 30, 60, 180, …) leaves the scale open: `l_mm/1000`, `n*2*pi/60`.
+//! - t alone takes any unit, too, as in `phi = t`; multiplied by a quantity with a unit it is a time.
+//! - Parameters, scalar coordinates, inputs and defines without a unit, and supplied functions, agree with every unit.
 //! - Arguments of sin, cos, tan, asin, acos, atan, exp and ln are numbers; so are their results.
 
 #[cfg(feature = "compiler")]

@@ -3,7 +3,7 @@
 use super::unit::Unit;
 use core::f64::consts::PI;
 
-/// The first part of a unit that is none.
+/// The first part of a text that is not a known unit.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct UnknownUnit(pub String);
 
@@ -67,11 +67,11 @@ fn symbol(text: &str) -> Option<Unit> {
     Some(Unit { scale: unit.scale.map(|scale| scale * factor), ..unit })
 }
 
-/// The symbol of a length, a time or one of their common quotients.
+/// The symbol of a common unit.
 pub(super) fn symbol_of(unit: Unit) -> Option<&'static str> {
-    const COMMON: [&str; 20] = [
+    const COMMON: [&str; 33] = [
         "m", "mm", "cm", "km", "in", "ft", "um", "s", "ms", "min", "h", "rad/s", "rpm", "m/s", "mm/s", "rad/s^2",
-        "m/s^2", "kg", "deg", "rev",
+        "m/s^2", "kg", "g", "deg", "rev", "N", "kN", "mN", "MN", "N·m", "kN·m", "N·mm", "N/m", "N/mm", "W", "kW", "mW",
     ];
     COMMON.into_iter().find(|symbol| unit.scale.is_some() && parse(symbol).is_ok_and(|known| known.agrees(unit)))
 }
@@ -79,7 +79,7 @@ pub(super) fn symbol_of(unit: Unit) -> Option<&'static str> {
 /// Reads a unit: factors joined by `*`, `·`, `.` or a space, divided by what follows a `/`; powers as `^2` or `²`.
 ///
 /// # Errors
-/// The part that is no unit.
+/// The first part that is not a known unit.
 pub fn parse(text: &str) -> Result<Unit, UnknownUnit> {
     let is_joint = |c: char| matches!(c, '*' | '·' | '⋅' | '.' | ' ');
     let mut unit = Unit::NUMBER;
@@ -94,7 +94,7 @@ pub fn parse(text: &str) -> Result<Unit, UnknownUnit> {
     Ok(unit)
 }
 
-/// How often an angle is a factor of a unit that can be read: 1 for rad and deg/s, 0 for m and 1/s.
+/// The exponent of angles in a valid unit: 1 for rad and deg/s, 0 for m and 1/s.
 #[cfg(feature = "compiler")]
 pub(super) fn angles(text: &str) -> f64 {
     let mut angles = 0.0;

@@ -1,4 +1,4 @@
-//! The units of formulas, from those of what stands in them.
+//! The units of formulas, from the units of the names in them.
 
 use super::checker::{
     Checker, Named,
@@ -10,6 +10,25 @@ use crate::error::{ModelError, Origin};
 use crate::mechanism::{Component, CurveVariable, Formula, Function, Place};
 use core::f64::consts::PI;
 
+/// What a unit measures, in words.
+fn kind(unit: Unit) -> String {
+    let words = match unit.powers.map(|power| power.round() as i32) {
+        [1, 0, 0] => "a length",
+        [0, 1, 0] => "a time",
+        [0, 0, 1] => "a mass",
+        [2, 0, 1] => "a moment of inertia",
+        [1, -1, 0] => "a speed",
+        [1, -2, 0] => "an acceleration",
+        [1, -2, 1] => "a force",
+        [2, -2, 1] => "a couple",
+        [0, -2, 1] => "a force per length",
+        [0, -1, 1] => "a force per speed",
+        [2, -1, 1] => "a couple per angular speed",
+        _ => return unit.to_string(),
+    };
+    words.to_owned()
+}
+
 impl Checker<'_> {
     pub(super) fn place(&mut self, place: &Place) {
         for value in [&place.x, &place.y] {
@@ -17,13 +36,13 @@ impl Checker<'_> {
         }
     }
 
-    /// `formula` is in `unit`; `at` is where it stands when none of its names does.
+    /// Checks that `formula` has `unit`; an error without a name of the formula to point at is at `at`.
     pub(super) fn expect(&mut self, formula: &Formula, unit: Unit, at: Origin) {
         self.at = at;
         let Of(found) = self.quantity(formula) else { return self.meets(formula, unit, 1.0) };
         if !found.agrees(unit) {
             let wanted = match unit.scale {
-                None => "a length".to_owned(),
+                None => kind(unit),
                 Some(_) if unit.is_number() => "an angle in rad".to_owned(),
                 Some(_) => unit.to_string(),
             };
@@ -37,7 +56,7 @@ impl Checker<'_> {
         }
     }
 
-    /// Both are in one unit, which they give; the second is to blame, if it has a name.
+    /// Checks that both have the same unit, and returns it; an error points at the second, if that contains a name.
     pub(super) fn same(&mut self, a: &Formula, b: &Formula) -> Quantity {
         let (left, right) = (self.quantity(a), self.quantity(b));
         for ((of, quantity), other) in [((a, right), b), ((b, left), a)] {
@@ -58,7 +77,7 @@ impl Checker<'_> {
                 let hint = conversion(this, that);
                 let message = format!("the units do not agree: this is {this}, and what it meets is {that}{hint}");
                 self.errors.push(ModelError::new(origin, message));
-                // Said once.
+                // The error is reported only once.
                 Any
             }
             (Of(one), Of(other)) => Of(if one.scale.is_some() { one } else { other }),
@@ -70,7 +89,7 @@ impl Checker<'_> {
         }
     }
 
-    /// The quantity of a define, and how often an angle is a factor of it.
+    /// The quantity of a define, and its exponent of angles.
     pub(super) fn define(&mut self, k: usize) -> (Quantity, f64) {
         if let Some(known) = self.defines.get(k).copied().flatten() {
             return known;
@@ -146,7 +165,7 @@ impl Checker<'_> {
         }
     }
 
-    /// How often an angle is a factor of a formula.
+    /// The exponent of angles in the unit of a formula.
     pub(super) fn angle(&mut self, formula: &Formula) -> f64 {
         let written = |checker: &Self, named, k| checker.written(named, k).map_or(0.0, |written| written.angle);
         match formula {
@@ -186,15 +205,16 @@ impl Checker<'_> {
                         format!("the units do not agree: this is {unit}, and `{name}` takes a number or rad{hint}");
                     self.errors.push(ModelError::new(first_origin(a).unwrap_or(self.at), message));
                 }
-                // A number of a number is as free as that.
+                // A function of a literal number takes any unit, as a literal number does.
                 if a.literal().is_some() { Plain } else { Of(Unit::NUMBER) }
             }
         }
     }
 }
 
-/// A product: a plain number keeps what it multiplies, but a conversion opens its scale; times a number it is as free as
-/// before, and times time it may be a rate, so that nothing is known.
+/// A product. A plain number does not change the unit of the other factor, but a factor of a conversion leaves its
+/// scale open. Number times number is a plain number, and number times t may have any unit, since the number may be a
+/// rate.
 fn product(factors: [(Quantity, &Formula); 2]) -> Quantity {
     match factors.map(|(quantity, _)| quantity) {
         [Of(a), Of(b) | Clock(b)] | [Clock(a), Of(b)] => Of(a.times(b)),
@@ -216,7 +236,7 @@ fn product(factors: [(Quantity, &Formula); 2]) -> Quantity {
     }
 }
 
-/// True for a number with π in it, which turns revolutions into radians.
+/// True for a number with a factor π, which converts revolutions into radians.
 fn has_pi(formula: &Formula) -> bool {
     match formula {
         Formula::Pi => true,
@@ -226,7 +246,7 @@ fn has_pi(formula: &Formula) -> bool {
     }
 }
 
-/// What makes one unit the other, where that is a number that people know.
+/// A hint how to convert one unit to the other, if the factor is a well-known number.
 fn conversion(from: Unit, to: Unit) -> String {
     let (Some(a), Some(b)) = (from.scale, to.scale) else { return String::new() };
     if !from.is_like(to) {

@@ -5,7 +5,7 @@ use super::unit::{Unit, near};
 use core::fmt;
 
 impl fmt::Display for Unit {
-    /// In SI units, after their factor: `m/s`, `0.001 m`; an angle or a number is called so.
+    /// In SI units, with a factor: `m/s`, `0.001 m`; a unit without dimension is `a number or rad`.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if self.is_number() {
             return match (self.scale, parse::symbol_of(*self)) {

@@ -1,11 +1,11 @@
 //! A unit.
 
-/// A unit: powers of length, time and mass, and how many SI units it is; an open scale fits every other.
+/// A unit: powers of length, time and mass, and its size in SI units; an open scale agrees with every other.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Unit {
     /// Exponents of length, time and mass.
     pub powers: [f64; 3],
-    /// In SI units; `None` after a conversion.
+    /// Its size in SI units; `None` (open) after a conversion.
     pub scale: Option<f64>,
 }
 
@@ -15,7 +15,7 @@ pub(super) fn near(a: f64, b: f64) -> bool {
 }
 
 impl Unit {
-    /// A number; an angle in radians.
+    /// The unit of numbers, and of angles in radians.
     pub const NUMBER: Self = Self { powers: [0.0; 3], scale: Some(1.0) };
 
     /// The base unit of length (0), time (1) or mass (2), `scale` SI units large.
@@ -38,18 +38,18 @@ impl Unit {
         Self { powers: self.powers.map(|p| p * n), scale: self.scale.map(|s| s.powf(n)) }
     }
 
-    /// True for what has no length, time or mass in it.
+    /// True for a unit without length, time and mass.
     pub fn is_number(self) -> bool {
         self.powers.iter().all(|p| p.abs() < 1e-9)
     }
 
-    /// True for time and its powers alone.
+    /// True for time and its powers.
     #[cfg(feature = "compiler")]
     pub(super) fn is_time(self) -> bool {
         self.powers[0].abs() < 1e-9 && self.powers[2].abs() < 1e-9 && self.powers[1] > 1e-9
     }
 
-    /// True for what has a length in it.
+    /// True for a unit that contains a length.
     #[cfg(feature = "compiler")]
     pub(super) fn has_length(self) -> bool {
         self.powers[0].abs() > 1e-9

@@ -6,7 +6,7 @@ use crate::error::SolveError;
 use crate::linear::Factorization;
 use crate::workspace::Subset;
 
-/// q̈ at an assembled configuration with its q̇; `factor` is Φ_q there, which was evaluated last.
+/// q̈ at an assembled configuration with its q̇; `factor` is the factorisation of Φ_q, which was evaluated there last.
 pub(crate) fn acceleration(
     equations: &mut Equations<'_>,
     q: &[f64],
@@ -16,7 +16,8 @@ pub(crate) fn acceleration(
     equations.evaluate(Subset::GAMMA, q, Some(q_dot))?;
     let right = scaled(equations, &equations.gamma);
     let solution = factor.solve(&right);
-    // γ is quadratic in q̇: where it vanishes but for rounding, nothing smaller than its parts is a contradiction.
+    // γ is a sum of terms quadratic in q̇. Where they cancel, residuals smaller than rounding of the terms are no
+    // contradiction.
     let parts = equations.scale.size(q_dot).powi(2);
     if let Some((row, residual)) = inconsistency(equations, &solution, &right, parts) {
         let (row_name, joint) = (equations.row_name(row), equations.joint_name(row));

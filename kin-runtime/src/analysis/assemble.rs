@@ -1,13 +1,13 @@
-//! Assembly from guesses, of which some or all may be missing.
+//! Assembly from guesses, some or all of which may be missing.
 //!
-//! 1. **Propagate**: a row in which one unknown coordinate is left, and which is affine in it, gives that coordinate;
-//!    repeated until nothing changes. This carries driven angles and, from the ground outwards, the pins of bodies
-//!    whose angle is known.
-//! 2. **Partial**: coordinates that are still unknown start at zero and are moved alone, everything else held.
+//! 1. **Propagate**: a row with only one unknown coordinate, in which it is affine, determines that coordinate; this is
+//!    repeated until nothing changes. It finds driven angles and, from the ground outwards, the origins of bodies whose
+//!    angle is known.
+//! 2. **Partial**: coordinates that are still unknown start at zero; Newton moves only these.
 //! 3. **Full** position analysis from there.
 //!
-//! When that fails, it is tried again with other values of the coordinates that have no guess, always the same ones.
-//! A guess is the user's word for the mode, and is not varied.
+//! If that fails, further attempts vary the coordinates without a guess, by the same pseudo-random values in every run.
+//! Guesses are not varied, because they choose the mode.
 
 use crate::analysis::closure::close;
 use crate::analysis::position::{Position, close_all, finish};
@@ -27,7 +27,7 @@ pub(crate) fn assemble(equations: &mut Equations<'_>, guesses: &[Option<f64>]) -
     assembled
 }
 
-/// As often as there is something to vary.
+/// All attempts: one, and further ones if there are coordinates to vary.
 fn attempts(equations: &mut Equations<'_>, guesses: &[Option<f64>]) -> Result<Position, SolveError> {
     let start: Vec<f64> = guesses.iter().map(|g| g.unwrap_or(0.0)).collect();
     equations.check("guess", &start)?;
@@ -47,13 +47,13 @@ fn attempts(equations: &mut Equations<'_>, guesses: &[Option<f64>]) -> Result<Po
         }
         let (mut q, open) = propagate(equations, guesses, &start);
         if open.is_empty() && attempt > 0 {
-            // Nothing was left to perturb: perturb what propagation gave.
+            // Propagation found all coordinates: perturb what it gave.
             for &k in &unguessed {
                 q[k] += equations.scale.columns[k] * 0.5 * random.symmetric();
             }
         }
         if !open.is_empty() && attempt % 2 == 0 {
-            // Rows without an unknown stay what they are.
+            // Rows without an unknown coordinate are left out.
             let moves = |e: &Equations<'_>, row| e.row(row).any(|(k, _)| open.binary_search(&k).is_ok());
             let rows = equations.rows_where(|e, row| e.holonomic(row) && moves(e, row));
             close(equations, &rows, &open, &mut q);
@@ -72,13 +72,13 @@ fn attempts(equations: &mut Equations<'_>, guesses: &[Option<f64>]) -> Result<Po
     }
 }
 
-/// The guesses, with what rows say of the other coordinates; 0 for the rest.
+/// The guesses, the coordinates that rows determine by propagation, and 0 for the rest.
 pub(crate) fn propagated(equations: &mut Equations<'_>, guesses: &[Option<f64>]) -> Vec<f64> {
     let start: Vec<f64> = guesses.iter().map(|g| g.unwrap_or(0.0)).collect();
     propagate(equations, guesses, &start).0
 }
 
-/// One attempt, reported as it ends.
+/// The last attempt, with its error if it fails.
 fn close_and_finish(equations: &mut Equations<'_>, mut q: Vec<f64>) -> Result<Position, SolveError> {
     let outcome = close_all(equations, &mut q);
     finish(equations, q, outcome)
@@ -90,7 +90,7 @@ fn propagate(equations: &mut Equations<'_>, guesses: &[Option<f64>], start: &[f6
     let mut known: Vec<bool> = guesses.iter().map(Option::is_some).collect();
     let rows: Vec<(usize, Vec<usize>)> =
         equations.rows_where(Equations::holonomic).into_iter().map(|row| (row, columns_of(equations, row))).collect();
-    // What a row says alone, a driven angle for example, needs no guess, and no guess can change it.
+    // A coordinate that a single row determines, such as a driven angle, needs no guess, and no guess can change it.
     for (row, columns) in &rows {
         let &[k] = columns.as_slice() else { continue };
         if let Some(value) = affine_root(equations, *row, k, &mut q) {

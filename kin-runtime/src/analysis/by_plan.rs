@@ -1,14 +1,14 @@
-//! What the plan says of the equations at hand, for analyses that hold it against Φ.
+//! Solutions by the plan, for analyses that compare them with Φ.
 
 use crate::equations::Equations;
 use crate::plan::{Depth, Plan, Solved};
 use crate::planned::{Limit, Step};
 use crate::workspace::Instant;
 
-/// Closures nearer to one another than this do not say which of them a configuration is.
+/// If the two closures of a group are nearer to one another than this, the mode of a configuration is undecided.
 const UNDECIDED: f64 = 1e-6;
 
-/// What a plan gave; its buffers are used again.
+/// A solution by the plan, in buffers that are reused.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Answer {
     pub(crate) q: Vec<f64>,
@@ -18,12 +18,12 @@ pub(crate) struct Answer {
     closures: Vec<f64>,
 }
 
-/// True where the mechanism has a plan and its rows are all there are.
+/// True if the mechanism has a plan and no coordinates are prescribed.
 pub(crate) fn exists(equations: &Equations<'_>) -> bool {
     equations.model.plan.exists() && equations.given() == 0
 }
 
-/// Writes the sign of every mode of q; 0 where it is not decided.
+/// Writes the sign of every mode of q; 0 if it is undecided.
 pub(crate) fn modes(equations: &Equations<'_>, q: &[f64], modes: &mut Vec<f64>) {
     modes.clear();
     let plan = &equations.model.plan;
@@ -50,7 +50,7 @@ impl Answer {
     /// Solves at the current instant in the given modes, from `start`.
     ///
     /// # Errors
-    /// The first step that is no good; none where numbers are not finite.
+    /// The first step without a good answer; none if numbers are not finite.
     pub(crate) fn solve(
         &mut self,
         equations: &mut Equations<'_>,
@@ -73,7 +73,7 @@ impl Answer {
         Step::of_margin(equations.model, margin).map(|step| Limit::new(step, self.margins[margin]))
     }
 
-    /// True if q is in these modes for sure.
+    /// True if q is certainly in these modes.
     pub(crate) fn is_in(&mut self, equations: &Equations<'_>, modes: &[f64], q: &[f64]) -> bool {
         let at = equations.instant();
         equations.system.branches(&at, q, &mut self.closures).is_ok()
@@ -81,12 +81,12 @@ impl Answer {
     }
 }
 
-/// The margins of a solution at the current instant from q, in the modes that these numbers have the signs of.
+/// The margins of a solution at the current instant from q, in the modes given by the signs of `modes`.
 pub(crate) fn margins(equations: &mut Equations<'_>, modes: &[f64], q: &[f64]) -> Vec<f64> {
     let modes = modes.iter().take(equations.model.plan.modes.len());
     let modes: Vec<f64> = modes.map(|mode| mode.signum()).collect();
     let mut answer = Answer::new(equations);
-    // Whatever is wrong with it, its margins say it.
+    // An error is ignored: the margins show it.
     let _ = answer.solve(equations, &modes, q, Depth::Velocity);
     answer.margins
 }
@@ -101,7 +101,7 @@ pub(crate) fn limit(equations: &mut Equations<'_>, q: &[f64]) -> Option<Limit> {
     limit_in(equations, &signs, q)
 }
 
-/// [`limit`] in the modes that these signs, or closures with these signs, are; where one is not decided it is taken as +.
+/// [`limit`] in the modes given by the signs of these numbers; 0 counts as +.
 pub(crate) fn limit_in(equations: &mut Equations<'_>, modes: &[f64], q: &[f64]) -> Option<Limit> {
     if !equations.options.use_plan || !exists(equations) {
         return None;

@@ -1,4 +1,4 @@
-//! Some rows of a mechanism as functions of some coordinates: what an iteration closes.
+//! Some rows of a mechanism as functions of some coordinates, to be closed by Newton's iteration.
 
 use crate::equations::Equations;
 use crate::equations::factorisation::Wanted;
@@ -17,11 +17,11 @@ struct SubsystemResidual<'e, 'a> {
     part: Part,
 }
 
-/// Where the entries of these rows and columns are.
+/// How the entries of these rows and columns are found in Φ_q.
 enum Part {
-    /// These are all there are.
+    /// The subsystem is the whole system.
     All,
-    /// Places among the entries of Φ_q, and among these rows and columns.
+    /// The indices of the entries in Φ_q, and the pattern of the subsystem.
     Some(Vec<usize>, Ordered),
 }
 
@@ -105,7 +105,7 @@ impl Residual for SubsystemResidual<'_, '_> {
     }
 }
 
-/// Closes `rows` by moving the coordinates `columns` of `q`; the outcome's worst row is a row of the mechanism.
+/// Closes `rows` by moving the coordinates `columns` of `q`; the outcome numbers its worst row as in the mechanism.
 pub(crate) fn close(equations: &mut Equations<'_>, rows: &[usize], columns: &[usize], q: &mut [f64]) -> Outcome {
     let options = equations.options;
     let settings = Settings {

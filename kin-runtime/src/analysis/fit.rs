@@ -1,4 +1,4 @@
-//! Values of inputs that fit a guess: where a mechanism does not close with those that it was given.
+//! Values of inputs that fit a guess, for a mechanism that does not close with its given inputs.
 //!
 //! Φ(q, u) = 0 has more unknowns than rows where inputs u are unknown, too. From the guess,
 //!
@@ -6,7 +6,7 @@
 //! [Φ_q S, Φ_u W] (S⁻¹ Δq, W⁻¹ Δu) = −Φ
 //! ```
 //!
-//! is solved with the least norm, over and over. W is large, so that it is the inputs that move.
+//! is solved repeatedly with least norm. W is large, so that mainly the inputs move.
 
 use crate::analysis::assemble::propagated;
 use crate::equations::Equations;
@@ -15,16 +15,17 @@ use crate::error::SolveError;
 use crate::workspace::Subset;
 use nalgebra::{DMatrix, DVector};
 
-/// Iterations at most.
+/// Most iterations.
 const ITERATIONS: usize = 60;
-/// What a unit of an input counts for, relative to a coordinate.
+/// W: the weight of an input, relative to a coordinate.
 const WEIGHT: f64 = 100.0;
 /// Largest change of an angle in an iteration.
 const TURN: f64 = 0.5;
-/// Scaled residuals up to this are 0.
+/// Scaled residuals up to this count as closed.
 const CLOSED: f64 = 1e-9;
 
-/// Sets some inputs, by their places, to values with which the mechanism closes near its guess; true where there are such.
+/// Sets some inputs, given by their indices, to values with which the mechanism closes near its guess; true if it finds
+/// such values.
 pub(crate) fn fit_inputs(
     equations: &mut Equations<'_>,
     guesses: &[Option<f64>],

@@ -1,4 +1,5 @@
-//! Analyses of one instant: assembly and its modes, positions, velocities, accelerations, and where Φ_q loses rank.
+//! Analyses of one instant: assembly and assembly modes, position, velocity, acceleration, forces, and singular
+//! configurations.
 
 pub(crate) mod acceleration;
 mod assemble;

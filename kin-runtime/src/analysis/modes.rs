@@ -1,4 +1,4 @@
-//! Assembly modes of configurations, and assembly in a mode that is asked for.
+//! Assembly modes of configurations, and assembly in given modes.
 
 use crate::analysis::assemble::{assemble, propagated};
 use crate::analysis::by_plan::{self, Answer};
@@ -14,20 +14,20 @@ use core::fmt;
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Mode {
-    /// Its name: those of its joints, joined with `-`.
+    /// Its name: the names of its joints, joined with `-`.
     pub name: &'static str,
-    /// The kinematic group that it belongs to, `RRR` for example; empty where it has no name.
+    /// The kinematic group that it belongs to, `RRR` for example; empty for a group without a name.
     pub group: &'static str,
     /// The joints of the group.
     pub joints: Vec<&'static str>,
-    /// Which of its two closures the configuration has; none where they meet.
+    /// Which of its two closures the configuration has; none where the two coincide.
     pub sign: Option<Sign>,
-    /// A number in −1 ≤ w ≤ 1 with that sign, whose size says how far the configuration is from the limit at which the
-    /// closures meet.
+    /// A number in −1 ≤ w ≤ 1 with that sign; its size measures the distance from the limit at which the closures
+    /// coincide.
     pub closure: f64,
 }
 
-/// Where assembly begins: guesses, and modes that are asked for, by their places.
+/// The start of assembly: guesses, and the modes that are asked for, by their indices.
 #[derive(Clone, Debug)]
 pub(crate) struct Wanted {
     pub(crate) guess: Vec<Option<f64>>,
@@ -58,8 +58,8 @@ pub(crate) fn modes(equations: &Equations<'_>, q: &[f64]) -> Result<Vec<Mode>, S
 
 /// The configuration that the guesses lead to, in the modes asked for.
 ///
-/// It is assembled as without modes; then the plan solves with the signs asked for, all other modes being those of what was
-/// assembled or, where nothing was, of the guess; and full Newton closes what the plan gives.
+/// First it is assembled without regard to modes. Then the plan solves with the signs asked for; all other modes are
+/// those of the assembled configuration or, if there is none, of the guess. Full Newton closes the result of the plan.
 pub(crate) fn assemble_in(equations: &mut Equations<'_>, wanted: &Wanted) -> Result<Position, SolveError> {
     let assembled = assemble(equations, &wanted.guess);
     if wanted.modes.is_empty() {

@@ -1,4 +1,4 @@
-//! Bodies and points of a state, for typed access: what a state shows without another call.
+//! The motion of bodies and points, which every state contains.
 
 use crate::equations::system::Parts;
 use crate::equations::{Equations, finite};
@@ -9,12 +9,12 @@ use crate::signal::Signal;
 use crate::state::State;
 use crate::workspace::Instant;
 
-/// True where nothing is held or carried, and no point is named: then all poses are coordinates.
+/// True if no coordinate is held or carried and there are no named points: then all poses are coordinates.
 pub(crate) fn shows_coordinates(model: &Model) -> bool {
     model.points.is_empty() && model.bodies.iter().all(|body| !body.coordinates.contains(&None))
 }
 
-/// Writes the motion of bodies where it is that of their coordinates.
+/// Writes the motion of bodies whose poses are coordinates.
 pub(crate) fn write_coordinates(state: &mut State) {
     let State { model, q, q_dot, q_ddot, bodies, points, .. } = state;
     points.clear();
@@ -67,9 +67,9 @@ pub(crate) fn write_poses(parts: &Parts<'_>, state: &mut State) -> Result<(), So
     fault.map_or(Ok(()), Err)
 }
 
-/// Writes bodies and points by what `rates` says of an observable, which may be a coordinate.
+/// Writes bodies and points; `rates` gives the signal of an observable, or of the coordinate that it is.
 fn write(model: &Model, state: &mut State, mut rates: impl FnMut(&State, usize, Option<usize>) -> Signal) {
-    // The vectors are used again: a tracker allocates nothing here.
+    // The vectors are reused, so that a tracker allocates nothing here.
     let (mut bodies, mut points) = (core::mem::take(&mut state.bodies), core::mem::take(&mut state.points));
     bodies.clear();
     bodies.extend(model.bodies.iter().map(|body| {

@@ -1,7 +1,8 @@
 //! Position analysis: q with Φ(q, t) = 0 near a start.
 //!
-//! All rows of position level are closed at once by the globalised iteration of [`newton`](crate::nonlinear::newton). Where rows
-//! are fewer than coordinates each correction has the least Euclidean norm; where they are more, they must agree.
+//! All rows of position level are closed at once by the globalised iteration of [`newton`](crate::nonlinear::newton).
+//! With fewer rows than coordinates each correction has the least Euclidean norm; with more rows than coordinates, the
+//! redundant ones must agree.
 
 use crate::analysis::by_plan;
 use crate::analysis::closure::close;
@@ -21,7 +22,7 @@ use core::fmt;
 pub struct Position {
     /// q, n numbers.
     pub q: Vec<f64>,
-    /// Iterations it took.
+    /// Number of iterations.
     pub iterations: usize,
     /// Largest |Φ_i|, in the rows' own units.
     pub residual: f64,
@@ -35,7 +36,7 @@ pub(crate) fn position(equations: &mut Equations<'_>, start: &[f64]) -> Result<P
     let mut outcome = close_all(equations, &mut q);
     let origins = origins(equations);
     if !outcome.converged && !origins.is_empty() {
-        // Angles say more about the mode than origins do: once more with origins that fit the angles.
+        // Angles determine the mode more reliably than origins: try once more with origins that fit the angles.
         let mut other = start.to_vec();
         let rows = equations.rows_where(Equations::holonomic);
         let before = close(equations, &rows, &origins, &mut other);
@@ -63,7 +64,7 @@ pub(crate) fn close_all(equations: &mut Equations<'_>, q: &mut [f64]) -> Outcome
 
 /// The outcome as a result: residuals in the rows' own units, or a typed error.
 pub(crate) fn finish(equations: &mut Equations<'_>, q: Vec<f64>, outcome: Outcome) -> Result<Position, SolveError> {
-    // Errors here name a number that is not finite at the best configuration found.
+    // This evaluation fails with an error if a number is not finite at the best configuration found.
     equations.evaluate(Subset::POSITION, &q, None)?;
     if outcome.converged {
         let rows = equations.rows_where(Equations::holonomic);

@@ -1,12 +1,12 @@
-//! Singular configuration or permanent redundancy?
+//! Distinguishes singular configurations from permanent redundancy.
 //!
-//! Where Φ_q has less rank than rows and coordinates allow, either the mechanism says something twice, everywhere, or
-//! this configuration is special. The difference shows in the neighbourhood: the mechanism is moved a little along
-//! null vectors of the rows of position level that do not drive, closed again on those rows alone, and the rank of all
-//! rows compared. Full row rank and full column rank are never singular.
+//! If the rank of Φ_q is lower than its size allows, either rows are redundant in every configuration, or this
+//! configuration is special. To decide, the mechanism is moved a little along null vectors of the rows of position
+//! level that do not drive, closed again on these rows alone, and the rank of all rows there is compared. A Φ_q of full
+//! row rank or full column rank is never singular.
 //!
-//! Rows of velocity level may lose rank by inputs or time alone, at every configuration. Where that leaves no velocity,
-//! the rank at other inputs and times shows that this instant is special.
+//! Rows of velocity level may also lose rank because of inputs or time, in every configuration. If no velocity
+//! satisfies them, the rank at other inputs and times shows whether this instant is special.
 
 use crate::analysis::by_plan;
 use crate::analysis::closure::close;
@@ -20,7 +20,7 @@ use nalgebra::DVector;
 
 /// Distances of the probes, on the common scale.
 const DISTANCES: [f64; 2] = [1e-2, 5e-2];
-/// Changes of inputs and time, relative to their values, but to no less than one.
+/// Changes of inputs and time, relative to their values or to 1, whichever is larger.
 const CHANGES: [f64; 4] = [1e-2, -1e-2, 0.1, -0.1];
 /// Most null vectors that are tried one by one.
 const DIRECTIONS: usize = 6;
@@ -43,7 +43,8 @@ pub(crate) fn diagnose(equations: &mut Equations<'_>, q: &[f64], here: &Factoriz
     Some(SolveError::Singular { t, rank, expected_rank, rows, condition, limit })
 }
 
-/// What an inconsistency at `q` is: singular, where the rows that drive have more rank at other inputs or times.
+/// Replaces an inconsistency at `q` by [`SolveError::Singular`] if the driving rows have a higher rank at other inputs
+/// or times.
 pub(crate) fn explain(equations: &mut Equations<'_>, q: &[f64], here: &Factorization, error: SolveError) -> SolveError {
     let inconsistent =
         matches!(error, SolveError::InconsistentVelocity { .. } | SolveError::InconsistentAcceleration { .. });
@@ -89,7 +90,7 @@ pub(crate) fn dependent_rows(equations: &Equations<'_>, left: &nalgebra::DMatrix
 pub(crate) fn rank_nearby(equations: &mut Equations<'_>, q: &[f64], here: usize, rows: &[usize]) -> usize {
     let closing = equations.rows_where(|e, row| !e.drives(row) && e.holonomic(row));
     let columns: Vec<usize> = (0..equations.coordinates()).collect();
-    // Rows of velocity level do not say which configurations there are.
+    // Rows of velocity level do not restrict positions.
     let free = null_space(&equations.scaled(&closing), equations.options.rank_tolerance);
     let mut random = Random::new(0x0051_4ea1);
     let mut directions: Vec<DVector<f64>> = free.column_iter().take(DIRECTIONS).map(|c| c.into_owned()).collect();
@@ -120,7 +121,8 @@ pub(crate) fn rank_nearby(equations: &mut Equations<'_>, q: &[f64], here: usize,
         }
     }
     if !moved && !directions.is_empty() {
-        // Null vectors that lead nowhere: a shaky structure. Any perturbation shows its usual rank.
+        // No null vector leads to another configuration: the structure is only infinitesimally movable. Any
+        // perturbation shows its usual rank.
         for _ in 0..4 {
             let nearby = displaced(equations, q, |_| 1e-2 * random.symmetric());
             best = best.max(rank_at(equations, &nearby, rows).unwrap_or(0));
@@ -129,7 +131,7 @@ pub(crate) fn rank_nearby(equations: &mut Equations<'_>, q: &[f64], here: usize,
     best
 }
 
-/// q displaced by a scaled displacement.
+/// q with a displacement added, given on the common scale.
 fn displaced(equations: &Equations<'_>, q: &[f64], mut by: impl FnMut(usize) -> f64) -> Vec<f64> {
     q.iter().zip(&equations.scale.columns).enumerate().map(|(k, (x, d))| x + d * by(k)).collect()
 }

@@ -1,6 +1,6 @@
 //! Velocity analysis: Φ_q q̇ = −Φ_t.
 //!
-//! Least-norm where degrees of freedom are left. Redundant rows must agree; a configuration in which Φ_q loses rank
+//! q̇ has least norm if degrees of freedom are open. Redundant rows must agree; a configuration in which Φ_q loses rank
 //! is an error, see [`singular`](crate::analysis::singular).
 
 use crate::analysis::position::given_conflict;
@@ -15,7 +15,7 @@ use nalgebra::DVector;
 
 /// q̇ at an assembled configuration, with the factorisation of Φ_q that acceleration analysis uses again.
 ///
-/// `usual_rank` is the rank that is known to be this mechanism's, where an earlier configuration showed it.
+/// `usual_rank` is the rank of this mechanism's Φ_q, if an earlier configuration showed it.
 pub(crate) fn velocity(
     equations: &mut Equations<'_>,
     q: &[f64],
@@ -38,7 +38,7 @@ pub(crate) fn solve(equations: &Equations<'_>, factor: &Factorization) -> Result
     Ok(solution)
 }
 
-/// Evaluates Φ_q and Φ_t and factorises Φ_q, rank known; errors where it loses rank here alone.
+/// Evaluates Φ_q and Φ_t and factorises Φ_q with its rank; an error if it loses rank in this configuration alone.
 pub(crate) fn factorize(
     equations: &mut Equations<'_>,
     q: &[f64],
@@ -68,8 +68,8 @@ pub(crate) fn scaled(equations: &Equations<'_>, right: &DVector<f64>) -> DVector
     DVector::from_iterator(right.len(), right.iter().zip(&equations.scale.rows).map(|(r, s)| r * s))
 }
 
-/// The row whose equation Φ_q x = b the solution misses most, when that is more than rounding; b is a sum of parts that are
-/// `parts` large, on the common scale.
+/// The row with the largest residual of Φ_q x = b, if that is more than rounding; b is a sum of terms of size `parts`
+/// on the common scale.
 pub(crate) fn inconsistency(
     equations: &Equations<'_>,
     x: &DVector<f64>,

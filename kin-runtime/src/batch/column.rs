@@ -18,7 +18,7 @@ pub enum Column<'a> {
 /// The arguments of a batch, a column for each number that one evaluation takes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Configurations<'a> {
-    /// In the order of [`Model::parameters`](crate::model::Model::parameters).
+    /// The parameters, in the order of [`Model::parameters`](crate::model::Model::parameters).
     pub parameters: &'a [Column<'a>],
     /// Time t.
     pub t: Column<'a>,
@@ -31,7 +31,7 @@ pub struct Configurations<'a> {
 }
 
 impl Configurations<'_> {
-    /// Whether the columns are those of `M`, each with `count` numbers.
+    /// Checks that there are as many columns as `M` needs, each with `count` numbers.
     pub(super) fn check<M: Mechanism>(&self, count: usize) -> Result<(), LengthError> {
         let lists = [
             ("parameters", M::PARAMETERS, self.parameters),
@@ -44,7 +44,7 @@ impl Configurations<'_> {
     }
 }
 
-/// Whether a list has as many columns as it must, each with `count` numbers.
+/// Checks that a list has as many columns as it must, each with `count` numbers.
 pub(super) fn check_list(
     what: &'static str,
     expected: usize,
@@ -73,22 +73,22 @@ pub(super) fn check_signals<M: Mechanism>(inputs: &[Signal<Column<'_>>], count: 
     numbers.into_iter().try_for_each(|column| column.check("a column of the inputs", count))
 }
 
-/// Configurations that are read together: what a column is, is then looked at once for all of them.
+/// Configurations that are read together, so that the kind of a column is tested once for all of them.
 const TILE: usize = 32;
 
-/// Their blocks.
+/// The number of blocks in a tile.
 const fn tile<V: Pack>() -> usize {
     TILE / V::COUNT
 }
 
 /// The arguments of a tile of blocks, and the columns that they come from.
 pub(super) struct Arguments<'a, M: Mechanism, V: Pack> {
-    /// A list, as those of a large mechanism are more than the stack of a thread should hold.
+    /// On the heap: the blocks of a large mechanism are too large for the stack of a thread.
     blocks: Vec<Numbers<M, V>>,
-    /// Those of one block after those of another; none where the configurations have none.
+    /// The inputs, block after block; empty for a mechanism without inputs.
     inputs: Vec<Signal<V>>,
     configurations: &'a Configurations<'a>,
-    /// The tile that is there.
+    /// The tile that has been read.
     tile: Option<usize>,
 }
 
@@ -117,7 +117,7 @@ pub(super) struct Block<'b, V> {
 }
 
 impl<'a, M: Mechanism, V: Pack> Arguments<'a, M, V> {
-    /// Shared numbers in place.
+    /// With shared numbers filled in.
     pub(super) fn new(configurations: &'a Configurations<'a>) -> Self {
         let shared = |columns: &[Column<'_>], place: usize| columns.get(place).map_or(V::default(), Column::shared);
         let numbers = Numbers {
@@ -131,7 +131,7 @@ impl<'a, M: Mechanism, V: Pack> Arguments<'a, M, V> {
         Self { blocks: alloc::vec![numbers; tile::<V>()], inputs, configurations, tile: None }
     }
 
-    /// The arguments of the block of configurations from `first`.
+    /// The arguments of the block whose first configuration is `first`.
     #[inline(always)]
     pub(super) fn block(&mut self, first: usize) -> Block<'_, V> {
         let block = first / V::COUNT;
@@ -150,7 +150,7 @@ impl<'a, M: Mechanism, V: Pack> Arguments<'a, M, V> {
         }
     }
 
-    /// The tile from configuration `first`: every column that differs from one to the next.
+    /// Reads the tile whose first configuration is `first`; shared columns stay.
     #[inline(never)]
     fn read(&mut self, first: usize) {
         let Configurations { parameters, t, inputs, q, q_dot } = self.configurations;
@@ -200,7 +200,8 @@ impl Column<'_> {
         }
     }
 
-    /// Gives `put` the blocks of the tile from configuration `first`; in the last one the last number is repeated.
+    /// Passes the blocks of the tile from configuration `first` to `put`; the last block is filled up with the last
+    /// number.
     #[inline(always)]
     fn read<V: Pack>(&self, first: usize, mut put: impl FnMut(usize, V)) {
         let Self::Each(numbers) = self else { return };

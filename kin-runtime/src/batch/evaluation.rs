@@ -26,7 +26,7 @@ impl<M: Mechanism> Evaluations<M> {
         self.count
     }
 
-    /// The blocks as they are; behind the last configuration the lanes mean nothing.
+    /// The blocks; lanes after the last configuration have no meaning.
     pub fn blocks(&self) -> &[Workspace<M, Lanes>] {
         &self.blocks
     }
@@ -34,7 +34,7 @@ impl<M: Mechanism> Evaluations<M> {
     /// Row number `row` of Φ, a number for every configuration.
     ///
     /// # Panics
-    /// This and its sisters, while it is read, where there is no such row or entry.
+    /// This method and the following ones: while the iterator is read, if there is no such row or entry.
     pub fn phi(&self, row: usize) -> impl Iterator<Item = f64> {
         self.column(move |block| block.phi()[row])
     }
@@ -61,11 +61,11 @@ impl<M: Mechanism> Evaluations<M> {
 
 /// Φ, Φ_q, Φ_t, γ, or any subset of them, of all configurations; `out` says how many there are.
 ///
-/// Parts that `subset` does not ask for may be overwritten or left alone. `watch` is told how far it is and may stop it;
-/// [`always`](super::always) goes on.
+/// Parts that `subset` does not ask for may be overwritten or left alone. `watch` gets the progress and may stop the
+/// batch; [`always`](super::always) never does.
 ///
 /// # Errors
-/// When a list or a column has the wrong length, and when `watch` stops it.
+/// If a list or a column has the wrong length, and if `watch` stops the batch.
 pub fn evaluate<M: Mechanism + Sync>(
     mechanism: &M,
     subset: Subset,

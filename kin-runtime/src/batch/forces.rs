@@ -12,7 +12,7 @@ use alloc::vec::Vec;
 use core::marker::PhantomData;
 use core::ops::ControlFlow;
 
-/// The forces of a batch: the numbers of [`ForceModel`] for every configuration, 0 where it is not solved.
+/// The forces of a batch: the numbers of [`ForceModel`] for every configuration, 0 if it is not solved.
 pub struct ForceSolutions<M: Mechanism> {
     count: usize,
     blocks: Vec<Lanes>,
@@ -36,12 +36,12 @@ impl<M: Mechanism> ForceSolutions<M> {
         self.count
     }
 
-    /// One number of every configuration, by its place in [`ForceModel`]: [`ForceModel::effort`] has that of a driver's
-    /// effort, [`ForceModel::reaction`] that of a joint's numbers, [`ForceModel::DRIVER_POWER`] and its sisters those of the
-    /// whole mechanism.
+    /// One number for every configuration, by its index in [`ForceModel`]: [`ForceModel::effort`] gives the index of a
+    /// driver's effort, [`ForceModel::reaction`] those of a joint's reaction, and constants such as
+    /// [`ForceModel::DRIVER_POWER`] those of quantities of the whole mechanism.
     ///
     /// # Panics
-    /// Where there is no such place.
+    /// If there is no such index.
     pub fn numbers(&self, place: usize) -> impl Iterator<Item = f64> {
         let stride = Self::stride();
         assert!(place < stride, "number {place} of {stride}");
@@ -50,7 +50,7 @@ impl<M: Mechanism> ForceSolutions<M> {
     }
 }
 
-/// The table of forces, where closed forms solve them along the plan.
+/// The table of forces, if they have closed forms along the plan.
 pub(super) fn table<M: Mechanism>() -> Result<&'static ForceModel, BatchError> {
     match M::model().forces {
         None => Err(BatchError::NoForces("the mechanism has neither masses nor loads")),
@@ -62,9 +62,9 @@ pub(super) fn table<M: Mechanism>() -> Result<&'static ForceModel, BatchError> {
     }
 }
 
-/// All forces of configurations that [`solve`](super::solve) has solved, for the same problems: efforts, reactions, energies
-/// and powers in closed form, eight configurations at once. Where `solutions` go to positions alone, rates and accelerations
-/// are 0, and forces are those at rest. `watch` is told how far it is and may stop it.
+/// All forces of configurations that [`solve`](super::solve) has solved, for the same problems: efforts, reactions,
+/// energies and powers in closed form, eight configurations at once. If `solutions` contain positions only, rates and
+/// accelerations are 0, and forces are those at rest. `watch` gets the progress and may stop the batch.
 ///
 /// ```
 /// use kin_runtime::batch::{Column, ForceSolutions, Modes, Problems, Solutions, always, forces, solve};
@@ -99,8 +99,9 @@ pub(super) fn table<M: Mechanism>() -> Result<&'static ForceModel, BatchError> {
 /// ```
 ///
 /// # Errors
-/// [`NoForces`](BatchError::NoForces) for a mechanism without masses and loads, and for one whose λ is not solved in closed
-/// form ([`ForceModel::solved`]); when a list or a column has another length than `out`, and when `watch` stops it.
+/// [`NoForces`](BatchError::NoForces) for a mechanism without masses and loads, and for one whose λ is not solved in
+/// closed form ([`ForceModel::solved`]); if a list or a column differs in length from `out`, and if `watch` stops the
+/// batch.
 pub fn forces<M: Mechanism + Sync>(
     mechanism: &M,
     problems: &Problems<'_>,
@@ -131,8 +132,8 @@ pub fn forces<M: Mechanism + Sync>(
     })
 }
 
-/// The motion of half a block of solutions. Closed forms of forces are wide rather than long: numbers of eight lanes would
-/// not stay in registers.
+/// The motion of half a block of solutions. Closed forms of forces have many live values at once: with eight lanes these
+/// would not fit into registers.
 struct Motion<M: Mechanism> {
     q: M::Coordinates<Lanes>,
     q_dot: M::Coordinates<Lanes>,

@@ -1,10 +1,10 @@
 //! Many configurations of one mechanism at once: columns of numbers in, blocks of lanes out.
 //!
-//! Four configurations go through every operation together ([`Lanes`](crate::Lanes)), or eight where they are solved; with
-//! the feature `parallel` large batches go across the cores. Parameters, time, inputs, q and q̇ come as [`Column`]s, each
-//! either a number per configuration or one for all. Results come in blocks, which the equations write directly – of
-//! evaluations a workspace of lanes for every four configurations – and are read as columns. What is found is the same to
-//! the last bit wherever a configuration stands.
+//! Four configurations go through every operation together ([`Lanes`](crate::Lanes)), or eight where they are solved;
+//! with the feature `parallel` large batches go across the cores. Parameters, time, inputs, q and q̇ come as
+//! [`Column`]s, each either a number per configuration or one for all. Results are blocks that the equations write
+//! directly (evaluations: one workspace of lanes for every four configurations), and are read as columns. The result
+//! for a configuration is the same to the last bit whatever its place in the batch.
 //!
 //! ```
 //! use kin_runtime::batch::{Column, Configurations, Evaluations, Progress, evaluate};
@@ -49,8 +49,9 @@
 //! # Ok::<(), kin_runtime::batch::BatchError>(())
 //! ```
 //!
-//! [`solve`] gives q, q̇ and q̈ by the plan ([`crate::plan`]), [`forces()`] what drivers supply and joints carry then, and [`sweep`] the whole motion of many sets of parameters over one
-//! time grid, handed to a closure as it goes, so that millions of motions take no memory for their states.
+//! [`solve`] gives q, q̇ and q̈ by the plan ([`crate::plan`]), and [`forces()`] the efforts of drivers and reactions of
+//! joints for these. [`sweep`] computes the whole motion of many sets of parameters over one time grid. It passes each
+//! instant to a closure and keeps no states, so that millions of motions fit into memory.
 
 mod column;
 mod end;
@@ -82,11 +83,11 @@ use crate::mechanism::LengthError;
 pub enum BatchError {
     /// A list of columns, or a column, has the wrong length.
     Length(LengthError),
-    /// The mechanism has no plan, and why: only evaluation is there.
+    /// The mechanism has no plan, with the reason: it can only be evaluated.
     NoPlan(&'static str),
-    /// There are no forces in closed form, and why.
+    /// There are no forces in closed form, with the reason.
     NoForces(&'static str),
-    /// It was told to stop; results are incomplete.
+    /// The watch stopped the batch; results are incomplete.
     Stopped(Progress),
 }
 
@@ -101,7 +102,7 @@ impl core::fmt::Display for BatchError {
     }
 }
 
-/// What it says is the whole; the source is the error of a length, as a type, where that is what went wrong.
+/// The message contains that of the source, which is the error of a length, if that is the reason.
 impl core::error::Error for BatchError {
     fn source(&self) -> Option<&(dyn core::error::Error + 'static)> {
         if let Self::Length(error) = self { Some(error) } else { None }

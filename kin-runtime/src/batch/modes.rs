@@ -5,19 +5,20 @@ use crate::mechanism::{LengthError, Mechanism};
 use crate::scalar::lanes::Pack;
 use crate::signal::Instant;
 
-/// Where the assembly modes of a batch come from. A configuration with a mode that is not decided has no answer.
+/// The assembly modes of a batch. A configuration with an undecided mode has no answer.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Modes<'a> {
     /// A column of signs, +1 or −1, for every mode of the plan, in the order of
-    /// [`Plan::modes`](crate::plan::Plan::modes); of any other number the sign counts, and 0 and NaN are none.
+    /// [`Plan::modes`](crate::plan::Plan::modes). Of any other number the sign counts; 0 and NaN leave the mode
+    /// undecided.
     Signs(&'a [Column<'a>]),
-    /// Those that the start has, by [`Mechanism::closures_with`] at the parameters and the instant of the configuration
-    /// itself. As for [`Planned`](crate::Planned), a closure that is 0 or no number there decides nothing.
+    /// The modes of the start, by [`Mechanism::closures_with`] at the parameters and the instant of the configuration.
+    /// As for [`Planned`](crate::Planned), a closure of 0 or NaN leaves the mode undecided.
     OfStart,
 }
 
 impl<'a> Modes<'a> {
-    /// The columns that there are.
+    /// The columns of signs, if they are given.
     pub(super) fn columns(&self) -> &'a [Column<'a>] {
         match self {
             Self::Signs(columns) => columns,
@@ -44,7 +45,7 @@ impl<'a> Modes<'a> {
         given: &[V],
         modes: &mut [V],
     ) {
-        // NaN for 0, so that whatever depends on it is NaN, too.
+        // NaN instead of 0, so that all results that depend on it are NaN, too.
         match self {
             Self::Signs(_) => modes.iter_mut().zip(given).for_each(|(mode, given)| *mode = given.direction()),
             Self::OfStart => {

@@ -1,4 +1,4 @@
-//! q, q̇ and q̈ of a block, each lane judged for itself.
+//! q, q̇ and q̈ of a block; every lane is accepted or refused by itself.
 
 use crate::mechanism::Mechanism;
 use crate::plan::{Depth, Plan, Solved, StepKind};
@@ -7,7 +7,7 @@ use crate::scalar::lanes::Pack;
 use crate::signal::Instant;
 use crate::workspace::Array;
 
-/// A state of every lane; q, q̇ and q̈ stand in arrays of their own or where results are kept.
+/// A state of every lane; `Q` is an array of its own or a slice of the results.
 #[derive(Clone, Copy)]
 pub(super) struct Poses<Q, V: Pack> {
     pub(super) q: Q,
@@ -15,18 +15,18 @@ pub(super) struct Poses<Q, V: Pack> {
     pub(super) q_ddot: Q,
     /// The smallest margin.
     pub(super) margin: V,
-    /// Which lanes are good.
+    /// Which lanes have a solution.
     pub(super) good: V::Each<bool>,
 }
 
-/// For every lane the first margin that is not good, its place and its value.
+/// For every lane the index and the value of the first margin that is too small.
 pub(super) type Limits<V> = <V as Pack>::Each<Option<(usize, f64)>>;
 
-/// What a block is solved at.
+/// The problem of a block.
 #[derive(Clone, Copy)]
 pub(super) struct Question<'b, V> {
     pub(super) parameters: &'b [V],
-    /// Not a copy: what has just been written in parts is slow to read as a whole.
+    /// A reference, since copying a value that has just been written in parts stalls the processor.
     pub(super) at: &'b Instant<'b, V>,
     /// A sign for every mode.
     pub(super) modes: &'b [V],
@@ -35,7 +35,7 @@ pub(super) struct Question<'b, V> {
 }
 
 impl<Q: Array<V>, V: Pack> Poses<Q, V> {
-    /// Zeros, none of them good.
+    /// Zeros, marked as having no solution.
     pub(super) fn nothing() -> Self {
         let [q, q_dot, q_ddot] = [(); 3].map(|()| Q::filled(V::default()));
         Self { q, q_dot, q_ddot, margin: V::default(), good: V::each(|_| false) }
@@ -43,8 +43,8 @@ impl<Q: Array<V>, V: Pack> Poses<Q, V> {
 }
 
 impl<Q: AsRef<[V]> + AsMut<[V]>, V: Pack> Poses<Q, V> {
-    /// Solves the block, with room for the `margins` of the plan; nothing to say where all lanes are good. Lanes that are
-    /// not mean nothing afterwards, and their margin is a number.
+    /// Solves the block; `margins` is a buffer for the margins of the plan. Returns `None` if all lanes are solved. In
+    /// other lanes the numbers have no meaning, but the margin is not NaN.
     #[inline(always)]
     pub(super) fn solve<M: Mechanism>(
         &mut self,
@@ -54,8 +54,8 @@ impl<Q: AsRef<[V]> + AsMut<[V]>, V: Pack> Poses<Q, V> {
     ) -> Option<Limits<V>> {
         let sum = self.ask(mechanism, question, margins.as_mut());
         self.margin = margins.least();
-        // A quick look that may see trouble where there is none: far from a limit the margin is near 1, and the sum of all
-        // numbers is finite where they are and not very large.
+        // A quick test that may fail although all is well: far from a limit the margin is near 1, and the sum of all
+        // numbers is finite if they are finite and not very large.
         let far = (self.margin - V::from_f64(1.0)).is_within(1.0 - 2.0 * Plan::SMALLEST_MARGIN);
         self.good = V::ALL;
         if far & sum.is_within(f64::MAX) {
@@ -64,7 +64,7 @@ impl<Q: AsRef<[V]> + AsMut<[V]>, V: Pack> Poses<Q, V> {
         Some(self.judge(mechanism, question, margins.as_mut()))
     }
 
-    /// Asks the plan, and gives the sum of all numbers: finite only where each of them is.
+    /// Solves by the plan, and returns the sum of all numbers, which is finite only if each of them is.
     #[inline(always)]
     fn ask<M: Mechanism>(&mut self, mechanism: &M, question: &Question<'_, V>, margins: &mut [V]) -> V {
         let Question { parameters, at, modes, start, depth } = question;
@@ -72,18 +72,19 @@ impl<Q: AsRef<[V]> + AsMut<[V]>, V: Pack> Poses<Q, V> {
         let solved = Solved { q: q.as_mut(), q_dot: q_dot.as_mut(), q_ddot: q_ddot.as_mut(), margins };
         let lengths = mechanism.solve_with(parameters, at, modes, start, *depth, solved);
         debug_assert!(lengths.is_ok(), "the columns have been counted");
-        // Several sums, so that one addition need not wait for the other.
+        // Several independent sums, so that additions can overlap.
         let sum = |numbers: &[V]| numbers.iter().fold(V::default(), |sum, x| sum + *x);
         let (q, q_dot, q_ddot) = (sum(self.q.as_ref()), sum(self.q_dot.as_ref()), sum(self.q_ddot.as_ref()));
         (q + q_dot) + (q_ddot + (sum(margins) + at.t))
     }
 
-    /// Lane by lane, where one of them may be bad.
+    /// Examines the lanes one by one.
     #[cold]
     #[inline(never)]
     fn judge<M: Mechanism>(&mut self, mechanism: &M, question: &Question<'_, V>, margins: &mut [V]) -> Limits<V> {
         let mut limits = V::each(|lane| self.judge_lane(question, margins, lane));
-        // An iteration goes on until all lanes have converged: one that does not makes all of them fail.
+        // An iteration runs until all lanes have converged, so that one lane that does not converge makes all of them
+        // fail.
         let iterates = M::model().plan.steps.iter().any(|step| matches!(step.kind, StepKind::Newton(_)));
         if iterates {
             for (lane, limit) in limits.as_mut().iter_mut().enumerate() {
@@ -107,7 +108,7 @@ impl<Q: AsRef<[V]> + AsMut<[V]>, V: Pack> Poses<Q, V> {
         margins.iter().map(of).enumerate().find(|(_, margin)| *margin <= Plan::SMALLEST_MARGIN)
     }
 
-    /// One lane in all lanes, so that no other stands in its way.
+    /// Solves again with one lane copied to all lanes, so that it does not depend on the others.
     fn alone<M: Mechanism>(
         &mut self,
         mechanism: &M,
@@ -141,30 +142,30 @@ impl<Q: AsRef<[V]> + AsMut<[V]>, V: Pack> Poses<Q, V> {
         limit
     }
 
-    /// Whether a lane is good.
+    /// Whether a lane is solved.
     pub(super) fn is_good(&self, lane: usize) -> bool {
         self.good.as_ref()[lane]
     }
 
-    /// A lane is good, with this least margin.
+    /// Marks a lane as solved, with its least margin.
     pub(super) fn accept(&mut self, lane: usize, margin: f64) {
         self.good.as_mut()[lane] = true;
         self.margin.set(lane, margin);
     }
 
-    /// A lane is not good.
+    /// Marks a lane as not solved.
     pub(super) fn refuse(&mut self, lane: usize) {
         self.good.as_mut()[lane] = false;
     }
 
-    /// What is in lane `from` of `other` into lane `to`.
+    /// Copies lane `from` of `other` to lane `to`.
     pub(super) fn copy_lane(&mut self, other: &Poses<impl AsRef<[V]>, V>, from: usize, to: usize) {
         copy_lane(self.q.as_mut(), other.q.as_ref(), from, to);
         copy_lane(self.q_dot.as_mut(), other.q_dot.as_ref(), from, to);
         copy_lane(self.q_ddot.as_mut(), other.q_ddot.as_ref(), from, to);
     }
 
-    /// Zeros in the lanes that are not good.
+    /// Writes zeros to the lanes that are not solved.
     pub(super) fn clear_bad(&mut self) {
         for lane in 0..V::COUNT {
             if !self.is_good(lane) {
@@ -175,7 +176,7 @@ impl<Q: AsRef<[V]> + AsMut<[V]>, V: Pack> Poses<Q, V> {
     }
 }
 
-/// Lane `from` of every number into lane `to`.
+/// Copies lane `from` of every number to lane `to`.
 pub(super) fn copy_lane<V: Pack>(numbers: &mut [V], others: &[V], from: usize, to: usize) {
     for (number, other) in numbers.iter_mut().zip(others) {
         number.set(to, other.lane(from));

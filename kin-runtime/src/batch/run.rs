@@ -1,14 +1,14 @@
-//! The driver of all batches: work over blocks of lanes, one after another or across the cores.
+//! The loop of all batches over blocks of lanes, on one core or on all of them.
 
 use super::BatchError;
 use crate::scalar::lanes::Lanes;
 use core::ops::ControlFlow;
 use core::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
-/// Blocks between two looks at the watch, and in one piece of work of a core, where a block takes a moment.
+/// Blocks between two calls of the watch, and in one unit of work of a core, for work that is short per block.
 pub(super) const CHUNK: usize = 512;
 
-/// How far a batch is.
+/// The progress of a batch.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Progress {
     /// Configurations done.
@@ -17,11 +17,11 @@ pub struct Progress {
     pub total: usize,
 }
 
-/// Is told every few thousand configurations (every few motions in a sweep) how far the batch is, from any of the threads,
-/// and says whether to go on.
+/// Called every few thousand configurations (every few motions in a sweep), from any of the threads, with the progress
+/// of the batch; decides whether it goes on.
 pub(super) type Watch<'a> = &'a (dyn Fn(Progress) -> ControlFlow<()> + Sync);
 
-/// Goes on.
+/// A watch that never stops a batch.
 pub fn always(_: Progress) -> ControlFlow<()> {
     ControlFlow::Continue(())
 }
@@ -31,19 +31,19 @@ pub(super) const fn blocks(count: usize) -> usize {
     count.div_ceil(Lanes::COUNT)
 }
 
-/// What a batch is cut into.
+/// How a batch is divided.
 pub(super) struct Shape {
     /// Configurations.
     pub(super) count: usize,
-    /// Those of a block.
+    /// Configurations of a block.
     pub(super) width: usize,
-    /// Entries that the results of a block take; in the last one there may be fewer.
+    /// Entries of the results of a block; the last block may have fewer.
     pub(super) stride: usize,
-    /// Blocks between two looks at the watch.
+    /// Blocks between two calls of the watch.
     pub(super) chunk: usize,
 }
 
-/// Does `block` for the first configuration of every block, with its results and the scratch of the thread.
+/// Calls `block` with the first configuration of every block, the results of the block and the scratch of the thread.
 pub(super) fn drive<T: Send, S>(
     shape: &Shape,
     out: &mut [T],
@@ -69,11 +69,11 @@ pub(super) fn drive<T: Send, S>(
     };
     in_chunks(chunk * stride, out, scratch, each);
     let done = done.into_inner();
-    // Whoever stops it with the last configuration has all of them.
+    // A watch that stops after the last configuration changes nothing: all are done.
     if done < count { Err(BatchError::Stopped(Progress { done, total: count })) } else { Ok(()) }
 }
 
-/// `each` chunk with its number: across the cores where there is more than one.
+/// Calls `each` with every chunk and its number, on all cores with the feature `parallel`.
 fn in_chunks<T: Send, S>(
     size: usize,
     out: &mut [T],

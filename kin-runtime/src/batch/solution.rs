@@ -16,23 +16,23 @@ use alloc::vec::Vec;
 use core::marker::PhantomData;
 use core::ops::ControlFlow;
 
-/// What a batch is to solve, a column for each number that one solution takes.
+/// The problems of a batch, a column for each number that one solution needs.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Problems<'a> {
-    /// In the order of [`Model::parameters`](crate::model::Model::parameters).
+    /// The parameters, in the order of [`Model::parameters`](crate::model::Model::parameters).
     pub parameters: &'a [Column<'a>],
     /// Time t.
     pub t: Column<'a>,
     /// The inputs, in the order of declaration.
     pub inputs: &'a [Signal<Column<'a>>],
-    /// Which closures are meant.
+    /// The assembly modes.
     pub modes: Modes<'a>,
-    /// n columns: angles come out within half a turn of these, and iterations start here.
+    /// n columns: angles of the result are within half a turn of these, and iterations start from them.
     pub start: &'a [Column<'a>],
 }
 
 impl Problems<'_> {
-    /// Whether everything has as many numbers as it must.
+    /// Checks that all lists and columns have the right lengths.
     pub(super) fn check<M: Mechanism>(&self, count: usize) -> Result<(), BatchError> {
         let &Self { parameters, t, inputs, modes, start } = self;
         check_list("parameters", M::PARAMETERS, parameters, count)?;
@@ -56,11 +56,11 @@ pub(super) struct SolvedBlock<'s> {
 /// The results of a batch of solutions.
 ///
 /// A configuration is *solved* when all margins of the plan exceed
-/// [`Plan::SMALLEST_MARGIN`](crate::plan::Plan::SMALLEST_MARGIN) and all numbers are finite. Of one that is not, q, q̇ and
-/// q̈ are 0, and the margin says why.
+/// [`Plan::SMALLEST_MARGIN`](crate::plan::Plan::SMALLEST_MARGIN) and all numbers are finite. For others q, q̇ and q̈
+/// are 0, and the margin shows the reason.
 pub struct Solutions<M: Mechanism> {
     count: usize,
-    /// For every block q, q̇ and q̈, the smallest margin, and 1 in the lanes that are good.
+    /// For every block q, q̇ and q̈, the smallest margin, and 1 in the lanes that are solved.
     blocks: Vec<Octet>,
     mechanism: PhantomData<fn(M)>,
 }
@@ -82,7 +82,7 @@ impl<M: Mechanism> Solutions<M> {
         self.count
     }
 
-    /// Whether there are so many.
+    /// Checks that there are `count` solutions.
     pub(super) fn check(&self, count: usize) -> Result<(), LengthError> {
         let what = "the list of solutions";
         if self.count == count { Ok(()) } else { Err(LengthError { what, expected: count, found: self.count }) }
@@ -101,8 +101,8 @@ impl<M: Mechanism> Solutions<M> {
         self.column(Self::GOOD).map(|good| good > 0.0)
     }
 
-    /// The smallest margin of each configuration: 1 far from trouble, 0 at a limit, negative beyond it; 0, too, where it is
-    /// not a finite number.
+    /// The smallest margin of each configuration: 1 far from all limits, 0 at a limit, negative beyond it; also 0 if it
+    /// is not finite.
     pub fn margin(&self) -> impl Iterator<Item = f64> {
         self.column(Self::MARGIN)
     }
@@ -110,7 +110,7 @@ impl<M: Mechanism> Solutions<M> {
     /// Coordinate number `k`, a number for every configuration.
     ///
     /// # Panics
-    /// This and its sisters, where there is no such coordinate.
+    /// This method and the two for rates, if there is no such coordinate.
     pub fn q(&self, k: usize) -> impl Iterator<Item = f64> {
         self.of_coordinate(0, k)
     }
@@ -131,14 +131,14 @@ impl<M: Mechanism> Solutions<M> {
         self.column(order * n + k)
     }
 
-    /// A number of every configuration, by its place in the blocks.
+    /// A number for every configuration, by its index in the blocks.
     fn column(&self, place: usize) -> impl Iterator<Item = f64> {
         let blocks = self.blocks.chunks_exact(Self::STRIDE);
         blocks.flat_map(move |block| Octet::each(|lane| block[place].lane(lane))).take(self.count)
     }
 }
 
-/// What one thread needs.
+/// The buffers of one thread.
 struct Scratch<'a, M: Mechanism> {
     arguments: Arguments<'a, M, Octet>,
     modes: lists::Modes<M, Octet>,
@@ -164,7 +164,7 @@ impl<M: Mechanism> Solve<'_, M> {
         let (q_dot, rest) = rest.split_at_mut(M::COORDINATES);
         let (q_ddot, rest) = rest.split_at_mut(M::COORDINATES);
         if depth < Depth::Acceleration {
-            // What an earlier batch has left there is not an answer to this one.
+            // Clears the results of an earlier batch.
             q_dot.fill(Octet::default());
             q_ddot.fill(Octet::default());
         }
@@ -185,9 +185,9 @@ impl<M: Mechanism> Solve<'_, M> {
 
 /// q, q̇ and q̈, as far as `depth` goes, of all configurations by the plan; `out` says how many there are.
 ///
-/// Eight of them go through every step together. What is found for one does not depend on its neighbours, to the last bit
-/// where the plan has closed forms only, and within the tolerance of the iteration where it has Newton steps. `watch` is
-/// told how far it is and may stop it.
+/// Eight of them go through every step together. The result for one does not depend on its neighbours: to the last bit
+/// if the plan has closed forms only, and within the tolerance of the iteration if it has Newton steps. `watch` gets
+/// the progress and may stop the batch.
 ///
 /// ```
 /// use kin_runtime::batch::{Column, Modes, Problems, Solutions, always, solve};
@@ -225,7 +225,7 @@ impl<M: Mechanism> Solve<'_, M> {
 /// ```
 ///
 /// # Errors
-/// When the mechanism has no plan, when a list or a column has the wrong length, and when `watch` stops it.
+/// If the mechanism has no plan, if a list or a column has the wrong length, and if `watch` stops the batch.
 pub fn solve<M: Mechanism + Sync>(
     mechanism: &M,
     depth: Depth,

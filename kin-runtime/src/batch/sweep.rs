@@ -17,35 +17,37 @@ use alloc::vec::Vec;
 use core::marker::PhantomData;
 use core::ops::ControlFlow;
 
-/// Instants of all blocks between two looks at the watch.
+/// Instants of all blocks between two calls of the watch.
 const INSTANTS: usize = 512;
 
 /// Sets of parameters, and the time grid over which each of them moves.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sweeps<'a> {
-    /// In the order of [`Model::parameters`](crate::model::Model::parameters), a number for every set or one for all.
+    /// The parameters, in the order of [`Model::parameters`](crate::model::Model::parameters), a number for every set
+    /// or one for all.
     pub parameters: &'a [Column<'a>],
-    /// The instants, in the order in which they are solved; the nearer they are, the more sets go there in one step.
+    /// The instants, in the order in which they are solved. The closer they are, the more sets reach the next one in a
+    /// single step.
     pub times: &'a [f64],
     /// The inputs, a number for every *instant* or one for all of them; the same for all sets.
     pub inputs: &'a [Signal<Column<'a>>],
-    /// Which closures are meant: at the first instant, for every set, and kept from there.
+    /// The assembly modes at the first instant, for every set; they are kept along the motion.
     pub modes: Modes<'a>,
-    /// n columns, for every set: angles at the first instant come out within half a turn of these.
+    /// n columns, for every set: angles at the first instant are within half a turn of these.
     pub start: &'a [Column<'a>],
 }
 
 /// A block of sets at one instant.
 pub struct Moment<'s> {
-    /// The number of the first set; the others are in the next lanes. Lanes behind the last set repeat it.
+    /// The number of the first set; the others are in the next lanes. Lanes after the last set repeat it.
     pub first: usize,
-    /// The instant, a place in [`Sweeps::times`].
+    /// The instant, an index of [`Sweeps::times`].
     pub instant: usize,
     /// Time.
     pub t: f64,
     /// Parameters.
     pub parameters: &'s [Lanes],
-    /// q, n numbers; angles go on counting from instant to instant.
+    /// q, n numbers; angles are continuous from instant to instant and not wrapped.
     pub q: &'s [Lanes],
     /// q̇, n numbers.
     pub q_dot: &'s [Lanes],
@@ -59,7 +61,7 @@ pub struct Moment<'s> {
 }
 
 impl Moment<'_> {
-    /// Whether a lane still moves. One that does not repeats another that does.
+    /// Whether a lane still moves. A lane that does not move repeats the numbers of one that does.
     #[inline]
     pub fn moves(&self, lane: usize) -> bool {
         self.ends[lane].is_none()
@@ -69,8 +71,8 @@ impl Moment<'_> {
     /// ([`ForceModel::effort`](crate::model::ForceModel::effort)), reactions, powers.
     ///
     /// # Errors
-    /// [`NoForces`](BatchError::NoForces) as in [`forces`](super::forces), and where `forces` has another length than
-    /// [`ForceModel::count`](crate::model::ForceModel::count).
+    /// [`NoForces`](BatchError::NoForces) as in [`forces`](super::forces), and [`Length`](BatchError::Length) if
+    /// `forces` does not have [`ForceModel::count`](crate::model::ForceModel::count) entries.
     #[inline]
     pub fn forces<M: Mechanism>(&self, mechanism: &M, forces: &mut [Lanes]) -> Result<(), BatchError> {
         table::<M>()?;
@@ -92,7 +94,7 @@ impl Moment<'_> {
     }
 }
 
-/// What is left of a batch of motions: a score for every block of four sets, and where sets had to end.
+/// The result of a batch of motions: a score for every block of four sets, and where sets ended early.
 #[derive(Clone, Debug)]
 pub struct Motions<S> {
     count: usize,
@@ -100,7 +102,7 @@ pub struct Motions<S> {
 }
 
 impl<S: Clone> Motions<S> {
-    /// Room for `count` sets of parameters, with the score that every block begins with.
+    /// Room for `count` sets of parameters, with the initial score of every block.
     pub fn new(count: usize, score: S) -> Self {
         Self { count, blocks: alloc::vec![(score, [None; Lanes::COUNT]); blocks(count)] }
     }
@@ -117,12 +119,12 @@ impl<S> Motions<S> {
         self.blocks.iter().map(|(score, _)| score)
     }
 
-    /// A part of the scores, a number for every set.
+    /// A component of the scores, a number for every set.
     pub fn scores(&self, part: impl Fn(&S) -> Lanes) -> impl Iterator<Item = f64> {
         self.blocks.iter().flat_map(move |(score, _)| part(score).to_array()).take(self.count)
     }
 
-    /// Where each set had to end; none where it went through all instants.
+    /// Where each set ended early; none if it went through all instants.
     pub fn ends(&self) -> impl Iterator<Item = Option<End>> {
         self.blocks.iter().flat_map(|(_, ends)| *ends).take(self.count)
     }
@@ -132,23 +134,23 @@ impl<S> Motions<S> {
 struct Sweep<'a, M, V, S> {
     mechanism: &'a M,
     sweeps: &'a Sweeps<'a>,
-    /// The start stands at q and the modes at q̇.
+    /// The parameters; q holds the start, and q̇ the modes.
     configurations: &'a Configurations<'a>,
     visit: V,
     score: PhantomData<fn(&mut S)>,
 }
 
-/// What one thread needs.
+/// The buffers of one thread.
 struct Scratch<'a, M: Mechanism> {
     arguments: Arguments<'a, M, Octet>,
     inputs: Vec<Signal<Octet>>,
     shown_inputs: Vec<Signal<Lanes>>,
-    /// Elsewhere than on the stack, which a large mechanism's own code needs.
+    /// On the heap, because the generated code of a large mechanism needs the stack.
     motion: Box<Motion<M>>,
     shown: Box<Shown<M>>,
 }
 
-/// A group of lanes as it is shown.
+/// The buffers in which a group of lanes is shown to `visit`.
 struct Shown<M: Mechanism> {
     parameters: M::Parameters<Lanes>,
     q: M::Coordinates<Lanes>,
@@ -231,7 +233,7 @@ where
     }
 }
 
-/// A group of lanes of every number.
+/// Copies a group of lanes of every number.
 #[inline(always)]
 fn show(to: &mut [Lanes], from: &[Octet], group: usize) {
     to.iter_mut().zip(from).for_each(|(to, from)| *to = from.group(group));
@@ -239,11 +241,11 @@ fn show(to: &mut [Lanes], from: &[Octet], group: usize) {
 
 /// The whole motion of many sets of parameters over one time grid; `out` says how many there are.
 ///
-/// Eight sets move together, each on its own way. Every set goes where [`Planned`](crate::Planned) would lead it alone, on
-/// the branch that it is on at the first instant, and ends where that ends. `visit` is called for every block
-/// at every instant, in the order of the grid, from any of the threads, and gathers what it wants in the score of the
-/// block; states are not kept. A set that comes to a limit goes no further: [`Motions::ends`] says where, and
-/// [`Moment::keep`] keeps its part of the score as it was. `watch` is told how many sets are done and may stop it.
+/// Eight sets move together, but every set moves as [`Planned`](crate::Planned) would move it alone: on the branch of
+/// its first instant, up to the end of that branch. `visit` is called for every block at every instant, in the order of
+/// the grid, from any of the threads, and updates the score of the block; states are not kept. A set that reaches a
+/// limit ends there: [`Motions::ends`] has the instant, and [`Moment::keep`] preserves its part of the score. `watch`
+/// gets the number of finished sets and may stop the batch.
 ///
 /// ```
 /// use kin_runtime::batch::{Column, Modes, Motions, Sweeps, always, sweep};
@@ -288,7 +290,7 @@ fn show(to: &mut [Lanes], from: &[Octet], group: usize) {
 /// ```
 ///
 /// # Errors
-/// When the mechanism has no plan, when a list or a column has the wrong length, and when `watch` stops it.
+/// If the mechanism has no plan, if a list or a column has the wrong length, and if `watch` stops the batch.
 pub fn sweep<M, S>(
     mechanism: &M,
     sweeps: &Sweeps<'_>,
@@ -308,7 +310,7 @@ where
     check_list("start", M::COORDINATES, start, out.count)?;
     check_signals::<M>(inputs, times.len())?;
     modes.check::<M>(out.count)?;
-    // Inputs belong to the instants, and time is the grid: neither is read with the sets.
+    // Inputs and times belong to instants, not to sets: they are not read with the columns of the sets.
     let configurations =
         Configurations { parameters, t: Column::Shared(0.0), inputs: &[], q: start, q_dot: modes.columns() };
     let work = Sweep { mechanism, sweeps, configurations: &configurations, visit, score: PhantomData };

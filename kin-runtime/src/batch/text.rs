@@ -1,4 +1,4 @@
-//! Batches in words.
+//! How batches print.
 
 use super::{
     Column, Configurations, End, Evaluations, ForceSolutions, Modes, Moment, Motions, Problems, Progress, Solutions,
@@ -8,7 +8,7 @@ use crate::mechanism::Mechanism;
 use crate::text::{counted, number, numbers};
 use core::fmt;
 
-/// The number that all have, or how many there are.
+/// The shared number, or how many numbers there are.
 impl fmt::Display for Column<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -76,7 +76,7 @@ impl fmt::Display for Moment<'_> {
     }
 }
 
-/// How many went on to the end.
+/// How many motions reached the last instant.
 impl<S> fmt::Display for Motions<S> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let whole = self.ends().filter(Option::is_none).count();

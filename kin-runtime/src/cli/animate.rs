@@ -1,15 +1,14 @@
-//! `animate`: the motion as a page for a browser, or as a picture that moves.
+//! `animate`: the motion as a page for a browser, or as an animated picture.
 
 use super::columns::{column_infos, shown};
 use super::engine::{Engine, Setup};
 use super::examples::{Help, Names};
-use super::failure::{Failure, Ledger, zip3};
-use super::instants::GridArgs;
+use super::failure::{Failure, Ledger};
 use super::moving::{Moved, Walk, note_motion};
-use super::options::{AngleArgs, FreedomArgs, SetupArgs};
 use super::output::{Form, OutputArgs};
 use super::session::Session;
 use super::solved::{analysis, note_freedom};
+use super::task::{MotionArgs, Task};
 use crate::error::SolveError;
 use crate::measure::Measure;
 use crate::model::Model;
@@ -21,25 +20,20 @@ use crate::present::text::count;
 use crate::present::units::Units;
 use crate::state::State;
 
-/// Steps when --steps is not there.
+/// Number of steps without `--steps`.
 pub(super) const STEPS: usize = 180;
-/// Assembly modes that one page shows at most.
+/// Most assembly modes on one page.
 const MODES: usize = 8;
-/// Coordinates of all instants that the modes besides the one asked for may have together, so that pages stay small.
+/// Most numbers (coordinates times instants) in all additional assembly modes of a page together, so that pages stay
+/// small.
 const NUMBERS: usize = 60_000;
 
-/// See it move: a page for a browser, which needs nothing else, or a moving picture
+/// The mechanism in motion: one page for a browser, or an animated picture
 #[derive(Clone, Debug, clap::Args)]
 pub(super) struct AnimateArgs {
     #[command(flatten)]
-    grid: GridArgs,
-    #[command(flatten)]
-    setup: SetupArgs,
-    #[command(flatten)]
-    freedom: FreedomArgs,
-    #[command(flatten)]
-    angles: AngleArgs,
-    /// Names in a picture; a page has a switch for them
+    motion: MotionArgs,
+    /// Show names in a picture; a page has a switch for them
     #[arg(long)]
     names: bool,
     /// Arrows of what joints, drivers and loads exert; a page can hide them
@@ -64,9 +58,9 @@ pub(super) const HELP: Help = Help {
         ]
     },
     details: "\
-The page has the drawing, plots that go with it, speed, and a slider for the time; where the
-mechanism can be assembled in several modes it has all of them, up to eight, unless --mode says
-which. Space plays and pauses.
+The page has the drawing, plots, and controls for time and speed. If the mechanism can be assembled
+in several modes, the page has all of them, up to eight, unless --mode chooses one. The space bar
+plays and pauses.
 
 Arrows of forces are to one scale over the whole motion, which is shown; those of couples have one
 of their own. Joints (red) act on the body of their second operand, drivers (violet) on what they
@@ -78,12 +72,8 @@ or 130.",
 
 pub(super) fn run(args: &AnimateArgs, engine: &mut dyn Engine, session: &mut Session<'_>) -> Result<(), Failure> {
     let mut ledger = Ledger::default();
-    let (asked, output) = (
-        ledger.take(args.grid.asked(STEPS, engine.model())),
-        ledger.take(session.destination(&args.output, "animate")),
-    );
-    let setup = ledger.take(args.setup.apply_complete(engine));
-    let (asked, output, setup) = ledger.close(zip3(asked, output, setup))?;
+    let task = args.motion.read(&mut ledger, ("animate", &args.output), STEPS, engine, session);
+    let Task { asked, setup, output } = ledger.close(task)?;
     let engine = &*engine;
     let model = engine.model();
     if model.bodies.is_empty() && model.points.is_empty() {
@@ -93,9 +83,8 @@ pub(super) fn run(args: &AnimateArgs, engine: &mut dyn Engine, session: &mut Ses
     if args.forces && model.forces.is_none() {
         return Err(analysis(engine, &SolveError::NoLoads { mechanism: model.name }));
     }
-    let open_end = asked.is_open();
     let instants = asked.instants(engine, &setup)?;
-    // Velocity ratios are too many for a page.
+    // A page has no room for velocity ratios.
     let measures: Vec<Measure> = Measure::all(model).split_off(1);
     let watch = session.watch();
     // A picture shows one motion.
@@ -103,19 +92,8 @@ pub(super) fn run(args: &AnimateArgs, engine: &mut dyn Engine, session: &mut Ses
     let room = NUMBERS / (model.coordinates.len() * instants.len()).max(1);
     let most = if one { 0 } else { ((1 << model.plan.modes.len().min(MODES.ilog2() as usize)) - 1).min(room) };
     watch.begin("instants", (1 + most) * instants.len());
-    let freedom = args.freedom;
-    let walk = Walk {
-        engine,
-        setup: &setup,
-        instants: &instants,
-        stop_at_events: false,
-        open_end,
-        freedom,
-        reported: true,
-        measures: &measures,
-        degrees: args.angles.degrees,
-        watch: &watch,
-    };
+    let walk = args.motion.walk(engine, (&asked, &setup, &instants), &measures, &watch);
+    let walk = Walk { reported: true, ..walk };
     let moved = walk.kept()?;
     note_motion(session, &moved);
     let Moved { trajectory, motions, columns, mut ended, left, .. } = moved;
@@ -124,7 +102,7 @@ pub(super) fn run(args: &AnimateArgs, engine: &mut dyn Engine, session: &mut Ses
     let own = engine.modes(&first.instant(), &first.q);
     let own: Vec<Sign> = own.iter().map(|mode| mode.sign.unwrap_or(Sign::Plus)).collect();
     let note = ended.as_ref().map(|failure| early(model, failure));
-    let degrees = args.angles.degrees;
+    let degrees = args.motion.angles.degrees;
     let mut runs = vec![run_of(
         engine,
         &setup,
@@ -139,7 +117,7 @@ pub(super) fn run(args: &AnimateArgs, engine: &mut dyn Engine, session: &mut Ses
         for (place, other) in others.iter().enumerate() {
             watch.go_on((1 + place) * instants.len());
             let asked = Setup { modes: other.iter().copied().enumerate().collect(), ..setup.clone() };
-            // A mode that does not close is no fault of the motion that was asked for.
+            // Other modes that do not close are left out: they are no error of the motion that was asked for.
             let Ok(also) = (Walk { setup: &asked, ..walk }).kept() else { continue };
             let (states, name) = (&also.trajectory.states, mode_name(model, &own, other));
             if watch.interrupted() {
@@ -175,7 +153,7 @@ pub(super) fn run(args: &AnimateArgs, engine: &mut dyn Engine, session: &mut Ses
     }
 }
 
-/// What a page says of a motion that is not whole, in a short sentence: the command has told all of it.
+/// A short sentence for the page about a motion that ended early; the command prints the whole error.
 fn early(model: &Model, failure: &Failure) -> String {
     if let Failure::Interrupted(how_far) = failure {
         return format!("The motion was interrupted: {how_far}.");
@@ -186,16 +164,16 @@ fn early(model: &Model, failure: &Failure) -> String {
     format!("The motion ends early: {sentence}.")
 }
 
-/// Values of drivers that stand beside the time at most.
+/// Most driven quantities whose values are shown beside the time.
 const DRIVERS: usize = 3;
 
-/// The columns of what is driven.
+/// The columns of the driven quantities.
 fn drivers(model: &'static Model, columns: &[ColumnInfo]) -> Vec<usize> {
     let place = |driven: Measure| columns.iter().position(|column| column.name == driven.name());
     Measure::driven(model).into_iter().filter_map(place).take(DRIVERS).collect()
 }
 
-/// All other combinations of signs, few enough to look at.
+/// All other combinations of signs of the first few modes.
 fn others(own: &[Sign]) -> Vec<Vec<Sign>> {
     let free = own.len().min(MODES.ilog2() as usize);
     let combination = |number: usize| {
@@ -207,7 +185,7 @@ fn others(own: &[Sign]) -> Vec<Vec<Sign>> {
     (1..1_usize << free).map(combination).collect()
 }
 
-/// The signs where they are few, otherwise those that differ from the first.
+/// The name of a mode: its signs if there are at most two, otherwise those that differ from the first motion.
 fn mode_name(model: &Model, own: &[Sign], signs: &[Sign]) -> String {
     let few = signs.len() <= 2;
     let modes = model.plan.modes.iter().zip(own).zip(signs);

@@ -1,16 +1,16 @@
-//! `check`: are the closed forms right, and is the solution one?
+//! `check`: compares the closed forms with dual numbers and the solution with the equations.
 
 use serde::Serialize;
 
 use super::engine::{Engine, Miss, Setup};
 use super::examples::{Help, Names};
-use super::failure::{Failure, Ledger, zip3};
+use super::failure::{Failure, Ledger};
 use super::forces::pulls;
-use super::instants::instant;
-use super::options::{FreedomArgs, InstantArgs, SetupArgs};
+use super::options::{FreedomArgs, SetupArgs};
 use super::output::{Form, OutputArgs};
 use super::session::Session;
 use super::solved::{analysis, driven_state, note_freedom};
+use super::task::{At, AtArgs};
 use super::values;
 use super::watch::Watch;
 use crate::certificate::Uncertified;
@@ -28,16 +28,14 @@ const CLOSED_FORM_TOLERANCE: f64 = 1e-10;
 /// Largest error of the velocity and acceleration equations, relative to their terms.
 const CLOSURE_TOLERANCE: f64 = 1e-9;
 
-/// Hold the closed forms against dual numbers, and the solution against the equations
+/// Compare the closed forms with dual numbers, and the solution with the equations
 #[derive(Clone, Debug, clap::Args)]
 pub(super) struct CheckArgs {
     #[command(flatten)]
-    instant: InstantArgs,
+    at: AtArgs,
     /// Number of random configurations
     #[arg(long, value_name = "N", default_value = "100")]
     configurations: String,
-    #[command(flatten)]
-    setup: SetupArgs,
     #[command(flatten)]
     freedom: FreedomArgs,
     #[command(flatten)]
@@ -51,15 +49,16 @@ pub(super) struct Findings {
     mechanism: &'static str,
     passed: bool,
     cross_check: CrossCheck,
-    /// None where there is no plan.
+    /// None if there is no plan.
     plan: Option<CrossCheck>,
-    /// None where the mechanism could not be solved, or inputs have no value.
+    /// None if the mechanism could not be solved, or inputs have no value.
     closure: Option<Closure>,
-    /// By how much the powers of drivers, loads and dampers miss the rate of all energy; none without masses and loads.
+    /// The relative difference between the power of drivers, loads and dampers and the rate of the total energy; none
+    /// without masses and loads.
     power: Option<f64>,
-    /// Contacts whose bodies would have to pull on one another, which is no error of the solution.
+    /// Contacts whose normal force is negative, in words; they are no error of the solution.
     pulling: Vec<String>,
-    /// The proof that the solution is one; none where the mechanism could not be solved.
+    /// The proof that the solution exists; none if the mechanism could not be solved.
     #[serde(serialize_with = "certificate::record")]
     certificate: Option<Certified>,
 }
@@ -96,16 +95,13 @@ that would have to pull are told: what only touches has lifted off there.",
 
 pub(super) fn run(args: &CheckArgs, engine: &mut dyn Engine, session: &mut Session<'_>) -> Result<(), Failure> {
     let mut ledger = Ledger::default();
-    let (t, output) =
-        (ledger.take(args.instant.time(engine.model())), ledger.take(session.destination(&args.output, "check")));
-    let setup = ledger.take(args.setup.apply(engine));
+    let at = args.at.read(&mut ledger, ("check", &args.output), SetupArgs::apply, engine, session);
     let configurations = ledger.take(values::configurations(&args.configurations));
-    let ((t, output, setup), configurations) = ledger.close(zip3(t, output, setup).zip(configurations))?;
+    let (At { t, setup, output }, configurations) = ledger.close(at.zip(configurations))?;
     let engine = &*engine;
-    let t = instant("--at", t, engine, &setup)?;
-    // The closed forms are right or wrong whatever the inputs are; a solution needs them.
+    // The closed forms can be checked without values of inputs; a solution needs them.
     let solved = match setup.missing_inputs.as_slice() {
-        // What the drivers leave open is no fault: the answer of least norm satisfies the same equations.
+        // Open degrees of freedom are no error here: the answer of least norm satisfies the same equations.
         [] => driven_state(engine, &setup, t, true).map(|(state, _)| Some(state)),
         missing => {
             let missing = missing.join(", ");
@@ -131,7 +127,7 @@ pub(super) fn run(args: &CheckArgs, engine: &mut dyn Engine, session: &mut Sessi
     if findings.passed { Ok(()) } else { Err(Failure::Analysis(complaint(&findings))) }
 }
 
-/// Compares at the solved configuration, where there is one, and at random ones.
+/// Compares at the solved configuration, if there is one, and at random ones.
 pub(super) fn find(
     engine: &dyn Engine,
     setup: &Setup,
@@ -173,7 +169,7 @@ pub(super) fn find(
     let pulling = pulling.unwrap_or_default();
     let balanced = power.is_none_or(|miss| miss <= CLOSURE_TOLERANCE);
     let certificate = state.map(|state| engine.certify(setup, state));
-    // There may be good reasons for which nothing is proven; that it is no solution is none.
+    // A missing certificate is no failure, unless the reason is that the state is not a solution.
     let solution = !matches!(certificate, Some(Err(Uncertified::NotASolution { .. })));
     let passed = closed && planned && balanced && solution && cross_check.passes(CLOSED_FORM_TOLERANCE);
     Ok(Findings { t, mechanism: engine.model().name, passed, cross_check, plan, closure, power, pulling, certificate })
@@ -216,12 +212,12 @@ pub(super) fn facts(findings: &Findings) -> Facts {
         facts.add("  certificate", "", words.split(", "));
     }
     if let Some(power) = findings.power {
-        facts.add("forces", "", [""]).add("  power balance", magnitude(power), ["of the rate of all energy"]);
+        facts.add("forces", "", [""]).add("  power balance", magnitude(power), ["of the rate of the energy"]);
     }
     facts
 }
 
-/// What the plan's answers are worth; where it has none, that is said and not taken for an error of 0.
+/// How well the plan agrees with full Newton. If it has no answer, the text says so instead of showing an error of 0.
 fn add_plan(facts: &mut Facts, plan: &CrossCheck) {
     let label = "compared with full Newton";
     if plan.configurations == 0 {
@@ -245,7 +241,9 @@ fn complaint(findings: &Findings) -> String {
         return format!("not certified: {wrong}");
     }
     if let Some(miss) = findings.power.filter(|miss| *miss > CLOSURE_TOLERANCE) {
-        return format!("the power of drivers, loads and dampers misses the rate of all energy by {miss:.1e} of it");
+        return format!(
+            "the power of drivers, loads and dampers differs from the rate of the energy by {miss:.1e} of it"
+        );
     }
     if let Some(plan) = findings.plan.as_ref().filter(|plan| plan.max_error > CLOSURE_TOLERANCE) {
         return format!("the plan's answer differs by more than {CLOSURE_TOLERANCE:e}: {plan}");
@@ -257,5 +255,5 @@ fn complaint(findings: &Findings) -> String {
         return format!("a closed form differs from the dual numbers by more than {CLOSED_FORM_TOLERANCE:e}: {check}");
     }
     let wrong = check.worst_function().map(ToString::to_string).unwrap_or_default();
-    format!("the derivatives of a supplied function are not its derivatives: {wrong}")
+    format!("the derivatives of a supplied function differ from its difference quotients: {wrong}")
 }

@@ -1,4 +1,4 @@
-//! What can be tabulated and plotted: quantities by name, and which of them tell something.
+//! Quantities for tables and diagrams: those asked for by name, and those shown by default.
 
 use super::failure::{Failure, Ledger};
 use super::names::find_quantity;
@@ -7,7 +7,7 @@ use crate::model::Model;
 use crate::present::animation::ColumnInfo;
 use crate::present::units::Units;
 
-/// The quantities of these names; all that is wrong is told.
+/// The quantities with these names; all unknown names are reported at once.
 pub(super) fn quantities(model: &'static Model, names: &[String]) -> Result<Vec<Measure>, Failure> {
     let mut ledger = Ledger::default();
     let found: Vec<Measure> = names.iter().filter_map(|name| ledger.take(find_quantity(model, name))).collect();
@@ -20,7 +20,8 @@ pub(super) fn column_infos(units: Units, measures: &[Measure]) -> Vec<ColumnInfo
     measures.iter().map(info).collect()
 }
 
-/// Two columns that tell something at first: a point's or a coordinate's that is not simply driven, and its rate.
+/// The two columns that are plotted by default: the first value of a point or a coordinate that is not linear in time,
+/// and its rate.
 pub(super) fn shown(model: &Model, columns: &[Vec<f64>]) -> Vec<usize> {
     let bends = |k: usize| columns.get(k).map_or(0.0, |values| bend(values));
     let points = 3 * model.coordinates.len()..3 * (model.coordinates.len() + 2 * model.points.len());
@@ -30,7 +31,7 @@ pub(super) fn shown(model: &Model, columns: &[Vec<f64>]) -> Vec<usize> {
     candidates.find(|&k| bends(k) > 1e-9).or(first).map_or_else(Vec::new, |k| vec![k, k + 1])
 }
 
-/// How far the values are at most from the line between the first and the last of them.
+/// The largest distance of the values from the straight line between the first and the last of them.
 pub(super) fn bend(values: &[f64]) -> f64 {
     let (first, last) = (values.first().copied().unwrap_or(0.0), values.last().copied().unwrap_or(0.0));
     let count = (values.len().max(2) - 1) as f64;

@@ -1,4 +1,4 @@
-//! `completions`: what a shell needs to complete the command line, the mechanism's own names included.
+//! `completions`: scripts with which a shell completes the command line, including the mechanism's own names.
 
 use clap::ValueEnum;
 use clap::builder::{PossibleValue, PossibleValuesParser};
@@ -23,18 +23,15 @@ pub(super) const HELP: Help = Help {
         let program = names.program.as_str();
         let bash = "completions bash > ~/.local/share/bash-completion/completions/";
         vec![
-            Some((format!("{bash}{program}"), "for every bash from now on")),
-            Some((format!("completions zsh > \"${{fpath[1]}}/_{program}\""), "for every zsh from now on")),
-            Some((
-                format!("completions fish > ~/.config/fish/completions/{program}.fish"),
-                "for every fish from now on",
-            )),
+            Some((format!("{bash}{program}"), "for every new bash")),
+            Some((format!("completions zsh > \"${{fpath[1]}}/_{program}\""), "for every new zsh")),
+            Some((format!("completions fish > ~/.config/fish/completions/{program}.fish"), "for every new fish")),
         ]
     },
     details: "\
-For this shell alone, in bash: source <(PROGRAM completions bash). Parameters, coordinates,
-inputs, modes, joints and quantities are completed by name. When the mechanism changes, write the
-file anew.",
+For the current bash only: source <(PROGRAM completions bash). Parameters, coordinates, inputs,
+modes, joints and quantities are completed by name. When the mechanism changes, write the file
+again.",
 };
 
 pub(super) fn run(
@@ -58,7 +55,7 @@ pub(super) fn run(
     session.deliver_bytes(&Destination { form: Form::Text, target: Target::Out, ending: None }, &script)
 }
 
-/// bash puts a space behind a completed word; behind `l1=` there comes a value. It also breaks words at `=` and `:`.
+/// bash adds a space after a completed word. After `l1=` a value follows, so that there must be no space.
 fn no_space(name: &str, program: &str) -> String {
     format!(
         "\n_{name}_names() {{\n    _{name} \"$@\"\n    \
@@ -69,7 +66,7 @@ fn no_space(name: &str, program: &str) -> String {
     )
 }
 
-/// The commands with the values that their options may have. Nothing is parsed with these: whoever writes `l1=0.1` writes
+/// The commands with possible values of their options, for completion only: a parser would refuse `l1=0.1`, which is
 /// none of them.
 fn with_names(command: clap::Command, model: &'static Model) -> clap::Command {
     let parameters: Vec<String> = model.parameters.iter().map(|p| format!("{}=", p.name)).collect();
@@ -103,7 +100,7 @@ fn with_names(command: clap::Command, model: &'static Model) -> clap::Command {
     named(command).mut_subcommands(named)
 }
 
-/// What the commands are called in their tables: the program itself has no name there.
+/// The name of a command in the table of forms, where the report has the empty name.
 fn own_name(command: &clap::Command) -> &str {
     if command.has_subcommands() { "" } else { command.get_name() }
 }

@@ -8,7 +8,7 @@ use crate::motion::Motion;
 use crate::present::units::Units;
 use crate::state::State;
 
-/// The state as it is shown.
+/// The state with angles in degrees, if `degrees`.
 pub(super) fn state<'s>(model: &Model, state: &'s State, degrees: bool) -> Cow<'s, State> {
     if !degrees {
         return Cow::Borrowed(state);
@@ -33,7 +33,7 @@ pub(super) fn state<'s>(model: &Model, state: &'s State, degrees: bool) -> Cow<'
     Cow::Owned(shown)
 }
 
-/// What is reported, as it is shown.
+/// The motion with angles in degrees, if `degrees`.
 pub(super) fn motion<'m>(model: &Model, motion: &'m Motion, degrees: bool) -> Cow<'m, Motion> {
     if !degrees {
         return Cow::Borrowed(motion);

@@ -1,4 +1,4 @@
-//! The face of a mechanism that the commands see: its type is known here and nowhere else in this program.
+//! The interface through which commands use a mechanism. Only this file knows the mechanism's type.
 
 use std::ops::ControlFlow;
 
@@ -30,13 +30,13 @@ use crate::workspace::{Instant, Signal, Subset};
 /// Where the analysis starts and what is prescribed.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Setup {
-    /// Coordinates and where assembly starts.
+    /// Coordinates and the values at which assembly starts.
     pub(super) guesses: Vec<(usize, f64)>,
     /// Prescribed coordinates.
     pub(super) given: Vec<(usize, Signal)>,
     /// All inputs, at the first instant.
     pub(super) inputs: Vec<Signal>,
-    /// Modes asked for, by their places.
+    /// Modes that were asked for, by their indices.
     pub(super) modes: Vec<(usize, Sign)>,
     /// Names of inputs that the user gave no value for.
     pub(super) missing_inputs: Vec<&'static str>,
@@ -50,15 +50,17 @@ impl Setup {
         Err(Failure::option("--input", format!("{missing}\n  write --input {first}=value,rate,acceleration")))
     }
 
-    /// The inputs a time `dt` after the first instant: acceleration stays constant.
-    fn inputs_after(&self, dt: f64, out: &mut [Signal]) {
-        for (to, u) in out.iter_mut().zip(&self.inputs) {
-            *to = u.after(dt);
+    /// The inputs as functions of time; they have their values at `first` and constant acceleration.
+    fn inputs_from(&self, first: f64) -> impl Fn(f64, &mut [Signal]) {
+        move |t, out| {
+            for (to, u) in out.iter_mut().zip(&self.inputs) {
+                *to = u.after(t - first);
+            }
         }
     }
 }
 
-/// By how much the velocity or acceleration equations of the worst row are missed, relative to their terms.
+/// The residual of the worst row of the velocity or acceleration equations, relative to the terms of that row.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
 pub(super) struct Miss {
     /// Name of the row.
@@ -79,8 +81,8 @@ pub(super) trait Engine {
     fn state(&self, setup: &Setup, t: f64) -> Result<State, SolveError>;
     /// The input that keeps the mechanism from closing.
     fn out_of_range(&self, setup: &Setup, t: f64) -> Option<OutOfRange>;
-    /// The motion up to the first failure, or up to the first event where it is to stop there; and the failure. `visit` is
-    /// lent every state in its turn, and none is kept.
+    /// The motion up to the first failure, or to the first event if `stop_at_events`, with the failure. `visit` is
+    /// called with every state; the states are not kept.
     fn sweep_each(
         &self,
         setup: &Setup,
@@ -89,17 +91,17 @@ pub(super) trait Engine {
         observer: Observer<'_>,
         visit: &mut dyn FnMut(&State) -> ControlFlow<()>,
     ) -> (Trajectory, Option<SolveError>);
-    /// The motion from a state on, at instants that follow one another, at inputs as they are `t` − `first` after the first
-    /// instant of the whole motion.
+    /// The motion over `times` from a configuration. The inputs continue from `first`, the first instant of the whole
+    /// motion.
     fn sweep_from(&self, setup: &Setup, first: f64, start: &[f64], times: &[f64]) -> Result<Trajectory, SolveError>;
     fn motion(&self, setup: &Setup, state: &State) -> Result<Motion, SolveError>;
     /// The values of quantities at a state.
     fn measure(&self, setup: &Setup, state: &State, measures: &[Measure]) -> Result<Vec<f64>, SolveError>;
-    /// Forces, the least of them where redundant joints share a load, if they are to be.
+    /// Forces; with `least_norm` also those of joints that share a load redundantly, as the forces of least norm.
     fn forces(&self, setup: &Setup, state: &State, least_norm: bool) -> Result<Forces, SolveError>;
-    /// What loads exert on bodies.
+    /// The forces of gravity, of applied loads and of springs on the bodies.
     fn loads(&self, setup: &Setup, state: &State) -> Result<Vec<Load>, SolveError>;
-    /// Watches the normal forces of contacts from state to state, whose first is at `first`.
+    /// Gives the next state of a motion that began at `first` to the watch of contact forces.
     fn watch_contacts(
         &self,
         setup: &Setup,
@@ -120,10 +122,10 @@ pub(super) trait Engine {
     fn velocity_ratios(&self, setup: &Setup, state: &State) -> Result<VelocityRatios, SolveError>;
     fn transmission_angles(&self, state: &State) -> Result<Vec<TransmissionAngle>, SolveError>;
     fn cross_check(&self, options: &CrossCheckOptions, observer: Observer<'_>) -> Result<CrossCheck, SolveError>;
-    /// The plan against the equations and against full Newton; none where there is no plan.
+    /// Compares the plan with the equations and with full Newton; none if there is no plan.
     fn plan_check(&self, options: &CrossCheckOptions, observer: Observer<'_>)
     -> Result<Option<CrossCheck>, SolveError>;
-    /// The modes of a configuration; none where there is no plan.
+    /// The modes of a configuration; none if there is no plan.
     fn modes(&self, at: &Instant<'_>, q: &[f64]) -> Vec<Mode>;
     fn assemblies(&self, setup: &Setup, t: f64) -> Result<Assemblies, SolveError>;
     fn ranges(&self, setup: &Setup, from: f64, to: f64) -> Result<Ranges, SolveError>;
@@ -191,7 +193,7 @@ impl<M: Mechanism + Default> Engine for Bound<M> {
         visit: &mut dyn FnMut(&State) -> ControlFlow<()>,
     ) -> (Trajectory, Option<SolveError>) {
         let first = times.first().copied().unwrap_or(0.0);
-        let inputs = |t: f64, out: &mut [Signal]| setup.inputs_after(t - first, out);
+        let inputs = setup.inputs_from(first);
         let solver = self.solver(setup).with_inputs(&inputs).stop_at_events(stop_at_events).with_observer(observer);
         match solver.sweep_each(times, visit) {
             Ok(trajectory) => (trajectory, None),
@@ -200,7 +202,7 @@ impl<M: Mechanism + Default> Engine for Bound<M> {
     }
 
     fn sweep_from(&self, setup: &Setup, first: f64, start: &[f64], times: &[f64]) -> Result<Trajectory, SolveError> {
-        let inputs = |t: f64, out: &mut [Signal]| setup.inputs_after(t - first, out);
+        let inputs = setup.inputs_from(first);
         // Prescribed coordinates begin at the first of these instants.
         let elapsed = times.first().copied().unwrap_or(first) - first;
         let given = setup.given.iter().map(|&(place, signal)| (place, signal.after(elapsed))).collect();
@@ -232,7 +234,7 @@ impl<M: Mechanism + Default> Engine for Bound<M> {
         watch: &mut ContactWatch,
         state: &State,
     ) -> Result<(), SolveError> {
-        let inputs = |t: f64, out: &mut [Signal]| setup.inputs_after(t - first, out);
+        let inputs = setup.inputs_from(first);
         self.solver(setup).with_inputs(&inputs).watch_contacts(watch, state)
     }
 

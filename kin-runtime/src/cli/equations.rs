@@ -10,7 +10,7 @@ use crate::present::equations::{self, Part};
 /// Φ, Φ_q, Φ_t and γ joint by joint, and how they are solved: text, LaTeX, MathML
 #[derive(Clone, Debug, clap::Args)]
 pub(super) struct EquationsArgs {
-    /// Joints, constraints and drivers; all of them without any
+    /// Joints, constraints and drivers [default: all]
     #[arg(value_name = "JOINT")]
     joints: Vec<String>,
     /// rows (of Φ) or solution (steps of the plan) [default: both]
@@ -35,10 +35,10 @@ pub(super) const HELP: Help = Help {
     details: "\
 Each joint begins with its own equation, in vectors: r is the origin of a body, A its rotation,
 s′ a point in its frame, index 0 the ground. Then follow its rows of Φ as they were derived, their
-partial derivatives that are not 0, and γ. The solution plan comes after them: what each step
-computes, for q, its rates and its accelerations; coordinates of earlier steps are known there, σ is
-the sign of an assembly mode, and angles are taken nearest to where they were. With masses or
-loads, M and Q of M q̈ + Φ_qᵀ λ = Q stand at the end.",
+partial derivatives that are not 0, and γ. The solution plan comes after them: the formulas of each
+step for q, q̇ and q̈, in which coordinates of earlier steps are known. σ is the sign of an assembly
+mode; of the values of an angle that differ by 2π the one nearest to the last position is taken.
+A mechanism with masses or loads has M and Q of M q̈ + Φ_qᵀ λ = Q at the end.",
 };
 
 /// What is written.
@@ -60,7 +60,7 @@ pub(super) fn run(args: &EquationsArgs, engine: &mut dyn Engine, session: &mut S
     let find = |name: &String| super::names::find("JOINT", super::names::Kind::Joint, name, &names);
     let chosen: Vec<usize> = args.joints.iter().filter_map(|name| ledger.take(find(name))).collect();
     let output = ledger.close(output)?;
-    // A file is a document, what goes elsewhere is for one.
+    // A .tex file is a complete document; other output is a fragment to be included in one.
     let document = output.ending == Some(Form::Latex);
     let part = match args.part {
         None => Part::Both,

@@ -1,4 +1,4 @@
-//! Examples for the help, in the names of the mechanism at hand.
+//! Examples for the help, with the names of the mechanism.
 
 use super::engine::Engine;
 use super::paint;
@@ -7,21 +7,21 @@ use crate::measure::Measure;
 use crate::model::{Component, CoordinateKind, Level, Model};
 use crate::present::number::{plain, rounded};
 
-/// Columns on the screen that the help may take.
+/// Width of the help in columns.
 const COLUMNS: usize = 100;
-/// Columns that the command of an example may take, for its comment to stand beside it.
+/// Width up to which the command of an example has its comment on the same line.
 const BESIDE: usize = 62;
 
-/// The arguments behind the program's name, and what they do.
+/// The arguments after the program's name, and a comment.
 pub(super) type Example = (String, &'static str);
 
-/// What `-h` and `--help` say beside the options.
+/// The text of `-h` and `--help` besides the options.
 pub(super) struct Help {
     pub(super) examples: fn(&Names) -> Vec<Option<Example>>,
     pub(super) details: &'static str,
 }
 
-/// Names of this mechanism that an example may use, with values that they have or may have; none where there are none.
+/// Names of this mechanism that examples can use, with values; `None` for what the mechanism does not have.
 #[derive(Clone, Debug, Default)]
 #[cfg_attr(not(all(feature = "plot", feature = "equations")), allow(dead_code, reason = "for their examples"))]
 pub(super) struct Names {
@@ -34,12 +34,12 @@ pub(super) struct Names {
     pub(super) vary: Option<String>,
     pub(super) guess: Option<String>,
     pub(super) mode: Option<String>,
-    /// What every analysis needs: inputs, and coordinates that the drivers leave open.
+    /// The options that every analysis needs: inputs, and coordinates that the drivers leave open.
     needed: String,
-    /// An instant inside of the motion, and one at its end.
+    /// An instant within the motion, and one at its end.
     pub(super) at: String,
     pub(super) to: String,
-    /// A coordinate that is not simply driven.
+    /// A coordinate that no driver prescribes directly.
     pub(super) coordinate: Option<&'static str>,
     /// A point, or a body whose origin moves.
     pub(super) path: Option<&'static str>,
@@ -49,7 +49,7 @@ pub(super) struct Names {
     /// The first transmission angle.
     pub(super) transmission: Option<String>,
     pub(super) joints: Vec<&'static str>,
-    /// Whether there is something to draw.
+    /// Whether there are bodies or points to draw.
     pub(super) drawn: bool,
     /// Whether there are unilateral conditions.
     pub(super) conditions: bool,
@@ -62,7 +62,7 @@ pub(super) struct Names {
 }
 
 impl Names {
-    /// `trial` is what was found to work; without it values are those that anything may have.
+    /// `trial` has values that were found to work; without it general defaults are used.
     pub(super) fn new(program: String, engine: &dyn Engine, trial: Option<Trial>) -> Self {
         let model = engine.model();
         let values = engine.parameters();
@@ -102,12 +102,12 @@ impl Names {
         }
     }
 
-    /// An analysis, with what every analysis needs.
+    /// An example of an analysis, with the options that every analysis needs.
     pub(super) fn analysis(&self, args: &str, comment: &'static str) -> Option<Example> {
         Some((format!("{args}{}", self.needed).trim_start().to_owned(), comment))
     }
 
-    /// As [`analysis`](Self::analysis) with an option, where there is a name for it.
+    /// As [`analysis`](Self::analysis) with an option; `None` if there is no value for it.
     pub(super) fn with(&self, args: &str, value: &Option<String>, comment: &'static str) -> Option<Example> {
         self.analysis(&format!("{args} {}", value.as_ref()?), comment)
     }
@@ -137,7 +137,7 @@ impl Names {
     }
 }
 
-/// A coordinate whose value no driver says directly: the last angle, or else the last of all.
+/// A coordinate that no driver prescribes directly: the last angle, or else the last coordinate.
 fn undriven(model: &Model) -> Option<&'static str> {
     let simply_driven = |place: usize| {
         model.rows.iter().enumerate().filter(|(_, row)| row.driving || row.rheonomic).any(|(row, _)| {

@@ -1,22 +1,22 @@
-//! Why a command did not do what was asked, and the exit status that says so.
+//! Why a command failed, and its exit status.
 
 use std::fmt;
 
 /// What went wrong.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum Failure {
-    /// Options that do not make sense, all that were found: status 2.
+    /// All errors in the options: status 2.
     Usage(Vec<String>),
-    /// The mechanism has no good answer at these numbers: status 1.
+    /// The mechanism has no good answer for these numbers: status 1.
     Analysis(String),
     /// A file or stream could not be written: status 1.
     Output(String),
-    /// Ctrl-C; how far it came: status 130, as that of a program that the signal ends.
+    /// Ctrl-C, with how much was finished: status 130, that of a program which the signal ends.
     Interrupted(String),
 }
 
 impl Failure {
-    /// Options that do not go together.
+    /// A usage error.
     pub(super) fn usage(what: impl Into<String>) -> Self {
         Self::Usage(vec![what.into()])
     }
@@ -35,7 +35,7 @@ impl Failure {
         }
     }
 
-    /// What is to be said, one by one.
+    /// The messages, one by one.
     pub(super) fn complaints(&self) -> &[String] {
         match self {
             Self::Usage(all) => all,
@@ -50,21 +50,21 @@ impl fmt::Display for Failure {
     }
 }
 
-/// All three, or none.
+/// All three, or `None`.
 pub(super) fn zip3<A, B, C>(a: Option<A>, b: Option<B>, c: Option<C>) -> Option<(A, B, C)> {
     Some((a?, b?, c?))
 }
 
-/// Usage errors of several options, so that all of them are told at once.
+/// Collects usage errors of several options, so that all of them are reported at once.
 #[derive(Debug, Default)]
 pub(super) struct Ledger {
     complaints: Vec<String>,
-    /// What is no fault of the options, and ends everything.
+    /// The first error that is no usage error.
     other: Option<Failure>,
 }
 
 impl Ledger {
-    /// A value, or none and its error noted.
+    /// The value; or `None`, with the error recorded.
     pub(super) fn take<T>(&mut self, result: Result<T, Failure>) -> Option<T> {
         match result {
             Ok(value) => return Some(value),
@@ -74,7 +74,7 @@ impl Ledger {
         None
     }
 
-    /// Notes a complaint, without the names that an earlier one has listed already.
+    /// Records a message, without its list of names if an earlier message has the same list.
     fn note(&mut self, complaint: String) {
         let told = |listed: &str| self.complaints.iter().any(|c| c.split_once('\n').is_some_and(|(_, l)| l == listed));
         let short = match complaint.split_once('\n') {
@@ -84,7 +84,7 @@ impl Ledger {
         self.complaints.push(short);
     }
 
-    /// `value`, unless there was an error.
+    /// `value`, or the recorded errors.
     pub(super) fn close<T>(self, value: Option<T>) -> Result<T, Failure> {
         match (self.other, value) {
             (None, Some(value)) if self.complaints.is_empty() => Ok(value),

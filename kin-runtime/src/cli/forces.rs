@@ -2,12 +2,12 @@
 
 use super::engine::Engine;
 use super::examples::{Help, Names};
-use super::failure::{Failure, Ledger, zip3};
-use super::instants::instant;
-use super::options::{InstantArgs, SetupArgs};
+use super::failure::{Failure, Ledger};
+use super::options::SetupArgs;
 use super::output::{Form, OutputArgs};
 use super::session::Session;
-use super::solved::{analysis, driven_state, note_freedom};
+use super::solved::{analysis, driven_state, note_freedom, note_modes};
+use super::task::{At, AtArgs};
 use crate::analysis::forces::unbounded;
 use crate::error::SolveError;
 use crate::forces::{Forces, Reaction};
@@ -20,9 +20,7 @@ use crate::present::number::{plain, rounded};
 #[derive(Clone, Debug, clap::Args)]
 pub(super) struct ForcesArgs {
     #[command(flatten)]
-    instant: InstantArgs,
-    #[command(flatten)]
-    setup: SetupArgs,
+    at: AtArgs,
     /// Where redundant joints share a load, the least forces; where drivers leave the motion open, the smallest q̇ and q̈
     #[arg(long)]
     least_norm: bool,
@@ -63,29 +61,27 @@ pub(super) fn pulls(contact: &Reaction, forces: &Forces) -> String {
 
 pub(super) fn run(args: &ForcesArgs, engine: &mut dyn Engine, session: &mut Session<'_>) -> Result<(), Failure> {
     let mut ledger = Ledger::default();
-    let (t, output) =
-        (ledger.take(args.instant.time(engine.model())), ledger.take(session.destination(&args.output, "forces")));
-    let setup = ledger.take(args.setup.apply_complete(engine));
-    let (t, output, setup) = ledger.close(zip3(t, output, setup))?;
-    let t = instant("--at", t, &*engine, &setup)?;
+    let at = args.at.read(&mut ledger, ("forces", &args.output), SetupArgs::apply_complete, engine, session);
+    let At { t, setup, output } = ledger.close(at)?;
     let (state, _) = driven_state(engine, &setup, t, args.least_norm).map_err(|failure| {
-        // A position may be there all the same; which joints bear what nothing bounds is what is asked here.
+        // In a singular configuration without velocities, the error names the joints whose forces grow near it.
         let singular = engine.state(&setup, t).err().filter(|error| matches!(error, SolveError::Singular { .. }));
         singular.map_or(failure, |error| analysis(engine, &unbounded(engine.model(), error)))
     })?;
     note_freedom(session, state.degrees_of_freedom_left);
+    note_modes(session, engine, &setup, t);
     let forces = engine.forces(&setup, &state, args.least_norm).map_err(|error| analysis(engine, &error))?;
     let undetermined = forces.reactions.iter().any(|reaction| !reaction.determined)
         || forces.efforts.iter().any(|effort| !effort.determined);
     if undetermined {
         session.note(match args.least_norm {
             true => {
-                "note: redundant rows share the load: equilibrium alone does not tell how; these are the least of all \
-                 forces that are possible"
+                "note: redundant rows share the load, and equilibrium alone does not determine how; these are the forces \
+                 of least norm"
             }
             false => {
-                "note: redundant rows share the load: equilibrium alone does not tell what is undetermined; the bodies' \
-                 stiffness would, and --least-norm gives the least forces"
+                "note: redundant rows share the load, and equilibrium alone does not determine how: that depends on the \
+                 bodies' stiffness; --least-norm gives the forces of least norm"
             }
         });
     }

@@ -1,4 +1,4 @@
-//! The help: clap's, with examples and names of the mechanism at hand.
+//! The help: clap's, with examples and names of the mechanism.
 
 use super::engine::Engine;
 use super::examples::{Help, Names};
@@ -10,7 +10,7 @@ use super::{
 };
 use crate::model::Model;
 
-/// The whole command line of a mechanism, of the options that all mechanisms have.
+/// The command line of a mechanism, made from the options that all mechanisms have.
 pub(super) fn command(
     options: clap::Command,
     engine: &dyn Engine,
@@ -61,18 +61,18 @@ const COMMANDS: &[(&str, Help)] = &[
     ("completions", completions::HELP),
 ];
 
-/// Where a motion ends when nobody says.
+/// The default end of a motion, as the help describes it.
 const END: &str = " [default: one driven turn, or 1, or as far as it goes]";
 
-/// Options with what they mean for this command: its forms, and its instants.
+/// Fills in what the shared options mean for this command: its forms and the default instants.
 fn with_defaults(command: clap::Command, name: &str) -> clap::Command {
     let forms = forms(name);
     let Some(first) = forms.first() else { return command };
     let named: Vec<&str> = forms.iter().map(|form| form.name()).collect();
     let endings: Vec<String> = forms.iter().map(|form| format!(".{}", form.endings()[0])).collect();
-    let short = format!("{} [default: as --out ends, or {}]", either(&named), first.name());
+    let short = format!("{} [default: by the ending of --out, or {}]", either(&named), first.name());
     let long = format!(
-        "{}.\nBy default the ending of --out says it: {}; without a file it is {}.\nWhere --out says something else, --format is right",
+        "{}.\nThe default is the ending of --out: {}; without a file it is {}.\n--format wins over a different ending",
         either(&named),
         either(&endings),
         first.name(),
@@ -91,7 +91,7 @@ fn with_defaults(command: clap::Command, name: &str) -> clap::Command {
         .mut_arg("steps", |arg| arg.help(format!("Number of steps; N steps are N + 1 instants [default: {steps}]")))
 }
 
-/// The names that the options of a command can use.
+/// Lists the names that the options of a command accept.
 fn listed(model: &Model, command: &clap::Command) -> String {
     if !command.get_arguments().any(|arg| arg.get_id() == "set") {
         return String::new();

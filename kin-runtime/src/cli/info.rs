@@ -1,13 +1,13 @@
-//! `info`: what the mechanism is.
+//! `info`: the structure of the mechanism.
 
 use super::engine::Engine;
 use super::examples::{Help, Names};
-use super::failure::{Failure, Ledger, zip3};
-use super::instants::instant;
-use super::options::{InstantArgs, SetupArgs};
+use super::failure::{Failure, Ledger};
+use super::options::SetupArgs;
 use super::output::{Form, OutputArgs};
 use super::session::Session;
 use super::solved::analysis;
+use super::task::{At, AtArgs};
 use crate::mobility::RedundantRow;
 use crate::model::{Model, OperationCount};
 use crate::present::condition;
@@ -21,9 +21,7 @@ use crate::workspace::Instant;
 #[derive(Clone, Debug, clap::Args)]
 pub(super) struct InfoArgs {
     #[command(flatten)]
-    instant: InstantArgs,
-    #[command(flatten)]
-    setup: SetupArgs,
+    at: AtArgs,
     #[command(flatten)]
     output: OutputArgs,
 }
@@ -37,18 +35,15 @@ pub(super) const HELP: Help = Help {
         ]
     },
     details: "\
-Degrees of freedom come from the rank at the configuration, so they need one that assembles;
-everything else does not. Where none does, the rest is given and the status is 1.",
+Degrees of freedom follow from the rank of Φ_q at an assembled configuration. If the mechanism
+cannot be assembled, everything else is printed and the status is 1.",
 };
 
 pub(super) fn run(args: &InfoArgs, engine: &mut dyn Engine, session: &mut Session<'_>) -> Result<(), Failure> {
     let mut ledger = Ledger::default();
-    let (t, output) =
-        (ledger.take(args.instant.time(engine.model())), ledger.take(session.destination(&args.output, "info")));
-    let setup = ledger.take(args.setup.apply(engine));
-    let (t, output, setup) = ledger.close(zip3(t, output, setup))?;
+    let at = args.at.read(&mut ledger, ("info", &args.output), SetupArgs::apply, engine, session);
+    let At { t, setup, output } = ledger.close(at)?;
     let engine = &*engine;
-    let t = instant("--at", t, engine, &setup)?;
     if !setup.missing_inputs.is_empty() {
         session.note(&format!("note: inputs without a value are taken as 0: {}", setup.missing_inputs.join(", ")));
     }
@@ -63,7 +58,8 @@ pub(super) fn run(args: &InfoArgs, engine: &mut dyn Engine, session: &mut Sessio
     session.deliver(&output, &text)?;
     match solved {
         Ok(_) => Ok(()),
-        // Zeros are as good as any value where the configuration does not care; where it does, none was asked for.
+        // Inputs without a value were taken as 0. That the mechanism does not close then is no error: nobody asked for
+        // 0.
         Err(_) if !setup.missing_inputs.is_empty() => {
             session
                 .note("note: with these the mechanism has no configuration; degrees of freedom and ranks need --input");
@@ -150,7 +146,7 @@ fn row_summary(model: &Model) -> Vec<String> {
     kinds.iter().map(|(class, number)| format!("{number} {}", class.join(" "))).collect()
 }
 
-/// All operations of one evaluation, and which.
+/// The number of all operations of one evaluation, and the number of each kind.
 fn operations(o: OperationCount) -> (usize, Vec<String>) {
     let all = [
         (o.mul, "mul"),

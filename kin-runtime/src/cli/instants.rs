@@ -1,4 +1,4 @@
-//! The instants of a motion: a grid, a list, or as far as the mechanism goes.
+//! The instants of a motion: a grid, a list, or up to the limits of the mechanism.
 
 use std::f64::consts::TAU;
 use std::ops::ControlFlow;
@@ -20,8 +20,8 @@ pub(super) struct GridArgs {
         long,
         value_name = "A",
         long_help = "\
-The first instant, 0 by default. `limit` is where the mechanism comes to when
-the time runs backwards from 0, or from --to if that is earlier"
+The first instant, 0 by default. `limit` is the limit that the mechanism
+reaches when time runs backwards from 0, or from --to if that is earlier"
     )]
     from: Option<String>,
     /// The last instant, or `limit`
@@ -36,7 +36,7 @@ the time runs backwards from 0, or from --to if that is earlier"
 }
 
 impl GridArgs {
-    /// What is asked for; `steps` where nobody says.
+    /// The instants that are asked for; `steps` is the default number of steps.
     pub(super) fn asked(&self, steps: usize, model: &Model) -> Result<Asked, Failure> {
         let mut ledger = Ledger::default();
         let end =
@@ -44,7 +44,7 @@ impl GridArgs {
         if let Some(times) = &self.times {
             let beside = [("--from", &self.from), ("--to", &self.to), ("--steps", &self.steps)];
             for (name, _) in beside.into_iter().filter(|(_, value)| value.is_some()) {
-                let what = format!("cannot stand beside {name}; use one or the other");
+                let what = format!("cannot be combined with {name}; use one or the other");
                 ledger.take::<()>(Err(Failure::option("--times", what)));
             }
             let times = ledger.take(values::times("--times", times, model));
@@ -86,7 +86,7 @@ pub(super) enum Asked {
     Times(Vec<Moment>),
     Grid {
         from: End,
-        /// Where nobody says where it ends, it is where the motion suggests.
+        /// Without an end the motion takes one turn of the driven crank, or one unit of time.
         to: Option<End>,
         steps: usize,
     },
@@ -95,13 +95,14 @@ pub(super) enum Asked {
 /// The instants of a motion, and what ends it.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Instants {
-    /// From the first to the last that is solved, limits left out.
+    /// The instants that are solved, without limits at the ends.
     pub(super) times: Vec<f64>,
-    /// The place in `times` of the instant at which the mechanism is assembled: the motion goes from there to both sides.
+    /// The index in `times` of the instant at which the mechanism is assembled: the motion is followed from there in
+    /// both directions.
     pub(super) start: usize,
-    /// The limits behind which there is nothing, at the beginning and at the end.
+    /// The limits at the beginning and at the end of the motion.
     pub(super) limits: [Option<Stop>; 2],
-    /// What there is to say of ends that are no limits.
+    /// Notes about ends that are no limits.
     pub(super) notes: Vec<String>,
 }
 
@@ -110,17 +111,17 @@ pub(super) struct Instants {
 pub(super) struct Stop {
     /// Its time.
     pub(super) t: f64,
-    /// The configuration there, where it was found.
+    /// The configuration there, if it was found.
     pub(super) q: Option<Vec<f64>>,
     /// `dead centre of A, B, D`, for a legend.
     #[cfg_attr(not(feature = "plot"), allow(dead_code, reason = "legends are those of diagrams"))]
     pub(super) name: String,
-    /// All of it.
+    /// The full description.
     pub(super) text: String,
 }
 
 impl Instants {
-    /// Instants one by one, none of which is a limit.
+    /// Instants that are all solved, without limits.
     fn plain(times: Vec<f64>) -> Self {
         Self { times, ..Self::default() }
     }
@@ -133,12 +134,12 @@ impl Instants {
 }
 
 impl Asked {
-    /// Nobody says where it ends.
+    /// True if no end is asked for.
     pub(super) fn is_open(&self) -> bool {
         matches!(self, Self::Grid { to: None, .. })
     }
 
-    /// The instants. Without an end it is after one turn of the driven crank, or one unit of time.
+    /// The instants. Without an end the motion takes one turn of the driven crank, or one unit of time.
     pub(super) fn instants(&self, engine: &dyn Engine, setup: &Setup) -> Result<Instants, Failure> {
         let at = |option: &str, moment: &Moment| instant(option, *moment, engine, setup);
         let grid = |from: f64, to: f64, steps: usize| values::grid(from, to, steps).map(Instants::plain);
@@ -169,7 +170,7 @@ impl Asked {
     }
 }
 
-/// The time at which the driven crank has turned so far.
+/// The time of an instant; for an angle, the time at which the driven crank has turned by it.
 pub(super) fn instant(option: &str, moment: Moment, engine: &dyn Engine, setup: &Setup) -> Result<f64, Failure> {
     match moment {
         Moment::At(t) => Ok(t),
@@ -183,9 +184,9 @@ pub(super) fn instant(option: &str, moment: Moment, engine: &dyn Engine, setup: 
 /// Units of time within which a limit is looked for, one after the other, where no crank turns.
 const FAR: [f64; 4] = [1.0, 10.0, 100.0, 1000.0];
 
-/// The instants around a start, with ends that are given or, where they are none, as far as the mechanism goes. Beside a
-/// limit the instants lie closer together, in proportion to the square of their number from there: coordinates go with
-/// the root of the time that is left to a dead centre, so that their curves end smoothly.
+/// The instants of a motion through `start`; an end that is `None` is at the limit of the motion in that direction. The
+/// distance of an instant from a limit grows with the square of its number from there: close to a dead centre
+/// coordinates change with the square root of the remaining time, so that curves through these instants end smoothly.
 fn as_far(
     engine: &dyn Engine,
     setup: &Setup,
@@ -222,7 +223,7 @@ fn as_far(
             }
         }
     }
-    // A crank that turns both ways without an end turns once.
+    // A crank without a limit in either direction turns once.
     if whole == [true; 2] {
         times[0] = start;
         out.notes.truncate(1);
@@ -245,7 +246,7 @@ fn as_far(
     let first = usize::from(out.limits[0].is_some());
     let last = steps - usize::from(out.limits[1].is_some());
     let mut times: Vec<f64> = (first..=last).map(|k| if k == steps { to } else { place(k) }).collect();
-    // The motion goes to both sides from the start, which is one of the instants.
+    // The motion is followed from the start in both directions: the start is one of the instants.
     let behind = times.iter().position(|t| *t >= start).unwrap_or(times.len());
     if times.get(behind).is_none_or(|t| *t != start) {
         times.insert(behind, start);
@@ -253,14 +254,15 @@ fn as_far(
     Ok(Instants { times, start: behind, ..out })
 }
 
-/// What a search for a limit came to.
+/// The result of a search for a limit.
 enum Sought {
     Found(Stop),
-    /// None up to this time.
+    /// There is none up to this time.
     None(f64),
 }
 
-/// The limit that a motion comes to from a start in a direction of time; otherwise how far it was followed without one.
+/// The limit that a motion from `start` reaches in a direction of time, or how far it was followed without reaching
+/// one.
 fn limit(engine: &dyn Engine, setup: &Setup, start: f64, direction: f64) -> Result<Sought, Failure> {
     let turn = speed(engine, setup, start).map(|speed| TAU / speed);
     let ranges = turn.map_or(FAR.to_vec(), |turn| vec![turn]);
@@ -292,8 +294,8 @@ fn short(limit: &Limit) -> String {
     if joints.is_empty() { kind } else { format!("{kind} of {}", joints.join(", ")) }
 }
 
-/// Where a motion from an instant on may end when nobody says: after one turn of the slowest of the cranks that are driven
-/// at constant speed, or after one unit of time.
+/// The default end of a motion that begins at `from`: after one turn of the slowest crank that is driven at constant
+/// speed, or after one unit of time.
 pub(super) fn natural_end(engine: &dyn Engine, setup: &Setup, from: f64) -> f64 {
     from + speed(engine, setup, from).map_or(1.0, |speed| TAU / speed)
 }

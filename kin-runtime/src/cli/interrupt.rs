@@ -1,4 +1,4 @@
-//! Ctrl-C: the first ends what is being done, with everything that is finished; the second ends the program.
+//! Ctrl-C: the first ends the current computation, whose finished part is kept; the second ends the program.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, OnceLock};
@@ -11,12 +11,12 @@ use signal_hook::flag;
 pub(super) struct Interrupt {
     asked: Arc<AtomicBool>,
     deadly: Arc<AtomicBool>,
-    /// Whether the process lets us know.
+    /// Whether signal handlers may be installed.
     heard: bool,
 }
 
 impl Interrupt {
-    /// Signals stay what they are.
+    /// Without signal handlers: Ctrl-C keeps its default effect.
     pub(super) fn unheard() -> Self {
         let flag = |value| Arc::new(AtomicBool::new(value));
         Self { asked: flag(false), deadly: flag(true), heard: false }
@@ -30,7 +30,7 @@ impl Interrupt {
         interrupt
     }
 
-    /// From now on one Ctrl-C is only noted.
+    /// From now on the first Ctrl-C only sets a flag.
     pub(super) fn arm(&self) {
         static INSTALLED: OnceLock<bool> = OnceLock::new();
         if !self.heard || self.asked() {
@@ -38,13 +38,13 @@ impl Interrupt {
         }
         self.deadly.store(false, Ordering::SeqCst);
         let install = || {
-            // In this order: a Ctrl-C that finds the flag set by an earlier one ends the program as if nobody listened.
+            // In this order: the first handler ends the program if an earlier Ctrl-C has set `deadly`.
             flag::register_conditional_default(SIGINT, Arc::clone(&self.deadly))
                 .and_then(|_| flag::register(SIGINT, Arc::clone(&self.asked)))
                 .and_then(|_| flag::register(SIGINT, Arc::clone(&self.deadly)))
                 .is_ok()
         };
-        // Where the system refuses, Ctrl-C ends the program at once, as everywhere else.
+        // If the system refuses a handler, Ctrl-C ends the program at once, as it does by default.
         INSTALLED.get_or_init(install);
     }
 
@@ -53,7 +53,7 @@ impl Interrupt {
         self.deadly.store(true, Ordering::SeqCst);
     }
 
-    /// Whether Ctrl-C was pressed while it was only noted.
+    /// Whether Ctrl-C was pressed while it only set a flag.
     pub(super) fn asked(&self) -> bool {
         self.asked.load(Ordering::Relaxed)
     }

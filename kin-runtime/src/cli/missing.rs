@@ -3,7 +3,7 @@
 use super::failure::Failure;
 use std::ffi::OsString;
 
-/// Whatever stands behind the command.
+/// Any arguments after the command; they are ignored.
 #[derive(Debug, clap::Args)]
 #[command(disable_help_flag = true)]
 pub(super) struct MissingArgs {
@@ -14,7 +14,7 @@ pub(super) struct MissingArgs {
 /// Says which feature has the command.
 pub(super) fn run(_: &MissingArgs, command: &str) -> Result<(), Failure> {
     Err(Failure::usage(format!(
-        "this program was built without `{command}`: it is in the feature `{command}` of kin-runtime, which stands in \
-         Cargo.toml, `features = [\"cli\", \"{command}\"]`; the examples take it as `--features {command}`"
+        "this program was built without `{command}`, which needs the feature `{command}` of kin-runtime: write \
+         `features = [\"cli\", \"{command}\"]` in Cargo.toml; the examples take it as `--features {command}`"
     )))
 }

@@ -7,18 +7,18 @@
 //! # }
 //! ```
 //!
-//! The commands are `info`, `solve`, `sweep`, `extremes`, `forces`, `sensitivities`, `modes`, `limits`, `animate`, `plot` and
-//! `equations` (with the features of their names), `check` and `completions`, one per file; without a command a report at t = 0
-//! is printed.
-//! Results go to stdout or to the file of `--out`, whose ending chooses the format; everything else goes to stderr. The exit
-//! status is 0 only when the answer is good, 2 when the options make no sense, 1 when the mechanism has no good answer,
-//! 130 after Ctrl-C, which leaves all that a sweep, a plot or an animation has finished in the result, and 141 when a reader
-//! left before all was written (`… | head`), of which nothing is said.
+//! The commands are `info`, `solve`, `sweep`, `extremes`, `forces`, `sensitivities`, `modes`, `limits`, `check`,
+//! `animate`, `completions` and, with the features of the same names, `design`, `plot` and `equations`. Each has a file
+//! of its own. Without a command a report at t = 0 is printed. Results go to stdout or to the file of `--out`, whose
+//! ending chooses the format; everything else goes to stderr. The exit status is 0 only when the answer is good, 2 when
+//! the options make no sense, 1 when the mechanism has no good answer, 130 after Ctrl-C, where the finished part of a
+//! sweep, a plot or an animation is still written, and 141, without a message, when the reader of a pipe has closed it
+//! early (`… | head`).
 //!
-//! What takes longer than a second has a bar on stderr, where that is a terminal. Colours are for terminals, too, unless
-//! `NO_COLOR` is set; `CLICOLOR_FORCE` has them everywhere.
+//! A computation that takes longer than a second shows a progress bar if stderr is a terminal. Terminals get colours
+//! unless `NO_COLOR` is set; with `CLICOLOR_FORCE` all output is coloured.
 //!
-//! Only the few calls that touch the mechanism's type are generic; they are behind the trait of `engine.rs`, so that
+//! Only calls that need the mechanism's type are generic. They are behind the trait of `engine.rs`, so that the rest of
 //! this program is compiled once and not for every mechanism.
 
 use std::ffi::OsString;
@@ -53,7 +53,7 @@ mod info;
 mod instants;
 mod interrupt;
 mod limits;
-#[cfg(not(all(feature = "plot", feature = "equations")))]
+#[cfg(not(all(feature = "plot", feature = "equations", feature = "design")))]
 mod missing;
 mod modes;
 mod moving;
@@ -71,6 +71,7 @@ mod session;
 mod solve;
 mod solved;
 mod sweep;
+mod task;
 mod trial;
 mod values;
 mod vary;
@@ -90,8 +91,8 @@ pub fn main<M: Program>() -> ExitCode {
 
 /// Runs the program of the mechanism `M` with these arguments; the first is the program's name.
 ///
-/// For a program that hosts several mechanisms. While a command computes what may take long, Ctrl-C is caught; at all
-/// other times it ends the process, also after this has returned.
+/// This is for a program with several mechanisms. Ctrl-C is caught during long computations; at all other times, and
+/// after this function has returned, it ends the process.
 pub fn run_from<M: Program>(args: impl IntoIterator<Item = impl Into<OsString> + Clone>) -> ExitCode {
     let args = args.into_iter().map(Into::into).collect();
     let mut engine = Bound::new(M::default());
@@ -139,7 +140,7 @@ enum Command {
     Completions(completions::CompletionsArgs),
 }
 
-/// The whole program, with its streams as arguments; gives the exit status.
+/// The whole program, with its streams as arguments; returns the exit status.
 fn run(
     engine: &mut dyn Engine,
     args: Vec<OsString>,
@@ -192,7 +193,7 @@ fn run(
     session.finish(done)
 }
 
-/// What may have been meant by arguments that are none.
+/// A hint to add to clap's message about arguments that it does not accept.
 fn hint(error: &clap::Error, command: &clap::Command, asked: Option<&str>) -> String {
     let wrong = match error.get(ContextKind::InvalidArg) {
         Some(ContextValue::String(arg)) => arg.as_str(),
@@ -201,7 +202,7 @@ fn hint(error: &clap::Error, command: &clap::Command, asked: Option<&str>) -> St
     let letters = wrong.strip_prefix('-').is_some_and(|rest| !rest.starts_with('-'));
     match error.kind() {
         ErrorKind::ArgumentConflict if error.get(ContextKind::InvalidSubcommand).is_some() => {
-            "\n\nOptions stand behind the command: solve --at 0.5\n".to_owned()
+            "\n\nOptions follow the command: solve --at 0.5\n".to_owned()
         }
         ErrorKind::UnknownArgument if wrong.parse::<f64>().is_ok() => {
             format!("\n\nAn instant is written --at {wrong}\n")
@@ -212,7 +213,7 @@ fn hint(error: &clap::Error, command: &clap::Command, asked: Option<&str>) -> St
     }
 }
 
-/// Which commands have an option that this one does not have, and what this one has.
+/// The commands that have an option which this one lacks, and the options of this one.
 fn options_there_are(wrong: &str, command: &clap::Command, asked: Option<&str>) -> String {
     let name = wrong.trim_start_matches('-').split('=').next().unwrap_or_default();
     let has = |command: &clap::Command| command.get_arguments().any(|arg| arg.get_long() == Some(name));
@@ -230,7 +231,7 @@ fn options_there_are(wrong: &str, command: &clap::Command, asked: Option<&str>) 
     format!("\n\n{elsewhere}{}\n", names::listing(&format!("{who} has "), &own))
 }
 
-/// The program's name, as the shell that called it has it.
+/// The program's name as it was called.
 fn program(engine: &dyn Engine, args: &[OsString]) -> String {
     let path = args.first().map(Path::new);
     let name = path.and_then(Path::file_name).map(|name| name.to_string_lossy().into_owned());

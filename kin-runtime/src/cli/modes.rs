@@ -2,12 +2,12 @@
 
 use super::engine::Engine;
 use super::examples::{Help, Names};
-use super::failure::{Failure, Ledger, zip3};
-use super::instants::instant;
-use super::options::{InstantArgs, SetupArgs};
+use super::failure::{Failure, Ledger};
+use super::options::SetupArgs;
 use super::output::{Form, OutputArgs};
 use super::session::Session;
 use super::solved::analysis;
+use super::task::{At, AtArgs};
 use crate::present::assemblies;
 use crate::present::json::to_json;
 use crate::present::number::plain;
@@ -16,9 +16,7 @@ use crate::present::number::plain;
 #[derive(Clone, Debug, clap::Args)]
 pub(super) struct ModesArgs {
     #[command(flatten)]
-    instant: InstantArgs,
-    #[command(flatten)]
-    setup: SetupArgs,
+    at: AtArgs,
     #[command(flatten)]
     output: OutputArgs,
 }
@@ -42,11 +40,8 @@ the guess. What could be decided neither way is said, and the status is 1.",
 
 pub(super) fn run(args: &ModesArgs, engine: &mut dyn Engine, session: &mut Session<'_>) -> Result<(), Failure> {
     let mut ledger = Ledger::default();
-    let (t, output) =
-        (ledger.take(args.instant.time(engine.model())), ledger.take(session.destination(&args.output, "modes")));
-    let setup = ledger.take(args.setup.apply_complete(engine));
-    let (t, output, setup) = ledger.close(zip3(t, output, setup))?;
-    let t = instant("--at", t, &*engine, &setup)?;
+    let at = args.at.read(&mut ledger, ("modes", &args.output), SetupArgs::apply_complete, engine, session);
+    let At { t, setup, output } = ledger.close(at)?;
     let all = engine.assemblies(&setup, t).map_err(|error| analysis(engine, &error))?;
     let text = match output.form {
         Form::Json => to_json(&assemblies::records(&all)).map_err(Failure::Output)?,

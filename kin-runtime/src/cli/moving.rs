@@ -1,4 +1,4 @@
-//! Motions, for every command that shows one: what is asked of their states, and how far they come.
+//! Motions, as all commands follow them: from instant to instant, with the values of the wanted quantities.
 
 use std::ops::ControlFlow;
 
@@ -7,7 +7,7 @@ use super::failure::Failure;
 use super::instants::{Instants, Stop};
 use super::options::FreedomArgs;
 use super::session::Session;
-use super::solved::{analysis, driven_state, fully_driven};
+use super::solved::{analysis, driven_state, fully_driven, other_modes};
 use super::watch::Watch;
 use crate::error::SolveError;
 use crate::forces::ContactChange;
@@ -23,19 +23,19 @@ use crate::solver::ContactWatch;
 use crate::state::State;
 use crate::trajectory::Trajectory;
 
-/// A motion as far as it came.
+/// A motion up to its end.
 pub(super) struct Moved {
-    /// Its states, where they were kept.
+    /// Its states, if they were kept.
     pub(super) trajectory: Trajectory,
-    /// Points, defines and joint quantities of the states, where they were kept.
+    /// Points, defines and joint quantities of the states, if they were kept.
     pub(super) motions: Vec<Motion>,
-    /// The values of every quantity that was asked for, where they were kept.
+    /// The values of every quantity that was asked for, if they were kept.
     pub(super) columns: Vec<Vec<f64>>,
     /// Why it ended early.
     pub(super) ended: Option<Failure>,
-    /// What there is to say of its ends.
+    /// Notes about its ends.
     pub(super) notes: Vec<String>,
-    /// It came to a limit where nobody said that it should end.
+    /// True if it ended at a limit and no end was asked for.
     pub(super) at_its_end: bool,
     /// Degrees of freedom that the drivers leave at the first instant.
     pub(super) left: usize,
@@ -50,19 +50,19 @@ pub(super) struct Walk<'a> {
     pub(super) setup: &'a Setup,
     pub(super) instants: &'a Instants,
     pub(super) stop_at_events: bool,
-    /// Nobody says where it ends: it goes as far as the mechanism does.
+    /// No end is asked for: a motion that ends at a limit is complete.
     pub(super) open_end: bool,
     pub(super) freedom: FreedomArgs,
-    /// Points, defines and joint quantities as well.
+    /// Whether points, defines and joint quantities are computed as well.
     pub(super) reported: bool,
     /// The quantities whose values are wanted.
     pub(super) measures: &'a [Measure],
-    /// Angles among their values are in degrees.
+    /// Whether angles among their values are in degrees.
     pub(super) degrees: bool,
     pub(super) watch: &'a Watch,
 }
 
-/// Who is lent every row in its turn, and may end the motion.
+/// Called with every row; may end the motion.
 type Visit<'v> = &'v mut dyn FnMut(&Row<'_>) -> ControlFlow<()>;
 
 /// A part of a motion, in one direction of time.
@@ -75,22 +75,23 @@ struct Leg {
 }
 
 impl Leg {
-    /// Whether it came to its last instant, or as near to its limit as an instant can.
+    /// Whether it reached its last instant, or came as near to its limit as can be solved.
     const fn is_whole(&self) -> bool {
         self.ended.is_none() && self.limit.is_none()
     }
 }
 
-/// How near to a limit, relative to the motion before it, instants may have no solution: beside a crossing of branches
-/// rounding decides.
+/// Instants that are nearer to a limit than this, relative to the length of the motion, may have no solution: close to
+/// a crossing of branches rounding decides.
 const BESIDE: f64 = 0.01;
 
 impl Walk<'_> {
-    /// The motion up to its first failure, to Ctrl-C or to where `visit` ends it, which is lent every row in its turn. What
-    /// comes back has no states. A motion that goes to both sides of its start is followed backwards first.
+    /// Follows the motion up to its first failure, to Ctrl-C or until `visit` ends it, and calls `visit` with every
+    /// row. The result has no states. A motion in both directions from its start is followed backwards first.
     pub(super) fn each(&self, visit: Visit<'_>) -> Result<Moved, Failure> {
         let Instants { times, start, limits, notes } = self.instants;
         let mut notes = notes.clone();
+        notes.extend(times.get(*start).and_then(|first| other_modes(self.engine, self.setup, *first)));
         let (mut before, mut done) = (None, 0);
         if *start > 0 {
             let back: Vec<f64> = times[..=*start].iter().rev().copied().collect();
@@ -136,7 +137,7 @@ impl Walk<'_> {
         Ok(Moved { trajectory, motions: Vec::new(), columns: Vec::new(), ended, notes, at_its_end, left, contacts })
     }
 
-    /// Lends the configuration at a limit, where it was found: with all that depends on the place alone, and without rates.
+    /// Calls `visit` with the configuration at a limit, if it was found. Quantities that depend on rates are NaN there.
     fn at_limit(&self, stop: &Stop, beside: &State, visit: Visit<'_>) -> Result<(), Failure> {
         let Some(q) = &stop.q else { return Ok(()) };
         let Self { engine, setup, .. } = *self;
@@ -157,12 +158,12 @@ impl Walk<'_> {
         Ok(())
     }
 
-    /// The values of the quantities, as they are shown.
+    /// The values of the quantities, with angles in degrees if asked for.
     fn values(&self, state: &State) -> Result<Vec<f64>, SolveError> {
         self.values_of(state, self.measures)
     }
 
-    /// The values of some quantities, as they are shown.
+    /// The values of some quantities, with angles in degrees if asked for.
     pub(super) fn values_of(&self, state: &State, measures: &[Measure]) -> Result<Vec<f64>, SolveError> {
         let mut values = self.engine.measure(self.setup, state, measures)?;
         if self.degrees {
@@ -171,18 +172,17 @@ impl Walk<'_> {
         Ok(values)
     }
 
-    /// The motion over instants that follow one another in one direction, perhaps towards a limit, `done` others being
-    /// finished.
+    /// The motion in one direction of time, perhaps towards a limit; `done` instants were finished before.
     fn leg(&self, times: &[f64], (done, stop): (usize, Option<&Stop>), visit: Visit<'_>) -> Result<Leg, Failure> {
         let &Self { engine, setup, watch, .. } = self;
-        // A long sweep fails at its start, when the drivers leave the motion open there.
+        // Checked at the first instant, so that a mechanism that is not fully driven fails before a long sweep.
         let first = times.first().copied().unwrap_or(0.0);
         let (start, _) = driven_state(engine, setup, first, self.freedom.least_norm)?;
         let (mut finished, mut last, mut why) = (0, None, None);
         let (mut contacts, touches) =
             (ContactWatch::default(), engine.model().forces.is_some_and(ForceModel::has_contacts));
         let mut step = |state: &State| {
-            // A sweep may also pass through a position where the drivers lose their grip.
+            // A sweep may also reach a position at which the drivers leave degrees of freedom open.
             if state.degrees_of_freedom_left > 0 && !self.freedom.least_norm {
                 why = Some((state.t, self.open(state)));
                 return ControlFlow::Break(());
@@ -193,7 +193,7 @@ impl Walk<'_> {
             let Ok((motion, values)) = row else { return ControlFlow::Break(()) };
             visit(&Row { state, motion: motion.as_ref(), values: &values })?;
             if touches {
-                // Where there are no forces, nothing is said of contacts.
+                // Contacts are not watched where forces do not exist.
                 let _ = engine.watch_contacts(setup, first, &mut contacts, state);
             }
             (finished, last) = (finished + 1, Some(state.t));
@@ -233,7 +233,7 @@ impl Walk<'_> {
         Ok(Leg { trajectory, ended, limit, left, contacts: contacts.changes })
     }
 
-    /// The motion with its states, with what is reported of them where that is wanted, and with the quantities in columns.
+    /// The motion with its states, with the values of the quantities as columns, and with motions if `reported`.
     pub(super) fn kept(&self) -> Result<Moved, Failure> {
         let (mut states, mut motions) = (Vec::new(), Vec::new());
         let mut columns: Vec<Vec<f64>> = vec![Vec::with_capacity(self.instants.len()); self.measures.len()];
@@ -247,7 +247,7 @@ impl Walk<'_> {
         Ok(Moved { motions, columns, ..moved })
     }
 
-    /// Why a state is none that the drivers determine.
+    /// The error for a state that the drivers do not determine.
     fn open(&self, state: &State) -> Option<Failure> {
         match self.engine.mobility(self.setup, &state.instant(), &state.q) {
             Ok(mobility) => fully_driven(self.engine, &mobility, state.t).err(),
@@ -267,7 +267,7 @@ fn joined(mut back: Trajectory, on: Trajectory) -> Trajectory {
     Trajectory { events: back.events, unwatched: back.unwatched, fallbacks: back.fallbacks, ..on }
 }
 
-/// What there is to say of a motion beside its numbers.
+/// Prints the notes about a motion.
 pub(super) fn note_motion(session: &mut Session<'_>, moved: &Moved) {
     let trajectory = &moved.trajectory;
     moved.notes.iter().for_each(|note| session.note(note));
@@ -277,7 +277,7 @@ pub(super) fn note_motion(session: &mut Session<'_>, moved: &Moved) {
     note_fallbacks(session, trajectory);
 }
 
-/// Where unilateral conditions met their limits.
+/// Notes where unilateral conditions met their limits.
 fn note_events(session: &mut Session<'_>, trajectory: &Trajectory) {
     let violated: Vec<&str> = trajectory.violated_at_start().map(|condition| condition.name).collect();
     if !violated.is_empty() {
@@ -291,15 +291,15 @@ fn note_events(session: &mut Session<'_>, trajectory: &Trajectory) {
     }
 }
 
-/// Stretches that are told one by one; of more, how many there are.
+/// Stretches that are listed one by one; further ones are counted.
 const TOLD: usize = 3;
 
-/// Where unilateral conditions were too fast to be watched.
+/// Notes where unilateral conditions changed too fast to be watched.
 fn note_unwatched(session: &mut Session<'_>, trajectory: &Trajectory) {
     for unwatched in trajectory.unwatched.iter().take(TOLD) {
         session.note(&format!(
-            "note: condition {unwatched}: it changes too fast there, and may have met its limit more often than is said; \
-             more instants (--steps) may do"
+            "note: condition {unwatched}: it changes too fast there and may have met its limit more often than reported; \
+             try more instants (--steps)"
         ));
     }
     if trajectory.unwatched.len() > TOLD {
@@ -307,8 +307,8 @@ fn note_unwatched(session: &mut Session<'_>, trajectory: &Trajectory) {
     }
 }
 
-/// Where full Newton took over from the plan. Not where the motion ended at a limit: there it always does on the last
-/// steps, and the error has said why.
+/// Notes where full Newton took over from the plan. A motion that ended at a limit has no such note: there it always
+/// takes over in the last steps, and the error has the reason.
 fn note_fallbacks(session: &mut Session<'_>, trajectory: &Trajectory) {
     if trajectory.q_at_limit.is_some() {
         return;

@@ -1,14 +1,14 @@
-//! Finding what a user named, and saying what would have been right.
+//! Finds what a user named, and suggests corrections.
 
 use super::failure::Failure;
 use crate::measure::Measure;
 use crate::model::Model;
 use crate::present::table::wrapped;
 
-/// At most so many names are listed in an error.
+/// Most names that an error lists.
 const LISTED: usize = 24;
 
-/// What kind of names are looked up.
+/// The kind of a name that is looked up.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Kind {
     Parameter,
@@ -43,7 +43,7 @@ impl Kind {
         names.iter().find(has).copied().filter(|_| self == Self::Mode)
     }
 
-    /// Whether the names have those of rates among them.
+    /// Whether rates are among the names.
     fn has_rates(self) -> bool {
         self == Self::Quantity
     }
@@ -69,7 +69,7 @@ pub(super) fn find_quantity(model: &'static Model, name: &str) -> Result<Measure
             format!("`{}` has no velocity ratio: coordinates, points, defines and joint quantities have", of.name());
         return Err(Failure::option("WHAT", what));
     }
-    // What few mechanisms have many of comes early in the list, which may be cut.
+    // The list may be cut: transmission angles, of which there are few, come before points and forces.
     let (angles, others): (Vec<_>, Vec<_>) = Measure::all(model).into_iter().partition(Measure::is_transmission);
     let coordinates = others.len().min(1 + 3 * model.coordinates.len());
     let (first, rest) = others.split_at(coordinates);
@@ -84,13 +84,14 @@ pub(super) fn find_quantity(model: &'static Model, name: &str) -> Result<Measure
     Err(Failure::usage(text))
 }
 
-/// The place of `name` among `names`, all of which are of one kind.
+/// The index of `name` in `names`, all of which are of one kind.
 #[cfg(feature = "equations")]
 pub(super) fn find(option: &str, kind: Kind, name: &str, names: &[&str]) -> Result<usize, Failure> {
     search(option, kind, name, names, None)
 }
 
-/// The place of `name` among `names`, all of which are of one kind, for names of which a model may know that they are something else.
+/// The index of `name` in `names`, all of which are of one kind. The error says if the model has `name` as another
+/// kind.
 pub(super) fn find_in(model: &Model, option: &str, kind: Kind, name: &str, names: &[&str]) -> Result<usize, Failure> {
     search(option, kind, name, names, other_kind(model, kind, name))
 }
@@ -114,20 +115,25 @@ fn search(option: &str, kind: Kind, name: &str, names: &[&str], elsewhere: Optio
         text.push_str(&format!("; did you mean `{near}`?"));
     }
     text.push('\n');
-    // A rate is listed with what it is the rate of.
+    // Rates and accelerations are not listed one by one.
     let is_rate = |name: &str| {
         let base = name.strip_suffix("_ddot").or(name.strip_suffix("_dot"));
         kind.has_rates() && base.is_some_and(|base| names.contains(&base))
     };
     let listed: Vec<&str> = names.iter().copied().filter(|name| !is_rate(name)).collect();
-    text.push_str(&listing(&format!("  {}: ", kind.plural()), &listed));
-    if kind.has_rates() {
+    let lead = format!("  {}: ", kind.plural());
+    if !kind.has_rates() {
+        text.push_str(&listing(&lead, &listed));
+    } else {
+        // No other output lists all quantities.
+        let all = listed.iter().map(|name| (*name).to_owned());
+        text.push_str(wrapped(&lead, all, 96).trim_end());
         text.push_str("\n  with their rates NAME_dot and accelerations NAME_ddot; paths of points and of bodies");
     }
     Err(Failure::option(option, text))
 }
 
-/// What a name is that belongs to another kind, and which option wants that.
+/// A hint for a name of another kind, with the option that takes it.
 fn other_kind(model: &Model, kind: Kind, name: &str) -> Option<&'static str> {
     let coordinate = model.coordinates.iter().any(|c| c.name == name);
     let parameter = model.parameters.iter().any(|p| p.name == name);

@@ -1,21 +1,21 @@
 //! Numbers as people write them: `0.25`, `pi/2`, `2*(1 + 0.5)`, `60deg`, `200mm`, `1turn`, `3m/s`.
 //!
-//! A number with a unit is turned into the unit of what it is for; a number without one is in that unit already. Own code,
-//! because the crates for expressions know no units.
+//! A number with a unit is converted to the unit of its quantity; a number without one is in that unit already. kin
+//! reads these itself because crates for expressions know no units.
 
 use crate::measure::Dimension;
 use crate::model::Model;
 use crate::present::units::Units;
 use kin_core::units::{Unit, UnknownUnit, parse};
 
-/// What a number is for.
+/// The quantity that a number is a value of.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Measured<'a> {
-    /// Its name; empty where the option says it.
+    /// Its name; empty if the option names it.
     pub(super) name: &'a str,
-    /// Its unit, where one is known.
+    /// Its unit, if one is known.
     pub(super) unit: Option<&'a str>,
-    /// How many times it is differentiated by time, and the unit of that.
+    /// The order of its derivative by time, and the unit of time.
     pub(super) rate: (u8, Option<&'a str>),
 }
 
@@ -38,30 +38,30 @@ impl<'a> Measured<'a> {
     }
 }
 
-/// A number and the unit that is written behind it.
+/// A number and the unit that is written after it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Amount {
     pub(super) value: f64,
     pub(super) unit: Option<Unit>,
 }
 
-/// The depth of brackets that is read.
+/// Most brackets inside one another.
 const DEPTH: usize = 32;
 
 /// Reads an expression.
 ///
 /// # Errors
-/// What is wrong, if it is a mistake in something that looks like an expression; none if it does not.
+/// The mistake, if the text looks like an expression; `None` if it does not.
 pub(super) fn amount(text: &str) -> Result<Amount, Option<String>> {
     let mut reader = Reader { rest: text.trim(), depth: 0 };
     let amount = reader.sum()?;
     if reader.rest.is_empty() { Ok(amount) } else { Err(None) }
 }
 
-/// The number that `amount` is in the unit of what it is for.
+/// The value of `amount` in the unit of its quantity.
 ///
 /// # Errors
-/// The units are of different kinds, or what it is for has none.
+/// The units are of different kinds, or the quantity has none.
 pub(super) fn converted(amount: Amount, of: Measured<'_>) -> Result<f64, String> {
     let Some(unit) = amount.unit else { return Ok(amount.value) };
     let name = if of.name.is_empty() { "it".to_owned() } else { format!("`{}`", of.name) };
@@ -79,13 +79,13 @@ pub(super) fn converted(amount: Amount, of: Measured<'_>) -> Result<f64, String>
     }
 }
 
-/// The unit of what a number is for.
+/// The unit of a quantity, or of its derivative.
 fn own(of: Measured<'_>) -> Option<Unit> {
     let time = parse(of.rate.1.unwrap_or("s")).ok()?;
     Some(parse(of.unit?).ok()?.times(time.power(-f64::from(of.rate.0))))
 }
 
-/// A product that is exact where decimals are shifted: 700 by 0.001 is 0.7.
+/// A product that is exact if it only moves the decimal point: 700 by 0.001 is 0.7.
 fn scaled(value: f64, factor: f64) -> f64 {
     let whole = |x: f64| (x - x.round()).abs() < 1e-9 * x;
     match factor {
@@ -119,14 +119,17 @@ impl Reader<'_> {
     fn product(&mut self) -> Result<Amount, Option<String>> {
         let mut left = self.signed()?;
         loop {
-            let (inverse, right) = if self.take('*') {
-                (false, self.signed()?)
+            let (inverse, bracketed, right) = if self.take('*') {
+                (false, false, self.signed()?)
             } else if self.take('/') {
-                (true, self.signed()?)
+                let bracketed = self.rest.trim_start().starts_with('(');
+                (true, bracketed, self.signed()?)
             } else {
                 return Ok(left);
             };
-            let unit = right.unit.map(|unit| if inverse { unit.power(-1.0) } else { unit });
+            // `1/2 turn` is half a turn; one by two turns is written `1/(2 turn)`.
+            let fraction = left.unit.is_none() && !bracketed;
+            let unit = right.unit.map(|unit| if inverse && !fraction { unit.power(-1.0) } else { unit });
             left = Amount {
                 value: if inverse { left.value / right.value } else { left.value * right.value },
                 unit: match (left.unit, unit) {
@@ -146,7 +149,7 @@ impl Reader<'_> {
         self.factor()
     }
 
-    /// A number, π or brackets, and the unit behind.
+    /// A number, π or brackets, and the unit after it.
     fn factor(&mut self) -> Result<Amount, Option<String>> {
         let amount = if self.take('(') {
             self.depth += 1;
@@ -163,7 +166,7 @@ impl Reader<'_> {
             Amount { value: std::f64::consts::PI, unit: None }
         } else {
             let value = self.literal().ok_or(None)?;
-            // `2pi` is what people write.
+            // A number may be written directly before π: `2pi`.
             let times = if self.word("pi") || self.word("π") { std::f64::consts::PI } else { 1.0 };
             Amount { value: value * times, unit: None }
         };
@@ -178,7 +181,7 @@ impl Reader<'_> {
             return Ok(amount);
         }
         let unit = parse(text).map_err(|UnknownUnit(part)| {
-            Some(format!("no unit `{part}` is known; there are m, mm, in, s, min, rad, deg, turn, rpm and their like"))
+            Some(format!("no unit `{part}` is known; there are m, mm, in, s, min, rad, deg, turn, rpm and others"))
         })?;
         self.rest = rest;
         match amount.unit {
@@ -209,7 +212,7 @@ impl Reader<'_> {
 
     fn take(&mut self, c: char) -> bool {
         let rest = self.rest.trim_start();
-        // A minus sign from a book.
+        // The typographic minus sign is accepted, too.
         let found = rest.strip_prefix(c).or_else(|| rest.strip_prefix('−').filter(|_| c == '-'));
         self.rest = found.unwrap_or(self.rest);
         found.is_some()
@@ -297,6 +300,11 @@ mod tests {
             ("1turn", "deg", 360.0),
             ("90°/2", "deg", 45.0),
             ("1turn/4", "rad", PI / 2.0),
+            ("1/4turn", "rad", PI / 2.0),
+            ("-2/3 turn", "deg", -240.0),
+            ("1/2*3deg", "deg", 1.5),
+            ("1/(4 s)", "1/s", 0.25),
+            ("2m/4s", "m/s", 0.5),
             ("3m/s", "mm/s", 3000.0),
             ("60 rpm", "rev/s", 1.0),
             ("2*(1in + 1in)", "in", 4.0),
@@ -319,6 +327,7 @@ mod tests {
         assert_eq!(bad("2s", Some("m")), "`r` is in m, and this is s");
         assert_eq!(bad("2mm", None), "`r` has no unit here; write the number alone");
         assert!(bad("60dge", Some("rad")).starts_with("no unit `dge` is known; there are m, mm"));
+        assert_eq!(bad("1/4s", Some("1/s")), "`r` is in 1/s, and this is s");
         assert_eq!(bad("1m + 2s", Some("m")), "m and s cannot be added");
         assert_eq!(bad("1m + 2", Some("m")), "a number without a unit cannot be added to one in m");
         assert_eq!(bad("(1 + 2", Some("m")), "a bracket is not closed");

@@ -8,7 +8,7 @@ use super::values::{self, Moment};
 use crate::model::Model;
 use crate::workspace::Signal;
 
-/// Which mechanism, and where it starts.
+/// Parameters, inputs, prescribed coordinates, and where assembly starts.
 #[derive(Clone, Debug, Default, clap::Args)]
 pub(super) struct SetupArgs {
     /// Set parameters: NAME=0.12,OTHER=200mm or ARRAY[3]=pi/2, or @FILE
@@ -17,7 +17,8 @@ pub(super) struct SetupArgs {
         value_name = "NAME=VALUE",
         long_help = "\
 Set parameters: NAME=0.12,OTHER=200mm or ARRAY[3]=pi/2.
-@FILE takes those of a json file with `parameters`, as `design` writes it"
+@FILE takes those of a json file with `parameters`, as `design` writes it, and its
+assembly modes where `--mode` does not name them"
     )]
     set: Vec<String>,
     /// Where assembly starts; coordinates without a guess are found
@@ -36,7 +37,7 @@ Coordinates without a guess are found; where it can close in several ways, guess
         long_help = "\
 Prescribe coordinates that the drivers leave open:
 NAME=VALUE, NAME=VALUE:RATE or NAME=VALUE:RATE:ACCELERATION.
-Over a motion that is where it starts; the acceleration stays what it is"
+A motion starts with these values and keeps the acceleration"
     )]
     given: Vec<String>,
     /// Inputs of the mechanism: NAME=VALUE[,RATE[,ACCELERATION]]
@@ -46,7 +47,7 @@ Over a motion that is where it starts; the acceleration stays what it is"
         long_help = "\
 Inputs of the mechanism:
 NAME=VALUE, NAME=VALUE,RATE or NAME=VALUE,RATE,ACCELERATION.
-Over a motion that is where they start; accelerations stay what they are"
+A motion starts with these values and keeps the accelerations"
     )]
     input: Vec<String>,
     /// Assembly modes, which `info` lists: NAME=+ or NAME=-
@@ -55,7 +56,7 @@ Over a motion that is where they start; accelerations stay what they are"
 }
 
 impl SetupArgs {
-    /// Sets the parameters and looks up all names; tells all that is wrong.
+    /// Sets the parameters and looks up all names; reports all errors at once.
     pub(super) fn apply(&self, engine: &mut dyn Engine) -> Result<Setup, Failure> {
         let model = engine.model();
         let mut ledger = Ledger::default();
@@ -63,7 +64,7 @@ impl SetupArgs {
         let place = |option: &str, kind: Kind, name: &str, names: &[&str]| find_in(model, option, kind, name, names);
 
         let parameters: Vec<&str> = model.parameters.iter().map(|p| p.name).collect();
-        let set = ledger.take(expanded("--set", &self.set)).unwrap_or_default();
+        let [set, file_modes] = ledger.take(expanded("--set", &self.set)).unwrap_or_default();
         for (name, value) in
             ledger.take(values::assignments("--set", &example(&parameters, "0.12"), &set)).unwrap_or_default()
         {
@@ -91,9 +92,13 @@ impl SetupArgs {
             setup.given.extend(ledger.take(found).zip(ledger.take(signal)));
         }
         let modes: Vec<&str> = model.plan.modes.iter().map(|mode| mode.name).collect();
-        for (name, sign) in
-            ledger.take(values::assignments("--mode", &example(&modes, "+"), &self.mode)).unwrap_or_default()
-        {
+        let mut asked =
+            ledger.take(values::assignments("--mode", &example(&modes, "+"), &self.mode)).unwrap_or_default();
+        let of_files = ledger.take(values::assignments("--set", &example(&modes, "+"), &file_modes));
+        let of_files = of_files.unwrap_or_default().into_iter();
+        let of_files: Vec<_> = of_files.filter(|(name, _)| asked.iter().all(|(other, _)| other != name)).collect();
+        asked.extend(of_files);
+        for (name, sign) in asked {
             let found = match model.plan.absent {
                 Some(why) => {
                     Err(Failure::option("--mode", format!("there are no modes, because there is no plan: {why}")))
@@ -127,24 +132,27 @@ impl SetupArgs {
     }
 }
 
-/// Assignments, with those of files that `@FILE` names.
-fn expanded(option: &str, texts: &[String]) -> Result<Vec<String>, Failure> {
-    let (mut ledger, mut all) = (Ledger::default(), Vec::new());
+/// The assignments of parameters, with every `@FILE` replaced by those of that file, and the assembly modes of the files.
+fn expanded(option: &str, texts: &[String]) -> Result<[Vec<String>; 2], Failure> {
+    let (mut ledger, mut all) = (Ledger::default(), <[Vec<String>; 2]>::default());
     for text in texts {
         match text.strip_prefix('@') {
-            Some(file) => all.extend(ledger.take(values::of_file(option, file)).unwrap_or_default()),
-            None => all.push(text.clone()),
+            Some(file) => {
+                let found = ledger.take(values::of_file(option, file)).unwrap_or_default();
+                all.iter_mut().zip(found).for_each(|(list, found)| list.extend(found));
+            }
+            None => all[0].push(text.clone()),
         }
     }
     ledger.close(Some(all))
 }
 
-/// What an assignment looks like.
+/// An example of an assignment, for error messages.
 fn example(names: &[&str], value: &str) -> String {
     format!("{}={value}", names.first().unwrap_or(&"NAME"))
 }
 
-/// What to do about freedom that the drivers leave.
+/// What to do about degrees of freedom that the drivers leave open.
 #[derive(Clone, Copy, Debug, Default, clap::Args)]
 pub(super) struct FreedomArgs {
     /// Where drivers leave the motion open, take the smallest q̇ and q̈
@@ -152,7 +160,7 @@ pub(super) struct FreedomArgs {
     pub(super) least_norm: bool,
 }
 
-/// In what angles are shown.
+/// The unit of angles in the result.
 #[derive(Clone, Copy, Debug, Default, clap::Args)]
 pub(super) struct AngleArgs {
     /// Angles of the result in degrees; values of options stay in rad

@@ -1,4 +1,4 @@
-//! Which form a result has, and where it goes: `--format` and `--out` of every command.
+//! The form of a result and its target: `--format` and `--out` of every command.
 
 use std::path::{Path, PathBuf};
 
@@ -32,7 +32,7 @@ impl Form {
         Self::Png,
     ];
 
-    /// What `--format` calls it.
+    /// Its name in `--format`.
     pub(super) const fn name(self) -> &'static str {
         match self {
             Self::Text => "text",
@@ -47,7 +47,7 @@ impl Form {
         }
     }
 
-    /// Whether people read it as it is.
+    /// Whether it can be read on a terminal.
     pub(super) const fn is_readable(self) -> bool {
         match self {
             Self::Text | Self::Json | Self::Csv => true,
@@ -75,7 +75,7 @@ impl Form {
     }
 }
 
-/// Who writes what; the first is what is written when nobody says. The report has no name.
+/// The forms of every command, the default first. The report has the empty name.
 const WRITERS: &[(&str, &[Form])] = &[
     ("", &[Form::Text, Form::Json]),
     ("info", &[Form::Text, Form::Json]),
@@ -107,20 +107,20 @@ pub(super) struct OutputArgs {
     /// The form of the result
     #[arg(long, value_name = "FORMAT", hide_possible_values = true)]
     format: Option<String>,
-    /// Write the result to a file, whole or not at all
+    /// Write the result to a file, which is replaced only when complete
     #[arg(
         long,
         value_name = "FILE",
         value_hint = clap::ValueHint::FilePath,
         long_help = "\
-Write the result to a file, whole or not at all; its ending chooses the format.
-A file that is there keeps what it has until all of the new result is written.
+Write the result to a file; its ending chooses the format. An existing file is
+replaced only when all of the new result is written.
 `-` is stdout; pipes and devices are written to directly"
     )]
     out: Option<PathBuf>,
 }
 
-/// A place for bytes.
+/// Where the bytes of a result go.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Target<'p> {
     Out,
@@ -128,22 +128,22 @@ pub(super) enum Target<'p> {
     File(&'p Path),
 }
 
-/// A result's form and place.
+/// The form of a result and its target.
 #[derive(Clone, Debug)]
 pub(super) struct Destination<'p> {
     pub(super) form: Form,
     pub(super) target: Target<'p>,
-    /// The form that the file's name says, where it says one.
+    /// The form that the ending of the file stands for, if it is known.
     pub(super) ending: Option<Form>,
 }
 
 impl Destination<'_> {
-    /// A text on a screen, if there is one.
+    /// Whether it is text on stdout.
     pub(super) fn is_for_people(&self) -> bool {
         self.form == Form::Text && self.target == Target::Out
     }
 
-    /// What there is to say of a file that is not what its name says. Numbers may well be in a .txt.
+    /// A note about a file whose ending stands for another form; `.txt` fits every form.
     pub(super) fn contradiction(&self) -> Option<String> {
         let (Target::File(path), Some(ending)) = (self.target, self.ending) else { return None };
         let told = ending != self.form && ending != Form::Text;
@@ -154,7 +154,7 @@ impl Destination<'_> {
 }
 
 impl OutputArgs {
-    /// What `command` is to write, and where to.
+    /// The form and the target of the result of `command`.
     pub(super) fn destination(&self, command: &str) -> Result<Destination<'_>, Failure> {
         let forms = forms(command);
         let target = self.out.as_deref().map_or(Target::Out, target);
@@ -175,7 +175,7 @@ impl OutputArgs {
         let first = forms.first().copied().unwrap_or(Form::Text);
         match target {
             Target::File(path)
-                if ending.is_some() || !(speaks_for_itself(path) || written.is_none() && first == Form::Text) =>
+                if ending.is_some() || !(is_special_file(path) || written.is_none() && first == Form::Text) =>
             {
                 Err(Failure::option("--out", wrong_ending(command, path, ending)))
             }
@@ -196,12 +196,12 @@ fn target(path: &Path) -> Target<'_> {
     }
 }
 
-/// A device or a pipe, whose name has no ending to speak of.
-fn speaks_for_itself(path: &Path) -> bool {
+/// True for a device or a pipe, whose name needs no ending.
+fn is_special_file(path: &Path) -> bool {
     path.metadata().is_ok_and(|m| !m.is_file())
 }
 
-/// What `--format` says.
+/// The form that `--format` names.
 fn form_named(command: &str, name: &str) -> Result<Form, Failure> {
     let lower = name.trim().to_lowercase();
     let known = Form::ALL.iter().copied().find(|form| form.name() == lower || form.endings().contains(&lower.as_str()));

@@ -1,4 +1,4 @@
-//! Colours for people at a terminal; whoever calls knows whether there is one.
+//! Colours for terminals; the caller decides whether to use them.
 
 const BOLD: &str = "\u{1b}[1m";
 const HEADING: &str = "\u{1b}[1m\u{1b}[4m";
@@ -7,17 +7,17 @@ const GREEN: &str = "\u{1b}[1m\u{1b}[32m";
 const YELLOW: &str = "\u{1b}[1m\u{1b}[33m";
 const RESET: &str = "\u{1b}[0m";
 
-/// A heading of the help, as clap has them.
+/// A heading of the help, as clap shows it.
 pub(super) fn heading(text: &str) -> String {
     format!("{HEADING}{text}{RESET}")
 }
 
-/// What is to be typed, as clap has it.
+/// Text to be typed, as clap shows it.
 pub(super) fn literal(text: &str) -> String {
     format!("{BOLD}{text}{RESET}")
 }
 
-/// A text with its headings, which are the lines that nothing indents, and with its verdict.
+/// Colours the headings of a text, which are its lines without indentation, and its verdict.
 pub(super) fn result(text: &str) -> String {
     let line = |line: &str| match line.trim_end() {
         "  passed" => format!("  {GREEN}passed{RESET}\n"),
@@ -28,7 +28,7 @@ pub(super) fn result(text: &str) -> String {
     text.lines().map(line).collect()
 }
 
-/// What is said beside a result: its first word says how serious it is.
+/// Colours the first word of a message, which says how serious it is.
 pub(super) fn remark(text: &str) -> String {
     let Some((kind, rest)) = text.split_once(':') else { return text.to_owned() };
     let colour = match kind {

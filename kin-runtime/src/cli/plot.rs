@@ -1,16 +1,15 @@
 //! `plot`: diagrams of a motion as a file.
 
 use super::columns::{bend, column_infos, shown};
-use super::engine::{Engine, Setup};
+use super::engine::Engine;
 use super::examples::{Help, Names};
-use super::failure::{Failure, Ledger, zip3};
-use super::instants::{GridArgs, Instants};
-use super::moving::{Moved, Walk, note_motion};
+use super::failure::{Failure, Ledger};
+use super::moving::{Moved, note_motion};
 use super::names::find_quantity;
-use super::options::{AngleArgs, FreedomArgs, SetupArgs};
 use super::output::{Form, OutputArgs};
 use super::session::Session;
 use super::solved::note_freedom;
+use super::task::{MotionArgs, Task};
 use super::trial::quoted;
 use super::vary::VaryArgs;
 use crate::measure::Measure;
@@ -20,7 +19,7 @@ use crate::present::plot::{Curve, Diagram, Mark, Panel};
 use crate::present::text::count;
 use crate::present::units::Units;
 
-/// Steps when --steps is not there.
+/// Number of steps without `--steps`.
 pub(super) const STEPS: usize = 360;
 
 /// Diagrams of the motion: quantities over time, against one another, paths of points
@@ -32,18 +31,12 @@ pub(super) struct PlotArgs {
     #[command(flatten)]
     vary: VaryArgs,
     #[command(flatten)]
-    grid: GridArgs,
-    #[command(flatten)]
-    setup: SetupArgs,
-    #[command(flatten)]
-    freedom: FreedomArgs,
-    #[command(flatten)]
-    angles: AngleArgs,
+    motion: MotionArgs,
     #[command(flatten)]
     output: OutputArgs,
 }
 
-/// What is drawn: columns by their places, the first being t.
+/// A curve to be drawn: its columns by their indices; column 0 is t.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Wanted {
     x: usize,
@@ -51,12 +44,12 @@ struct Wanted {
     path: bool,
 }
 
-/// A motion at one choice of the varied parameters.
+/// The motion at one combination of the varied parameters.
 struct Curves {
-    /// `l1 = 0.1`; empty where nothing varies.
+    /// `l1 = 0.1`; empty if nothing varies.
     name: String,
     columns: Vec<Vec<f64>>,
-    /// The limits that end it, the first and the last of its instants being there.
+    /// The names of the limits at its first and at its last instant, if it begins or ends at one.
     limits: [Option<String>; 2],
 }
 
@@ -81,55 +74,45 @@ pub(super) const HELP: Help = Help {
     details: "\
 Quantities are the columns of `sweep --points`: a coordinate, its rate (NAME_dot), its
 acceleration (NAME_ddot), and those of points (NAME.x, NAME.speed), defines, joints, inputs and
-forces, transmission angles (B.transmission) and velocity ratios (tip.x/drive). What has one unit
-shares a diagram. The name of a joint, or `shaking`, is the polar diagram of its force: the end of
-the arrow as the motion goes on.
+forces, transmission angles (B.transmission) and velocity ratios (tip.x/drive). Quantities with the
+same unit share a diagram. The name of a joint, or `shaking`, gives the polar diagram of its force:
+the path of the tip of the force vector.
 
 --vary may be repeated, for one curve for each combination of values. With --to limit (and --from
-limit) curves end where the mechanism can go no further, with a mark that the legend names.
+limit) curves end where the mechanism can go no further, at a mark that the legend explains.
 Without --out the SVG goes to stdout.
 
 When a motion fails midway, or Ctrl-C ends it, its finished part is drawn and the status is 1,
 or 130.",
 };
 
-/// Curves of one diagram at most.
-const MOST: (usize, &str) = (14, "so many curves cannot be told apart");
+/// Most curves of one diagram, and why.
+const MOST: (usize, &str) = (14, "more curves cannot be told apart");
 
 pub(super) fn run(args: &PlotArgs, engine: &mut dyn Engine, session: &mut Session<'_>) -> Result<(), Failure> {
     let model = engine.model();
     let mut ledger = Ledger::default();
-    let (asked, output) =
-        (ledger.take(args.grid.asked(STEPS, model)), ledger.take(session.destination(&args.output, "plot")));
-    let setup = ledger.take(args.setup.apply_complete(engine));
+    let task = args.motion.read(&mut ledger, ("plot", &args.output), STEPS, engine, session);
     let choices = ledger.take(args.vary.choices(model, MOST));
-    // A name that does not exist is told before anything long begins.
+    // Unknown names are reported before the motion is computed.
     let mut measures = Measure::standard(model, args.what.is_empty());
     let wanted = ledger.take(wanted(model, &args.what, &mut measures));
-    let ((asked, output, setup), (choices, wanted)) =
-        ledger.close(zip3(asked, output, setup).zip(choices.zip(wanted)))?;
+    let (task, (choices, wanted)) = ledger.close(task.zip(choices.zip(wanted)))?;
     let watch = session.watch();
     let (mut runs, mut failure) = (Vec::new(), None);
     for (place, choice) in choices.iter().enumerate() {
         choice.set(engine);
-        let instants = asked.instants(&*engine, &setup);
-        let one = instants.and_then(|instants| {
-            match place {
-                0 => watch.begin("instants", choices.len() * instants.len()),
-                _ => watch.go_on(place * instants.len()),
-            }
-            one(&*engine, &setup, (&instants, asked.is_open()), &measures, args, session)
-        });
+        let one = one(args, &*engine, &task, &measures, (place, choices.len()), session);
         let name = choice.name(model);
         match one {
             Ok((columns, limits, ended)) => {
-                // Without an instant there is no curve, and nothing to write over what stands in the file.
+                // Without an instant there is no curve, and an existing file is kept.
                 if columns.first().is_some_and(|times| !times.is_empty()) {
                     runs.push(Curves { name, columns, limits });
                 }
                 failure = failure.or(ended);
             }
-            // One of several that does not assemble leaves the others as they are.
+            // If one of several motions does not assemble, the others are still drawn.
             Err(error) if choices.len() > 1 => {
                 session.note(&format!("note: {name}: {error}"));
                 failure = failure.or(Some(error));
@@ -144,11 +127,11 @@ pub(super) fn run(args: &PlotArgs, engine: &mut dyn Engine, session: &mut Sessio
     }
     watch.end();
     let Some(first) = runs.first() else { return failure.map_or(Ok(()), Err) };
-    let units = Units::of(model).in_degrees(args.angles.degrees);
+    let units = Units::of(model).in_degrees(args.motion.angles.degrees);
     let infos = column_infos(units, &measures[1..]);
     let names: Vec<String> = infos.iter().map(|info| info.name.clone()).collect();
     let beside = wanted.is_empty();
-    let wanted = if beside { telling(model, &names, &infos, &first.columns) } else { wanted };
+    let wanted = if beside { default_curves(model, &names, &infos, &first.columns) } else { wanted };
     // An empty diagram would hide that there is nothing to draw.
     let undefined = |k: usize| k > 0 && runs.iter().all(|run| run.columns[k].iter().all(|value| !value.is_finite()));
     if let Some(k) = wanted.iter().flat_map(|want| [want.x, want.y]).find(|&k| undefined(k)) {
@@ -156,31 +139,29 @@ pub(super) fn run(args: &PlotArgs, engine: &mut dyn Engine, session: &mut Sessio
         return Err(Failure::Analysis(format!("{}: `{}` {what}", model.name, infos[k - 1].name)));
     }
     let diagram = Diagram { title: model.name.to_owned(), panels: panels(units, &wanted, &infos, &runs), beside };
-    let bytes = match output.form {
+    let bytes = match task.output.form {
         Form::Png => diagram.png().map_err(Failure::Output)?,
         _ => diagram.svg().into_bytes(),
     };
-    session.deliver_bytes(&output, &bytes)?;
+    session.deliver_bytes(&task.output, &bytes)?;
     failure.map_or(Ok(()), Err)
 }
 
-/// Numbers, t first, the limits at both ends, and why the motion ended early.
+/// The columns, t first, the limits at both ends, and why the motion ended early.
 type Numbers = (Vec<Vec<f64>>, [Option<String>; 2], Option<Failure>);
 
 fn one(
-    engine: &dyn Engine,
-    setup: &Setup,
-    (instants, open_end): (&Instants, bool),
-    measures: &[Measure],
     args: &PlotArgs,
+    engine: &dyn Engine,
+    task: &Task<'_>,
+    measures: &[Measure],
+    place: (usize, usize),
     session: &mut Session<'_>,
 ) -> Result<Numbers, Failure> {
+    let instants = task.asked.instants(engine, &task.setup)?;
     let watch = session.watch();
-    let (freedom, degrees) = (args.freedom, args.angles.degrees);
-    let (stop_at_events, reported) = (false, false);
-    let walk =
-        Walk { engine, setup, instants, stop_at_events, open_end, freedom, reported, measures, degrees, watch: &watch };
-    let moved = walk.kept()?;
+    watch.begin_motion(place, instants.len());
+    let moved = args.motion.walk(engine, (&task.asked, &task.setup, &instants), measures, &watch).kept()?;
     note_motion(session, &moved);
     let Moved { columns, ended, left, .. } = moved;
     note_freedom(session, left);
@@ -193,9 +174,9 @@ fn one(
     Ok((columns, limits, ended))
 }
 
-/// Where nothing is asked for: the path of the first point that moves, beside the coordinate that moves most; without such
-/// a point that coordinate and its rate.
-fn telling(model: &Model, names: &[String], infos: &[ColumnInfo], numbers: &[Vec<f64>]) -> Vec<Wanted> {
+/// The curves that are drawn if none is asked for: the path of the first point that moves, beside the coordinate that
+/// moves most; without such a point a coordinate and its rate.
+fn default_curves(model: &Model, names: &[String], infos: &[ColumnInfo], numbers: &[Vec<f64>]) -> Vec<Wanted> {
     let range = |k: usize| {
         let values = numbers.get(k).map_or(&[][..], Vec::as_slice).iter();
         let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(*x), high.max(*x)));
@@ -222,13 +203,14 @@ fn telling(model: &Model, names: &[String], infos: &[ColumnInfo], numbers: &[Vec
     std::iter::once(Wanted { x, y, path: true }).chain(most).collect()
 }
 
-/// The coordinates that do not simply grow with time, as those of a crank with constant speed do.
+/// The coordinates that are no linear functions of time; the angle of a crank with constant speed is one.
 fn moved_unevenly(model: &Model, numbers: &[Vec<f64>]) -> Vec<usize> {
     let coordinates = (0..model.coordinates.len()).map(|k| 3 * k + 1);
     coordinates.filter(|&k| numbers.get(k).is_some_and(|values| bend(values) > 1e-9)).collect()
 }
 
-/// The columns that are asked for, those that are not standard behind the others; all that is wrong is told.
+/// The curves that were asked for; columns that are not standard are added to `measures`. All errors are reported at
+/// once.
 fn wanted(model: &'static Model, what: &[String], measures: &mut Vec<Measure>) -> Result<Vec<Wanted>, Failure> {
     let carried = || model.points.iter().map(|p| p.name).chain(model.bodies.iter().map(|b| b.name));
     let mut place = |measure: Measure| {
@@ -242,7 +224,7 @@ fn wanted(model: &'static Model, what: &[String], measures: &mut Vec<Measure>) -
     let mut wanted = Vec::new();
     for what in what {
         if let Some((x, y)) = what.split_once(':') {
-            // The components of a force have one scale.
+            // The two components of a force are drawn with equal axes.
             let path = x.strip_suffix(".force_x").is_some_and(|joint| y.strip_suffix(".force_y") == Some(joint));
             let [x, y] = [x, y].map(|name| ledger.take(find_quantity(model, name)));
             wanted.extend(x.zip(y).map(|(x, y)| Wanted { x: place(x), y: place(y), path }));
@@ -265,7 +247,7 @@ fn wanted(model: &'static Model, what: &[String], measures: &mut Vec<Measure>) -
     ledger.close(Some(wanted))
 }
 
-/// What has the same axes shares a panel.
+/// The panels of the diagram; curves with the same axes share one.
 fn panels(units: Units, wanted: &[Wanted], infos: &[ColumnInfo], runs: &[Curves]) -> Vec<Panel> {
     let time = units.time();
     let name = |k: usize| if k == 0 { "t" } else { infos[k - 1].name.as_str() };
@@ -301,7 +283,7 @@ fn panels(units: Units, wanted: &[Wanted], infos: &[ColumnInfo], runs: &[Curves]
     panels.into_iter().map(|(members, panel)| shared_labels(members.len(), panel, &members, &unit)).collect()
 }
 
-/// Marks the ends of curves that are limits; what has no value there is not marked.
+/// Marks the ends of curves that are limits, where the quantities have values.
 fn mark_limits(marks: &mut Vec<Mark>, want: Wanted, runs: &[Curves]) {
     for run in runs {
         let (xs, ys) = (&run.columns[want.x], &run.columns[want.y]);
@@ -319,7 +301,7 @@ fn mark_limits(marks: &mut Vec<Mark>, want: Wanted, runs: &[Curves]) {
     }
 }
 
-/// Axes of a panel with several quantities say only what they measure.
+/// The labels of a panel with several quantities: units, without the names of quantities.
 fn shared_labels<'u>(count: usize, panel: Panel, members: &[Wanted], unit: &dyn Fn(usize) -> Option<&'u str>) -> Panel {
     if count < 2 {
         return panel;

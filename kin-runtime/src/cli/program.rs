@@ -1,8 +1,8 @@
-//! What a mechanism needs to be a program of its own.
+//! The bound of a mechanism that has a program of its own.
 
 use crate::mechanism::Mechanism;
 
-/// A mechanism with a default for every parameter, where its program begins; every such mechanism is one.
+/// A mechanism with a default for every parameter; its program begins with these. Every such mechanism implements it.
 #[doc(hidden)]
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is no mechanism with default parameters",
@@ -12,6 +12,7 @@ use crate::mechanism::Mechanism;
 )]
 pub trait Program: Mechanism + Default {}
 
-// The two halves of the bound say less than the message above; a derived `Default` would make every length 0.
+// The compiler would otherwise name only one half of the bound, or suggest to derive `Default`, which makes every
+// length 0.
 #[diagnostic::do_not_recommend]
 impl<M: Mechanism + Default> Program for M {}

@@ -1,18 +1,18 @@
-//! Without a command: everything about the mechanism at one instant.
+//! The report, which is printed without a command: everything about the mechanism at one instant.
 
 use serde::Serialize;
 
 use super::check::{Findings, facts, find};
 use super::engine::Engine;
 use super::examples::{Help, Names};
-use super::failure::{Failure, Ledger, zip3};
+use super::failure::{Failure, Ledger};
 use super::info;
-use super::instants::instant;
-use super::options::{AngleArgs, FreedomArgs, InstantArgs, SetupArgs};
+use super::options::{AngleArgs, FreedomArgs, SetupArgs};
 use super::output::{Form, OutputArgs};
 use super::session::Session;
 use super::solve::{body, record};
-use super::solved::{note_freedom, note_start, solve};
+use super::solved::{note_freedom, note_modes, note_start, solve};
+use super::task::{At, AtArgs};
 use crate::present::json::to_json;
 use crate::present::number::plain;
 use crate::present::record::StateRecord;
@@ -26,9 +26,7 @@ const CONFIGURATIONS: usize = 32;
 #[derive(Clone, Debug, clap::Args)]
 pub(super) struct ReportArgs {
     #[command(flatten)]
-    instant: InstantArgs,
-    #[command(flatten)]
-    setup: SetupArgs,
+    at: AtArgs,
     #[command(flatten)]
     freedom: FreedomArgs,
     #[command(flatten)]
@@ -58,11 +56,11 @@ pub(super) const HELP: Help = Help {
 Without a command: a full report at t = 0, or at --at T. Every command has --help with examples of
 its own. --set, --guess, --given, --input and --mode may be repeated.
 
-Numbers are written as people do: -0.5, pi/2, 2*(1 + 0.1), and with units where a unit is known:
---set r=200mm, --guess crank.phi=60deg, --input u=0.3m,5cm/s. They are converted to the unit of
-what they are for, and a number alone is in that unit. An instant may be the angle at which a
-crank that is driven at constant speed is then, counted from t = 0: --to 1turn. --degrees has the
-angles of the result in degrees, also in csv and in json, which says so under `units`.
+Numbers may be expressions (-0.5, pi/2, 2*(1 + 0.1)) and have units if the unit of the quantity is
+known: --set r=200mm, --guess crank.phi=60deg, --input u=0.3m,5cm/s. They are converted to the unit
+of the quantity; a number without a unit is in that unit already. An instant may be written as the
+angle by which a crank that is driven at constant speed has turned since t = 0: --to 1turn.
+--degrees shows the angles of the result in degrees, also in csv and in json (see `units` there).
 
 Results go to stdout or --out, everything else to stderr. The status is 0 when the answer is good,
 1 when there is none, 2 when the options make no sense, 130 after Ctrl-C. On a terminal there are
@@ -79,16 +77,13 @@ struct ReportRecord<'a> {
 
 pub(super) fn run(args: &ReportArgs, engine: &mut dyn Engine, session: &mut Session<'_>) -> Result<(), Failure> {
     let mut ledger = Ledger::default();
-    let (t, output) =
-        (ledger.take(args.instant.time(engine.model())), ledger.take(session.destination(&args.output, "")));
-    let setup = ledger.take(args.setup.apply(engine));
-    let (t, output, setup) = ledger.close(zip3(t, output, setup))?;
-    let t = instant("--at", t, &*engine, &setup)?;
+    let at = args.at.read(&mut ledger, ("", &args.output), SetupArgs::apply, engine, session);
+    let At { t, setup, output } = ledger.close(at)?;
     let engine = &*engine;
     let solved = match setup.complete().and_then(|()| solve(engine, &setup, t, args.freedom.least_norm)) {
         Ok(solved) => solved,
         Err(failure) => {
-            // A person is told what can be said without a solution; the error follows.
+            // Text on stdout begins with what is known without a solution; the error follows.
             if output.is_for_people() {
                 session.deliver(&output, &info::text(engine, None))?;
             }
@@ -97,6 +92,7 @@ pub(super) fn run(args: &ReportArgs, engine: &mut dyn Engine, session: &mut Sess
     };
     note_freedom(session, solved.state.degrees_of_freedom_left);
     note_start(session, &solved.mobility);
+    note_modes(session, engine, &setup, t);
     let findings = find(engine, &setup, t, Some(&solved.state), CONFIGURATIONS, &session.watch())?;
     let q = solved.state.q.clone();
     let solved = solved.shown(engine.model(), args.angles.degrees);

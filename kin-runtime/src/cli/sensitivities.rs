@@ -2,14 +2,14 @@
 
 use super::engine::Engine;
 use super::examples::{Help, Names};
-use super::failure::{Failure, Ledger, zip3};
-use super::instants::instant;
+use super::failure::{Failure, Ledger};
 use super::names::{Kind, find_in};
 use super::number::Measured;
-use super::options::{FreedomArgs, InstantArgs, SetupArgs};
+use super::options::{FreedomArgs, SetupArgs};
 use super::output::{Form, OutputArgs};
 use super::session::Session;
-use super::solved::{analysis, driven_state};
+use super::solved::{analysis, driven_state, note_modes};
+use super::task::{At, AtArgs};
 use super::values;
 use crate::model::Model;
 use crate::present::json::to_json;
@@ -22,9 +22,7 @@ use std::collections::BTreeMap;
 #[derive(Clone, Debug, clap::Args)]
 pub(super) struct SensitivitiesArgs {
     #[command(flatten)]
-    instant: InstantArgs,
-    #[command(flatten)]
-    setup: SetupArgs,
+    at: AtArgs,
     #[command(flatten)]
     freedom: FreedomArgs,
     /// What tolerances come to: NAME=DEVIATION on either side
@@ -67,15 +65,12 @@ struct Record<'a> {
 
 pub(super) fn run(args: &SensitivitiesArgs, engine: &mut dyn Engine, session: &mut Session<'_>) -> Result<(), Failure> {
     let mut ledger = Ledger::default();
-    let (t, output) = (
-        ledger.take(args.instant.time(engine.model())),
-        ledger.take(session.destination(&args.output, "sensitivities")),
-    );
-    let setup = ledger.take(args.setup.apply_complete(engine));
+    let to = ("sensitivities", &args.output);
+    let at = args.at.read(&mut ledger, to, SetupArgs::apply_complete, engine, session);
     let tolerances = ledger.take(tolerances(&args.tolerance, engine.model()));
-    let (t, output, (setup, tolerances)) = ledger.close(zip3(t, output, setup.zip(tolerances)))?;
-    let t = instant("--at", t, &*engine, &setup)?;
+    let (At { t, setup, output }, tolerances) = ledger.close(at.zip(tolerances))?;
     let (state, _) = driven_state(engine, &setup, t, args.freedom.least_norm)?;
+    note_modes(session, engine, &setup, t);
     let found = engine.sensitivities(&setup, &state).map_err(|error| analysis(engine, &error))?;
     let (model, values) = (engine.model(), engine.parameters());
     let deviations = if args.tolerance.is_empty() { Vec::new() } else { deviations(&found, &tolerances) };

@@ -13,26 +13,26 @@ use super::paint;
 use super::watch::Watch;
 use crate::present::output::{write_atomically, write_atomically_by};
 
-/// What there is around a run: who reads its streams.
+/// The surroundings of a run: where its streams go, and whether it can be interrupted.
 #[derive(Clone, Debug)]
 pub(super) struct Surroundings {
-    /// Whether results may be coloured, and whether what is said beside them may.
+    /// Whether results (stdout) and messages (stderr) may be coloured.
     pub(super) colours: [bool; 2],
-    /// Whether results appear on a screen.
+    /// Whether stdout is a terminal.
     pub(super) screen: bool,
-    /// Whether somebody sees a bar on stderr.
+    /// Whether stderr is a terminal, so that a progress bar is shown.
     pub(super) bar: bool,
     pub(super) interrupt: Interrupt,
 }
 
 impl Surroundings {
-    /// Files.
+    /// Streams that are no terminals.
     #[cfg(test)]
     pub(super) fn plain() -> Self {
         Self { colours: [false; 2], screen: false, bar: false, interrupt: Interrupt::unheard() }
     }
 
-    /// Those of this process: colours on a terminal alone, as `NO_COLOR` and `CLICOLOR_FORCE` have it.
+    /// Those of this process. Terminals are coloured unless `NO_COLOR` or `CLICOLOR_FORCE` says otherwise.
     pub(super) fn of_process() -> Self {
         let coloured = |choice: ColorChoice| choice != ColorChoice::Never;
         let colours = [AutoStream::choice(&io::stdout()), AutoStream::choice(&io::stderr())].map(coloured);
@@ -48,11 +48,11 @@ pub(super) struct Session<'a> {
     colours: [bool; 2],
     screen: bool,
     watch: Rc<Watch>,
-    /// Whether a reader of the result left before its end.
+    /// Whether the reader of the result closed its pipe before all was written.
     reader_left: bool,
 }
 
-/// The exit status where a reader left before all was written: that of a program which SIGPIPE ends.
+/// The exit status if the reader closed its pipe early: that of a program which SIGPIPE ends.
 const READER_LEFT: u8 = 141;
 
 impl<'a> Session<'a> {
@@ -61,17 +61,18 @@ impl<'a> Session<'a> {
         Self { out, err, colours: around.colours, screen: around.screen, watch, reader_left: false }
     }
 
-    /// Who watches what takes long.
+    /// The progress bar and the interruption of this run.
     pub(super) fn watch(&self) -> Rc<Watch> {
         Rc::clone(&self.watch)
     }
 
-    /// What `command` is to write, and where to; pictures and pages are nothing for a screen full of text.
+    /// The form of the result of `command` and its target; pictures and pages are not written to a terminal.
     pub(super) fn destination<'o>(&self, options: &'o OutputArgs, command: &str) -> Result<Destination<'o>, Failure> {
         let to = options.destination(command)?;
         if self.screen && to.target == Target::Out && !to.form.is_readable() {
             let (form, ending) = (to.form.name(), to.form.endings()[0]);
-            let what = format!("{form} is nothing for a terminal; write --out FILE.{ending}, or pipe it on");
+            let what =
+                format!("{form} is not shown on a terminal; write --out FILE.{ending}, or pipe it to another program");
             return Err(Failure::option("--out", what));
         }
         Ok(to)
@@ -85,19 +86,19 @@ impl<'a> Session<'a> {
         }
     }
 
-    /// Writes a result that may be no text.
+    /// Writes a result that may be binary.
     pub(super) fn deliver_bytes(&mut self, to: &Destination<'_>, bytes: &[u8]) -> Result<(), Failure> {
         self.write(to.target, bytes)?;
         to.contradiction().iter().for_each(|note| self.note(note));
         Ok(())
     }
 
-    /// Whether a result appears on a screen, where a bar would be between its lines.
+    /// Whether the result itself goes to a terminal, so that a progress bar would appear between its lines.
     pub(super) fn is_seen(&self, to: &Destination<'_>) -> bool {
         self.screen && to.target == Target::Out
     }
 
-    /// Writes a result bit by bit. An error of `write` leaves a file as it was before.
+    /// Writes a result piece by piece. If `write` fails, a file keeps its old contents.
     pub(super) fn stream(
         &mut self,
         to: &Destination<'_>,
@@ -108,7 +109,7 @@ impl<'a> Session<'a> {
             Target::Err => buffered(&mut *self.err, write),
             Target::File(path) => write_atomically_by(path, |file| buffered(file, write)),
         };
-        self.said(to.target, written)?;
+        self.check_written(to.target, written)?;
         to.contradiction().iter().for_each(|note| self.note(note));
         Ok(())
     }
@@ -119,12 +120,12 @@ impl<'a> Session<'a> {
             Target::Err => self.err.write_all(bytes).and_then(|()| self.err.flush()),
             Target::File(path) => self.watch.hold(|| write_atomically(path, bytes)),
         };
-        self.said(target, written)
+        self.check_written(target, written)
     }
 
-    fn said(&mut self, target: Target<'_>, written: io::Result<()>) -> Result<(), Failure> {
+    fn check_written(&mut self, target: Target<'_>, written: io::Result<()>) -> Result<(), Failure> {
         match written {
-            // Whoever reads has seen enough (`… | head`): there is nobody to tell, but not all was written.
+            // The reader has closed the pipe (`… | head`). That is no error to report, but the exit status tells it.
             Err(e) if e.kind() == io::ErrorKind::BrokenPipe => {
                 self.reader_left = true;
                 Ok(())
@@ -133,7 +134,7 @@ impl<'a> Session<'a> {
         }
     }
 
-    /// Says something beside the result. When stderr is closed nobody wants to know.
+    /// Writes a message to stderr. A failure of that cannot be reported anywhere and is ignored.
     pub(super) fn note(&mut self, text: &str) {
         let text = text.trim_end();
         let watch = self.watch();
@@ -143,21 +144,21 @@ impl<'a> Session<'a> {
         });
     }
 
-    /// Prints help; the exit status.
+    /// Prints help; returns the exit status.
     pub(super) fn help(&mut self, text: &clap::builder::StyledStr) -> u8 {
         let text = if self.colours[0] { text.ansi().to_string() } else { text.to_string() };
         let done = self.write(Target::Out, text.as_bytes());
         self.finish(done)
     }
 
-    /// Prints an error of the arguments; the exit status.
+    /// Prints an error of the arguments; returns the exit status.
     pub(super) fn refuse(&mut self, text: &clap::builder::StyledStr, more: &str) -> u8 {
         let text = if self.colours[1] { text.ansi().to_string() } else { text.to_string() };
         let _ = write!(self.err, "{}{more}", text.trim_end());
         2
     }
 
-    /// The exit status of a command, its error said.
+    /// Prints the error of a command, if there is one; returns the exit status.
     pub(super) fn finish(&mut self, done: Result<(), Failure>) -> u8 {
         self.watch.end();
         match done {
@@ -177,7 +178,7 @@ impl<'a> Session<'a> {
     }
 }
 
-/// Writes by way of a buffer, whose rest is thrown away where `write` fails.
+/// Writes through a buffer. If `write` fails, the rest of the buffer is discarded.
 fn buffered<W: Write>(out: W, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
     let mut buffer = io::BufWriter::with_capacity(1 << 16, out);
     match write(&mut buffer) {
@@ -189,7 +190,7 @@ fn buffered<W: Write>(out: W, write: impl FnOnce(&mut dyn Write) -> io::Result<(
     }
 }
 
-/// An error of the system without its number.
+/// The text of a system error without its number.
 fn reason(error: &io::Error) -> String {
     let text = error.to_string();
     text.split_once(" (os error").map_or(text.as_str(), |(words, _)| words).to_owned()

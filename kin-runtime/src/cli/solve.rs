@@ -2,12 +2,12 @@
 
 use super::engine::Engine;
 use super::examples::{Help, Names};
-use super::failure::{Failure, Ledger, zip3};
-use super::instants::instant;
-use super::options::{AngleArgs, FreedomArgs, InstantArgs, SetupArgs};
+use super::failure::{Failure, Ledger};
+use super::options::{AngleArgs, FreedomArgs, SetupArgs};
 use super::output::{Form, OutputArgs};
 use super::session::Session;
-use super::solved::{Solved, analysis, note_freedom, note_start, solve};
+use super::solved::{Solved, analysis, note_freedom, note_modes, note_start, solve};
+use super::task::{At, AtArgs};
 use crate::measure::Measure;
 use crate::model::Model;
 use crate::present::certificate;
@@ -24,9 +24,7 @@ use crate::present::text;
 #[derive(Clone, Debug, clap::Args)]
 pub(super) struct SolveArgs {
     #[command(flatten)]
-    instant: InstantArgs,
-    #[command(flatten)]
-    setup: SetupArgs,
+    at: AtArgs,
     #[command(flatten)]
     freedom: FreedomArgs,
     #[command(flatten)]
@@ -34,7 +32,7 @@ pub(super) struct SolveArgs {
     /// Also what drivers supply and joints carry
     #[arg(long)]
     forces: bool,
-    /// Also a proof that it is a solution, and the only one around
+    /// Also a proof that it is a solution, and the only one nearby
     #[arg(long, conflicts_with = "degrees")]
     certify: bool,
     #[command(flatten)]
@@ -62,11 +60,8 @@ for every coordinate, rate and acceleration. Where there is none, it says why an
 
 pub(super) fn run(args: &SolveArgs, engine: &mut dyn Engine, session: &mut Session<'_>) -> Result<(), Failure> {
     let mut ledger = Ledger::default();
-    let (t, output) =
-        (ledger.take(args.instant.time(engine.model())), ledger.take(session.destination(&args.output, "solve")));
-    let setup = ledger.take(args.setup.apply_complete(engine));
-    let (t, output, setup) = ledger.close(zip3(t, output, setup))?;
-    let t = instant("--at", t, &*engine, &setup)?;
+    let at = args.at.read(&mut ledger, ("solve", &args.output), SetupArgs::apply_complete, engine, session);
+    let At { t, setup, output } = ledger.close(at)?;
     let mut solved = solve(engine, &setup, t, args.freedom.least_norm)?;
     let forces = args.forces.then(|| engine.forces(&setup, &solved.state, args.freedom.least_norm)).transpose();
     solved.motion.forces = forces.map_err(|error| analysis(engine, &error))?;
@@ -74,6 +69,7 @@ pub(super) fn run(args: &SolveArgs, engine: &mut dyn Engine, session: &mut Sessi
     let solved = solved.shown(engine.model(), args.angles.degrees);
     note_freedom(session, solved.state.degrees_of_freedom_left);
     note_start(session, &solved.mobility);
+    note_modes(session, engine, &setup, t);
     let model = engine.model();
     let text = match output.form {
         Form::Json => json(engine, &solved)?,

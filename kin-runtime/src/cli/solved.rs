@@ -27,14 +27,14 @@ pub(super) struct Solved {
     pub(super) ratios: VelocityRatios,
     pub(super) angles: Vec<TransmissionAngle>,
     pub(super) modes: Vec<Mode>,
-    /// The certificate, where it was asked for.
+    /// The certificate, if it was asked for.
     pub(super) certificate: Option<Certified>,
     /// Whether angles are in degrees.
     pub(super) degrees: bool,
 }
 
 impl Solved {
-    /// As it is shown. Ratios of velocities stay by radian.
+    /// With angles in degrees, if asked for. Velocity ratios stay per radian.
     pub(super) fn shown(mut self, model: &Model, degrees: bool) -> Self {
         if !degrees {
             return self;
@@ -51,7 +51,7 @@ pub(super) fn solve(engine: &dyn Engine, setup: &Setup, t: f64, least_norm: bool
     let say = |error| analysis(engine, &error);
     let (state, mobility) = driven_state(engine, setup, t, least_norm)?;
     let motion = engine.motion(setup, &state).map_err(say)?;
-    // Neither belongs to the motion: where they do not exist, the state is good nevertheless.
+    // Ratios and transmission angles may not exist; the state is valid without them.
     let ratios =
         engine.velocity_ratios(setup, &state).unwrap_or(VelocityRatios { drivers: Vec::new(), inputs: Vec::new() });
     let angles = engine.transmission_angles(&state).unwrap_or_default();
@@ -74,7 +74,7 @@ pub(super) fn driven_state(
     Ok((state, mobility))
 }
 
-/// Says that an answer is one of many.
+/// Notes that the answer is the one of least norm among many.
 pub(super) fn note_freedom(session: &mut Session<'_>, left: usize) {
     if left > 0 {
         let open = text::count(left, "degree");
@@ -82,7 +82,32 @@ pub(super) fn note_freedom(session: &mut Session<'_>, left: usize) {
     }
 }
 
-/// Says that rows of velocity level do not determine a position.
+/// A note for an instant that is assembled in other modes than t = 0: a motion from t = 0 would be elsewhere by then.
+pub(super) fn other_modes(engine: &dyn Engine, setup: &Setup, t: f64) -> Option<String> {
+    if t == 0.0 || engine.model().plan.modes.is_empty() {
+        return None;
+    }
+    let modes = |t: f64| engine.state(setup, t).ok().map(|state| engine.modes(&state.instant(), &state.q));
+    let (first, here) = (modes(0.0)?, modes(t)?);
+    let other = first.iter().zip(&here).filter(|(first, here)| here.sign.is_some() && first.sign != here.sign);
+    let options: Vec<String> = other.filter_map(|(mode, _)| Some(format!("{}={}", mode.name, mode.sign?))).collect();
+    (!options.is_empty()).then(|| {
+        format!(
+            "note: the guess leads to another assembly mode at t = {} than at t = 0; a motion from t = 0 stays in --mode {}",
+            rounded(t),
+            options.join(",")
+        )
+    })
+}
+
+/// Notes what [`other_modes`] says.
+pub(super) fn note_modes(session: &mut Session<'_>, engine: &dyn Engine, setup: &Setup, t: f64) {
+    if let Some(note) = other_modes(engine, setup, t) {
+        session.note(&note);
+    }
+}
+
+/// Notes that rows of velocity level do not determine a position.
 pub(super) fn note_start(session: &mut Session<'_>, mobility: &Mobility) {
     let free = mobility.position_degrees_of_freedom_left;
     if mobility.velocity_level_rows > 0 && free > 0 {
@@ -116,7 +141,7 @@ pub(super) fn fully_driven(engine: &dyn Engine, mobility: &Mobility, t: f64) -> 
     )))
 }
 
-/// An error of an analysis; where the given coordinates are to blame, with those that would do.
+/// An error of an analysis. If it is caused by given coordinates, it lists those that could be given instead.
 fn misfit(engine: &dyn Engine, setup: &Setup, t: f64, error: &SolveError) -> Failure {
     let conflict = matches!(error, SolveError::GivenConflict { open: 1.., .. });
     let without = Setup { given: Vec::new(), ..setup.clone() };
@@ -139,7 +164,7 @@ fn misfit(engine: &dyn Engine, setup: &Setup, t: f64, error: &SolveError) -> Fai
     }
 }
 
-/// An error of an analysis, with what may help.
+/// An error of an analysis, with a hint.
 pub(super) fn analysis(engine: &dyn Engine, error: &SolveError) -> Failure {
     let hint = match error {
         SolveError::NotAssembled { .. } => {
@@ -168,7 +193,7 @@ pub(super) fn analysis(engine: &dyn Engine, error: &SolveError) -> Failure {
     Failure::Analysis(format!("{}\n  {hint}", named(engine, error)))
 }
 
-/// An error behind the name of the mechanism, which it may have said itself.
+/// An error after the name of the mechanism, unless it begins with that name.
 fn named(engine: &dyn Engine, error: &SolveError) -> String {
     let (text, name) = (error.to_string(), format!("{}: ", engine.model().name));
     if text.starts_with(&name) { text } else { name + &text }

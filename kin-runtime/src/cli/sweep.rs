@@ -6,15 +6,14 @@ use std::ops::ControlFlow;
 
 use super::columns::quantities;
 use super::degrees;
-use super::engine::{Engine, Setup};
+use super::engine::Engine;
 use super::examples::{Help, Names};
-use super::failure::{Failure, Ledger, zip3};
-use super::instants::{Asked, GridArgs, Instants};
+use super::failure::{Failure, Ledger};
 use super::moving::{Moved, Walk, note_motion};
-use super::options::{AngleArgs, FreedomArgs, SetupArgs};
-use super::output::{Destination, Form, OutputArgs};
+use super::output::{Form, OutputArgs};
 use super::session::Session;
 use super::solved::note_freedom;
+use super::task::{MotionArgs, Task};
 use super::vary::{Choice, VaryArgs};
 use super::watch::Watch;
 use crate::forces::ContactChange;
@@ -27,31 +26,25 @@ use crate::present::text::count;
 use crate::present::units::Units;
 use crate::trajectory::Trajectory;
 
-/// Steps when --steps is not there.
+/// Number of steps without `--steps`.
 pub(super) const STEPS: usize = 100;
 
 /// The motion over many instants, on one branch from the first to the last
 #[derive(Clone, Debug, clap::Args)]
 pub(super) struct SweepArgs {
-    /// Quantities by name, not all coordinates: B.transmission, tip.x, tip.x/drive
+    /// Quantities by name instead of all coordinates: B.transmission, tip.x, tip.x/drive
     #[arg(value_name = "WHAT", conflicts_with = "points")]
     what: Vec<String>,
     #[command(flatten)]
     vary: VaryArgs,
-    #[command(flatten)]
-    grid: GridArgs,
     /// End the sweep where the first unilateral condition meets its limit
     #[arg(long)]
     stop_at_events: bool,
-    /// Also points, defines and joint quantities, behind the coordinates
+    /// Also points, defines and joint quantities, after the coordinates
     #[arg(long)]
     points: bool,
     #[command(flatten)]
-    setup: SetupArgs,
-    #[command(flatten)]
-    freedom: FreedomArgs,
-    #[command(flatten)]
-    angles: AngleArgs,
+    motion: MotionArgs,
     #[command(flatten)]
     output: OutputArgs,
 }
@@ -77,72 +70,80 @@ pub(super) const HELP: Help = Help {
     },
     details: "\
 csv has one header line and one row per instant: t, then every coordinate, its rate (NAME_dot)
-and acceleration (NAME_ddot). With --vary the varied parameters stand before t; json has a list
-of motions then. WHAT names quantities instead: coordinates, points (tip.x, tip.speed), defines,
-joint quantities (B.angle), inputs, transmission angles (B.transmission), forces, and velocity
-ratios of the former to a driver or an input (tip.x/drive).
+and acceleration (NAME_ddot). With --vary, columns for the varied parameters come before t, and
+json has a list of motions. WHAT names quantities to be listed instead: coordinates, points (tip.x,
+tip.speed), defines, joint quantities (B.angle), inputs, transmission angles (B.transmission),
+forces, and velocity ratios of the former to a driver or an input (tip.x/drive).
 
-Inputs and given coordinates hold at the first instant and go on with their acceleration. Where a
-unilateral condition meets its limit is said on stderr, and in json under `events`; where it
-changes too fast to be watched, too, and under `unwatched`. With masses, contacts that lift off or
-press again are told likewise, and in json under `contacts`.
+The values of inputs and given coordinates belong to the first instant; from there they continue
+with constant acceleration. When a unilateral condition reaches its limit, stderr says at which t,
+and json lists it under `events`; stretches of t in which a condition changes too fast to be
+watched are under `unwatched`. If the mechanism has masses, contacts that lift off or press again
+are reported in the same way, in json under `contacts`.
 
-With --to limit (and --from limit) the motion ends where the mechanism does: the last row is the
-limit itself, at which rates have no value, and the rows before it lie closer together. Where no
-limit is met the motion is one turn long, or one unit of time, and that is said.
+With --to limit (and --from limit) the motion ends where the mechanism can go no further: the last
+row is the limit itself, at which rates have no value, and rows are closer together near it. If no
+limit is met, the motion takes one turn of the driven crank, or one unit of time; a note says so.
 
-Rows go to csv and json as they come, however many there are. When a sweep fails midway the
+Rows are written to csv and json as soon as they are computed. When a sweep fails midway the
 finished rows are written and the status is 1. Ctrl-C ends a sweep in the same way, with status
 130; a second Ctrl-C ends the program at once.",
 };
 
-/// Motions of one sweep at most.
-const MOST: (usize, &str) = (100_000, "more are a study of their own");
+/// Most motions of one sweep, and what to do for more.
+const MOST: (usize, &str) = (100_000, "for more, see the crate kin-study");
 
 pub(super) fn run(args: &SweepArgs, engine: &mut dyn Engine, session: &mut Session<'_>) -> Result<(), Failure> {
     let model = engine.model();
     let mut ledger = Ledger::default();
-    let (asked, output) =
-        (ledger.take(args.grid.asked(STEPS, model)), ledger.take(session.destination(&args.output, "sweep")));
-    let setup = ledger.take(args.setup.apply_complete(engine));
+    let task = args.motion.read(&mut ledger, ("sweep", &args.output), STEPS, engine, session);
     let choices = ledger.take(args.vary.choices(model, MOST));
     let wanted = ledger.take(quantities(model, &args.what));
-    let ((asked, output, setup), (choices, wanted)) =
-        ledger.close(zip3(asked, output, setup).zip(choices.zip(wanted)))?;
-    let whole = wanted.is_empty();
+    let (task, (choices, wanted)) = ledger.close(task.zip(choices.zip(wanted)))?;
+    let unnamed = wanted.is_empty();
     let time = Measure::standard(model, false).into_iter().take(1);
-    let measures = if whole { Measure::standard(model, args.points) } else { time.chain(wanted).collect() };
-    let motions = Motions { args, setup, choices, asked, measures, whole, rows: Cell::new(0) };
-    let mut moved = Vec::new();
-    match output.form {
-        Form::Text => {
-            let text = text(&motions, engine, session, &mut moved);
+    let measures = if unnamed { Measure::standard(model, args.points) } else { time.chain(wanted).collect() };
+    let motions = Motions { args, task, choices, measures, unnamed, rows: Cell::new(0) };
+    let (output, watch) = (&motions.task.output, session.watch());
+    let streams = output.form != Form::Text;
+    let mut run = Run { engine, watch: &watch, seen: streams && session.is_seen(output), outcomes: Vec::new() };
+    match streams {
+        true => streamed(&motions, &mut run, session)?,
+        false => {
+            let text = text(&motions, &mut run);
             if motions.rows.get() > 0 {
-                session.deliver(&output, &text)?;
+                session.deliver(output, &text)?;
             }
         }
-        _ => streamed(&motions, engine, &output, session, &mut moved)?,
     }
-    session.watch().end();
-    motions.tell(model, moved, session)
+    watch.end();
+    motions.tell(model, run.outcomes, session)
 }
 
-/// What a sweep is to do: a motion for every choice of the varied parameters.
+/// The task of a sweep: a motion for every combination of the varied parameters.
 struct Motions<'a> {
     args: &'a SweepArgs,
-    setup: Setup,
+    task: Task<'a>,
     choices: Vec<Choice>,
-    asked: Asked,
     /// The columns, t first.
     measures: Vec<Measure>,
-    /// Whether the columns are those of nobody's choice.
-    whole: bool,
-    /// Rows that were shown to somebody.
+    /// Whether no quantities were named, so that the columns are all coordinates.
+    unnamed: bool,
+    /// Number of rows written so far.
     rows: Cell<usize>,
 }
 
-/// How far a motion came, of how many instants, and the rows that it has.
-struct Came {
+/// A sweep while it runs.
+struct Run<'r> {
+    engine: &'r mut dyn Engine,
+    watch: &'r Watch,
+    /// Whether rows appear on a terminal, so that there is no progress bar.
+    seen: bool,
+    outcomes: Vec<Outcome>,
+}
+
+/// The outcome of one motion: its rows, of how many instants, and how it ended.
+struct Outcome {
     rows: usize,
     instants: usize,
     moved: Result<Moved, Failure>,
@@ -153,50 +154,41 @@ impl Motions<'_> {
         self.choices.len() > 1
     }
 
-    /// Follows the motion of one choice; `each` is given the way to do it.
+    /// Follows the motion of one combination of parameters: `each` runs the walk that it is given.
     fn follow(
         &self,
-        place: usize,
-        engine: &mut dyn Engine,
-        session: (&Watch, bool),
+        (place, choice): (usize, &Choice),
+        run: &mut Run<'_>,
         each: impl FnOnce(&Walk<'_>) -> Result<Moved, Failure>,
-    ) -> Came {
-        let (watch, seen) = session;
-        self.choices[place].set(engine);
-        let instants = match self.asked.instants(engine, &self.setup) {
-            Ok(instants) => instants,
-            Err(failure) => return Came { rows: 0, instants: 0, moved: Err(failure) },
+    ) {
+        let Task { asked, setup, .. } = &self.task;
+        choice.set(run.engine);
+        let outcome = match asked.instants(run.engine, setup) {
+            Err(failure) => Outcome { rows: 0, instants: 0, moved: Err(failure) },
+            Ok(instants) => {
+                match (place, run.seen) {
+                    (0, true) => run.watch.begin_unseen(),
+                    _ => run.watch.begin_motion((place, self.choices.len()), instants.len()),
+                }
+                let before = self.rows.get();
+                let walk = self.args.motion.walk(run.engine, (asked, setup, &instants), &self.measures, run.watch);
+                let moved = each(&Walk { stop_at_events: self.args.stop_at_events, ..walk });
+                Outcome { rows: self.rows.get() - before, instants: instants.len(), moved }
+            }
         };
-        match (place, seen) {
-            (0, true) => watch.begin_unseen(),
-            (0, false) => watch.begin("instants", self.choices.len() * instants.len()),
-            _ => watch.go_on(place * instants.len()),
-        }
-        let before = self.rows.get();
-        let moved = each(&self.walk(engine, &instants, watch));
-        Came { rows: self.rows.get() - before, instants: instants.len(), moved }
+        run.outcomes.push(outcome);
     }
 
-    fn walk<'w>(&'w self, engine: &'w dyn Engine, instants: &'w Instants, watch: &'w Watch) -> Walk<'w> {
-        Walk {
-            engine,
-            setup: &self.setup,
-            instants,
-            stop_at_events: self.args.stop_at_events,
-            open_end: self.asked.is_open(),
-            freedom: self.args.freedom,
-            reported: false,
-            measures: &self.measures,
-            degrees: self.args.angles.degrees,
-            watch,
-        }
+    /// Counts rows that were written.
+    fn count(&self, rows: usize) {
+        self.rows.set(self.rows.get() + rows);
     }
 
-    /// Says what there is to say of the motions; gives the first failure.
-    fn tell(&self, model: &'static Model, all: Vec<Came>, session: &mut Session<'_>) -> Result<(), Failure> {
+    /// Prints the notes of all motions; returns the first failure.
+    fn tell(&self, model: &'static Model, all: Vec<Outcome>, session: &mut Session<'_>) -> Result<(), Failure> {
         let mut failure = None;
         let finished = all.len();
-        for (Came { rows, instants, moved }, choice) in all.into_iter().zip(&self.choices) {
+        for (Outcome { rows, instants, moved }, choice) in all.into_iter().zip(&self.choices) {
             let ended = match moved {
                 Ok(moved) => {
                     note_motion(session, &moved);
@@ -229,45 +221,34 @@ impl Motions<'_> {
     }
 }
 
-/// Writes every row as soon as it is there.
-fn streamed(
-    motions: &Motions<'_>,
-    engine: &mut dyn Engine,
-    output: &Destination<'_>,
-    session: &mut Session<'_>,
-    all: &mut Vec<Came>,
-) -> Result<(), Failure> {
-    let (watch, seen) = (session.watch(), session.is_seen(output));
+/// Writes every row as soon as it is computed.
+fn streamed(motions: &Motions<'_>, run: &mut Run<'_>, session: &mut Session<'_>) -> Result<(), Failure> {
+    let output = &motions.task.output;
     let written = session.stream(output, |out| {
         match output.form {
-            Form::Json => json(motions, engine, (&watch, seen), all, out)?,
-            _ => csv(motions, engine, (&watch, seen), all, out)?,
+            Form::Json => json(motions, run, out)?,
+            _ => csv(motions, run, out)?,
         }
-        // Without a row a file keeps what it has.
+        // Without a row an existing file keeps its contents.
         if motions.rows.get() == 0 { Err(io::Error::other("there is nothing to write")) } else { Ok(()) }
     });
-    let failed = all.iter().any(|came| came.moved.as_ref().map_or(true, |moved| moved.ended.is_some()));
+    let ended = |outcome: &Outcome| outcome.moved.as_ref().map_or(true, |moved| moved.ended.is_some());
+    let failed = run.outcomes.iter().any(ended);
     if motions.rows.get() > 0 || !failed { written } else { Ok(()) }
 }
 
-fn csv(
-    motions: &Motions<'_>,
-    engine: &mut dyn Engine,
-    session: (&Watch, bool),
-    all: &mut Vec<Came>,
-    out: &mut dyn Write,
-) -> io::Result<()> {
-    let model = engine.model();
+fn csv(motions: &Motions<'_>, run: &mut Run<'_>, out: &mut dyn Write) -> io::Result<()> {
+    let model = run.engine.model();
     let varied = motions.choices.first().map(|choice| choice.pairs(model).map(|(name, _)| name));
     let names = varied.into_iter().flatten().chain(motions.measures.iter().map(Measure::name));
     let mut csv = CsvRows::new(names, out)?;
     let mut failed = None;
     for (place, choice) in motions.choices.iter().enumerate() {
         let values: Vec<f64> = choice.pairs(model).map(|(_, value)| value).collect();
-        let came = motions.follow(place, engine, session, |walk| {
+        motions.follow((place, choice), run, |walk| {
             walk.each(&mut |row| match csv.row(values.iter().chain(row.values).copied()) {
                 Ok(()) => {
-                    motions.rows.set(motions.rows.get() + 1);
+                    motions.count(1);
                     ControlFlow::Continue(())
                 }
                 Err(error) => {
@@ -276,36 +257,29 @@ fn csv(
                 }
             })
         });
-        all.push(came);
-        if failed.is_some() || session.0.interrupted() {
+        if failed.is_some() || run.watch.interrupted() {
             break;
         }
     }
     failed.map_or_else(|| csv.flush(), Err)
 }
 
-fn json(
-    motions: &Motions<'_>,
-    engine: &mut dyn Engine,
-    session: (&Watch, bool),
-    all: &mut Vec<Came>,
-    out: &mut dyn Write,
-) -> io::Result<()> {
-    let model = engine.model();
-    let shared = RefCell::new((engine, all));
+fn json(motions: &Motions<'_>, run: &mut Run<'_>, out: &mut dyn Write) -> io::Result<()> {
+    let (model, degrees) = (run.engine.model(), motions.args.motion.angles.degrees);
+    let shared = RefCell::new(run);
     let record = |place: usize, write: &mut dyn FnMut(&SweepRecord<'_>)| {
-        let (engine, all) = &mut *shared.borrow_mut();
+        let run = &mut **shared.borrow_mut();
         let choice = &motions.choices[place];
-        let came = motions.follow(place, &mut **engine, session, |walk| {
+        motions.follow((place, choice), run, |walk| {
             let moved = RefCell::new(None);
             let each = |visit: Visit<'_>| {
-                let walk = Walk { measures: if motions.whole { &[] } else { &motions.measures[1..] }, ..*walk };
+                let walk = Walk { measures: if motions.unnamed { &[] } else { &motions.measures[1..] }, ..*walk };
                 let walk = Walk { reported: motions.args.points, ..walk };
                 moved.replace(Some(walk.each(&mut |row| {
                     let motion = row.motion.map(|motion| degrees::motion(model, motion, walk.degrees));
                     let state = degrees::state(model, row.state, walk.degrees);
                     visit(&Row { state: &state, motion: motion.as_deref(), values: row.values })?;
-                    motions.rows.set(motions.rows.get() + 1);
+                    motions.count(1);
                     ControlFlow::Continue(())
                 })));
             };
@@ -318,16 +292,15 @@ fn json(
                 model,
                 varied: motions.are_several().then(|| choice.pairs(model).collect()),
                 parameters: Parameters::new(model, &walk.engine.parameters()),
-                units: Units::of(model).in_degrees(motions.args.angles.degrees).record(),
-                quantities: if motions.whole { &[] } else { &motions.measures[1..] },
+                units: Units::of(model).in_degrees(degrees).record(),
+                quantities: if motions.unnamed { &[] } else { &motions.measures[1..] },
                 walk: &each,
                 ended: &ended,
             });
             let moved = moved.into_inner();
             moved.unwrap_or_else(|| Err(Failure::Analysis("nothing was computed".to_owned())))
         });
-        all.push(came);
-        session.0.interrupted()
+        run.watch.interrupted()
     };
     if motions.are_several() {
         let varied = motions.choices[0].pairs(model).map(|(name, _)| name).collect();
@@ -341,23 +314,21 @@ fn json(
     out.write_all(b"\n")
 }
 
-fn text(motions: &Motions<'_>, engine: &mut dyn Engine, session: &mut Session<'_>, all: &mut Vec<Came>) -> String {
-    let model = engine.model();
-    let watch = session.watch();
+fn text(motions: &Motions<'_>, run: &mut Run<'_>) -> String {
+    let model = run.engine.model();
     let mut out = String::new();
     for (place, choice) in motions.choices.iter().enumerate() {
-        let came = motions.follow(place, engine, (&watch, false), |walk| walk.kept());
-        if let Ok(moved) = &came.moved
-            && moved.columns.first().is_some_and(|times| !times.is_empty())
-        {
-            motions.rows.set(motions.rows.get() + moved.columns[0].len());
-            if place > 0 {
-                out.push('\n');
+        motions.follow((place, choice), run, |walk| {
+            let moved = walk.kept()?;
+            let rows = moved.columns.first().map_or(0, Vec::len);
+            motions.count(rows);
+            if rows > 0 {
+                out.push_str(if out.is_empty() { "" } else { "\n" });
+                out.push_str(&table(motions, model, choice, &moved));
             }
-            out.push_str(&table(motions, model, choice, moved));
-        }
-        all.push(Came { rows: came.moved.as_ref().map_or(0, |moved| moved.columns[0].len()), ..came });
-        if watch.interrupted() {
+            Ok(moved)
+        });
+        if run.watch.interrupted() {
             break;
         }
     }
@@ -369,10 +340,10 @@ fn table(motions: &Motions<'_>, model: &Model, choice: &Choice, moved: &Moved) -
     let columns: Vec<grid::Column> = names.zip(moved.columns.iter().cloned()).collect();
     let times = &moved.columns[0];
     let [from, to] = [times.first(), times.last()].map(|t| t.map_or_else(String::new, |t| rounded(*t)));
-    let angles = if motions.args.angles.degrees { ", angles in degrees" } else { "" };
+    let angles = if motions.args.motion.angles.degrees { ", angles in degrees" } else { "" };
     let name = choice.name(model);
     let varied = if name.is_empty() { String::new() } else { format!(", {name}") };
     let heading =
         format!("{}{varied}, {} from t = {from} to t = {to}{angles}\n", model.name, count(times.len(), "instant"));
-    heading + &grid::text(&columns, if motions.whole { 3 } else { 1 })
+    heading + &grid::text(&columns, if motions.unnamed { 3 } else { 1 })
 }

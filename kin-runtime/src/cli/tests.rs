@@ -86,7 +86,7 @@ fn bad_options_are_usage_errors() {
         ("sweep --to 1 --steps 0", "--steps: at least 1"),
         ("sweep --to 1 --steps -3", "--steps: `-3` is no number of steps"),
         ("sweep --from 1 --to 1", "--from and --to are both 1"),
-        ("sweep --times 0,1 --from 0", "--times: cannot stand beside --from"),
+        ("sweep --times 0,1 --from 0", "--times: cannot be combined with --from"),
         ("sweep --times 0,,1", "--times: a number is missing"),
         ("info --format csv", "--format: `info` has no csv form"),
         ("check --format csv", "--format: `check` has no csv form"),

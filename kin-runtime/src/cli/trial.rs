@@ -1,4 +1,4 @@
-//! What works for a mechanism, tried out where help is asked for: examples that have an answer.
+//! Finds values for the examples of the help by trying them, so that every example has an answer.
 
 use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
@@ -11,23 +11,23 @@ use crate::present::number::rounded;
 use crate::state::State;
 use crate::workspace::Signal;
 
-/// Coordinates that a mechanism may have for its help to try it out.
+/// Most coordinates of a mechanism that is tried.
 const MOST: usize = 400;
-/// Instants on which a motion is tried.
+/// Instants of a motion that is tried.
 const INSTANTS: usize = 24;
-/// What takes longer is left out of the help.
+/// Time limit of a trial; an example that takes longer is left out of the help.
 const PATIENCE: Duration = Duration::from_millis(200);
-/// Modes whose combinations are tried.
+/// Most modes whose combinations are tried.
 const SHORT: usize = 3;
-/// Values of inputs that are tried.
+/// Most combinations of values of inputs that are tried.
 const TRIES: usize = 200;
 
-/// What an example may ask for.
+/// Values that examples can use.
 #[derive(Clone, Debug)]
 pub(super) struct Trial {
-    /// ` --input u=0.9,0.1`, ` --given s=0.3:1`; empty where nothing is needed.
+    /// ` --input u=0.9,0.1`, ` --given s=0.3:1`; empty if nothing is needed.
     pub(super) needed: String,
-    /// An instant inside of the motion, and one at its end.
+    /// An instant within the motion, and one at its end.
     pub(super) at: String,
     pub(super) to: String,
     /// `l1=0.09..0.11:5`
@@ -52,7 +52,7 @@ impl Default for Trial {
 }
 
 impl Trial {
-    /// Tries the mechanism out; its parameters are afterwards what they were.
+    /// Tries the mechanism; its parameters are restored afterwards.
     pub(super) fn of(engine: &mut dyn Engine) -> Option<Self> {
         let model = engine.model();
         if model.coordinates.len() > MOST {
@@ -95,7 +95,7 @@ impl Trial {
     }
 }
 
-/// What has a proof: a configuration; and, where that does not take long, all closures and all limits up to `end`.
+/// What can be proven: the configuration; and, if that is quick, all closures and all limits up to `end`.
 fn proven(engine: &dyn Engine, setup: &Setup, state: &State, end: f64) -> [bool; 3] {
     let plan = &engine.model().plan;
     let iterates = plan.steps.iter().any(|step| matches!(step.kind, StepKind::Newton(_)));
@@ -105,7 +105,7 @@ fn proven(engine: &dyn Engine, setup: &Setup, state: &State, end: f64) -> [bool;
     [engine.certify(setup, state).is_ok(), closures, limits]
 }
 
-/// How far a motion comes.
+/// The last instant that a motion reaches.
 fn reached(engine: &dyn Engine, setup: &Setup, end: f64) -> Option<f64> {
     let times: Vec<f64> = (0..=INSTANTS).map(|k| end * k as f64 / INSTANTS as f64).collect();
     let (mut last, began) = (None, Instant::now());
@@ -116,7 +116,7 @@ fn reached(engine: &dyn Engine, setup: &Setup, end: f64) -> Option<f64> {
     last.filter(|t| *t > 0.0)
 }
 
-/// Inputs with which the mechanism can be assembled: their defaults, or else values that do.
+/// Inputs with which the mechanism can be assembled: their defaults, or else values found by trial.
 fn inputs(engine: &dyn Engine) -> Option<Setup> {
     let model = engine.model();
     let count = model.inputs.len();
@@ -136,7 +136,7 @@ fn inputs(engine: &dyn Engine) -> Option<Setup> {
     let mut candidates: Vec<f64> = [0.0, 0.5, 1.0].into_iter().chain(guessed).chain(own).collect();
     candidates.dedup();
     let number = candidates.len();
-    // All alike first, and then every combination.
+    // First the same value for all inputs, then all combinations.
     let alike = (0..number).map(|k| vec![candidates[k]; count]);
     let combination = |mut place: usize| -> Vec<f64> {
         (0..count)
@@ -151,7 +151,7 @@ fn inputs(engine: &dyn Engine) -> Option<Setup> {
     all.map(|values| setup(&values)).find(|setup| count == 0 || engine.state(setup, 0.0).is_ok())
 }
 
-/// The first parameter that may be a tenth smaller and larger at once.
+/// The first parameter with which the mechanism moves when it is a tenth smaller and when it is a tenth larger.
 fn varied(engine: &mut dyn Engine, setup: &Setup) -> Option<String> {
     let model: &Model = engine.model();
     let began = Instant::now();
@@ -174,7 +174,7 @@ fn varied(engine: &mut dyn Engine, setup: &Setup) -> Option<String> {
     None
 }
 
-/// Towards zero, to two digits.
+/// Rounded towards zero to two digits.
 fn shortened(value: f64) -> f64 {
     if value == 0.0 || !value.is_finite() {
         return 0.0;
@@ -186,7 +186,7 @@ fn shortened(value: f64) -> f64 {
     format!("{digits}e{}", -places).parse().unwrap_or(value)
 }
 
-/// Brackets mean something to a shell.
+/// Quotes a text with brackets, which a shell would interpret.
 pub(super) fn quoted(text: String) -> String {
     if text.contains('[') { format!("'{text}'") } else { text }
 }

@@ -11,14 +11,14 @@ use kin_core::units::Unit;
 /// The most instants that one sweep computes.
 const MOST_STEPS: usize = 1_000_000;
 
-/// A finite number, in the unit of what it is for.
+/// A finite number, in the unit of its quantity.
 pub(super) fn number(option: &str, text: &str, of: Measured<'_>) -> Result<f64, Failure> {
     let amount = written(option, text)?;
     let value = converted(amount, of).map_err(|what| Failure::option(option, format!("`{}`: {what}", text.trim())))?;
     if value.is_finite() { Ok(value) } else { Err(not_finite(option, text)) }
 }
 
-/// An instant, or how far the driven crank has turned until then.
+/// A time, or the angle by which the driven crank has turned until then.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Moment {
     At(f64),
@@ -68,15 +68,19 @@ fn written(option: &str, text: &str) -> Result<Amount, Failure> {
     }
 }
 
-/// The parameters that a design's json holds, as `--set` takes them.
-pub(super) fn of_file(option: &str, file: &str) -> Result<Vec<String>, Failure> {
+/// The parameters and the assembly modes that a design's json holds, as `--set` and `--mode` take them.
+pub(super) fn of_file(option: &str, file: &str) -> Result<[Vec<String>; 2], Failure> {
     let cannot = |why: String| Failure::option(option, format!("cannot read `{file}`: {why}"));
     let text = std::fs::read_to_string(file).map_err(|error| cannot(error.to_string()))?;
     let found: serde_json::Value = serde_json::from_str(&text).map_err(|error| cannot(error.to_string()))?;
-    let parameters = found.get("parameters").and_then(serde_json::Value::as_object);
-    let parameters = parameters.ok_or_else(|| cannot("it has no `parameters`".to_owned()))?;
-    let pairs = parameters.iter().map(|(name, value)| value.as_f64().map(|value| format!("{name}={value:?}")));
-    pairs.collect::<Option<_>>().ok_or_else(|| cannot("a parameter is no number".to_owned()))
+    let object = |key: &str| found.get(key).and_then(serde_json::Value::as_object);
+    let parameters = object("parameters").ok_or_else(|| cannot("it has no `parameters`".to_owned()))?;
+    let parameters = parameters.iter().map(|(name, value)| value.as_f64().map(|value| format!("{name}={value:?}")));
+    let parameters = parameters.collect::<Option<_>>().ok_or_else(|| cannot("a parameter is no number".to_owned()))?;
+    let modes = object("modes").into_iter().flatten();
+    let modes = modes.map(|(name, sign)| sign.as_str().map(|sign| format!("{name}={sign}")));
+    let modes = modes.collect::<Option<_>>().ok_or_else(|| cannot("a mode is neither \"+\" nor \"-\"".to_owned()))?;
+    Ok([parameters, modes])
 }
 
 /// `name=value` pairs from all occurrences of an option; no name twice.
@@ -86,7 +90,7 @@ pub(super) fn assignments(option: &str, example: &str, texts: &[String]) -> Resu
     let mut in_array = false;
     for piece in texts.iter().flat_map(|t| t.split(',')) {
         if in_array {
-            // The rest of what was refused as a whole.
+            // The rest of an array that was refused as a whole.
             in_array = !piece.contains(']');
             continue;
         }
@@ -136,7 +140,7 @@ pub(super) fn sign(option: &str, text: &str) -> Result<Sign, Failure> {
     }
 }
 
-/// `value`, `value:rate` or `value:rate:acceleration`; what is missing is zero.
+/// `value`, `value:rate` or `value:rate:acceleration`; missing numbers are zero.
 pub(super) fn signal(option: &str, name: &str, parts: &[&str], of: Measured<'_>) -> Result<Signal, Failure> {
     let mut numbers = [0.0; 3];
     if parts.len() > numbers.len() {
@@ -169,7 +173,7 @@ pub(super) fn inputs(option: &str, texts: &[String], model: &Model) -> Result<Ve
                     *open = Some((name.trim(), vec![value]));
                 }
                 (None, Some((_, parts))) => parts.push(piece),
-                // The first number without a name says it for those behind it.
+                // Only the first number without a name is reported.
                 (None, None) if lost => {}
                 (None, None) => {
                     lost = true;
@@ -215,10 +219,10 @@ pub(super) fn times(option: &str, text: &str, model: &Model) -> Result<Vec<Momen
     Ok(times)
 }
 
-/// Numbers of t that are farther apart than this are named where two instants are one.
+/// If neighbouring `f64` near t are farther apart than this, the error about two equal instants says how far.
 const COARSE: f64 = 1e-3;
 
-/// An error where instants cannot be told apart, or are too many.
+/// An error if instants cannot be told apart, or if there are too many.
 pub(super) fn grid_is_possible(from: f64, to: f64, steps: usize) -> Result<(), Failure> {
     if steps == 0 {
         return Err(Failure::option("--steps", "at least 1 is needed (N steps are N + 1 instants)"));
@@ -250,7 +254,8 @@ pub(super) fn grid(from: f64, to: f64, steps: usize) -> Result<Vec<f64>, Failure
     Ok((0..=steps).map(|i| if i == steps { to } else { from + length * i as f64 / steps as f64 }).collect())
 }
 
-/// The values of `--vary`: `l1=0.08..0.12:5`, both ends included, or `l1=0.08,0.1`; at most so many, for a reason.
+/// The values of `--vary`: `l1=0.08..0.12:5`, both ends included, or `l1=0.08,0.1`. More than `most` are an error,
+/// which gives `why` as the reason.
 pub(super) fn variation(
     option: &str,
     text: &str,

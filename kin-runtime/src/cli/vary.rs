@@ -16,18 +16,19 @@ pub(super) struct VaryArgs {
         value_name = "NAME=VALUES",
         long_help = "\
 A motion for each of several values of a parameter: NAME=0.08..0.12:5, which
-are five values with both ends, or NAME=0.08,0.1. It may be repeated, for each
-combination of values"
+are five values including both ends, or NAME=0.08,0.1. If it is repeated, there
+is a motion for every combination of values"
     )]
     vary: Vec<String>,
 }
 
-/// One combination of values: parameters by their places.
+/// One combination of values: parameters by their indices.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Choice(Vec<(usize, f64)>);
 
 impl VaryArgs {
-    /// Every combination, `most` of them at most; a single empty one where nothing varies. `why` says why there are no more.
+    /// Every combination of values; a single empty one if nothing varies. More than `most` are an error, which gives
+    /// `why` as the reason.
     pub(super) fn choices(&self, model: &Model, (most, why): (usize, &str)) -> Result<Vec<Choice>, Failure> {
         let parameters: Vec<&str> = model.parameters.iter().map(|p| p.name).collect();
         let mut ledger = Ledger::default();
@@ -63,7 +64,7 @@ impl Choice {
         }
     }
 
-    /// `l1 = 0.1, l2 = 0.4`; empty where nothing varies.
+    /// `l1 = 0.1, l2 = 0.4`; empty if nothing varies.
     pub(super) fn name(&self, model: &Model) -> String {
         let one = |(name, value): (&str, f64)| format!("{name} = {}", rounded(value));
         self.pairs(model).map(one).collect::<Vec<_>>().join(", ")

@@ -1,4 +1,4 @@
-//! What happens while something takes long: a bar that shows how far it is, and an ear for Ctrl-C.
+//! The progress bar of a long computation, and its interruption by Ctrl-C.
 
 use std::cell::{Cell, RefCell};
 use std::fmt::Write;
@@ -10,19 +10,19 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
 use super::interrupt::Interrupt;
 use crate::observer::Reached;
 
-/// What takes no longer is done without a bar.
+/// A computation that takes no longer has no progress bar.
 const PATIENCE: Duration = Duration::from_secs(1);
 const TEMPLATE: &str = "  {bar:32} {percent:>3} %  {place} of {total} {msg}, {rate}, {left} left";
 
-/// Watches the long part of a command.
+/// The progress of the long part of a command.
 pub(super) struct Watch {
     interrupt: Interrupt,
-    /// Whether there is anybody to see the bar.
+    /// Whether stderr is a terminal.
     seen: bool,
     bar: RefCell<Option<ProgressBar>>,
     began: Cell<Instant>,
     drawn: Cell<bool>,
-    /// What was done before the analysis that reports now.
+    /// Steps that were finished before the analysis that reports now.
     before: Cell<usize>,
 }
 
@@ -32,7 +32,7 @@ impl Watch {
         Self { interrupt, seen, bar, began, drawn: Cell::new(false), before: Cell::new(0) }
     }
 
-    /// Something begins that may take long: `total` of what `unit` says.
+    /// Begins a computation of `total` steps, which are called `unit`.
     pub(super) fn begin(&self, unit: &'static str, total: usize) {
         self.interrupt.arm();
         self.began.set(Instant::now());
@@ -41,24 +41,32 @@ impl Watch {
         self.bar.replace(self.seen.then(|| bar(unit, total)));
     }
 
-    /// As [`begin`](Self::begin), where there is no place for a bar.
+    /// As [`begin`](Self::begin), without a bar.
     pub(super) fn begin_unseen(&self) {
         self.interrupt.arm();
         self.before.set(0);
         self.bar.replace(None);
     }
 
-    /// The next one of several analyses begins, all of them being `before` on.
+    /// Begins motion number `place` of `count`, with this many instants each.
+    pub(super) fn begin_motion(&self, (place, count): (usize, usize), instants: usize) {
+        match place {
+            0 => self.begin("instants", count * instants),
+            _ => self.go_on(place * instants),
+        }
+    }
+
+    /// Begins the next one of several analyses, after `before` finished steps.
     pub(super) fn go_on(&self, before: usize) {
         self.before.set(before);
     }
 
-    /// How far the analysis is; ends it after Ctrl-C.
+    /// Takes the progress of an analysis; ends it after Ctrl-C.
     pub(super) fn observe(&self, reached: Reached<'_>) -> ControlFlow<()> {
         self.step(reached.done)
     }
 
-    /// As [`observe`](Self::observe), for what is no analysis.
+    /// As [`observe`](Self::observe), for other computations.
     pub(super) fn step(&self, done: usize) -> ControlFlow<()> {
         if let Some(bar) = &*self.bar.borrow() {
             if !self.drawn.get() && self.began.get().elapsed() >= PATIENCE {
@@ -94,7 +102,7 @@ impl Watch {
         self.interrupt.disarm();
     }
 
-    /// Does something short that Ctrl-C should not tear apart.
+    /// Does something short that the first Ctrl-C does not interrupt.
     pub(super) fn hold<R>(&self, work: impl FnOnce() -> R) -> R {
         self.interrupt.arm();
         let result = work();
@@ -107,7 +115,7 @@ impl Watch {
         self.interrupt.asked()
     }
 
-    /// Does something with the terminal while the bar is away.
+    /// Runs `work`, which writes to the terminal, while the bar is hidden.
     pub(super) fn aside<R>(&self, work: impl FnOnce() -> R) -> R {
         match &*self.bar.borrow() {
             Some(bar) if self.drawn.get() => bar.suspend(work),
@@ -129,7 +137,7 @@ fn bar(unit: &'static str, total: usize) -> ProgressBar {
     let left = |state: &ProgressState, write: &mut dyn Write| {
         let _ = write!(write, "{}", duration(state.eta()));
     };
-    // A template that indicatif cannot read would leave its own.
+    // The template is constant; if indicatif could not read it, its default style would be used.
     let style = ProgressStyle::with_template(TEMPLATE).unwrap_or_else(|_| ProgressStyle::default_bar());
     let style = style.progress_chars("━╸─").with_key("place", place).with_key("total", total);
     bar.set_style(style.with_key("rate", rate).with_key("left", left));

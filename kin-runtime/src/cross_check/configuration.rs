@@ -38,15 +38,24 @@ pub struct Configuration {
     pub inputs: Vec<Signal>,
 }
 
-/// A random configuration: numbers 0 and 1 of every four are near the centre, the other two are spread widely.
+/// Around which values inputs are drawn: those of the first given configuration, or else their defaults. An input without
+/// either is drawn around 0.
+pub(super) fn central_inputs(model: &Model, options: &CrossCheckOptions) -> Vec<f64> {
+    let given = options.given.first().map_or(&[][..], |first| &first.inputs);
+    let default = |k: usize| model.input_defaults.get(k).copied().flatten();
+    (0..model.inputs.len()).map(|k| given.get(k).map(|u| u.value).or_else(|| default(k)).unwrap_or(0.0)).collect()
+}
+
+/// A random configuration: numbers 0 and 1 of every four are near the centre, the other two are spread widely. Inputs are
+/// spread less, because a length that is far from its usual value leaves a mechanism open.
 pub(super) fn random_configuration(
     model: &Model,
     random: &mut Random,
     number: usize,
-    centre: &[f64],
+    (centre, inputs): (&[f64], &[f64]),
     length: f64,
 ) -> Configuration {
-    let width = if number % 4 < 2 { 0.2 } else { 2.0 };
+    let (width, share) = if number % 4 < 2 { (0.2, 0.02) } else { (2.0, 0.2) };
     let mut draw = |k: usize| {
         let unit = match model.coordinates[k].kind {
             CoordinateKind::Pose { component: Component::X | Component::Y, .. } => length,
@@ -57,7 +66,11 @@ pub(super) fn random_configuration(
     let q = centre.iter().enumerate().map(|(k, c)| c + width * draw(k)).collect();
     let q_dot = (0..centre.len()).map(|k| 2.0 * draw(k)).collect();
     let mut signal = || random.symmetric();
-    let inputs = model.inputs.iter().map(|_| Signal { value: signal(), rate: signal(), acceleration: signal() });
+    let spread = |u: f64| if u == 0.0 { 1.0 } else { share * u.abs() };
+    let inputs = inputs.iter().map(|&u| {
+        let [value, rate, acceleration] = [(); 3].map(|()| signal());
+        Signal { value: u + spread(u) * value, rate, acceleration }
+    });
     let inputs = inputs.collect();
     Configuration { t: signal(), q, q_dot, inputs }
 }

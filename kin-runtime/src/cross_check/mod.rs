@@ -20,8 +20,8 @@ use crate::mechanism::Mechanism;
 use crate::observer::{Observed, Observer};
 use crate::random::Random;
 use comparison::Comparison;
-use configuration::random_configuration;
 pub use configuration::{Configuration, CrossCheckOptions};
+use configuration::{central_inputs, random_configuration};
 pub use functions::FunctionCheck;
 pub(crate) use plan::plan_check;
 pub use result::{CrossCheck, WorstEntry};
@@ -47,8 +47,9 @@ pub(crate) fn cross_check<M: Mechanism>(
         comparison.compare(mechanism, exact.as_ref(), configuration)?;
         observed.finish(configuration.t, None)?;
     }
+    let inputs = central_inputs(M::model(), options);
     for number in 0..options.configurations {
-        let configuration = random_configuration(M::model(), &mut random, number, centre, length);
+        let configuration = random_configuration(M::model(), &mut random, number, (centre, &inputs), length);
         let mut parameters = exact;
         if options.perturb_parameters && number % 2 == 1 {
             for parameter in parameters.as_mut() {

@@ -4,7 +4,7 @@
 //! Φ_q q̇ = −Φ_t and Φ_q q̈ = γ, row by row. From configurations given by the caller full Newton solves as well, and q,
 //! q̇ and q̈ are compared number by number.
 
-use super::configuration::{Configuration, CrossCheckOptions, random_configuration};
+use super::configuration::{Configuration, CrossCheckOptions, central_inputs, random_configuration};
 use super::result::CrossCheck;
 use crate::error::SolveError;
 use crate::mechanism::Mechanism;
@@ -39,12 +39,13 @@ pub(crate) fn plan_check<M: Mechanism>(
     let parameters = mechanism.parameters::<f64>();
     let own = options.given.len();
     let mut observed = Observed::new(observer, own + options.configurations);
+    let inputs = central_inputs(model, options);
     for number in 0..own + options.configurations {
         let drawn;
         let configuration = match options.given.get(number) {
             Some(given) => given,
             None => {
-                drawn = random_configuration(model, &mut random, number - own, centre, length);
+                drawn = random_configuration(model, &mut random, number - own, (centre, &inputs), length);
                 &drawn
             }
         };

@@ -1,7 +1,7 @@
 //! The equations of one analysis at a current instant: the rows of the mechanism, then one row per prescribed
 //! coordinate.
 
-use crate::course::{InputFunction, Kind, Way};
+use crate::course::{InputFunction, InputPath, Kind};
 use crate::equations::scale::Scale;
 use crate::equations::system::System;
 use crate::error::SolveError;
@@ -46,7 +46,7 @@ pub(crate) struct Equations<'a> {
     start_time: f64,
     input_function: InputFunction<'a>,
     /// The course that is followed, where its parameter is not time.
-    pub(crate) way: Option<Way>,
+    pub(crate) way: Option<InputPath>,
     /// The observer of a sweep.
     pub(crate) observed: Observed<'a>,
     /// The distances that joints keep. Those that depend on time or inputs are checked at every instant.
@@ -211,7 +211,7 @@ impl<'a> Equations<'a> {
     /// Calls `evaluate` so that derivatives are taken with respect to the inputs only, with time frozen: Φ_t is Φ_u u′,
     /// γ is −(Φ_q q′)_q q′ − 2 Φ_qu u′ q′ − (Φ_u u′)_u u′.
     pub(crate) fn by_inputs<R>(&mut self, evaluate: impl FnOnce(&mut Self) -> R) -> R {
-        let way = self.way.replace(Way::frozen());
+        let way = self.way.replace(InputPath::frozen());
         let result = evaluate(self);
         self.way = way;
         result

@@ -301,7 +301,7 @@ pub struct Model {
     pub parameters: &'static [ParameterInfo],
     /// Inputs.
     pub inputs: &'static [&'static str],
-    /// The value of every input where nobody gives one, `default = …`: on the command line, and in its examples.
+    /// The default value of every input, `default = …`, which the command line and its examples use.
     pub input_defaults: &'static [Option<f64>],
     /// Units of lengths, of time and of what has a name.
     pub units: Units,

@@ -1,4 +1,4 @@
-//! A plan in words, without the names that only the model has; [`Step`](crate::planned::Step) has those.
+//! How plans print, without the names of the model; [`Step`](crate::planned::Step) prints these, too.
 
 use super::{ModeInfo, Plan, PlanStep, Solved, StepKind};
 use crate::text::{counted, numbers};
@@ -45,7 +45,7 @@ impl fmt::Display for ModeInfo {
     }
 }
 
-/// A line per step, or why there is none.
+/// A line per step, or the reason why there is no plan.
 impl fmt::Display for Plan {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if let Some(why) = self.absent {

@@ -1,7 +1,7 @@
-//! What an input can be: the values with which the mechanism closes, around the last good state.
+//! The range of an input: the values with which the mechanism closes, around the last good state.
 //!
-//! From that state the branch is followed with time and all other inputs standing still, while the one input goes up and
-//! then down, until a group comes to its limit. Where the limit is, [`limit`](super::limit) finds as it does in a motion.
+//! From that state the branch is followed with time and all other inputs constant, while the one input increases and
+//! then decreases, until a group reaches its limit. [`limit`](super::limit) locates the limit as in any motion.
 
 use super::error::{Limit, PlanError};
 use super::follower::{Control, Follower};
@@ -15,15 +15,17 @@ use crate::text::rounded;
 use crate::workspace::Array;
 use core::fmt;
 
-/// Steps of the first stretch in which a limit is looked for, by how much each of the next is longer, and how many there are.
+/// Length, in steps, of the first stretch in which a limit is searched.
 const STRETCH: f64 = 40.0;
+/// Ratio of the lengths of successive stretches.
 const GROWTH: f64 = 8.0;
+/// Number of stretches.
 const STRETCHES: usize = 24;
 
-/// Steps on one stretch at most: a bar that turns fully, and comes to no limit, has turned twenty times then.
+/// Most steps on one stretch: after these, a bar that turns without a limit has turned twenty times.
 const STEPS: usize = 400;
 
-/// The values of an input with which the mechanism closes, while time and the other inputs stand still: those between the
+/// The values of an input with which the mechanism closes, with time and the other inputs constant: those between the
 /// limits of the branch of a good state.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
@@ -34,11 +36,11 @@ pub struct InputRange {
     pub least: f64,
     /// The greatest value; ∞ where no limit was met.
     pub greatest: f64,
-    /// What is at its limit at either end, where that is known.
+    /// The groups that are at their limits at either end, if they are known.
     pub limits: [Option<Limit>; 2],
 }
 
-/// A value of an input with which the mechanism does not close, and what it can be.
+/// A value of an input with which the mechanism does not close, and the range in which it closes.
 ///
 /// It prints as `input boom_length = 9: no closure; it can be 0.62 to 1.41 here`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -46,12 +48,12 @@ pub struct InputRange {
 pub struct OutOfRange {
     /// The value that was asked for.
     pub value: f64,
-    /// What it can be.
+    /// The range in which it closes.
     pub range: InputRange,
 }
 
 impl InputRange {
-    /// Whether a value is one with which the mechanism closes.
+    /// Whether the mechanism closes with this value.
     pub fn contains(&self, value: f64) -> bool {
         (self.least..=self.greatest).contains(&value)
     }
@@ -73,16 +75,19 @@ impl fmt::Display for InputRange {
 impl fmt::Display for OutOfRange {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let InputRange { input, least, greatest, .. } = self.range;
-        write!(f, "input {input} = {}: no closure; it can be ", rounded(self.value))?;
+        // All digits where six would make the value equal to the limit that it is beyond.
+        let alike = |limit: f64| rounded(self.value).to_bits() == rounded(limit).to_bits();
+        let number = |x: f64| if alike(least) || alike(greatest) { x } else { rounded(x) };
+        write!(f, "input {input} = {}: no closure; it can be ", number(self.value))?;
         match (least.is_finite(), greatest.is_finite()) {
-            (true, true) => write!(f, "{} to {} here", rounded(least), rounded(greatest)),
-            (true, false) => write!(f, "{} or more here", rounded(least)),
-            _ => write!(f, "{} or less here", rounded(greatest)),
+            (true, true) => write!(f, "{} to {} here", number(least), number(greatest)),
+            (true, false) => write!(f, "{} or more here", number(least)),
+            _ => write!(f, "{} or less here", number(greatest)),
         }
     }
 }
 
-/// An input on its way, while time and the others stand still.
+/// The path of one input, with time and the other inputs constant.
 struct OfInput<'a> {
     at: Instant<'a>,
     input: usize,
@@ -111,11 +116,11 @@ impl Course for OfInput<'_> {
 }
 
 impl<M: Mechanism> Planned<'_, M> {
-    /// The values of an input with which the mechanism closes, while time and the other inputs stay what they are at the
-    /// last good state, on the branch of that state. The limits are exact to rounding.
+    /// The values of an input with which the mechanism closes, with time and the other inputs as at the last good
+    /// state, on the branch of that state. The limits are exact to rounding.
     ///
-    /// The state stays what it is, and nothing is allocated. It costs as much as some hundred ticks: an error at a tick does
-    /// not compute it by itself. An input that moves nothing, or turns something fully, has no limits.
+    /// The state does not change, and nothing is allocated. It costs as much as some hundred ticks, so that errors of
+    /// ticks do not contain it. An input that moves nothing, or turns a body fully, has no limits.
     ///
     /// # Errors
     /// [`PlanError::Length`] with the handle of another mechanism.
@@ -149,11 +154,12 @@ impl<M: Mechanism> Planned<'_, M> {
         Ok(InputRange { input: name, least, greatest, limits: [low, high] })
     }
 
-    /// The input that keeps the mechanism from closing at an instant, with what it can be: for the message of a tick that
-    /// had an error, when there is time for it. Those that have changed since the last good state are looked at in their order:
-    /// the others are given their new values, as far as the mechanism can take them. None where no input alone is to blame.
+    /// The input that keeps the mechanism from closing at an instant, with the range in which it closes: for an error
+    /// message, when there is time to compute it. The inputs that have changed since the last good state are tested in
+    /// their order, each with all others at their new values as far as the mechanism closes with these. None if no
+    /// single input is the cause.
     ///
-    /// The state stays what it is, and nothing is allocated. It costs as much as some hundred ticks for every input.
+    /// The state does not change, and nothing is allocated. It costs as much as some hundred ticks for every input.
     ///
     /// ```
     /// # use kin_runtime::{Instant, Kinematics, Signal, mechanism};
@@ -191,7 +197,7 @@ impl<M: Mechanism> Planned<'_, M> {
             *others.as_mut().get_mut(k)? = Signal::constant(held.value);
             let mut moved = Planned { mechanism: Held::Borrowed(mechanism), follower: self.follower };
             let instant = Instant { t: moved.t(), inputs: others.as_ref() };
-            // Where the others cannot take their new values either, they stay what they are.
+            // If the mechanism does not close with the new values of the others either, these keep their old values.
             let _ = moved.at(&instant);
             let range = moved.range_of(Input(k)).ok()?;
             (!range.contains(asked)).then_some(OutOfRange { value: asked, range })
@@ -200,7 +206,7 @@ impl<M: Mechanism> Planned<'_, M> {
 }
 
 impl<M: Mechanism> Follower<M> {
-    /// The value of an input at which the branch ends in one direction, and what ends it there; infinite where no limit was
+    /// The value of an input at which the branch ends in one direction, and the limit there; infinite if no limit was
     /// met.
     #[cold]
     #[inline(never)]
@@ -213,7 +219,7 @@ impl<M: Mechanism> Follower<M> {
             let inputs = follower.inputs;
             let at = Instant { t: follower.t, inputs: inputs.as_ref() };
             let Some(from) = at.inputs.get(input).map(|u| u.value) else { return nowhere };
-            // How fast everything goes along the input.
+            // The rates along the input.
             let course = OfInput { at, input, ends: [from; 2] };
             let mut signals = inputs;
             follower.predicted = follower.state().q;
@@ -224,7 +230,7 @@ impl<M: Mechanism> Follower<M> {
             let rates = [tried.q_dot.as_ref(), tried.q_ddot.as_ref()];
             let step = natural_step(rates, follower.weights.as_ref(), control.rotation);
             if !step.is_finite() && reach == 0.0 {
-                // It moves nothing that turns, or nothing at all.
+                // The input turns no body, or moves nothing at all.
                 let moves = rates[0].iter().any(|rate| *rate != 0.0);
                 reach = if moves { 1.0 + from.abs() } else { return nowhere };
             } else {

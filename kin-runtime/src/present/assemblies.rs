@@ -9,7 +9,7 @@ use crate::assembly::{Assemblies, Assembly, Undecided};
 use crate::certificate::Certificate;
 use crate::model::Model;
 
-/// Most doubts that are said one by one.
+/// Most undecided cases that are listed one by one.
 const DOUBTS: usize = 8;
 
 /// One closure.
@@ -74,7 +74,7 @@ pub(crate) fn text(model: &Model, all: &Assemblies) -> String {
     [found, section("Closures", &closures), coordinates, section("Search", &searched)].concat()
 }
 
-/// What is not proven, line by line.
+/// The cases that are not proven, line by line.
 pub(crate) fn doubts(all: &Assemblies) -> String {
     let uncertified = all.found.iter().enumerate();
     let uncertified = uncertified.filter_map(|(k, assembly)| Some((k, assembly.certificate.as_ref().err()?)));

@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use crate::certificate::{Certificate, Uncertified};
 
-/// What came of asking for a certificate.
+/// The result of asking for a certificate.
 pub(crate) type Certified = Result<Certificate, Uncertified>;
 
 /// A certificate, or why there is none.

@@ -14,7 +14,7 @@ pub(crate) fn classes(condition: &ConditionInfo) -> [&'static str; 3] {
     ["holonomic", if condition.rheonomic { "rheonomic" } else { "scleronomic" }, "unilateral"]
 }
 
-/// What the conditions are.
+/// The declared conditions.
 pub(crate) fn declared(model: &Model) -> String {
     let table = Table::new()
         .words("condition", model.conditions.iter().map(|c| c.name))
@@ -23,7 +23,7 @@ pub(crate) fn declared(model: &Model) -> String {
     section("Unilateral conditions", &table)
 }
 
-/// How the conditions stand at an instant: g, by how much the larger side exceeds the other, with its derivatives.
+/// The conditions at an instant: the margin g (the side that must be larger minus the other) with its derivatives.
 pub(crate) fn values(model: &Model, motion: &Motion) -> String {
     let table = Table::new()
         .words("condition", model.conditions.iter().map(|c| c.name))
@@ -48,7 +48,7 @@ pub(crate) struct ConditionRecord {
     classes: [&'static str; 3],
 }
 
-/// What the conditions are, for JSON.
+/// The declared conditions, for JSON.
 pub(crate) fn records(model: &Model) -> Vec<ConditionRecord> {
     let record = |c: &ConditionInfo| ConditionRecord { name: c.name, condition: c.text, classes: classes(c) };
     model.conditions.iter().map(record).collect()

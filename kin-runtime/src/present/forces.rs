@@ -1,4 +1,4 @@
-//! Forces as tables for people.
+//! Forces as text tables.
 
 use super::table::Table;
 use super::text::section;

@@ -26,13 +26,13 @@ impl<W: Write> CsvRows<W> {
         self.writer.write_record(numbers.into_iter().map(exact)).map_err(io_error)
     }
 
-    /// Writes what waits in memory.
+    /// Writes buffered rows.
     pub(crate) fn flush(&mut self) -> io::Result<()> {
         self.writer.flush()
     }
 }
 
-/// What the system said, for whoever asks for its kind.
+/// The error of the system, so that callers can ask for its kind.
 fn io_error(error: csv::Error) -> io::Error {
     match error.into_kind() {
         csv::ErrorKind::Io(error) => error,
@@ -40,15 +40,16 @@ fn io_error(error: csv::Error) -> io::Error {
     }
 }
 
-/// A number for another program. What is not determined, as the force of a joint with redundant rows, leaves its cell empty.
+/// A number for another program; an empty cell for NaN, as of an undetermined force.
 fn exact(value: f64) -> String {
     if value.is_finite() { plain(value) } else { String::new() }
 }
 
-/// Columns on the screen that a table may take beside t.
+/// Width of a table beside t, in columns of text.
 const COLUMNS: usize = 86;
 
-/// As many as fit beside one another; `together` of them, as a value with its rate and acceleration, are not parted.
+/// Splits columns into tables that fit the width; groups of `together` columns, such as a value with its rate and
+/// acceleration, stay in one table.
 fn side_by_side(columns: &[Column], together: usize) -> Vec<&[Column]> {
     let width = |part: &[Column]| part.iter().map(|(name, _)| name.chars().count().max(9) + 2).sum::<usize>();
     let mut parts = Vec::new();
@@ -83,7 +84,7 @@ pub(crate) fn text(columns: &[Column], together: usize) -> String {
         .collect()
 }
 
-/// Decimals with zeros behind them, so that their points stand below one another.
+/// Decimals padded with zeros, so that their decimal points are aligned.
 fn padded(texts: &[String]) -> Vec<String> {
     let decimals = |t: &str| t.split_once('.').map_or(0, |(_, d)| d.len());
     let most = texts.iter().map(|t| decimals(t)).max().unwrap_or(0);

@@ -1,4 +1,4 @@
-//! Results as JSON: keys in the order of the fields, numbers in full, and null for what is not finite.
+//! Results as JSON: keys in the order of the fields, numbers with all digits, and null for numbers that are not finite.
 
 use serde::Serialize;
 

@@ -1,6 +1,6 @@
 //! Results for people and for other programs: numbers, tables, records and files.
 //!
-//! Everything here works on results that are already there; nothing solves or evaluates anything.
+//! Everything here formats results that are already computed; nothing solves or evaluates equations.
 
 pub(crate) mod animation;
 pub(crate) mod assemblies;

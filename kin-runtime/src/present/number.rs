@@ -1,21 +1,21 @@
-//! Numbers as a person wants to read them, and as another program must.
+//! Numbers as text, for people and for other programs.
 
 /// Significant digits that the largest number of a column gets at least.
 const DIGITS: i32 = 6;
 /// Decimals of a column of ordinary size.
 const DECIMALS: i32 = 6;
 
-/// How the numbers of one column are written, so that their decimal points stand below one another.
+/// The format of the numbers of one column, so that their decimal points are aligned.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Style {
-    /// Plain decimals, so many of them.
+    /// This number of decimals.
     Fixed(usize),
     /// With an exponent: the numbers are too large or too small for plain decimals.
     Exponent,
 }
 
 impl Style {
-    /// The style that suits these numbers: six decimals, more where all are small, fewer where some are large.
+    /// The style for these numbers: six decimals, more if all are small, fewer if some are large.
     pub(crate) fn of(values: impl IntoIterator<Item = f64>) -> Self {
         let largest = values.into_iter().filter(|v| v.is_finite()).fold(0.0_f64, |m, v| m.max(v.abs()));
         if largest < 1e-13 {
@@ -48,7 +48,7 @@ impl Style {
     }
 }
 
-/// The shortest decimal text that reads back as the same `f64`; an exponent only where zeros would drown the digits.
+/// The shortest decimal text that reads back as the same `f64`; an exponent only instead of many zeros.
 pub(crate) fn plain(value: f64) -> String {
     let size = value.abs();
     if !value.is_finite() {
@@ -76,7 +76,7 @@ pub(crate) fn magnitude(value: f64) -> String {
     }
 }
 
-/// A number by itself, to six significant digits at the least, without trailing zeros.
+/// A single number with at least six significant digits, without trailing zeros.
 pub(crate) fn rounded(value: f64) -> String {
     let style = Style::of([value]);
     let text = style.write(value);

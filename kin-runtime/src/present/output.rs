@@ -1,11 +1,11 @@
-//! Files that are there whole or not at all.
+//! Files that are replaced only when all of their new contents are written.
 
 use std::ffi::OsString;
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-/// Symbolic links that lead to one another, at most.
+/// Longest chain of symbolic links that is followed.
 const LINKS: usize = 40;
 
 /// Writes `contents` to `path`: to a temporary file beside it first, which then takes its place.
@@ -20,7 +20,7 @@ pub(crate) fn write_atomically(path: &Path, contents: &[u8]) -> io::Result<()> {
     write_atomically_by(path, |file| file.write_all(contents))
 }
 
-/// As [`write_atomically`], with contents that come bit by bit; an error of `write` leaves what was there before.
+/// As [`write_atomically`], with contents that are written piece by piece; if `write` fails, the old contents stay.
 ///
 /// # Errors
 /// What the file system or `write` reports.
@@ -34,7 +34,7 @@ pub(crate) fn write_atomically_by(path: &Path, write: impl FnOnce(&mut File) -> 
         return Err(io::Error::new(io::ErrorKind::IsADirectory, "it is a directory"));
     }
     if existing.is_some() {
-        // Opened without a change: whether it may be written.
+        // Opening it checks the permission to write and changes nothing.
         let mut file = OpenOptions::new().write(true).open(path)?;
         if existing.as_ref().is_some_and(|m| !m.is_file()) {
             return write(&mut file).and_then(|()| file.flush());
@@ -49,8 +49,8 @@ pub(crate) fn write_atomically_by(path: &Path, write: impl FnOnce(&mut File) -> 
     prefix.push(name);
     let mut builder = tempfile::Builder::new();
     builder.prefix(&prefix).suffix(".tmp");
-    // A new file may be read and written by whom the umask lets; one that is replaced is private until it has the permissions
-    // of the old one.
+    // A new file has the permissions that the umask gives; a replaced one is private until it gets those of the old
+    // file.
     #[cfg(unix)]
     if existing.is_none() {
         use std::os::unix::fs::PermissionsExt;
@@ -67,7 +67,7 @@ pub(crate) fn write_atomically_by(path: &Path, write: impl FnOnce(&mut File) -> 
     Ok(())
 }
 
-/// What a path names that does not exist: links are followed as far as they go.
+/// The target of a path that does not exist: symbolic links are followed to their end.
 fn beyond_links(path: &Path) -> io::Result<PathBuf> {
     let mut path = path.to_path_buf();
     for _ in 0..LINKS {

@@ -9,10 +9,10 @@ use crate::modes::Mode;
 use crate::plan::{PlanStep, StepKind};
 use crate::planned::{Sign, Step};
 
-/// Columns on the screen that a text may take.
+/// Width of a text in columns.
 const COLUMNS: usize = 96;
 
-/// A plan; without steps where there is none.
+/// A plan; without steps if there is none.
 #[derive(Clone, Debug, Serialize)]
 pub(crate) struct PlanRecord {
     /// Why there is no plan.
@@ -67,7 +67,7 @@ impl ModeRecord {
 }
 
 impl PlanRecord {
-    /// The plan, with the modes of a configuration where there is one.
+    /// The plan, with the modes of a configuration if there is one.
     pub(crate) fn new(model: &'static Model, modes: Option<&[Mode]>) -> Self {
         let modes = records(model, modes);
         Self { absent: model.plan.absent, steps: steps(model).map(|step| record(model, step)).collect(), modes }
@@ -78,7 +78,7 @@ fn steps(model: &'static Model) -> impl Iterator<Item = Step> {
     (0..model.plan.steps.len()).filter_map(move |place| Step::new(model, place))
 }
 
-/// The modes that there are, without a configuration.
+/// The modes without signs, for a mechanism without a configuration.
 fn unknown(model: &'static Model) -> Vec<ModeRecord> {
     let record = |mode: &crate::plan::ModeInfo| {
         let step = Step::new(model, mode.step);
@@ -124,7 +124,7 @@ fn mode_names(model: &Model, step: &PlanStep) -> Vec<&'static str> {
     model.plan.modes.get(first..end).unwrap_or_default().iter().map(|mode| mode.name).collect()
 }
 
-/// The plan step by step: how, which joint gives which coordinate, and when it is singular.
+/// The plan step by step: the method, which joint gives which coordinate, and when the step is singular.
 pub(crate) fn plan(model: &'static Model) -> String {
     let mut out = "\nSolution plan\n".to_owned();
     if let Some(why) = model.plan.absent {
@@ -144,7 +144,7 @@ pub(crate) fn plan(model: &'static Model) -> String {
     out
 }
 
-/// What a step does.
+/// The method of a step in words.
 fn how(model: &Model, step: &Step) -> String {
     let info = step.info();
     match info.kind {
@@ -178,7 +178,7 @@ fn given(model: &Model, step: &PlanStep) -> Vec<String> {
     groups.map(sentence).collect()
 }
 
-/// The modes, with signs where they are known.
+/// A table of the modes, with signs if they are known.
 pub(crate) fn modes(records: &[ModeRecord]) -> String {
     let table = Table::new()
         .words("mode", records.iter().map(|mode| mode.name))
@@ -189,7 +189,7 @@ pub(crate) fn modes(records: &[ModeRecord]) -> String {
     section("Assembly modes (0 is the limit where both closures meet)", &table)
 }
 
-/// The modes, with signs where there is a configuration.
+/// The modes, with signs if there is a configuration.
 pub(crate) fn records(model: &'static Model, modes: Option<&[Mode]>) -> Vec<ModeRecord> {
     modes.map_or_else(|| unknown(model), ModeRecord::of)
 }

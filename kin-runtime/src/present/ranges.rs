@@ -32,7 +32,7 @@ pub(crate) fn records(all: &Ranges) -> Vec<LimitRecord<'_>> {
     all.limits.iter().flat_map(of_drivers).collect()
 }
 
-/// One record for every driver that can go no further, and one where that is none of them.
+/// One record for every driver that can go no further, or a single one if there is no such driver.
 fn of_drivers(limit: &RangeLimit) -> Vec<LimitRecord<'_>> {
     let record = |(driver, value)| LimitRecord {
         driver,

@@ -1,4 +1,4 @@
-//! Results as records whose fields stand in a fixed order, for JSON.
+//! Results as records with fields in a fixed order, for JSON.
 
 use std::ops::ControlFlow;
 
@@ -97,7 +97,7 @@ impl<'a> StateRecord<'a> {
         }
     }
 
-    /// Says that angles are in degrees.
+    /// Marks the angles as being in degrees.
     pub(crate) fn in_degrees(self, model: &Model, degrees: bool) -> Self {
         Self { units: Units::of(model).in_degrees(degrees).record(), ..self }
     }
@@ -113,34 +113,35 @@ impl<'a> StateRecord<'a> {
     }
 }
 
-/// An instant of a motion, as it is shown.
+/// An instant of a motion, with angles in degrees if asked for.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Row<'r> {
     pub(crate) state: &'r State,
-    /// Points, defines and joint quantities, where they are wanted.
+    /// Points, defines and joint quantities, if they are wanted.
     pub(crate) motion: Option<&'r Motion>,
     /// The values of the quantities that were asked for.
     pub(crate) values: &'r [f64],
 }
 
-/// A row of a sweep that is written.
+/// A function that writes a row of a sweep.
 pub(crate) type Visit<'v> = &'v mut dyn FnMut(&Row<'_>) -> ControlFlow<()>;
 
-/// Tells what is known of a sweep when it is over, which contacts lift off or press again, and whether it is complete.
+/// Gives the result of a finished sweep: its trajectory, the contacts that lift off or press again, and whether it is
+/// complete.
 pub(crate) type Ended<'e> = &'e dyn Fn(&mut dyn FnMut(&Trajectory, &[ContactChange], bool));
 
-/// A sweep, whose states are made while they are written.
+/// A sweep whose states are computed while they are written.
 pub(crate) struct SweepRecord<'a> {
     pub(crate) model: &'static Model,
-    /// The parameters that vary, where this is one of several motions.
+    /// The parameters that vary, if this is one of several motions.
     pub(crate) varied: Option<Parameters>,
     pub(crate) parameters: Parameters,
     pub(crate) units: UnitsRecord,
     /// The quantities that were asked for by name; without any, the states are written whole.
     pub(crate) quantities: &'a [Measure],
-    /// Shows the states one by one.
+    /// Computes the states one by one and passes each to a function.
     pub(crate) walk: &'a dyn Fn(Visit<'_>),
-    /// What is known of the sweep after that.
+    /// The result of the sweep after that.
     pub(crate) ended: Ended<'a>,
 }
 
@@ -164,10 +165,10 @@ impl Serialize for SweepRecord<'_> {
     }
 }
 
-/// Writes the motion of a place, lent as a record; true where it is the last.
+/// Writes the motion with an index as a record; true if it is the last one.
 pub(crate) type Record<'a> = &'a dyn Fn(usize, &mut dyn FnMut(&SweepRecord<'_>)) -> bool;
 
-/// Several motions, made one after another while they are written.
+/// Several motions, computed one after another while they are written.
 pub(crate) struct MotionsRecord<'a> {
     pub(crate) model: &'static Model,
     /// The parameters that vary.
@@ -203,7 +204,7 @@ impl Serialize for Several<'_> {
     }
 }
 
-/// What stands behind the states.
+/// Writes the entries that follow the states.
 fn end<M: SerializeMap>(
     map: &mut M,
     trajectory: &Trajectory,
@@ -224,7 +225,7 @@ fn end<M: SerializeMap>(
     map.serialize_entry("fallbacks", &trajectory.fallbacks)
 }
 
-/// All instants, made and written one after another.
+/// All instants, computed and written one after another.
 struct States<'a> {
     model: &'static Model,
     quantities: &'a [Measure],

@@ -1,4 +1,4 @@
-//! What a mechanism is, as a record for JSON.
+//! The structure of a mechanism, as a record for JSON.
 
 use serde::Serialize;
 
@@ -10,7 +10,7 @@ use crate::mobility::{Mobility, RedundantRow};
 use crate::model::{BodyInfo, Level, Model, OperationCount, OriginKind};
 use crate::modes::Mode;
 
-/// A configuration, and what can move in it.
+/// A configuration and its mobility.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Known<'a> {
     pub(crate) t: f64,
@@ -19,7 +19,7 @@ pub(crate) struct Known<'a> {
     pub(crate) modes: &'a [Mode],
 }
 
-/// The structure; what needs a configuration is null without one.
+/// The structure; entries that need a configuration are null without one.
 #[derive(Clone, Debug, Serialize)]
 pub(crate) struct StructureRecord<'a> {
     mechanism: &'static str,
@@ -49,14 +49,14 @@ pub(crate) struct StructureRecord<'a> {
     could_be_given: Option<Vec<&'static str>>,
     rank: Option<usize>,
     rank_without_driving: Option<usize>,
-    /// Ranks at a general pose and for general dimensions; null where the model does not know them.
+    /// Ranks at a general pose and for general dimensions; null if the model does not know them.
     generic_rank: Option<usize>,
     generic_degrees_of_freedom: Option<usize>,
     generic_redundant: Vec<GenericRecord>,
     redundant: Option<&'a [RedundantRow]>,
     condition: Option<f64>,
     singular_values: Option<&'a [f64]>,
-    /// Where ranks and degrees of freedom were found.
+    /// The configuration at which ranks and degrees of freedom were determined.
     configuration: Option<ConfigurationRecord<'a>>,
     plan: PlanRecord,
 }
@@ -169,7 +169,7 @@ struct CountRecord {
 struct BodyRecord {
     name: &'static str,
     coordinates: Vec<&'static str>,
-    /// The body that carries the origin, where it is not free.
+    /// The body that carries the origin, if the origin is carried.
     carried_by: Option<&'static str>,
 }
 

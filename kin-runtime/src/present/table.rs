@@ -2,7 +2,7 @@
 
 use super::number::Style;
 
-/// Where the text of a column stands.
+/// The alignment of a column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Align {
     /// Words.
@@ -38,7 +38,7 @@ impl Table {
         self
     }
 
-    /// Adds a column of texts that stand at the right.
+    /// Adds a column of texts that are aligned at the right.
     pub(crate) fn right<S: Into<String>>(mut self, header: &str, cells: impl IntoIterator<Item = S>) -> Self {
         self.push(header, Align::Right, cells.into_iter().map(Into::into));
         self
@@ -99,7 +99,7 @@ impl Table {
     }
 }
 
-/// Columns on the screen: combining marks (the dots of q̇) take none.
+/// Width of a text on the screen: combining marks (the dots of q̇) have no width.
 pub(crate) fn width(text: &str) -> usize {
     text.chars().filter(|c| !('\u{300}'..='\u{36f}').contains(c)).count()
 }

@@ -11,7 +11,7 @@ use crate::ratios::VelocityRatios;
 use crate::state::State;
 use crate::transmission::TransmissionAngle;
 
-/// Columns on the screen that a text may take.
+/// Width of a text in columns.
 const COLUMNS: usize = 96;
 
 /// A heading with its table.
@@ -19,7 +19,7 @@ pub(crate) fn section(heading: &str, table: &Table) -> String {
     if table.is_empty() { String::new() } else { format!("\n{heading}\n{}", table.render()) }
 }
 
-/// Lines of a label, a value and words.
+/// Lines, each with a label, a value and words.
 #[derive(Default)]
 pub(crate) struct Facts(Vec<(String, String, Vec<String>)>);
 
@@ -85,7 +85,7 @@ pub(crate) fn parameters(model: &Model, values: &[f64]) -> String {
     section("Parameters", &table)
 }
 
-/// Joints and drivers with their rows, rows of one class together.
+/// Joints and drivers with their rows; rows of the same class are on one line.
 pub(crate) fn rows(model: &Model) -> String {
     let mut lines: Vec<[String; 5]> = Vec::new();
     for (place, joint) in model.joints.iter().enumerate() {
@@ -191,7 +191,7 @@ pub(crate) fn points(model: &Model, motion: &Motion) -> String {
     section("Points", &table)
 }
 
-/// The units of names; of their rates it is these in units of time.
+/// The units of quantities by name; rates and accelerations are per unit of time.
 fn units_of<'n>(model: &Model, names: impl Iterator<Item = &'n str>) -> impl Iterator<Item = &'static str> {
     names.map(|name| model.units.of(name).unwrap_or_default())
 }
@@ -224,7 +224,7 @@ pub(crate) fn joints(model: &Model, motion: &Motion) -> String {
     section("Joint quantities", &table)
 }
 
-/// The inputs, as they were given.
+/// The inputs with their values, rates and accelerations.
 pub(crate) fn inputs(model: &Model, state: &State) -> String {
     let table = Table::new()
         .words("input", model.inputs.iter().copied())
@@ -266,7 +266,7 @@ pub(crate) fn transmission(angles: &[TransmissionAngle], degrees: bool) -> Strin
     section("Transmission angles (best at 90 degrees)", &table)
 }
 
-/// How well the position is known.
+/// The accuracy of the position: residual and condition number.
 pub(crate) fn quality(state: &State, mobility: &Mobility) -> String {
     let mut facts = Facts::default();
     facts.add("largest |Φ|", magnitude(state.residual), [count(state.iterations, "iteration")]).add(

@@ -1,10 +1,10 @@
-//! Units of what is shown, as the description says them.
+//! Units of results, as the description gives them.
 
 use crate::measure::{Dimension, Measure};
 use crate::model::{self, Model};
 use crate::serial::Named;
 
-/// The units of what a mechanism reports.
+/// The units of the results of a mechanism.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Units {
     units: model::Units,
@@ -18,22 +18,22 @@ pub(crate) struct UnitsRecord {
     length: Option<&'static str>,
     time: Option<&'static str>,
     angle: &'static str,
-    /// Of scalar coordinates, inputs and defines by their names without index.
+    /// The units of scalar coordinates, inputs and defines, by their names without index.
     named: Named<&'static str>,
 }
 
 impl Units {
-    /// Those of a mechanism.
+    /// The units of a mechanism.
     pub(crate) fn of(model: &Model) -> Self {
         Self { units: model.units, degrees: false }
     }
 
-    /// With angles in degrees, if they are to be.
+    /// With angles in degrees, if `degrees` is true.
     pub(crate) fn in_degrees(self, degrees: bool) -> Self {
         Self { degrees, ..self }
     }
 
-    /// For another program.
+    /// The units as a record.
     pub(crate) fn record(&self) -> UnitsRecord {
         let angle = if self.degrees { "deg" } else { "rad" };
         let shown = |unit: &'static str| if unit == "rad" { angle } else { unit };
@@ -41,12 +41,12 @@ impl Units {
         UnitsRecord { length: self.units.length, time: self.time(), angle, named }
     }
 
-    /// The unit of time: s unless another is written.
+    /// The unit of time: s unless the description has another.
     pub(crate) fn time(&self) -> Option<&'static str> {
         self.units.time.or(Some("s"))
     }
 
-    /// What a quantity measures that is called so: `crank.x`, `B.angle`, `reach`.
+    /// The dimension of a quantity by its name: `crank.x`, `B.angle`, `reach`.
     pub(crate) fn dimension(&self, name: &str) -> Dimension {
         Dimension::named(&self.units, name)
     }

@@ -1,26 +1,26 @@
-//! Linear algebra with bounds: what a fixed matrix C makes of intervals, every rounding error included.
+//! Linear algebra with bounds: products of a fixed matrix C with intervals, with every rounding error included.
 //!
-//! Sums are computed to nearest together with the sum of the absolute values of their terms. A sum of m products is off by
-//! less than (m + 2) u times the latter (N. J. Higham, Accuracy and Stability of Numerical Algorithms, 2nd ed. 2002,
-//! section 3.1); bounds take twice that, which covers the rounding of the bounds themselves, and the smallest normal number
-//! for every product that underflows.
+//! Sums are computed in round-to-nearest, together with the sum of the absolute values of their terms. The error of a
+//! sum of m products is less than (m + 2) u times the latter (N. J. Higham, Accuracy and Stability of Numerical
+//! Algorithms, 2nd ed. 2002, section 3.1); bounds use twice that, which covers the rounding of the bounds themselves,
+//! and add the smallest normal number for every product that underflows.
 
 use crate::scalar::Interval;
 use nalgebra::DMatrix;
 
-/// An upper bound of a computed sum of m numbers that are not negative, their own products included.
+/// An upper bound of the exact value of a computed sum of m nonnegative products.
 fn up(sum: f64, m: usize) -> f64 {
     (sum + m as f64 * f64::MIN_POSITIVE) * (1.0 + (m + 4) as f64 * f64::EPSILON)
 }
 
-/// C: about the inverse of a matrix, and with it what makes linear equations nearly solved ones.
+/// C: an approximate inverse of a matrix, by which linear equations are multiplied from the left.
 pub(super) struct Preconditioner(DMatrix<f64>);
 
 /// Bounds of |I − C A| for all matrices A of a matrix of intervals.
 pub(super) struct Rest(DMatrix<f64>);
 
 impl Preconditioner {
-    /// About the inverse of the n×n matrix with these entries; none where it has none in `f64`.
+    /// An approximate inverse of the n×n matrix with these entries; none if it is singular in `f64`.
     pub(super) fn new(n: usize, entries: &[(usize, usize)], values: impl Iterator<Item = f64>) -> Option<Self> {
         let mut matrix = DMatrix::zeros(n, n);
         for (&place, value) in entries.iter().zip(values) {
@@ -32,7 +32,7 @@ impl Preconditioner {
     /// Bounds for a matrix with these entries.
     pub(super) fn rest(&self, entries: &[(usize, usize)], values: &[Interval]) -> Rest {
         let n = self.0.nrows();
-        // C A and |C| |A| by midpoints, and |C| times the radii.
+        // C A and |C| |A| with the midpoints of A, and |C| times the radii of A.
         let [mut product, mut sizes, mut radii] = [const { 0.0 }; 3].map(|zero| vec![zero; n * n]);
         let mut terms = vec![0_usize; n];
         for (&(row, column), value) in entries.iter().zip(values) {
@@ -84,7 +84,7 @@ impl Preconditioner {
 }
 
 impl Rest {
-    /// Bounds of |I − C A| v for a list v of numbers that are not negative.
+    /// Bounds of |I − C A| v for a list v of nonnegative numbers.
     pub(super) fn times(&self, v: &[f64]) -> Vec<f64> {
         let n = v.len();
         let mut sums = vec![0.0; n];

@@ -1,11 +1,11 @@
-//! The thin generic layer: a mechanism as an object that evaluates its rows over boxes.
+//! The only generic code of proofs: a mechanism as an object that evaluates its rows over boxes.
 
 use crate::mechanism::{LengthError, Mechanism, Workspace};
 use crate::scalar::{Interval, Scalar};
 use crate::workspace::{Array, Instant, Signal, Subset};
 use core::borrow::Borrow;
 
-/// What the rows are over a box.
+/// The rows over a box.
 pub(crate) struct Evaluated<'a> {
     /// Φ.
     pub(crate) phi: &'a [Interval],

@@ -1,4 +1,4 @@
-//! The proof: position by Krawczyk's operator, velocity and acceleration by linear enclosures.
+//! Certificates: position by Krawczyk's operator, velocity and acceleration by enclosures of linear systems.
 
 use super::contraction::{Preconditioner, Rest};
 use super::enclosures::Enclosures;
@@ -7,25 +7,26 @@ use crate::model::{Component, CoordinateKind, Level, Model};
 use crate::scalar::Interval;
 use crate::workspace::{Signal, Subset};
 
-/// Sizes of the box that is tried, relative to a radian and to the size of the mechanism, largest first: a large box says
-/// more, and a small one lies between solutions that are close to one another.
+/// Sizes of the boxes that are tried, relative to a radian and to the size of the mechanism, largest first: a larger
+/// box is a stronger statement, and a smaller one may succeed if another solution is close.
 const BOXES: [f64; 4] = [1e-6, 1e-8, 1e-10, 1e-12];
-/// A state that is off by more than this part of a radian, or of the mechanism, is not taken for a solution.
+/// A state with an error above this, relative to a radian or to the size of the mechanism, is not a solution.
 const WRONG: f64 = 1e-6;
-/// Below this inverse condition number a matrix counts as singular where a correction is large.
+/// With an inverse condition number below this, a large correction is reported as a singular configuration.
 const SINGULAR: f64 = 1e-6;
-/// The largest β that leaves a box certified: as good as 1, and with room for rounding.
+/// The largest β with which a box is certified; it is less than 1 to leave room for rounding.
 const CONTRACTING: f64 = 0.99;
 
-/// As many rows as there are coordinates.
+/// A square system: as many rows as coordinates.
 pub(crate) struct Square {
     model: &'static Model,
-    /// Where every row of the mechanism stands; none for those that are left out.
+    /// The index of every row of the mechanism in this system; none for rows that are left out.
     place: Vec<Option<usize>>,
     left_out: Vec<&'static str>,
     /// Prescribed coordinates, whose rows come last.
     given: Vec<(usize, Signal)>,
-    /// (row, column) of the entries of Φ_q that are not left out, and where they are in the pattern; none for 1.
+    /// (row, column) of the entries of Φ_q in this system, and their indices in the pattern; none for the entry 1 of a
+    /// prescribed coordinate.
     entries: Vec<(usize, usize)>,
     sources: Vec<Option<usize>>,
 }
@@ -34,7 +35,7 @@ impl Square {
     /// All rows but those that are left out, and prescribed coordinates.
     ///
     /// # Errors
-    /// Where these are not as many as the coordinates, or some are of velocity level.
+    /// If there are not as many rows as coordinates, or if some rows are of velocity level.
     pub(crate) fn new(
         model: &'static Model,
         left_out: &[usize],
@@ -67,7 +68,7 @@ impl Square {
         Ok(Self { model, place, left_out, given: given.to_vec(), entries, sources })
     }
 
-    /// How many coordinates there are, and rows.
+    /// The number of coordinates, which is that of rows.
     pub(super) const fn coordinates(&self) -> usize {
         self.model.coordinates.len()
     }
@@ -123,7 +124,7 @@ impl Square {
         b
     }
 
-    /// What a displacement of every coordinate is compared with: a radian, or the size of the mechanism.
+    /// The scale of every coordinate: a radian, or the size of the mechanism.
     fn sizes(&self, q: &[f64]) -> Vec<f64> {
         let is_length = |k: usize| {
             matches!(
@@ -136,7 +137,7 @@ impl Square {
         (0..q.len()).map(size).collect()
     }
 
-    /// The error of the list with this name where one of its corrections is too large.
+    /// An error that names the list `what` if one of its corrections is too large.
     fn judge(&self, what: &'static str, corrections: &[Interval], sizes: &[f64], most: f64) -> Result<(), Uncertified> {
         let relative = |k: usize| corrections[k].magnitude() / sizes[k];
         let worst = (0..sizes.len()).max_by(|&a, &b| relative(a).total_cmp(&relative(b)));
@@ -174,14 +175,14 @@ pub(crate) fn certify(
     };
     let nearness = inverse.inverse_condition(&square.entries, &matrix, &sizes);
     let newton = inverse.times(&phi);
-    // Beside singular configurations a correction says nothing.
+    // Near a singular configuration a large correction does not show that the state is wrong.
     square.judge("q", &newton, &sizes, WRONG).map_err(|wrong| match nearness < SINGULAR {
         true => Uncertified::Singular { nearness },
         false => wrong,
     })?;
     let located = locate(square, system, inverse, &newton, q, &sizes, nearness)?;
 
-    // The linear equations A q̇ = −Φ_t and A q̈ = γ all over the enclosure.
+    // The linear equations A q̇ = −Φ_t and A q̈ = γ for all matrices over the enclosure.
     let over = system.evaluate(Subset::VELOCITY, &located.q, &still).map_err(malformed)?;
     let matrix = square.matrix(over.phi_q)?;
     let nu: Vec<Interval> = over.phi_t.iter().map(|&phi_t| -phi_t).collect();
@@ -204,9 +205,9 @@ struct Located {
     rest: Rest,
     /// The radii ρ of the box.
     radii: Vec<f64>,
-    /// |I − C A| ρ ≤ β ρ all over the box, β < 1.
+    /// |I − C A| ρ ≤ β ρ everywhere in the box, with β < 1.
     beta: f64,
-    /// Where the solution is.
+    /// Bounds of the solution.
     q: Vec<Interval>,
 }
 
@@ -242,7 +243,7 @@ fn locate(
         let nearer: Vec<f64> = (0..n).map(|i| (newton[i].magnitude() + of_box[i]).next_up()).collect();
         let inside = (0..n).all(|i| nearer[i] < radii[i]) && beta <= CONTRACTING;
         if inside {
-            // The solution is at most `nearer` away, and so even nearer to q − C Φ.
+            // The solution is at most `nearer` away from q, which gives a still smaller distance from q − C Φ.
             let left = rest.times(&nearer);
             let around = |i: usize| Interval::from(q[i]) - newton[i] + Interval::new(-left[i], left[i]);
             let q = (0..n).map(|i| around(i).intersection(over[i]).unwrap_or(over[i])).collect();
@@ -265,7 +266,7 @@ impl Located {
     }
 }
 
-/// The numbers at most `radius` away from `centre`, rounded inwards; `centre` alone where there is no room.
+/// The interval with this centre and radius, rounded inwards; only `centre` if nothing else remains.
 fn inner(centre: f64, radius: f64) -> Interval {
     let (lower, upper) = ((centre - radius).next_up(), (centre + radius).next_down());
     Interval::new(lower.min(centre), upper.max(centre))

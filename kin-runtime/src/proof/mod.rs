@@ -1,4 +1,5 @@
-//! Proofs by interval arithmetic: that a solution exists, is the only one around, and where it is; and which others there are.
+//! Proofs by interval arithmetic: existence, local uniqueness and bounds of a solution, and the list of all other
+//! solutions.
 //!
 //! For a configuration q̃ and the box X of all q with |q_k − q̃_k| ≤ ρ_k, R. Krawczyk's operator is
 //!
@@ -6,11 +7,12 @@
 //! K = q̃ − C Φ(q̃, t) + (I − C Φ_q(X, t)) (X − q̃)        C about the inverse of Φ_q(q̃, t)
 //! ```
 //!
-//! Where K lies inside of X, exactly one solution of Φ(q, t) = 0 lies in X, and it lies in K (R. Krawczyk, Newton-Algorithmen
-//! zur Bestimmung von Nullstellen mit Fehlerschranken, Computing 4 (1969); R. E. Moore, A test for existence of solutions to
-//! nonlinear systems, SIAM J. Numer. Anal. 14 (1977)). All of it is computed with [`Interval`](crate::scalar::Interval)s, by
-//! the generated code of Φ and Φ_q, so that rounding is part of the proof. Then Φ_q is regular all over X, and the linear
-//! equations of q̇ and q̈ have one solution, which is enclosed in the same way.
+//! If K lies inside of X, exactly one solution of Φ(q, t) = 0 lies in X, and it lies in K (R. Krawczyk,
+//! Newton-Algorithmen zur Bestimmung von Nullstellen mit Fehlerschranken, Computing 4 (1969); R. E. Moore, A test for
+//! existence of solutions to nonlinear systems, SIAM J. Numer. Anal. 14 (1977)). All of it is computed with
+//! [`Interval`](crate::scalar::Interval)s, by the generated code of Φ and Φ_q, so that the proof accounts for rounding.
+//! Φ_q is then regular everywhere in X, and the linear equations for q̇ and q̈ have one solution, which is enclosed in
+//! the same way.
 
 mod contraction;
 mod enclosures;

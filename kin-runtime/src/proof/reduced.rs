@@ -1,14 +1,14 @@
-//! Rows without the coordinates that they hold with constant factors.
+//! Elimination of coordinates that occur in rows with constant factors.
 //!
-//! The x and y of bodies stand in the rows of pins with factors ±1. Sums and differences of rows, in which they cancel
-//! exactly, are equations of the other coordinates alone, mostly angles: the closures of loops. The rows that were used up
-//! give x and y afterwards.
+//! The x and y of bodies occur in the rows of pins with factors ±1. In sums and differences of rows they cancel
+//! exactly. The resulting equations contain only other coordinates, mostly angles: they are the closure equations of
+//! loops. The remaining rows determine x and y afterwards.
 
 use super::krawczyk::Square;
 use crate::scalar::Interval;
 use nalgebra::DMatrix;
 
-/// The largest factor of a row: integers as large as that add up exactly.
+/// The largest factor of a row: sums of integers up to this size are exact.
 const LARGEST: f64 = 1_048_576.0;
 
 /// A sum of rows with integer factors.
@@ -16,16 +16,16 @@ type Sum = Vec<(usize, f64)>;
 
 /// The rows of a mechanism, reduced.
 pub(super) struct Reduced {
-    /// The sums that do not depend on coordinates that were taken out.
+    /// The sums of rows that do not depend on eliminated coordinates.
     equations: Vec<Sum>,
-    /// Coordinates that were taken out, each with the sum that gives it and its factor there.
+    /// The eliminated coordinates, each with the sum of rows that determines it and its factor in that sum.
     taken: Vec<(usize, Sum, f64)>,
-    /// The coordinates that are left.
+    /// The remaining coordinates.
     pub(super) left: Vec<usize>,
 }
 
 impl Reduced {
-    /// Takes out every coordinate whose entries are all literal integers.
+    /// Eliminates every coordinate whose entries are all literal integers.
     pub(super) fn new(square: &Square) -> Self {
         let n = square.coordinates();
         let mut constant = vec![true; n];
@@ -36,7 +36,7 @@ impl Reduced {
                 None => constant[column] = false,
             }
         }
-        // Which sum of rows every row has become.
+        // Row k of this matrix says of which rows the reduced row k is the sum.
         let mut sums = DMatrix::<f64>::identity(n, n);
         let (mut free, mut taken) = ((0..n).collect::<Vec<usize>>(), Vec::new());
         for column in (0..n).filter(|&column| constant[column]) {
@@ -70,7 +70,8 @@ impl Reduced {
         self.equations.iter().map(|sum| total(sum, rows)).collect()
     }
 
-    /// The entries of the reduced equations by the coordinates that are left, row by row, given those of the rows.
+    /// The derivatives of the reduced equations by the remaining coordinates, row by row, given the entries of the
+    /// rows.
     pub(super) fn jacobian(&self, square: &Square, entries: &[Interval]) -> Vec<Vec<Interval>> {
         let n = square.coordinates();
         let mut dense = vec![Interval::from(0.0); n * n];
@@ -81,7 +82,7 @@ impl Reduced {
         self.equations.iter().map(of).collect()
     }
 
-    /// Writes the coordinates that were taken out, given the rows' values where these are 0.
+    /// Writes the eliminated coordinates, given the values of the rows with these coordinates at 0.
     pub(super) fn complete(&self, rows: &[Interval], q: &mut [Interval]) {
         for (column, sum, factor) in &self.taken {
             q[*column] = -(total(sum, rows) / Interval::from(*factor));

@@ -1,13 +1,13 @@
-//! Where along t a plan closes.
+//! The intervals of t in which a plan closes.
 
-/// What is known of a stretch of t.
+/// The result for a stretch of t.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Seen {
     /// All margins are positive on all of it.
     Closed,
     /// This margin is negative on all of it.
     Open(usize),
-    /// This is the first margin of which neither is known.
+    /// The sign of this margin, the first such one, is not known on all of it.
     Unknown(usize),
 }
 
@@ -19,8 +19,8 @@ pub(crate) struct Stretch {
     pub(crate) seen: Seen,
 }
 
-/// The stretches from `from` to `to`, in order, neighbours of one kind put together. What is not known is halved until it is
-/// narrower than `narrowest`, or until `most` stretches were looked at, behind which all is unknown.
+/// The stretches from `from` to `to`, in order; neighbours with the same result are joined. A stretch with an unknown
+/// result is halved until it is narrower than `narrowest`. After `most` evaluations the rest is unknown.
 pub(crate) fn stretches(
     [from, to]: [f64; 2],
     narrowest: f64,
@@ -43,8 +43,8 @@ pub(crate) fn stretches(
     known
 }
 
-/// The same stretches, those that are unknown between one in which it closes and one in which it does not halved further. A
-/// stretch that is known and hardly wider than `narrowest` between unknown ones is unknown: there rounding decides.
+/// The same stretches; an unknown one between a closed and an open one is halved further. A known stretch between
+/// unknown ones that is hardly wider than `narrowest` becomes unknown, because rounding decides there.
 pub(crate) fn refined(
     stretches_found: &[Stretch],
     narrowest: [f64; 2],
@@ -79,8 +79,8 @@ pub(crate) fn refined(
     known
 }
 
-/// Adds a stretch behind the others, put together with the last where it is of the same kind. Which margin is negative is of
-/// no interest beyond the first.
+/// Appends a stretch, or extends the last one if the results are of the same kind. Of several negative margins in
+/// joined stretches the first is kept.
 fn push(known: &mut Vec<Stretch>, next: Stretch) {
     let kind = |seen: Seen| match seen {
         Seen::Closed => 0,

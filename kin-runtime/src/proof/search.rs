@@ -1,9 +1,9 @@
 //! All solutions in a region, by branch and prune.
 //!
-//! A box of the coordinates that are left ([`Reduced`]) is dropped where an equation has no zero in it, and made smaller by
-//! the interval Newton method of E. R. Hansen and S. Sengupta (Bounding solutions of systems of equations using interval
-//! analysis, BIT 21 (1981)); what remains is cut in two. A solution is never lost. Where a box has become small, the
-//! certificate of the solution in it says that there is no other around, and covers all of the box.
+//! A box of the remaining coordinates ([`Reduced`]) is dropped if an equation has no zero in it, and made smaller by
+//! the interval Newton method of E. R. Hansen and S. Sengupta (Bounding solutions of systems of equations using
+//! interval analysis, BIT 21 (1981)); what remains is cut in two. No solution is ever lost. For a small box, the
+//! certificate of the solution in it proves that there is no other in a region that contains the box.
 
 use super::contraction::Preconditioner;
 use super::enclosures::Enclosures;
@@ -13,13 +13,13 @@ use crate::certificate::{Certificate, Uncertified};
 use crate::scalar::Interval;
 use crate::workspace::Subset;
 
-/// Most boxes that are looked at.
+/// Most boxes that are examined.
 const MOST: usize = 400_000;
-/// Boxes narrower than this are asked for a certificate.
+/// In boxes narrower than this a certificate is tried.
 const NARROW: f64 = 1e-6;
-/// Boxes narrower than this are not cut any more.
+/// Boxes narrower than this are not divided any further.
 const NARROWEST: f64 = 1e-11;
-/// A step that leaves less than this of a box is worth another.
+/// After a step that leaves less than this share of a box, another step is taken.
 const WORTHWHILE: f64 = 0.7;
 
 /// q, q̇, q̈ and the certificate of a solution.
@@ -31,17 +31,17 @@ pub(crate) struct Outcome {
     pub(crate) found: Vec<Certified>,
     /// Boxes, by the coordinates that were searched.
     pub(crate) undecided: Vec<Vec<Interval>>,
-    /// How many boxes were seen, where that were too many.
+    /// How many boxes were examined, if the search ended because there were too many.
     pub(crate) unfinished: Option<usize>,
-    /// The coordinates that were searched, and where.
+    /// The coordinates that were searched, each with its interval.
     pub(crate) searched: Vec<(usize, Interval)>,
 }
 
-/// Searches `region`, an interval for every coordinate of the mechanism, of which only those count that cannot be taken out
-/// of the rows. `prove` certifies the solution near q.
+/// Searches `region`, which has an interval for every coordinate of the mechanism; those of eliminated coordinates are
+/// not used. `prove` certifies the solution near q.
 ///
 /// # Errors
-/// Where rows have no enclosure at all.
+/// If rows have no enclosure at all.
 pub(crate) fn search(
     square: &Square,
     system: &mut dyn Enclosures,
@@ -70,21 +70,21 @@ pub(crate) fn search(
     Ok(outcome)
 }
 
-/// A search under way.
+/// The state of a search.
 struct Search<'s> {
     square: &'s Square,
     system: &'s mut dyn Enclosures,
     reduced: Reduced,
-    /// An interval for every coordinate that is left and that an equation gives alone; nothing for the others.
+    /// An interval for every remaining coordinate that a single equation determines; none for the others.
     known: Vec<Option<Interval>>,
-    /// Places among the coordinates that are left.
+    /// The indices of the others among the remaining coordinates.
     unknown: Vec<usize>,
-    /// The equations that give them.
+    /// The equations that determine them.
     rows: Vec<usize>,
 }
 
 impl Search<'_> {
-    /// All coordinates, with 0 for those that were taken out.
+    /// All coordinates, with 0 for the eliminated ones.
     fn coordinates(&self, unknown: &[Interval]) -> Vec<Interval> {
         let mut q = vec![Interval::from(0.0); self.square.coordinates()];
         for (&column, known) in self.reduced.left.iter().zip(&self.known) {
@@ -96,7 +96,7 @@ impl Search<'_> {
         q
     }
 
-    /// Values of the equations, and their derivatives by all coordinates that are left.
+    /// Values of the equations, and their derivatives by all remaining coordinates.
     fn evaluate(&mut self, q: &[Interval], subset: Subset) -> Result<(Vec<Interval>, Vec<Vec<Interval>>), Uncertified> {
         let still = vec![Interval::from(0.0); q.len()];
         let evaluated = self.system.evaluate(subset, q, &still).map_err(|_| Uncertified::Malformed)?;
@@ -108,11 +108,12 @@ impl Search<'_> {
         Ok((values, self.reduced.jacobian(self.square, &entries)))
     }
 
-    /// Coordinates that equations give one by one: angles that are driven, and those that gears turn with them.
+    /// Finds coordinates that single equations determine one after another: driven angles, and angles that gears couple
+    /// with them.
     fn know(&mut self, region: &[Interval]) {
         let m = self.reduced.left.len();
         (self.unknown, self.rows) = ((0..m).collect(), (0..m).collect());
-        // Where every coordinate is anything, only factors that never change are single numbers.
+        // Over a very large region, only constant factors are single numbers.
         let everywhere: Vec<Interval> = region.iter().map(|x| x.hull(Interval::new(-1e6, 1e6))).collect();
         let Ok((_, jacobian)) = self.evaluate(&everywhere, Subset::POSITION) else { return };
         let number = |entry: &Interval| entry.lower() == entry.upper();
@@ -134,7 +135,7 @@ impl Search<'_> {
         self.unknown.retain(|&k| self.known[k].is_none());
     }
 
-    /// What comes of a box: nothing, smaller boxes, a solution, or nothing that can be decided.
+    /// Examines a box: it is empty, divided, has a certified solution, or stays undecided.
     fn look(
         &mut self,
         mut now: Vec<Interval>,
@@ -171,7 +172,7 @@ impl Search<'_> {
     /// One step of the interval Newton method; the sums of the derivatives' sizes by every coordinate are left in `smear`.
     fn shrink(&mut self, now: &mut [Interval], smear: &mut Vec<f64>) -> Shrunk {
         let over = self.coordinates(now);
-        // What has no enclosure may be cut.
+        // A box without an enclosure can still be divided.
         let Ok((values, jacobian)) = self.evaluate(&over, Subset::POSITION) else { return Shrunk::Unknown };
         if values.iter().any(|value| value.is_defined() && !value.contains(0.0)) {
             return Shrunk::Empty;
@@ -213,7 +214,7 @@ impl Search<'_> {
         Shrunk::To
     }
 
-    /// True where a solution with a certificate is all that there is in a box.
+    /// True if the box contains exactly one solution, which has a certificate.
     fn solution(
         &mut self,
         now: &[Interval],
@@ -242,7 +243,7 @@ impl Search<'_> {
         alone
     }
 
-    /// All coordinates over a box, those that were taken out of the rows as well.
+    /// All coordinates over a box, the eliminated ones included.
     fn complete(&mut self, now: &[Interval]) -> Option<Vec<Interval>> {
         let mut q = self.coordinates(now);
         let still = vec![Interval::from(0.0); q.len()];
@@ -253,13 +254,13 @@ impl Search<'_> {
     }
 }
 
-/// What became of a box.
+/// The result of a step on a box.
 enum Shrunk {
     /// There is no solution in it.
     Empty,
-    /// Nothing can be said of it.
+    /// The step gives no information.
     Unknown,
-    /// It was intersected with what the method gives.
+    /// It was intersected with the enclosure of the step.
     To,
 }
 

@@ -5,7 +5,7 @@ use crate::model::Model;
 use crate::plan::Plan;
 use crate::planned::{Sign, Step};
 
-/// Most combinations that are looked at.
+/// Most combinations that are examined.
 const MOST: usize = 1 << 16;
 
 /// A combination of signs, solved by the plan.
@@ -14,18 +14,18 @@ pub(crate) enum Closing {
     Closed([Vec<f64>; 3]),
     /// The first margin that is not positive, and whether it is proven that there is no closure.
     Open {
-        /// Its place among the margins.
+        /// Its index among the margins.
         margin: usize,
-        /// True where its interval is negative.
+        /// True if its interval is negative.
         excluded: bool,
     },
 }
 
-/// What the combinations of signs have given.
+/// The closures, and what is undecided.
 pub(crate) type Found = (Vec<[Vec<f64>; 3]>, Vec<Undecided>);
 
-/// Goes through the combinations, mode by mode in the order of the plan: where a group does not close, the signs of later
-/// groups make no difference.
+/// Goes through the combinations of signs, mode by mode in the order of the plan. If a group does not close, the signs
+/// of later groups need not be varied.
 pub(crate) fn combinations(model: &'static Model, solve: &mut dyn FnMut(&[f64]) -> Closing) -> Found {
     let plan: &Plan = &model.plan;
     let count = plan.modes.len();
@@ -36,7 +36,7 @@ pub(crate) fn combinations(model: &'static Model, solve: &mut dyn FnMut(&[f64]) 
             undecided.push(Undecided::Unfinished { seen });
             break;
         }
-        // How many signs decide.
+        // The number of signs on which the result depends.
         let decisive = match solve(&signs) {
             Closing::Closed(solution) => {
                 closed.push(solution);
@@ -54,7 +54,7 @@ pub(crate) fn combinations(model: &'static Model, solve: &mut dyn FnMut(&[f64]) 
                 decisive
             }
         };
-        // The last of these that is +, with everything behind it.
+        // Flip the last of these signs that is +, and reset all later ones.
         let Some(last) = signs[..decisive].iter().rposition(|&sign| sign > 0.0) else { break };
         signs[last] = -1.0;
         signs[last + 1..].fill(1.0);

@@ -1,4 +1,4 @@
-//! Intervals for plans, whose angles may go on beyond half a turn.
+//! Intervals for plans, whose angles may leave the range (−π, π].
 
 use crate::scalar::{Interval, Scalar};
 use core::ops::{Add, Div, Mul, Neg, Sub};
@@ -6,9 +6,9 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 /// π.
 const HALF_TURN: Interval = Interval::new(core::f64::consts::PI, core::f64::consts::PI.next_up());
 
-/// An interval whose angles of vectors go on where those of [`Interval`] end, on the negative x axis: an angle may be a whole
-/// turn away from the one in (−π, π]. Every angle that a plan computes is then made the one nearest to its start, so that
-/// plans are enclosed wherever it points. Rows that use such an angle as it is are not.
+/// An interval whose `atan2` is continuous across the negative x axis, where that of [`Interval`] is not: an angle may
+/// differ by a whole turn from the one in (−π, π]. A plan replaces every angle by the one nearest to its start, so that
+/// plans are enclosed for all directions. Rows that use such an angle directly have no valid enclosure.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Winding(pub(crate) Interval);
 

@@ -1,16 +1,17 @@
 //! Degrees of freedom, independent coordinates and redundant rows.
 //!
-//! All from the scaled Φ_q at one configuration. The columns that a column-pivoted factorisation of the rows that do
-//! not drive takes as pivots are the dependent coordinates u; those it leaves are the independent ones w. Columns are
-//! weighted before, so that coordinates that driving rows mention are taken last, then angles.
+//! All results come from the scaled Φ_q at one configuration. The pivot columns of a column-pivoted factorisation of
+//! the rows that do not drive are the dependent coordinates u; the other columns are the independent coordinates w.
+//! Columns are weighted first, so that coordinates in driving rows become pivots last, and angles before them.
 //!
-//! Rows of velocity level take velocities away, not positions: a car reaches every place of the plane although it moves
-//! in one way at a time. So degrees of freedom are counted on both levels: of velocity, with all rows (B stands in Φ_q),
-//! and of position, with the rows of position level alone, which is the dimension of the space of configurations.
-//! Without rows of velocity level the two are the same.
+//! Rows of velocity level restrict velocities, not positions: a car reaches every pose in the plane, although it cannot
+//! move sideways. So degrees of freedom are counted on both levels: of velocity, with all rows (Φ_q includes B), and of
+//! position, with the rows of position level alone, which is the dimension of the space of configurations. Without rows
+//! of velocity level the two are the same.
 //!
-//! The symbols alone give ranks too, at a general pose and for general dimensions ([`Structure`](crate::model::Structure)).
-//! What is redundant beyond that is so because of the dimensions, or in this configuration alone.
+//! The symbolic equations give ranks at a general pose and for general dimensions
+//! ([`Structure`](crate::model::Structure)). Rows that are redundant beyond these are so because of the dimensions, or
+//! in this configuration only.
 
 use crate::analysis::singular::rank_nearby;
 use crate::equations::Equations;
@@ -27,11 +28,11 @@ use nalgebra::{ColPivQR, DMatrix};
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum Cause {
-    /// By its symbols: at every pose, whatever the dimensions.
+    /// Because of the equations themselves: at every pose, whatever the dimensions.
     Structure,
-    /// By these dimensions: not in general, but everywhere around this configuration.
+    /// Because of these dimensions: not in general, but everywhere around this configuration.
     Dimensions,
-    /// In this configuration alone, which is singular.
+    /// In this configuration only, which is singular.
     Configuration,
 }
 
@@ -45,12 +46,12 @@ impl fmt::Display for Cause {
     }
 }
 
-/// A row that other rows already imply: of a dependency, the one declared last, where driving rows count as later than
-/// all others, and prescribed coordinates as later still.
+/// A row that other rows imply: the last one of a set of dependent rows, in order of declaration, with driving rows
+/// after all others and prescribed coordinates after these.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct RedundantRow {
-    /// Place in Φ.
+    /// Index in Φ.
     pub row: usize,
     /// Its name.
     pub name: &'static str,
@@ -60,11 +61,11 @@ pub struct RedundantRow {
     pub circuit: Vec<&'static str>,
     /// False when the row contradicts the others instead of repeating them.
     pub consistent: bool,
-    /// Why; `None` where the model says nothing about its structure.
+    /// The cause; `None` if the model has no structural analysis.
     pub cause: Option<Cause>,
 }
 
-/// What can move, and what is said twice, in one configuration.
+/// Degrees of freedom and redundant rows in one configuration.
 ///
 /// Ranks are those of the scaled Φ_q (see [`Options::rank_tolerance`](crate::Options::rank_tolerance)).
 #[derive(Clone, Debug, PartialEq)]
@@ -94,18 +95,18 @@ pub struct Mobility {
     /// n − rank of the rows of position level without driving rows: the dimension of the space of configurations.
     /// Never less than [`degrees_of_freedom`](Self::degrees_of_freedom).
     pub position_degrees_of_freedom: usize,
-    /// n − rank of the rows of position level: how much of a position its equations leave open, so that the start of
-    /// the motion decides it.
+    /// n − rank of the rows of position level: the degrees of freedom of the position that the start of the motion
+    /// decides.
     pub position_degrees_of_freedom_left: usize,
-    /// w: independent coordinates, δ of them, places in q.
+    /// w: independent coordinates, δ of them, indices of q.
     pub independent: Vec<usize>,
     /// u: dependent coordinates.
     pub dependent: Vec<usize>,
-    /// Rank of all rows at a general pose and for general dimensions, prescribed coordinates not counted; `None`
-    /// where the model says nothing about its structure.
+    /// Rank of all rows at a general pose and for general dimensions, prescribed coordinates not counted; `None` if the
+    /// model has no structural analysis.
     pub generic_rank: Option<usize>,
-    /// δ at a general pose and for general dimensions: less than
-    /// [`degrees_of_freedom`](Self::degrees_of_freedom) where dimensions or this configuration let more move.
+    /// δ at a general pose and for general dimensions: less than [`degrees_of_freedom`](Self::degrees_of_freedom) if
+    /// special dimensions or this configuration allow more.
     pub generic_degrees_of_freedom: Option<usize>,
     /// Rows that others imply, those that do not drive first.
     pub redundant: Vec<RedundantRow>,
@@ -113,7 +114,7 @@ pub struct Mobility {
     pub singular_values: Vec<f64>,
     /// Largest over smallest singular value within the rank.
     pub condition: f64,
-    /// Coordinates that still move, so that each of them could be given.
+    /// Coordinates that are not determined yet, each of which could be given.
     pub could_be_given: Vec<usize>,
 }
 
@@ -146,11 +147,11 @@ impl fmt::Display for Mobility {
     }
 }
 
-/// Weight of a column that a driving row mentions, when dependent coordinates are chosen.
+/// Weight of a column with an entry in a driving row, when dependent coordinates are chosen.
 const DRIVEN: f64 = 1e-4;
 /// Weight of an angle or scalar.
 const ANGLE: f64 = 1e-2;
-/// Components of null vectors below this do not move.
+/// Coordinates whose components of null vectors are below this do not move.
 const MOVES: f64 = 1e-6;
 
 /// The mobility at q.
@@ -220,8 +221,8 @@ fn redundant_rows(equations: &Equations<'_>, tolerance: f64) -> Vec<RedundantRow
     found.into_iter().map(in_q).collect()
 }
 
-/// Says why rows are redundant. Those that are so by structure are known; the others are so by the dimensions if they
-/// are everywhere around `q`. Evaluates `equations` elsewhere.
+/// Fills in why rows are redundant. Those that are redundant by structure are known; the others are so because of the
+/// dimensions if they are redundant everywhere around `q`. Leaves `equations` evaluated at another configuration.
 fn explain(
     equations: &mut Equations<'_>,
     q: &[f64],
@@ -282,7 +283,7 @@ fn choose(equations: &Equations<'_>, passive: &[usize], rank: usize) -> (Vec<usi
     (dependent, independent)
 }
 
-/// A dependency by names; consistent if position and velocity of the row are what the others imply.
+/// A dependency with names; consistent if position and velocity of the row agree with what the others imply.
 fn redundant(equations: &Equations<'_>, dependency: Dependency) -> RedundantRow {
     let Dependency { row, combination } = dependency;
     let joint = equations.joint_name(row);
@@ -299,7 +300,7 @@ fn redundant(equations: &Equations<'_>, dependency: Dependency) -> RedundantRow 
         let size = combination.iter().map(|&(k, factor)| (factor * at(k)).abs()).fold(at(row).abs(), f64::max);
         (at(row) - implied).abs() <= equations.options.consistency_tolerance * size.max(floor)
     };
-    // Where rows of velocity level take part, positions imply nothing.
+    // A dependency with rows of velocity level implies nothing about positions.
     let of_position = equations.holonomic(row) && combination.iter().all(|&(other, _)| equations.holonomic(other));
     let consistent = (!of_position || agrees(&equations.phi, 1.0)) && agrees(&equations.phi_t, f64::MIN_POSITIVE);
     RedundantRow { row, name: equations.row_name(row), joint, circuit, consistent, cause: None }

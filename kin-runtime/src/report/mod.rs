@@ -1,4 +1,4 @@
-//! What is reported of a solution: degrees of freedom, velocity ratios, transmission angles, the motion of everything.
+//! Reports on a solution: degrees of freedom, velocity ratios, transmission angles, motion, and quantities by name.
 
 pub mod measure;
 pub mod mobility;

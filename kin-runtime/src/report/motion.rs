@@ -1,7 +1,7 @@
-//! The motion of everything that a mechanism reports at a state, and the Jacobian of a point.
+//! The motion of bodies, points, defines and joints at a state, and the Jacobian of a point.
 //!
-//! An observable o(q, t) has ȯ = o_q q̇ + o_t and ö = o_q q̈ − γ_o, where γ_o = −(o_q q̇)_q q̇ − 2 o_qt q̇ − o_tt: the
-//! convention of the constraints.
+//! An observable o(q, t) has ȯ = o_q q̇ + o_t and ö = o_q q̈ − γ_o, where γ_o = −(o_q q̇)_q q̇ − 2 o_qt q̇ − o_tt, with
+//! the same signs as for constraints.
 
 use crate::equations::{Equations, finite};
 use crate::error::SolveError;
@@ -13,7 +13,7 @@ use crate::state::State;
 use crate::workspace::Instant;
 use nalgebra::DMatrix;
 
-/// The motion of everything at a state.
+/// The motion of bodies, points, defines, joints and conditions at a state.
 pub(crate) fn motion(equations: &mut Equations<'_>, state: &State) -> Result<Motion, SolveError> {
     equations.check("q", &state.q)?;
     equations.check("q_dot", &state.q_dot)?;

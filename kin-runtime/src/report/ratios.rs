@@ -1,4 +1,4 @@
-//! Velocity ratios: how the mechanism follows each of its driving rows and each of its inputs.
+//! Velocity ratios of the coordinates to each driving row and each input.
 //!
 //! For a driving row d with right-hand side f, written left minus right,
 //!
@@ -17,9 +17,9 @@
 //! Φ_q l = −(Φ_q k)_q k − 2 Φ_qu k − Φ_uu      l = ∂²q/∂u²
 //! ```
 //!
-//! Where rows of velocity level take part a row's k is ∂q̇/∂f, an input's k is ∂q̇/∂u̇ and l u̇² its share of q̈, and there is no q(u).
-//! Φ_u is the part of Φ_t that is linear in u̇, Φ_t(u̇ = 1) − Φ_t(u̇ = 0); the right-hand side of l is the part of γ that
-//! is even in q̇ and u̇ together, at q̇ = k, u̇ = 1.
+//! With rows of velocity level, a row's k is ∂q̇/∂f, an input's k is ∂q̇/∂u̇, and l u̇² is its share of q̈; q is no
+//! function of u then. Φ_u is the part of Φ_t that is linear in u̇, Φ_t(u̇ = 1) − Φ_t(u̇ = 0); the right-hand side of l
+//! is the part of γ that is even in q̇ and u̇ together, at q̇ = k, u̇ = 1.
 
 use crate::analysis::velocity::{factorize, inconsistency, scaled};
 use crate::equations::Equations;
@@ -33,14 +33,14 @@ use crate::workspace::{Instant, Signal, Subset};
 use core::fmt;
 use nalgebra::DVector;
 
-/// How q follows one driving row, or one input while all others and time stand still.
+/// The velocity ratio of q to one driving row, or to one input, with all others and time constant.
 ///
-/// Of an input is counted what follows u̇ and ü. Where a row of velocity level holds the *value* of the input (a `speed` that
-/// it sets), q̇ follows u itself; that is the ratio of the row, and no part of the input's numbers.
+/// The numbers of an input contain its effect through u̇ and ü only. If a row of velocity level contains the *value* of
+/// the input (a `speed` that it prescribes), q̇ depends on u itself; that is the ratio of the row.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct VelocityRatio {
-    /// The driving row, place in Φ; none for an input.
+    /// The index of the driving row in Φ; none for an input.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub row: Option<usize>,
     /// The name of the row or of the input.
@@ -55,7 +55,7 @@ pub struct VelocityRatio {
     pub second: Vec<f64>,
     /// Its own share of q̇: k ḟ, or k u̇.
     pub q_dot: Vec<f64>,
-    /// Its own share of q̈, all others standing still: k f̈ + l ḟ², or k ü + l u̇².
+    /// Its own share of q̈, with all others constant: k f̈ + l ḟ², or k ü + l u̇².
     pub q_ddot: Vec<f64>,
 }
 
@@ -109,8 +109,8 @@ pub(crate) fn velocity_ratios(equations: &mut Equations<'_>, state: &State) -> R
     Ok(VelocityRatios { drivers, inputs: inputs.collect::<Result<_, _>>()? })
 }
 
-/// ∂o/∂f of everything that is reported, for a driving row or an input with k = ∂q/∂f: a number for every observable. The
-/// rate of an observable is linear in q̇ and u̇, so that it is the difference of its rates with k and at rest.
+/// ∂o/∂f of every observable, for a driving row or an input with k = ∂q/∂f. The rate of an observable is linear in q̇
+/// and u̇, so that it is the difference of its rates with k and at rest.
 pub(crate) fn observed_ratio(
     equations: &mut Equations<'_>,
     q: &[f64],

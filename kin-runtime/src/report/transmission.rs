@@ -1,10 +1,10 @@
 //! Transmission angles.
 //!
-//! At a revolute joint N between moving bodies i and j, every other joint a on i and b on j that stands at a point
+//! At a revolute joint N between moving bodies i and j, every pair of other joints a on i and b on j that act at points
 //! gives one angle, between r_a − r_N and r_b − r_N. In a four-bar the one at the joint of coupler and rocker, between
-//! the crank's end and the rocker's pivot, is the textbook's. Joints of a body whose rotation is driven, and joints
-//! whose relative angle is driven, transmit from the drive and not to an output: they are left out. So are pairs of joints
-//! that are not closed together with N: where a plan solves the mechanism, N, a and b are joints of one of its steps.
+//! the crank's end and the rocker's pivot, is that of the textbooks. Joints of a body whose rotation is driven, and
+//! joints whose relative angle is driven, are left out: they are on the driving side. So are pairs of joints that
+//! belong to another loop than N: if the mechanism has a plan, N, a and b must be joints of one of its steps.
 
 use crate::equations::placement::Placement;
 use crate::equations::{Equations, finite};
@@ -47,7 +47,7 @@ pub(crate) struct Pair {
     pub(crate) joint: usize,
     /// The neighbours on its first and on its second body.
     pub(crate) between: [usize; 2],
-    /// Where the revolute joint and its two neighbours stand.
+    /// The points of the revolute joint and of its two neighbours.
     places: [&'static Geometry; 3],
 }
 
@@ -66,7 +66,7 @@ pub(crate) fn transmission_angles(
     Ok(told.collect())
 }
 
-/// The angles of pairs at q; none where an arm has no length.
+/// The angles of pairs at q; none if an arm has no length.
 pub(crate) fn angles(equations: &mut Equations<'_>, q: &[f64], pairs: &[Pair]) -> Result<Vec<Option<f64>>, SolveError> {
     equations.check("q", q)?;
     let (model, t) = (equations.model, equations.t);
@@ -87,8 +87,8 @@ pub(crate) fn angles(equations: &mut Equations<'_>, q: &[f64], pairs: &[Pair]) -
     pairs.iter().map(angle).collect()
 }
 
-/// The transmission angles that a mechanism has, by the places of their joints in [`Model::joints`]: the revolute joint, its
-/// neighbour on its first body and the one on its second.
+/// The transmission angles of a mechanism, each by the indices of its joints in [`Model::joints`]: the revolute joint,
+/// its neighbour on the first body and the one on the second.
 #[doc(hidden)]
 pub fn neighbours(model: &Model) -> Vec<[usize; 3]> {
     pairs(model).iter().map(|&Pair { joint, between: [a, b], .. }| [joint, a, b]).collect()
@@ -121,13 +121,13 @@ pub(crate) fn pairs(model: &Model) -> Vec<Pair> {
     found
 }
 
-/// True for joints of one closed group; without a plan nobody knows the groups.
+/// True if the joints belong to one step of the plan; always true without a plan.
 fn closed_together(model: &Model, joints: [usize; 3]) -> bool {
     let mut steps = model.plan.steps.iter();
     !model.plan.exists() || steps.any(|step| joints.iter().all(|joint| step.joints.contains(joint)))
 }
 
-/// For every driving row that mentions nothing but rotations of bodies: those bodies, sorted.
+/// For every driving row with no other coordinates than rotations of bodies: these bodies, sorted.
 fn driven(model: &Model) -> Vec<Vec<usize>> {
     let rotations = |row: usize| -> Option<Vec<usize>> {
         let columns = model.constraint_pattern.entries.iter().filter(|entry| entry.0 == row);
@@ -180,12 +180,12 @@ fn is_point_like(joint: &JointInfo) -> bool {
     )
 }
 
-/// True where the joint's point is fixed in that body: not for the guide of a point on a line.
+/// True if the joint's point is fixed in that body; false for the body with the line of a point-on-line joint.
 fn stands_still(joint: &JointInfo, geometry: &Geometry) -> bool {
     joint.kind != JointKind::PointOnLine || geometry.role == Role::Q
 }
 
-/// The angle at `centre`, in [0, π]; none where an arm has no length.
+/// The angle at `centre`, in [0, π]; none if an arm has no length.
 fn angle_between(centre: [f64; 2], a: [f64; 2], b: [f64; 2]) -> Option<f64> {
     let [(ax, ay), (bx, by)] = [a, b].map(|p| (p[0] - centre[0], p[1] - centre[1]));
     let (la, lb) = (ax.hypot(ay), bx.hypot(by));

@@ -15,7 +15,7 @@ pub struct Assembly {
     pub q_dot: Vec<f64>,
     /// q̈, n numbers.
     pub q_ddot: Vec<f64>,
-    /// The signs of its assembly modes, with their names; empty where all groups close by iteration.
+    /// The names and signs of its assembly modes; empty if all groups close by iteration.
     pub modes: Vec<(&'static str, Sign)>,
     /// The proof that it is a solution, or why there is none.
     pub certificate: Result<Certificate, Uncertified>,
@@ -39,14 +39,14 @@ pub enum Undecided {
         /// The joints of the group at its limit.
         joints: Vec<&'static str>,
     },
-    /// Here may be a solution, or several, or none.
+    /// A region in which there may be no, one or several solutions.
     Region {
         /// The coordinates that were searched, and where they are.
         coordinates: Vec<(&'static str, Interval)>,
     },
-    /// The search ended before all was seen.
+    /// The search ended before all boxes were examined.
     Unfinished {
-        /// How many boxes, or combinations of signs, were seen.
+        /// How many boxes, or combinations of signs, were examined.
         seen: usize,
     },
 }
@@ -58,13 +58,13 @@ pub struct Assemblies {
     pub found: Vec<Assembly>,
     /// What is left undecided.
     pub undecided: Vec<Undecided>,
-    /// The coordinates that a search went through, with the intervals in which it looked: full turns of angles, and for
-    /// lengths that no row gives a multiple of the size of the mechanism. Empty where the plan has a closed form for all.
+    /// The coordinates that were searched, each with its interval: a full turn for an angle, and a multiple of the size
+    /// of the mechanism for a length that no row determines. Empty if the plan has a closed form for all groups.
     pub searched: Vec<(&'static str, Interval)>,
 }
 
 impl Assemblies {
-    /// True where it is proven that these are all: each has a certificate, and nothing is undecided.
+    /// True if it is proven that there are no other closures: each has a certificate, and nothing is undecided.
     pub fn is_complete(&self) -> bool {
         self.undecided.is_empty() && self.found.iter().all(|assembly| assembly.certificate.is_ok())
     }

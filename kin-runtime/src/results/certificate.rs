@@ -1,15 +1,15 @@
-//! What a certificate says, and why there is none.
+//! Certificates of solutions, and the reasons why a state has none.
 
 use crate::scalar::Interval;
 use crate::text::{number, separated};
 use core::fmt;
 
-/// A proof that the equations of a mechanism have a solution at an instant, with where it is.
+/// A proof that the equations of a mechanism have a solution at an instant, with bounds for it.
 ///
-/// It is about the equations as they are compiled, at the parameters, the instant and the inputs as they are in `f64`: within
-/// [`unique`](Self::unique) there is exactly one q with Φ(q, t) = 0, and its coordinates, rates and accelerations lie in `q`,
-/// `q_dot` and `q_ddot`. Rounding is part of the proof. Other solutions may exist outside of `unique`, among them those in
-/// other assembly modes.
+/// The proof is for the compiled equations, with parameters, time and inputs as exactly the numbers that `f64` holds:
+/// within [`unique`](Self::unique) there is exactly one q with Φ(q, t) = 0, and its coordinates, rates and
+/// accelerations lie in `q`, `q_dot` and `q_ddot`. The proof accounts for all rounding. Other solutions may exist
+/// outside of `unique`, for example in other assembly modes.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Certificate {
@@ -21,24 +21,24 @@ pub struct Certificate {
     pub q_ddot: Vec<Interval>,
     /// The box in which there is no other solution.
     pub unique: Vec<Interval>,
-    /// Redundant rows that the proof leaves out, by name. The solution is that of all others; that it satisfies these, too,
-    /// holds to rounding, as any solution of redundant rows.
+    /// The names of redundant rows that the proof leaves out. The certified solution is that of the other rows; it
+    /// satisfies these only to rounding, as any solution of redundant rows does.
     pub left_out: Vec<&'static str>,
 }
 
 impl Certificate {
-    /// The largest radius of an interval of `q`: how well the solution is known at least, lengths and radians alike.
+    /// The largest radius of the intervals of `q`: a bound on the error of every coordinate, in its own unit.
     pub fn radius(&self) -> f64 {
         self.q.iter().fold(0.0, |most, x| x.radius().max(most))
     }
 
-    /// The smallest radius of an interval of [`unique`](Self::unique): how far other solutions are away at least, in one of
-    /// their coordinates; infinite without coordinates.
+    /// The smallest radius of the intervals of [`unique`](Self::unique): any other solution differs by more than this
+    /// in at least one coordinate. Infinite without coordinates.
     pub fn isolation(&self) -> f64 {
         self.unique.iter().fold(f64::INFINITY, |least, x| x.radius().min(least))
     }
 
-    /// True where a configuration lies in the box of which the certificate says that it has one solution.
+    /// True if a configuration lies in the box [`unique`](Self::unique).
     pub fn covers(&self, q: &[f64]) -> bool {
         q.len() == self.unique.len() && self.unique.iter().zip(q).all(|(interval, &x)| interval.contains(x))
     }
@@ -62,38 +62,38 @@ impl fmt::Display for Certificate {
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 #[non_exhaustive]
 pub enum Uncertified {
-    /// Degrees of freedom are open: the solutions are curves, and no single one is alone.
+    /// Degrees of freedom are open: the solutions form curves or surfaces, and none of them is isolated.
     Open {
         /// How many.
         degrees_of_freedom: usize,
     },
-    /// Rows of velocity level leave the position to the motion.
+    /// Rows of velocity level make the position depend on the motion so far.
     VelocityLevel,
-    /// A row has no enclosure: it uses a supplied function at an argument that is rounded, or is not defined or not
-    /// continuous all around the configuration.
+    /// A row has no enclosure: it uses a supplied function at an argument that is rounded, or it is undefined or
+    /// discontinuous somewhere near the configuration.
     Unbounded {
         /// The row.
         row: &'static str,
     },
-    /// Φ_q is singular or nearly so, so that solutions that meet or are nearly one cannot be told apart.
+    /// Φ_q is singular or nearly so: solutions that coincide or nearly coincide cannot be separated.
     Singular {
-        /// 1 / κ of Φ_q with rows scaled to size 1 and lengths to that of the mechanism, κ in the maximum norm: 0 where it
-        /// is singular, and certificates need more than about the root of the rounding errors.
+        /// 1 / κ of Φ_q, with rows scaled to size 1 and lengths to the size of the mechanism, κ in the maximum norm: 0
+        /// if Φ_q is singular. A certificate needs more than about the square root of the rounding errors.
         nearness: f64,
     },
-    /// The state is no solution: Newton's correction is larger than what rounding leaves.
+    /// The state is no solution: Newton's correction is larger than rounding errors explain.
     NotASolution {
-        /// What is wrong: `q`, `q̇` or `q̈`.
+        /// The vector that is wrong: `q`, `q̇` or `q̈`.
         what: &'static str,
-        /// The coordinate that is off most.
+        /// The coordinate with the largest error.
         coordinate: &'static str,
-        /// By how much, in its unit.
+        /// Its error, in its unit.
         by: f64,
     },
     /// The plan has no closed form for all groups, or too many modes, or coordinates are prescribed: its groups cannot be
     /// enclosed.
     NoClosedForm,
-    /// NaN or infinity in the state, or lists of other lengths than the mechanism has.
+    /// NaN or infinity in the state, or lists of wrong lengths.
     Malformed,
 }
 

@@ -1,10 +1,10 @@
-//! What is reported of an event.
+//! Events of unilateral conditions.
 
 use crate::state::State;
 use crate::text::number;
 use core::fmt;
 
-/// How a motion meets the limit of a unilateral condition, in the direction in which the sweep runs.
+/// How a motion meets the limit of a unilateral condition, in the direction of the sweep.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
@@ -13,7 +13,8 @@ pub enum Crossing {
     Violated,
     /// Violated before, satisfied after.
     Restored,
-    /// The limit is reached within rounding and not passed: ġ = 0 there, and both sides of the instant are alike.
+    /// The limit is reached within rounding but not passed: ġ = 0 there, and the sign of g is the same before and
+    /// after.
     Touched,
 }
 

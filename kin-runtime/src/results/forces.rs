@@ -19,7 +19,7 @@ pub struct Effort {
     /// The driver; `b.x`, `b.y` or `b.phi` for a held coordinate that moves, the coordinate for one that is given.
     pub name: &'static str,
     /// Torque along an angle, force along a length; positive when it does positive work while the driven quantity
-    /// grows. None where redundant rows leave it undetermined, unless the least is asked for.
+    /// grows. None if redundant rows leave it undetermined, unless forces of least norm are asked for.
     pub effort: Option<f64>,
     /// The rate of the driven quantity; effort · rate is the power supplied.
     pub rate: f64,
@@ -31,35 +31,35 @@ pub struct Effort {
 /// that roll on one another along a ψ that is driven, the first receives the driver's torque besides.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Reaction {
-    /// The joint; `b.x`, `b.y`, `b.phi` or `b.origin` for what holds or carries a body.
+    /// The joint; `b.x`, `b.y`, `b.phi` or `b.origin` for held coordinates and the carried origin of a body `b`.
     pub name: &'static str,
-    /// The body on which force and moment act: that of the joint's second operand; none where there are only couples.
+    /// The body on which force and moment act, that of the joint's second operand; none if there are only couples.
     pub on: Option<Frame>,
     /// The joint's point in the inertial frame; none for a pure couple.
     pub point: Option<[f64; 2]>,
-    /// The force in the inertial frame; none for a pure couple, and where redundant rows leave it undetermined,
-    /// unless the least forces are asked for ([`Solver::forces_of_least_norm`](crate::Solver::forces_of_least_norm)).
+    /// The force in the inertial frame; none for a pure couple, and if redundant rows leave it undetermined, unless
+    /// forces of least norm are asked for ([`Solver::forces_of_least_norm`](crate::Solver::forces_of_least_norm)).
     pub force: Option<[f64; 2]>,
-    /// The moment about that point, or the couple; none where there is none or where it is undetermined.
+    /// The moment about that point, or the couple; none if there is none or if it is undetermined.
     pub moment: Option<f64>,
-    /// Couples on gears, belts, pinions, nuts and what carries them; none of them where undetermined.
+    /// Couples on gears, pulleys, pinions, nuts and their carriers; empty if undetermined.
     pub couples: Vec<(Frame, f64)>,
     /// −λ of the user's own rows, conjugate to left minus right.
     pub generalized: Vec<f64>,
-    /// Where bodies touch (cams, flat followers, rolling discs): the normal part of the contact force. It is positive where
-    /// they press on one another, so that the contact would open where it changes its sign: a polar curve, and an
-    /// implicit one whose left side grows outwards, press outwards; a parametric curve to its right, or to the side of its
-    /// roller; lines and discs to the side of the disc that rolls.
+    /// For contacts (cams, flat followers, rolling discs): the normal component of the contact force, positive while
+    /// the bodies press on one another; a real contact would open where it becomes negative. The outer side is that
+    /// outside of a polar curve, that on which the left side of an implicit curve grows, that to the right of a
+    /// parametric curve or that of its roller, and for lines and discs that of the rolling disc.
     pub normal: Option<f64>,
-    /// Where discs roll without slipping: the part of the contact force on the second body along the line's axis, or in the
-    /// direction of growing ψ. The least coefficient of friction is
-    /// |tangential| / normal.
+    /// For discs that roll without slipping: the component of the contact force on the second body along the line's
+    /// axis, or in the direction of growing ψ. Rolling needs a coefficient of friction of at least |tangential| /
+    /// normal.
     pub tangential: Option<f64>,
     /// False where redundant rows share the load in a way that equilibrium alone does not tell.
     pub determined: bool,
 }
 
-/// A contact whose bodies stop pressing on one another, or begin to again.
+/// The instant at which the bodies of a contact stop pressing on one another, or begin to again.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct ContactChange {
@@ -67,9 +67,9 @@ pub struct ContactChange {
     pub name: &'static str,
     /// When its normal force changes its sign.
     pub t: f64,
-    /// True where it would pull from there on, in the direction of the motion; false where it presses again.
+    /// True if the force is tensile after this instant, in the direction of the motion; false if it presses again.
     pub lifts_off: bool,
-    /// Width of the interval of time in which the sign changes; 0 for a contact that pulls from the first instant on.
+    /// Width of the interval of time in which the sign changes; 0 for a force that is tensile at the first instant.
     pub within: f64,
 }
 
@@ -140,7 +140,7 @@ pub struct Forces {
     pub springs: Vec<SpringForce>,
     /// The resultant of all that the mechanism exerts on the ground: Σ m (g − a) + Σ F, and its moment.
     pub shaking: Wrench,
-    /// The same of motion alone: −Σ m a, and −Σ (r × m a + J α).
+    /// The part of it that inertia causes: −Σ m a, and −Σ (r × m a + J α).
     pub inertia: Wrench,
     /// Kinetic energy.
     pub kinetic: f64,
@@ -154,15 +154,17 @@ pub struct Forces {
     pub applied_power: f64,
     /// Power of dampers, never positive.
     pub damper_power: f64,
-    /// d/dt of all energy, from the derivatives of the energies themselves: what drivers, applied loads and dampers supply
-    /// together.
+    /// d/dt of the total energy, from the derivatives of the energies themselves. It equals the power of drivers,
+    /// applied loads and dampers together.
     pub energy_rate: f64,
-    /// λ of all rows of Φ; those of least forces where redundant rows leave them open. They depend on how rows are scaled.
+    /// λ of all rows of Φ; those of the forces of least norm if redundant rows leave them open. They depend on how rows
+    /// are scaled.
     pub multipliers: Vec<f64>,
 }
 
 impl Forces {
-    /// By how much the powers of drivers, applied loads and dampers miss the rate of all energy, beside the largest of them.
+    /// The difference between the power of drivers, applied loads and dampers and the rate of the total energy,
+    /// relative to the largest of these.
     pub fn power_miss(&self) -> f64 {
         let powers = [self.driver_power, self.applied_power, self.damper_power];
         let largest = powers.iter().fold(self.energy_rate.abs(), |largest, power| largest.max(power.abs()));
@@ -195,7 +197,7 @@ impl Forces {
     }
 }
 
-/// A number, or that there is none.
+/// A number, or a mark that there is none.
 struct Known(Option<f64>);
 
 impl fmt::Display for Known {
@@ -228,7 +230,7 @@ impl fmt::Display for Reaction {
         write!(f, "{}:", self.name)?;
         if !self.determined {
             f.write_str(" undetermined, redundant rows share the load")?;
-            // Behind these words numbers are one possibility.
+            // The numbers that follow are only one possibility.
             if self.force.is_some() || self.moment.is_some() {
                 f.write_str(", the least:")?;
             }

@@ -1,4 +1,4 @@
-//! What analyses take and give, as data: options, states, motions, trajectories, crossings and errors.
+//! The inputs and results of analyses, as data: options, states, motions, trajectories, events and errors.
 
 pub mod assembly;
 pub mod certificate;

@@ -1,4 +1,4 @@
-//! Being told how far an analysis is, and ending it before its time.
+//! Observers follow the progress of an analysis and may end it early.
 //!
 //! ```
 //! # use kin_runtime::{mechanism, SolveError, Solver};
@@ -25,7 +25,7 @@ use crate::state::State;
 use core::fmt;
 use core::ops::ControlFlow;
 
-/// How far an analysis is.
+/// The progress of an analysis.
 #[derive(Clone, Copy, Debug)]
 #[non_exhaustive]
 pub struct Reached<'a> {
@@ -33,7 +33,7 @@ pub struct Reached<'a> {
     pub done: usize,
     /// All of them.
     pub total: usize,
-    /// The time that was reached; in a sweep also between two of its instants.
+    /// The time that was reached; in a sweep it may be between two of its instants.
     pub t: f64,
     /// The state at the instant that was just finished; none between two instants, and in checks.
     pub state: Option<&'a State>,
@@ -45,14 +45,14 @@ impl fmt::Display for Reached<'_> {
     }
 }
 
-/// Is told how far an analysis is, and says whether to go on.
+/// A function that is called with the progress of an analysis and decides whether it goes on.
 ///
-/// A sweep tells it after every instant, and after every internal step between two of them; a check after every
+/// A sweep calls it after every instant and after every internal step between two instants, a check after every
 /// configuration. It should be quick: a step takes microseconds.
 #[doc(hidden)]
 pub type Observer<'a> = &'a dyn Fn(Reached<'_>) -> ControlFlow<()>;
 
-/// An analysis with its observer, where it has one.
+/// An analysis with its observer, if it has one.
 #[derive(Clone, Copy)]
 pub(crate) struct Observed<'a> {
     observer: Option<Observer<'a>>,
@@ -65,18 +65,18 @@ impl<'a> Observed<'a> {
         Self { observer, done: 0, total }
     }
 
-    /// True where there is an observer.
+    /// True if there is an observer.
     pub(crate) const fn is_there(&self) -> bool {
         self.observer.is_some()
     }
 
-    /// Another one is finished; an error where the observer ends it and there are more.
+    /// Counts one more as finished; an error if the observer ends the analysis before the last one.
     pub(crate) fn finish(&mut self, t: f64, state: Option<&State>) -> Result<(), SolveError> {
         self.done += 1;
         self.tell(t, state)
     }
 
-    /// On the way to the next one; an error where the observer ends it.
+    /// Reports an internal step; an error if the observer ends the analysis.
     pub(crate) fn pass(&self, t: f64) -> Result<(), SolveError> {
         self.tell(t, None)
     }
@@ -84,7 +84,7 @@ impl<'a> Observed<'a> {
     fn tell(&self, t: f64, state: Option<&State>) -> Result<(), SolveError> {
         let Self { observer: Some(observer), done, total } = *self else { return Ok(()) };
         match observer(Reached { done, total, t, state }) {
-            // Who stops it with the last one has all of them.
+            // An observer that stops after the last one changes nothing: all are finished.
             ControlFlow::Break(()) if done < total => Err(SolveError::Stopped { t, done, total }),
             _ => Ok(()),
         }

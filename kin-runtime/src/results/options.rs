@@ -6,10 +6,10 @@ use core::fmt;
 /// Tolerances and limits; the default suits mechanisms of any size and unit.
 ///
 /// All tolerances are relative. Rows and coordinates are first brought to a common scale, on which one unit is a
-/// rotation of one radian or the displacement that such a rotation causes in this mechanism; a mechanism in
-/// millimetres is therefore solved exactly as the same one in metres, wherever joints, points or curves say how large it
-/// is. Equations over scalar coordinates alone say nothing of that: there one unit of a coordinate counts as one, and
-/// coordinates of very different size want other limits.
+/// rotation of one radian or the displacement that such a rotation causes in this mechanism; a mechanism in millimetres
+/// is therefore solved exactly as the same one in metres, provided that joints, points or curves show how large it is.
+/// Equations over scalar coordinates alone do not show that: there one unit of a coordinate counts as one, and
+/// coordinates of very different size need other limits.
 ///
 /// ```
 /// use kin_runtime::Options;
@@ -21,11 +21,12 @@ use core::fmt;
 pub struct Options {
     /// Iterations of one position analysis.
     pub max_iterations: usize,
-    /// Largest scaled residual of a row that counts as closed. Iteration always goes on until nothing improves any
-    /// more, so residuals are far smaller than this as a rule.
+    /// Largest scaled residual of a row that counts as closed. The iteration continues until the residual no longer
+    /// decreases, so it is usually far smaller than this.
     pub tolerance: f64,
-    /// Smallest pivot, relative to the largest, that counts towards the rank of the scaled Φ_q. It stands above the
-    /// square root of the machine's precision, because a position at the end of a range of motion is no better known.
+    /// Smallest pivot, relative to the largest, that counts towards the rank of the scaled Φ_q. It is above the square
+    /// root of the machine precision, because a position at the end of a range of motion is known no more accurately
+    /// than that.
     pub rank_tolerance: f64,
     /// Largest scaled residual, relative to the right-hand side, of velocity and acceleration equations.
     pub consistency_tolerance: f64,
@@ -37,24 +38,24 @@ pub struct Options {
     pub max_rotation_per_step: f64,
     /// Largest correction of the predicted position, relative to the predicted motion, that a step of a sweep accepts.
     pub prediction_tolerance: f64,
-    /// Smallest internal step of a sweep, relative to the distance to the next instant or to the step within which nothing
-    /// turns by more than is allowed, whichever is shorter; at least four units in the last place of t.
+    /// Smallest internal step of a sweep, relative to the distance to the next instant or to the step that
+    /// `max_rotation_per_step` allows, whichever is shorter; at least four units in the last place of t.
     pub min_step: f64,
-    /// Largest estimated error that one internal step leaves in a coordinate, where rows of velocity level make a sweep
-    /// integrate: on the common scale, and relative to the coordinate where that is larger than one. Over a usual sweep
-    /// the errors stay below about a hundred times this.
+    /// Largest estimated error of one internal step in a coordinate, if a sweep must integrate rows of velocity level:
+    /// absolute on the common scale for coordinates up to one, relative for larger ones. In a typical sweep the total
+    /// error stays below about a hundred times this.
     pub integration_tolerance: f64,
     /// Most internal steps of a sweep between two neighbouring instants.
     pub max_steps: usize,
     /// True to end a sweep at the first event of a unilateral condition.
     pub stop_at_events: bool,
-    /// False to correct every step of a sweep or a tracker by full Newton, also where the mechanism has a plan. Answers are
-    /// the same to rounding; errors then say nothing of groups and margins.
+    /// False to correct every step of a sweep or a tracker by full Newton even if the mechanism has a plan. Answers are
+    /// the same to rounding; errors then do not name groups and margins.
     pub use_plan: bool,
-    /// False to factorise Φ_q densely, with its rank revealed, at every instant. Otherwise that is done only where a sparse
-    /// elimination in the fixed pattern of Φ_q leaves doubt: with rows fewer or more than coordinates, where no pivots are
-    /// good enough, and where 10 √n max(‖A‖₁, 1) ‖A⁻¹‖₁ of the scaled Φ_q exceeds 1 / `rank_tolerance`. What is reported is
-    /// the same.
+    /// False to factorise Φ_q densely, with its rank revealed, at every instant. Otherwise this is done only if a
+    /// sparse elimination in the fixed pattern of Φ_q is not certain: if there are fewer or more rows than coordinates,
+    /// if no pivots are good enough, or if 10 √n max(‖A‖₁, 1) ‖A⁻¹‖₁ of the scaled Φ_q exceeds 1 / `rank_tolerance`.
+    /// The results are the same.
     pub use_sparse: bool,
 }
 
@@ -80,7 +81,7 @@ impl Default for Options {
 }
 
 impl Options {
-    /// Every number is positive and finite, and what is relative is below 1.
+    /// Checks that every number is positive and finite, and that relative ones are below 1.
     ///
     /// # Errors
     /// [`SolveError::Option`] with the first that is not.

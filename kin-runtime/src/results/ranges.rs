@@ -1,11 +1,11 @@
-//! How far a mechanism moves: where along t it closes, and where that ends.
+//! Ranges of motion: the intervals of t in which a mechanism closes, and the limits at their ends.
 
 use crate::planned::{LimitKind, Sign};
 use crate::scalar::Interval;
 use crate::text::{rounded, separated};
 use core::fmt;
 
-/// A stretch of t on which the mechanism closes in one combination of its modes, proven for every t in it.
+/// An interval of t in which the mechanism closes in one combination of its modes, proven for every t in it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Range {
     /// The signs of its assembly modes, with their names.
@@ -14,12 +14,12 @@ pub struct Range {
     pub from: f64,
     /// The last t.
     pub to: f64,
-    /// Which motion it is a part of: ranges that meet at a dead centre have the same number, counted from 0. There the
-    /// mechanism comes from one mode into the other without being taken apart.
+    /// The circuit it belongs to, counted from 0. Ranges that meet at a dead centre are one circuit: the mechanism can
+    /// pass from one mode into the other there without being taken apart.
     pub circuit: usize,
 }
 
-/// Where ranges end.
+/// A limit at which ranges end.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RangeLimit {
     /// In this interval of t.
@@ -28,31 +28,32 @@ pub struct RangeLimit {
     pub modes: Vec<(&'static str, Sign)>,
     /// The joints of the group that is at its limit.
     pub joints: Vec<&'static str>,
-    /// The drivers that can go no further, each with the value of the coordinate that it drives; none where it drives
-    /// something else.
+    /// The drivers that can go no further, each with the value of the coordinate that it drives; none if it drives
+    /// something other than a coordinate.
     pub drivers: Vec<(&'static str, Option<f64>)>,
-    /// What kind of limit it is, where that is known.
+    /// The kind of limit, if it is known.
     pub kind: Option<LimitKind>,
     /// q at the limit, n numbers to about nine digits; empty where it was not found.
     pub q: Vec<f64>,
-    /// True where it is proven that the mechanism closes on one side and not on the other, so that a limit is in `t`.
+    /// True if it is proven that the mechanism closes on one side of `t` and not on the other, so that a limit is in
+    /// `t`.
     pub proven: bool,
 }
 
-/// Where a mechanism closes between two instants, in every combination of its modes.
+/// The ranges of motion between two instants, in every combination of modes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Ranges {
-    /// Where it closes, mode by mode.
+    /// The intervals of t in which it closes, mode by mode.
     pub ranges: Vec<Range>,
-    /// Where that begins and ends between the two instants.
+    /// The limits at their ends between the two instants.
     pub limits: Vec<RangeLimit>,
     /// How many circuits there are.
     pub circuits: usize,
 }
 
 impl Ranges {
-    /// True where every limit is proven; then the mechanism closes in the ranges and nowhere else, the intervals of the limits
-    /// left out.
+    /// True if every limit is proven. Then the mechanism closes in the ranges and, apart from the intervals of the
+    /// limits, nowhere else.
     pub fn is_complete(&self) -> bool {
         self.limits.iter().all(|limit| limit.proven)
     }

@@ -18,8 +18,8 @@ pub struct Sensitivities {
     pub t: f64,
     /// The mechanism's names.
     pub model: &'static Model,
-    /// The margins of the plan's steps, [`Plan::margins`](crate::plan::Plan::margins) numbers: how far each is from where it
-    /// cannot close. Empty where Φ_q was factorised as a whole.
+    /// The margins of the plan's steps, [`Plan::margins`](crate::plan::Plan::margins) numbers: how far each is from its
+    /// limit. Empty if Φ_q was factorised as a whole.
     pub margins: Vec<f64>,
     /// One per parameter that was asked for, in that order.
     pub by: Vec<Sensitivity>,
@@ -36,7 +36,7 @@ impl Index<&str> for Sensitivities {
     type Output = Sensitivity;
 
     /// # Panics
-    /// Where nothing was asked for by a parameter of this name.
+    /// If no derivatives by a parameter of this name were asked for.
     fn index(&self, parameter: &str) -> &Sensitivity {
         self.by(parameter).unwrap_or_else(|| panic!("no derivatives by `{parameter}`"))
     }
@@ -107,13 +107,13 @@ impl fmt::Display for Sensitivity {
     }
 }
 
-/// By how much tolerances of dimensions move a quantity, to first order.
+/// The deviation of a quantity that tolerances of dimensions cause, to first order.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Deviation {
     /// Σ |∂y/∂p| δ: all dimensions at their limits, each on its worse side.
     pub worst: f64,
-    /// √(Σ (∂y/∂p δ)²): the root sum of squares, what independent deviations come to.
+    /// √(Σ (∂y/∂p δ)²): the root sum of squares, for independent deviations.
     pub root_sum_square: f64,
 }
 

@@ -25,7 +25,7 @@ pub struct State {
     pub q_dot: Vec<f64>,
     /// q̈, n numbers; the least-norm one where degrees of freedom are left.
     pub q_ddot: Vec<f64>,
-    /// Bodies, in the order of [`Model::bodies`], with what is held or carried; those of q, q̇ and q̈ as they were found.
+    /// Bodies, in the order of [`Model::bodies`], including held and carried coordinates.
     pub bodies: Vec<BodyMotion>,
     /// Named points, in the order of [`Model::points`].
     pub points: Vec<PointMotion>,
@@ -33,9 +33,10 @@ pub struct State {
     pub residual: f64,
     /// Iterations of the position analysis.
     pub iterations: usize,
-    /// Estimated condition number of the scaled Φ_q: ‖A‖₁ ‖A⁻¹‖₁ where it is square and regular, hardly ever too small by
-    /// more than a factor of three; otherwise largest over smallest pivot within the rank. None where the plan has solved,
-    /// which needs no factorisation of Φ_q: [`Solver::condition`](crate::Solver::condition) has it for any state.
+    /// Estimated condition number of the scaled Φ_q: ‖A‖₁ ‖A⁻¹‖₁ where it is square and regular, hardly ever too small
+    /// by more than a factor of three; otherwise largest over smallest pivot within the rank. None if the plan has
+    /// solved the state, which needs no factorisation of Φ_q: [`Solver::condition`](crate::Solver::condition) computes
+    /// it for any state.
     pub condition: Option<f64>,
     /// n − rank of all rows; 0 when fully driven.
     pub degrees_of_freedom_left: usize,
@@ -50,17 +51,17 @@ impl State {
     /// A scalar coordinate with its rate and acceleration.
     ///
     /// # Panics
-    /// As any index, with the handle of another mechanism.
+    /// With the handle of another mechanism, if the index is out of range.
     pub fn coordinate(&self, coordinate: Coordinate) -> Signal {
         self.rates(coordinate.0)
     }
 
-    /// The coordinate at a place in q with its rate and acceleration.
+    /// The coordinate at an index of q with its rate and acceleration.
     pub(crate) fn rates(&self, place: usize) -> Signal {
         Signal { value: self.q[place], rate: self.q_dot[place], acceleration: self.q_ddot[place] }
     }
 
-    /// q, q̇ and q̈ as columns of nalgebra, which copy nothing.
+    /// q, q̇ and q̈ as nalgebra views, without a copy.
     pub fn columns(&self) -> [DVectorView<'_, f64>; 3] {
         [&self.q, &self.q_dot, &self.q_ddot].map(|column| DVectorView::from_slice(column, column.len()))
     }
@@ -82,7 +83,7 @@ impl Index<Point> for State {
     }
 }
 
-/// The value; with its rates it is [`State::coordinate`].
+/// The value alone; [`State::coordinate`] has it with its rates.
 impl Index<Coordinate> for State {
     type Output = f64;
 
@@ -94,7 +95,7 @@ impl Index<Coordinate> for State {
 impl PartialEq for State {
     fn eq(&self, other: &Self) -> bool {
         let Self { model, t, inputs, q, q_dot, q_ddot, bodies, points, residual, iterations, condition, .. } = self;
-        // Two states of one mechanism have the same tables, which are long.
+        // Two states of one mechanism usually share the tables, so compare their addresses first.
         (core::ptr::eq(*model, other.model) || *model == other.model)
             && *t == other.t
             && *inputs == other.inputs
@@ -131,7 +132,7 @@ impl fmt::Display for State {
         let width = self.model.coordinates.iter().map(|c| c.name.chars().count()).max().unwrap_or(0);
         write!(f, "t = {}", self.t)?;
         for (k, coordinate) in self.model.coordinates.iter().enumerate() {
-            // Who has put a state together by hand may have left something out.
+            // A state that was constructed by hand may have lists that are too short.
             let [value, rate, acceleration] =
                 [&self.q, &self.q_dot, &self.q_ddot].map(|column| column.get(k).copied().unwrap_or(f64::NAN));
             write!(f, "\n{:width$}  {value:>15.9}  {rate:>15.9}  {acceleration:>15.9}", coordinate.name)?;

@@ -9,13 +9,13 @@ use crate::state::State;
 use crate::text::counted;
 use core::fmt;
 
-/// An internal step on which the plan had no good answer and full Newton took over, with the same claims to its result.
+/// An internal step on which the plan had no good answer and full Newton took over, with the same checks of the result.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Fallback {
     /// Time of the step's end.
     pub t: f64,
-    /// The step of the plan that said nothing there; none where it was its answer that did not fit the motion.
+    /// The step of the plan that had no answer there; none if the plan had an answer that did not fit the motion.
     pub limit: Option<Limit>,
 }
 
@@ -35,20 +35,20 @@ pub struct Trajectory {
     pub model: &'static Model,
     /// The states.
     pub states: Vec<State>,
-    /// Where unilateral conditions met their limits, in the order in which the sweep came to it.
+    /// The instants at which unilateral conditions met their limits, in the order of the sweep.
     pub events: Vec<Event>,
-    /// Unilateral conditions that were violated at the first instant, by their places in [`Model::conditions`].
+    /// Unilateral conditions that were violated at the first instant, by their indices in [`Model::conditions`].
     pub violated_at_start: Vec<usize>,
-    /// Where unilateral conditions changed too fast to be watched, so that `events` may not be all; empty where each was
-    /// watched all the time.
+    /// Stretches in which unilateral conditions changed too fast to be watched, so that `events` may be incomplete.
     pub unwatched: Vec<Unwatched>,
-    /// True when the sweep ended at its first event, as it was asked to; the last state is the one at the event.
+    /// True if the sweep ended at its first event because [`stop_at_events`](crate::Options::stop_at_events) is set;
+    /// the last state is the one at the event.
     pub stopped: bool,
-    /// Internal steps that full Newton had to take although there is a plan.
+    /// Internal steps on which full Newton took over from the plan.
     pub fallbacks: Vec<Fallback>,
-    /// q at the limit itself, where the motion ended at a limit of a group that was located.
+    /// q at the limit itself, if the motion ended at a limit that was located.
     pub q_at_limit: Option<Vec<f64>>,
-    /// Instants that were reached, whether their states were kept or lent.
+    /// Number of instants that were reached, whether their states were kept or not.
     pub reached: usize,
 }
 
@@ -104,9 +104,9 @@ impl Trajectory {
         names
     }
 
-    /// One quantity over all states: `t`, a coordinate (`crank.phi`), x, y or φ of a body although it is held or carried,
-    /// x or y of a named point (`tip.x`); its rate (`crank.phi_dot`) or its acceleration (`crank.phi_ddot`). A name as it
-    /// stands wins over a rate of the same name.
+    /// One quantity over all states: `t`, a coordinate (`crank.phi`), x, y or φ of a body (held and carried ones, too),
+    /// or x or y of a named point (`tip.x`); also its rate (`crank.phi_dot`) and its acceleration (`crank.phi_ddot`). A
+    /// quantity that is itself called so is preferred to a rate.
     pub fn column(&self, name: &str) -> Option<Vec<f64>> {
         let rates = |quantity: fn(Signal) -> f64, name: &str| {
             let of = quantity_named(self.model, name)?;
@@ -119,7 +119,7 @@ impl Trajectory {
     }
 }
 
-/// What a name of a column says without `_dot` and `_ddot`.
+/// What the name of a column without `_dot` and `_ddot` refers to.
 enum Named {
     Coordinate(usize),
     Body(usize, Component),
@@ -145,7 +145,7 @@ fn quantity_named(model: &Model, name: &str) -> Option<Named> {
 }
 
 impl Named {
-    /// Its value and rates; NaN where a state has no such entry, which only one that was put together by hand has not.
+    /// Its value and rates; NaN if a state that was constructed by hand has no such entry.
     fn rates(&self, state: &State) -> Signal {
         let at = |list: &[f64], place: usize| list.get(place).copied().unwrap_or(f64::NAN);
         match *self {

@@ -4,7 +4,7 @@
 use crate::scalar::Scalar;
 use num_dual::{Dual, Dual2, DualNum, HyperDual};
 
-/// A derivative that nobody knows.
+/// An unknown derivative.
 fn unknown<T: Scalar>() -> T {
     <T as Scalar>::from_f64(f64::NAN)
 }

@@ -1,4 +1,5 @@
-//! Derivatives of forces: Φ_qᵀ λ_p = r_p − (Φ_q)_pᵀ λ, and the numbers of forces over what carries derivatives.
+//! Derivatives of forces: Φ_qᵀ λ_p = r_p − (Φ_q)_pᵀ λ, and the numbers of forces evaluated with numbers that carry
+//! derivatives.
 
 use super::variation::{Number, Variation, Varied};
 use crate::analysis::forces::{Numbers, Sharing, collected, numbers};
@@ -14,7 +15,7 @@ use crate::state::State;
 use crate::workspace::Subset;
 use nalgebra::DVector;
 
-/// Writes the derivatives of forces; none where there are no forces or they have no derivatives.
+/// Writes the derivatives of forces; none if there are no forces or they have no derivatives.
 pub(crate) fn forces(
     equations: &mut Equations<'_>,
     variation: &mut dyn Variation,

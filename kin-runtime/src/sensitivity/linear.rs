@@ -1,4 +1,4 @@
-//! Derivatives by linear solves, where no plan solves the mechanism: one factorisation of Φ_q for all of them.
+//! Derivatives by linear solves, for mechanisms that no plan solves: one factorisation of Φ_q serves all of them.
 
 use super::variation::{Number, Variation, Varied};
 use crate::analysis::velocity::{factorize, scaled};
@@ -13,8 +13,7 @@ use crate::state::State;
 use crate::workspace::Subset;
 use nalgebra::DVector;
 
-/// A change by this share of a term, while a parameter changes by all of its value, is as good as none: what is left of such
-/// changes is rounding.
+/// If a parameter changes by its whole value, a change of a row below this share of its terms counts as rounding.
 const ROUNDING: f64 = 1e-5;
 
 /// Φ_q at a state, factorised.
@@ -56,7 +55,7 @@ impl Linear {
         self.close(equations, &rows, parameters, q_ddot)
     }
 
-    /// Takes from `x` what these rows are missed by: Φ_q x_p = −row_p for every parameter.
+    /// Corrects the derivatives of `x` so that these rows are 0: Φ_q x_p = −row_p for every parameter.
     fn close(
         &self,
         equations: &Equations<'_>,
@@ -66,7 +65,7 @@ impl Linear {
     ) -> Result<(), SolveError> {
         let mut by = vec![[0.0; super::WIDTH]; x.len()];
         for (lane, &parameter) in parameters.iter().enumerate() {
-            // Rows of prescribed coordinates stand behind those of the mechanism; no parameter moves them.
+            // Rows of prescribed coordinates come after those of the mechanism; they do not depend on parameters.
             let right = |row: usize| rows.values.get(row).map_or(0.0, |value| -value.by()[lane]);
             let right = scaled(equations, &DVector::from_fn(equations.rows(), |row, _| right(row)));
             let name = equations.model.parameters[parameter].name;
@@ -96,8 +95,8 @@ impl Linear {
     }
 }
 
-/// What rows are missed by, by how much the largest of their terms changes with each parameter, and how large it is: rounding
-/// is measured by these.
+/// Residuals of rows, with the size of their largest term and its largest change with each parameter, from which
+/// rounding errors are estimated.
 struct Rows {
     values: Vec<Number>,
     terms: Vec<[f64; super::WIDTH]>,

@@ -194,7 +194,7 @@ fn planned(
     let lists = [&state.q, &state.q_dot, &state.q_ddot];
     let complete = lists.iter().all(|list| list.len() == model.coordinates.len());
     let determined = state.degrees_of_freedom_left == 0 && !is_integrated(model);
-    // Rows that the plan does without may hold at these parameters alone: all rows together say whether they do.
+    // Rows that the plan leaves out may hold for these parameters only: all rows together show whether they do.
     let usable = use_plan && plan.exists() && plan.watched().next().is_none();
     if !(complete && determined && usable) {
         return Ok(false);

@@ -1,4 +1,4 @@
-//! All orders at once: the generated plan over a Taylor series.
+//! Derivatives of all orders at once: the generated plan evaluated over Taylor series.
 
 use super::inputs::factorial;
 use super::orders::{HigherOrders, array};
@@ -9,16 +9,17 @@ use crate::planned::PlanError;
 use crate::scalar::{Scalar, Taylor};
 use crate::workspace::{Array, Instant};
 
-/// Coefficients of all coordinates, at most, whose series are on the stack: a plan has about twenty values for each.
+/// Most coefficients of all coordinates together for which the series are on the stack: a plan has about twenty values
+/// for each.
 const LARGEST: usize = 1500;
 
 impl<M: Mechanism> HigherOrders<'_, M> {
-    /// q, q̇, q̈ by the plan, and all orders up to the highest: [`derivative`](Self::derivative) has those from the third
-    /// on. They are only good where all margins are positive.
+    /// q, q̇, q̈ by the plan, and all orders up to the highest: [`derivative`](Self::derivative) has those from the
+    /// third on. They are valid only if all margins are positive.
     ///
     /// The plan is evaluated over [`Taylor`] series, whose coefficients are all orders. Above the tenth, and for
     /// mechanisms of hundreds of coordinates, it takes one order after another, by [`right`](Self::right) and
-    /// [`solve`](Self::solve). What [`begin`](Self::begin) left is gone then: [`order`](Self::order) is 0.
+    /// [`solve`](Self::solve). The state of [`begin`](Self::begin) is lost then: [`order`](Self::order) is 0.
     ///
     /// # Errors
     /// [`PlanError::NoPlan`], and [`PlanError::Length`] when an argument has the wrong length.
@@ -70,7 +71,8 @@ impl<M: Mechanism> HigherOrders<'_, M> {
         length("modes", plan.modes.len(), modes.len())?;
         length("margins", plan.margins, margins.len())?;
         let mut start: M::Coordinates<f64> = *array("start", M::COORDINATES, start)?;
-        // Iterations converge from what they give for numbers, and redundant rows are watched in q̇ and q̈, too.
+        // Iterations start from their solution for plain numbers, and redundant rows are checked with q̇ and q̈ of
+        // plain numbers.
         let by_numbers = !plan.orientations.is_empty() || plan.watched().next().is_some();
         if by_numbers {
             let solved = Solved { q: &mut *q, q_dot: &mut *q_dot, q_ddot: &mut *q_ddot, margins: &mut *margins };

@@ -1,4 +1,4 @@
-//! The analysis of higher order: order after order with the factorisation of velocity and acceleration analysis.
+//! Higher-order analysis: one order after another, with the factorisation of velocity and acceleration analysis.
 
 use super::orders::{HigherOrders, Orders};
 use super::tape::Missing;
@@ -29,8 +29,8 @@ pub struct Derivatives {
     pub further: Vec<Vec<f64>>,
     /// q, q̇, q̈, q⃛, …: n numbers for every order, in the user's unit over the unit of time to that power.
     pub q: Vec<Vec<f64>>,
-    /// True where the orders from the third on were solved by the blocks of the plan; false where there are none, and
-    /// where a step of the plan says nothing at this configuration, so that Φ_q was factorised as a whole.
+    /// True if the orders from the third on were solved by the blocks of the plan; false without a plan, and if a step
+    /// of the plan is singular at this configuration, so that Φ_q was factorised as a whole.
     pub by_plan: bool,
 }
 
@@ -54,16 +54,16 @@ impl Derivatives {
 impl<M: Mechanism> Solver<'_, M> {
     /// All derivatives of q up to `order` at a solved state: the third is jerk.
     ///
-    /// Order after order is one more right-hand side for Φ_q q⁽ᵏ⁾ = …, with the factorisation that gives q̇ and q̈; see
-    /// [`series`](crate::series). Orders 0, 1, 2 are those of the state. The factors are those of the plan's blocks where
-    /// there is a plan that goes by all rows and none of them is nearly singular; otherwise Φ_q is factorised as a whole
-    /// ([`Derivatives::by_plan`] says which). Where degrees of freedom are left, every order is the
-    /// one of least norm, as q̇ and q̈ are.
+    /// Every order is one more right-hand side for Φ_q q⁽ᵏ⁾ = …, with the factorisation that gives q̇ and q̈; see
+    /// [`series`](crate::series). Orders 0, 1, 2 are those of the state. The factors are those of the plan's blocks if
+    /// there is a plan that uses all rows and no block is nearly singular; otherwise Φ_q is factorised as a whole
+    /// ([`Derivatives::by_plan`] tells which). If degrees of freedom are open, every order is the one of least norm, as
+    /// q̇ and q̈ are.
     ///
-    /// Inputs are known with value, rate and acceleration, supplied functions as far as they say
-    /// ([`ScalarFunction::derivatives`](crate::ScalarFunction::derivatives)): a higher order that needs more of them is
-    /// an error that names them, and [`derivatives_with`](Self::derivatives_with) takes more of the inputs. Prescribed
-    /// coordinates go on with constant acceleration.
+    /// Inputs are known with value, rate and acceleration, supplied functions up to the order that they provide
+    /// ([`ScalarFunction::derivatives`](crate::ScalarFunction::derivatives)): an order that needs higher derivatives of
+    /// them is an error that names them, and [`derivatives_with`](Self::derivatives_with) takes further derivatives of
+    /// inputs. Prescribed coordinates continue with constant acceleration.
     ///
     /// ```
     /// use kin_runtime::{Kinematics, mechanism};
@@ -89,9 +89,9 @@ impl<M: Mechanism> Solver<'_, M> {
     /// # Errors
     /// As [`velocity`](Self::velocity); [`UnknownDerivative`](SolveError::UnknownDerivative) where an input or a
     /// supplied function is not known far enough, [`NotSmooth`](SolveError::NotSmooth) where a row has no such
-    /// derivative, [`OutOfRange`](SolveError::OutOfRange) where it is more than an `f64` can hold, as all of them may be
-    /// beyond order [`HigherOrders::MOST`], [`InconsistentDerivative`](SolveError::InconsistentDerivative) where redundant
-    /// rows disagree.
+    /// derivative, [`OutOfRange`](SolveError::OutOfRange) where it exceeds the range of `f64`, which is possible for
+    /// all derivatives beyond order [`HigherOrders::MOST`],
+    /// [`InconsistentDerivative`](SolveError::InconsistentDerivative) where redundant rows disagree.
     pub fn derivatives(&self, state: &State, order: usize) -> Result<Derivatives, SolveError> {
         self.derivatives_with(state, order, &[])
     }
@@ -134,7 +134,8 @@ fn derivatives(
     let mut by_plan = false;
     if order > 2 {
         orders.begin_with(&state.instant(), further, known.map(Vec::as_slice))?;
-        // Nothing watches higher orders of rows that a plan does without: the whole Φ_q says whether they agree.
+        // The plan does not check higher orders of rows that it leaves out: with such rows, the whole Φ_q shows whether
+        // they agree.
         let all_rows = equations.model.plan.watched().next().is_none();
         let may_use_plan = all_rows && equations.options.use_plan && by_plan::exists(equations);
         by_plan = may_use_plan && orders.factorise(&state.instant())?;
@@ -158,8 +159,8 @@ fn derivatives(
     Ok(Derivatives { t: state.t, inputs: state.inputs.clone(), further, q, by_plan })
 }
 
-/// q⁽ᵏ⁾ with Φ_q q⁽ᵏ⁾ = b: by the blocks of the plan where Φ_q is not factorised as a whole. That of prescribed coordinates
-/// is 0.
+/// q⁽ᵏ⁾ with Φ_q q⁽ᵏ⁾ = b: by the blocks of the plan, unless Φ_q is factorised as a whole. Right-hand sides of
+/// prescribed coordinates are 0.
 fn solve(
     equations: &Equations<'_>,
     orders: &dyn Orders,
@@ -177,7 +178,7 @@ fn solve(
             solution
         }
     };
-    // Of a right-hand side that is a number: whether it is consistent cannot be said of what is none.
+    // If the solution is not finite, consistency cannot be tested.
     if !solution.iter().all(|x| x.is_finite()) {
         return Err(SolveError::OutOfRange { t: equations.t, order: k });
     }
@@ -191,14 +192,14 @@ fn solve(
     Ok(solution.as_slice().to_vec())
 }
 
-/// What a derivative exceeds before the next one is out of range; beside a divisor that is 0 it does not.
+/// If a derivative exceeds this, a next one that is not finite is out of range; otherwise a divisor is 0.
 const HUGE: f64 = 1e200;
 
-/// Why the k-th derivatives of the rows are not finite, where they are not, given q⁽ᵏ⁻¹⁾.
+/// The reason why the k-th derivatives of the rows are not finite, if they are not, given q⁽ᵏ⁻¹⁾.
 fn undefined(equations: &Equations<'_>, orders: &dyn Orders, k: usize, before: &[f64]) -> Option<SolveError> {
     let row = orders.right().iter().position(|b| !b.is_finite())?;
     let t = equations.t;
-    // What is not known is no number; so is the difference of two that are out of range.
+    // An unknown derivative is NaN; so is the difference of two infinite numbers.
     let missing = unknown(equations, orders.missing(), k).filter(|_| orders.right()[row].is_nan());
     if missing.is_none() && before.iter().any(|x| x.abs() > HUGE) {
         return Some(SolveError::OutOfRange { t, order: k });
@@ -207,7 +208,7 @@ fn undefined(equations: &Equations<'_>, orders: &dyn Orders, k: usize, before: &
     Some(missing.unwrap_or(SolveError::NotSmooth { t, order: k, row_name, joint }))
 }
 
-/// What is not known far enough for order k.
+/// The error for an input or a function whose derivatives are not known up to order k.
 pub(super) fn unknown(equations: &Equations<'_>, missing: Option<Missing>, order: usize) -> Option<SolveError> {
     let (model, t) = (equations.model, equations.t);
     Some(match missing? {

@@ -9,11 +9,11 @@ pub(super) struct Inputs {
     pub(super) t: f64,
     /// Input by input; NaN where the derivative is not known.
     coefficients: Vec<f64>,
-    /// Coefficients of one input.
+    /// Number of coefficients of one input.
     stride: usize,
 }
 
-/// k!, as far as an `f64` can hold it.
+/// k!, for all k for which it is an `f64`.
 const FACTORIALS: [f64; 171] = {
     let (mut factorials, mut k) = ([1.0; 171], 1);
     while k < factorials.len() {
@@ -30,7 +30,7 @@ pub(super) fn factorial(k: usize) -> f64 {
 }
 
 impl Inputs {
-    /// Room for series up to this order, and two more for the derivatives of inputs that rows may hold.
+    /// Room for series up to this order, and two more coefficients for rows that contain derivatives of inputs.
     pub(super) fn new(order: usize, inputs: usize) -> Self {
         let stride = order + 3;
         Self { t: 0.0, coefficients: vec![f64::NAN; inputs * stride], stride }
@@ -53,21 +53,21 @@ impl Inputs {
     /// Input `k` with its rate and its acceleration; `series` makes one of the function that gives its coefficients.
     pub(super) fn signal<T>(&self, k: usize, mut series: impl FnMut(&dyn Fn(usize) -> f64) -> T) -> Signal<T> {
         let coefficients = &self.coefficients[k * self.stride..][..self.stride];
-        // Beyond the room nobody knows them either.
+        // Coefficients that are not stored are unknown.
         let at = |i: usize| coefficients.get(i).copied().unwrap_or(f64::NAN);
         let [value, rate, acceleration] =
             [0, 1, 2].map(|order| series(&|i| (i + 1..=i + order).map(|m| m as f64).product::<f64>() * at(i + order)));
         Signal { value, rate, acceleration }
     }
 
-    /// How far an input is known.
+    /// Up to which order an input is known.
     fn known(&self, k: usize) -> Missing {
         let series = &self.coefficients[k * self.stride..][..self.stride];
         Missing::Input { index: k, known: series.iter().take_while(|c| !c.is_nan()).count().saturating_sub(1) }
     }
 }
 
-/// What code is evaluated with, on a tape.
+/// The arguments of generated code that is evaluated on a tape.
 pub(super) struct Setting<'t, M: Mechanism> {
     pub(super) parameters: M::Parameters<Series<'t>>,
     t: Series<'t>,

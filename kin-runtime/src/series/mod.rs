@@ -13,14 +13,14 @@
 //! B q_k = −1/k [τ^{k−1}] η(q_0 + … + q_{k−1} τ^{k−1}, q_1 + … + (k−1) q_{k−1} τ^{k−2}, t + τ)
 //! ```
 //!
-//! For k = 1, 2 these are the velocity and acceleration equations. Nothing is differentiated for this: the generated code
-//! that evaluates Φ runs over truncated power series ([`Scalar`](crate::Scalar)s, each operation by its recurrence:
-//! Griewank and Walther, *Evaluating Derivatives*, 2nd edition, 2008, chapter 13; Nedialkov and Pryce, *Solving
-//! Differential-Algebraic Equations by Taylor Series*, 2005). Their coefficients are found order by order, and every run
-//! leaves them to the next, so that one more order costs O(k) for each operation that is not linear.
+//! For k = 1, 2 these are the velocity and acceleration equations. Nothing is differentiated for this: the generated
+//! code that evaluates Φ runs over truncated power series ([`Scalar`](crate::Scalar)s, each operation by its
+//! recurrence: Griewank and Walther, *Evaluating Derivatives*, 2nd edition, 2008, chapter 13; Nedialkov and Pryce,
+//! *Solving Differential-Algebraic Equations by Taylor Series*, 2005). Coefficients are computed order by order and
+//! kept for the next run, so that one more order costs O(k) for each nonlinear operation.
 //!
-//! A plan is itself a formula of q(t). Its generated code over a [`Taylor`](crate::scalar::Taylor) series gives all orders
-//! in one pass ([`HigherOrders::solve_by_plan`]).
+//! A plan is itself a formula for q(t). Its generated code, evaluated over [`Taylor`](crate::scalar::Taylor) series,
+//! gives all orders in one pass ([`HigherOrders::solve_by_plan`]).
 
 #[cfg(feature = "std")]
 mod by_plan;
@@ -43,7 +43,7 @@ pub use motion::MotionDerivatives;
 #[cfg(feature = "std")]
 pub use orders::HigherOrders;
 
-/// A mechanism whose motion can be expanded in powers of time. Every mechanism is one, so that no bound needs to say it.
+/// A mechanism whose motion can be expanded in powers of time. Every mechanism implements it.
 #[doc(hidden)]
 pub trait PowerSeries: Mechanism {}
 

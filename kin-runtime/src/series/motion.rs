@@ -49,7 +49,7 @@ impl<M: Mechanism> Solver<'_, M> {
     }
 }
 
-/// Coefficients of all observables, order by order, and what some coefficient would have needed.
+/// Coefficients of all observables, order by order, and the first derivative that was missing for one of them.
 type Observed = (Vec<f64>, Option<Missing>);
 
 /// The observables of q as a power series.
@@ -61,7 +61,7 @@ fn observe<M: Mechanism>(mechanism: &M, derivatives: &Derivatives) -> Result<Obs
     let q: Vec<M::Coordinates<f64>> = q.collect::<Result<_, _>>()?;
     tape.start(0..=order);
     let setting = Setting::<M>::new(mechanism, &inputs, &q, &tape);
-    // Rates enter time derivatives alone, which the series have already.
+    // Rates are used for time derivatives only, which the series contain already.
     let rest = M::Coordinates::filled(Series::Number(0.0));
     let mut observations = M::observations::<Series<'_>>();
     let (parameters, q) = (setting.parameters.as_ref(), setting.q.as_ref());

@@ -1,4 +1,4 @@
-//! Right-hand sides order by order, and what is known of q so far.
+//! Right-hand sides order by order, and the derivatives of q that are known so far.
 
 use super::inputs::{Inputs, Setting, coordinates, factorial};
 use super::tape::{Missing, Series, Tape};
@@ -16,9 +16,9 @@ use crate::workspace::{Array, Instant};
 /// Φ_q q⁽ᵏ⁾ = b
 /// ```
 ///
-/// for [`order`](Self::order) k = 3, with Φ_q of that q; [`advance`](Self::advance) takes the solution and goes on to
-/// k + 1. After the first instant nothing is allocated. [`Solver::derivatives`](crate::Solver::derivatives) does all of
-/// this, with its own factorisation and its errors; here a b that cannot be computed is not finite.
+/// for [`order`](Self::order) k = 3, with Φ_q of that q; [`advance`](Self::advance) takes the solution and goes on to k
+/// + 1. After the first instant nothing is allocated. [`Solver::derivatives`](crate::Solver::derivatives) does all of
+/// this, with its own factorisation and typed errors; here a b that cannot be computed is not finite.
 ///
 /// ```
 /// use kin_runtime::series::HigherOrders;
@@ -42,21 +42,21 @@ pub struct HigherOrders<'m, M: Mechanism> {
     pub(super) inputs: Inputs,
     constraints: Tape,
     velocities: Tape,
-    /// q, q̇, q̈ and what is known above; 0 for what is not.
+    /// q, q̇, q̈ and the higher derivatives that are known; 0 for the others.
     pub(super) derivatives: Vec<M::Coordinates<f64>>,
     right: M::Rows<f64>,
     factors: M::Factors<f64>,
     /// The highest order that [`solve_by_plan`](Self::solve_by_plan) has found.
     pub(super) solved: usize,
     missing: Option<Missing>,
-    /// The order of `right`; 0 where it means nothing.
+    /// The order of `right`; 0 if it is not valid.
     pub(super) order: usize,
     pub(super) highest: usize,
     /// Rows of velocity level.
     of_velocity: Vec<usize>,
 }
 
-/// A vector as the array that it must be.
+/// A slice as an array of the right length.
 pub(super) fn array<'a, C: Array<f64>>(
     what: &'static str,
     expected: usize,
@@ -66,14 +66,14 @@ pub(super) fn array<'a, C: Array<f64>>(
 }
 
 impl<'m, M: Mechanism> HigherOrders<'m, M> {
-    /// The highest order that there is: 171! is more than an `f64` can hold.
+    /// The highest order: 171! exceeds the range of `f64`.
     pub const MOST: usize = 170;
 
     /// Room for derivatives up to `highest`, or up to [`MOST`](Self::MOST).
     pub fn new(mechanism: &'m M, highest: usize) -> Self {
         let (rows, highest) = (M::model().rows, highest.min(Self::MOST));
         let is_of_velocity = |row: &usize| rows.get(*row).is_some_and(|info| info.level == Level::Velocity);
-        // The third order is looked at whatever is asked for.
+        // The right-hand side of the third order is always computed.
         let room = highest.max(3);
         Self {
             mechanism,
@@ -95,7 +95,7 @@ impl<'m, M: Mechanism> HigherOrders<'m, M> {
     /// Begins with q, q̇, q̈ at an instant; inputs are known with value, rate and acceleration.
     ///
     /// # Errors
-    /// When an argument has the wrong length.
+    /// If an argument has the wrong length.
     pub fn begin(&mut self, at: &Instant<'_>, q: &[f64], q_dot: &[f64], q_ddot: &[f64]) -> Result<(), LengthError> {
         self.begin_with(at, &[], [q, q_dot, q_ddot])
     }
@@ -118,18 +118,19 @@ impl<'m, M: Mechanism> HigherOrders<'m, M> {
         self.write_right(0)
     }
 
-    /// The order k of [`right`](Self::right); 0 where nothing has begun, and after the last order that was asked for.
+    /// The order k of [`right`](Self::right); 0 before [`begin`](Self::begin), and after the last order that was asked
+    /// for.
     pub fn order(&self) -> usize {
         self.order
     }
 
-    /// b, s numbers, with Φ_q q⁽ᵏ⁾ = b; none where [`order`](Self::order) is 0.
+    /// b, s numbers, with Φ_q q⁽ᵏ⁾ = b; empty if [`order`](Self::order) is 0.
     pub fn right(&self) -> &[f64] {
         if self.order == 0 { &[] } else { self.right.as_ref() }
     }
 
-    /// Takes the factors of Φ_q by the blocks of the plan, at the instant and the q that it began with, for
-    /// [`solve`](Self::solve); false where there is no plan, and where a block is singular or nearly so.
+    /// Factorises Φ_q by the blocks of the plan, at the instant and the q of [`begin`](Self::begin), for
+    /// [`solve`](Self::solve). False without a plan, and if a block is singular or nearly so.
     ///
     /// # Errors
     /// When the inputs have the wrong length.
@@ -141,20 +142,20 @@ impl<'m, M: Mechanism> HigherOrders<'m, M> {
         Ok(M::model().plan.exists() && margins.iter().all(|margin| *margin > Plan::SMALLEST_MARGIN))
     }
 
-    /// q⁽ᵏ⁾ with the factors of [`factorise`](Self::factorise), n numbers, to hand to [`advance`](Self::advance). As in
-    /// [`Mechanism::solve_factorised`] it is only good where Φ_q is not singular: where
-    /// [`factorise`](Self::factorise) was true.
+    /// q⁽ᵏ⁾ with the factors of [`factorise`](Self::factorise), n numbers, to be passed to [`advance`](Self::advance).
+    /// As with [`Mechanism::solve_factorised`] it is valid only if Φ_q is not singular, that is, if
+    /// [`factorise`](Self::factorise) returned true.
     ///
     /// # Errors
-    /// When the vector has the wrong length, and where there is no right-hand side: where [`order`](Self::order) is 0.
+    /// If the vector has the wrong length, and if there is no right-hand side, that is, if [`order`](Self::order) is 0.
     ///
     /// [`Mechanism::solve_factorised`]: crate::Mechanism::solve_factorised
     pub fn solve(&self, derivative: &mut [f64]) -> Result<(), LengthError> {
         M::solve_factorised(&self.factors, self.right(), derivative)
     }
 
-    /// Takes q⁽ᵏ⁾, n numbers, and goes on to the next order, where one was asked for; after the last one
-    /// [`order`](Self::order) is 0.
+    /// Takes q⁽ᵏ⁾, n numbers, and computes the right-hand side of the next order, if one was asked for; after the last
+    /// one [`order`](Self::order) is 0.
     ///
     /// # Errors
     /// When the vector has the wrong length.
@@ -169,8 +170,8 @@ impl<'m, M: Mechanism> HigherOrders<'m, M> {
         self.write_right(self.order - 1)
     }
 
-    /// b = −k! [τᵏ] Φ, and −(k − 1)! [τ^{k−1}] η, with q_k = 0 for the order k at hand. Coefficients from `first` on are
-    /// computed: below, what the tapes hold is right already.
+    /// b = −k! [τᵏ] Φ, and −(k − 1)! [τ^{k−1}] η, with q_k = 0 for the current order k. Coefficients from `first` on
+    /// are computed; the tapes hold the lower ones already.
     fn write_right(&mut self, first: usize) -> Result<(), LengthError> {
         let (order, right) = (self.order, self.right.as_mut());
         self.derivatives[order] = Array::filled(0.0);
@@ -214,7 +215,7 @@ pub(super) trait Orders {
     fn factorise(&mut self, at: &Instant<'_>) -> Result<bool, LengthError>;
     /// [`HigherOrders::solve`].
     fn solve(&self, derivative: &mut [f64]) -> Result<(), LengthError>;
-    /// What some coefficient would have needed.
+    /// The first derivative that was missing for a coefficient.
     fn missing(&self) -> Option<Missing>;
 }
 
@@ -244,7 +245,7 @@ impl<M: Mechanism> Orders for HigherOrders<'_, M> {
     }
 }
 
-/// Of what, and to which order it is solved.
+/// The mechanism and the highest order.
 impl<M: Mechanism> core::fmt::Display for HigherOrders<'_, M> {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         write!(f, "derivatives of {} up to order {}", M::model().name, self.highest)

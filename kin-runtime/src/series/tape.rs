@@ -1,8 +1,8 @@
-//! Power series of any length, whose coefficients are found one after another.
+//! Power series of any length, whose coefficients are computed one after another.
 //!
-//! Code over [`Series`] goes through the same operations in the same order whenever it runs, so that the series of all of
-//! them stand on a tape in that order. A run computes some coefficients of each from the lower ones that earlier runs have
-//! left there.
+//! Code over [`Series`] executes the same operations in the same order in every run, so that the results of all
+//! operations are stored on a tape in that order. A run computes some coefficients of each result from the lower ones
+//! that earlier runs have left on the tape.
 
 use crate::scalar::Scalar;
 use crate::scalar::expansion::*;
@@ -11,12 +11,12 @@ use core::array;
 use core::cell::{Cell, RefCell};
 use core::ops::RangeInclusive;
 
-/// What a coefficient would need and nobody knows.
+/// A derivative that a coefficient needs and that is not known.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Missing {
     /// A higher derivative of an input.
     Input {
-        /// Its place.
+        /// Its index.
         index: usize,
         /// The highest order that is known.
         known: usize,
@@ -35,17 +35,17 @@ pub(super) struct Tape {
     /// Coefficients, `stride` of each.
     numbers: RefCell<Vec<f64>>,
     stride: usize,
-    /// The place of the next series.
+    /// The index of the next series.
     next: Cell<usize>,
     /// The coefficients that this run computes: the first, and one past the last.
     range: Cell<(usize, usize)>,
-    /// Series of which not all coefficients may be known, by their places.
+    /// Indices of series some of whose coefficients may be unknown.
     sources: RefCell<Vec<(usize, Missing)>>,
     missing: Cell<Option<Missing>>,
 }
 
 impl Tape {
-    /// A tape for series up to this order; it takes its room in the first run.
+    /// A tape for series up to this order; memory is allocated in the first run.
     pub(super) fn new(order: usize) -> Self {
         let (numbers, sources) = (RefCell::default(), RefCell::default());
         Self {
@@ -66,7 +66,7 @@ impl Tape {
         self.missing.set(None);
     }
 
-    /// What the last coefficient of the run would have needed.
+    /// The derivative that was missing for the last coefficient of the run.
     pub(super) fn missing(&self) -> Option<Missing> {
         self.missing.get()
     }
@@ -77,7 +77,7 @@ impl Tape {
         series
     }
 
-    /// A series that is only known as far as `missing` says.
+    /// A series whose coefficients are known only up to the order in `missing`.
     pub(super) fn source(&self, missing: Missing, coefficient: impl Fn(usize) -> f64) -> Series<'_> {
         self.sources.borrow_mut().push((self.next.get(), missing));
         self.leaf(coefficient)
@@ -98,7 +98,7 @@ impl Tape {
         }
     }
 
-    /// Room for `count` series: the place of the first.
+    /// Reserves room for `count` series; returns the index of the first.
     #[inline]
     fn room(&self, count: usize) -> usize {
         let first = self.next.get();
@@ -137,7 +137,7 @@ impl Tape {
         array::from_fn(|o| Series::At(self, first + o))
     }
 
-    /// Notes which of the series at `places` is not known far enough.
+    /// Records which of the series at `places` has an unknown coefficient.
     #[cold]
     fn blame(&self, places: &[usize]) {
         let sources = self.sources.borrow();
@@ -147,7 +147,8 @@ impl Tape {
 
     /// A supplied function of the series at `x` with its first two derivatives.
     fn supplied(&self, number: usize, derivatives: impl Fn(f64, &mut [f64]) -> usize, x: usize) -> [Series<'_>; 3] {
-        // The function's derivatives at x_0, two more than coefficients, take two places; powers take one.
+        // The function's derivatives at x_0, two more than coefficients, need the room of two series; powers need that
+        // of one.
         let (first, stride, (_, end)) = (self.room(6), self.stride, self.range.get());
         let mut numbers = self.numbers.borrow_mut();
         let (before, own) = numbers.split_at_mut(first * stride);
@@ -166,7 +167,7 @@ impl Tape {
     }
 }
 
-/// A number, or a series on a tape by its place.
+/// A number, or a series on a tape by its index.
 #[derive(Clone, Copy)]
 pub(super) enum Series<'a> {
     Number(f64),
@@ -192,7 +193,7 @@ impl Expansion for Series<'_> {
     #[inline]
     fn apply<const I: usize, const O: usize>(recurrence: impl Recurrence<I, O>, x: [Self; I]) -> [Self; O] {
         let tape = x.iter().find_map(|x| if let Self::At(tape, _) = x { Some(*tape) } else { None });
-        // Operations on numbers alone are numbers: there is a series among the arguments.
+        // Operations on plain numbers are handled before: at least one argument is a series.
         let Some(tape) = tape else { return [Self::Number(f64::NAN); O] };
         let places = x.map(|x| match x {
             Self::At(_, place) => place,

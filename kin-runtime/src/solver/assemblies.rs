@@ -13,17 +13,18 @@ use crate::proof::{Closing, Outcome, OverBoxes, Seen, certify, combinations, sea
 use crate::scalar::Interval;
 use crate::workspace::{Array, Instant};
 
-/// How far coordinates are searched that are lengths and that no row gives, relative to the size of the mechanism.
+/// Half the width of the search for lengths that no row determines, relative to the size of the mechanism.
 const REACH: f64 = 16.0;
 
 impl<M: Mechanism> Solver<'_, M> {
     /// All ways in which the mechanism closes at an instant: every assembly mode, each with a certificate, and whether they
     /// are proven to be all.
     ///
-    /// Where the plan has a closed form for every group, all combinations of signs are solved, and one that has no closure is
-    /// proven to have none by the plan in interval arithmetic. Everything else is searched by branch and prune: all angles
-    /// that loops leave open go through a full turn around their guess, boxes without a solution are excluded, and the
-    /// solution of every other one is proven to be alone. What could be decided neither way is told.
+    /// Where the plan has a closed form for every group, all combinations of signs are solved, and one that has no
+    /// closure is proven to have none by the plan in interval arithmetic. All other mechanisms are searched by branch
+    /// and prune: all angles that remain unknown cover a full turn around their guess, boxes without a solution are
+    /// excluded, and in every other box the solution is proven to be unique. Boxes for which neither can be proven are
+    /// reported as undecided.
     ///
     /// ```
     /// use kin_runtime::{Instant, Kinematics, mechanism};
@@ -56,7 +57,7 @@ impl<M: Mechanism> Solver<'_, M> {
             && self.given.is_empty()
             && !plan.steps.iter().any(|step| matches!(step.kind, StepKind::Newton(_)));
         let refuse = |why| SolveError::NotCertified { t: at.t, why };
-        // What is not determined has no list of closures.
+        // Fails if degrees of freedom are open: then there is no list of closures.
         let square = self.square(at, &guess).map_err(refuse)?;
         let assembly = |[q, q_dot, q_ddot]: [Vec<f64>; 3], certificate| Assembly {
             modes: self.modes(at, &q).unwrap_or_default().iter().filter_map(|m| Some((m.name, m.sign?))).collect(),

@@ -1,11 +1,11 @@
-//! Analyses of one instant by the plan: what an ordinary call does wherever there is one.
+//! Analyses of one instant by the plan, which ordinary calls try first.
 //!
-//! Nothing is made that belongs to the general path: no scale, no order of elimination. The plan solves, every row is
-//! evaluated at its answer, and where one is not satisfied, or there is no answer, the general path decides.
+//! This avoids the set-up of the general path (common scale, order of elimination). The plan solves, and all rows are
+//! evaluated at its answer; if one is not satisfied, or if there is no answer, the general path is used.
 //!
-//! **What a guess means.** A complete configuration has the modes that its closures have. Of a partial guess every group
-//! whose coordinates are guessed takes the closure that is nearer to them, group by group in the order of the plan. A group
-//! of which nothing is guessed is left to the general path.
+//! **What a guess means.** A complete configuration determines the signs of all modes. With a partial guess, every
+//! group with guessed coordinates takes the closure that is nearer to them, group by group in the order of the plan. If
+//! nothing is guessed of a group, the general path is used.
 
 use super::{Position, Solver};
 use crate::analysis::poses::{shows_coordinates, write_coordinates, write_poses};
@@ -20,17 +20,17 @@ use crate::planned::lists::{Closures, Margins, Modes};
 use crate::state::State;
 use crate::workspace::{Array, Evaluation, Instant, Subset};
 
-/// Where the plan starts: angles come out within half a turn of these, in these modes.
+/// The start of the plan: its modes, and a configuration within half a turn of which the angles of the result are.
 struct Start<M: Mechanism> {
     q: M::Coordinates<f64>,
     modes: Modes<M>,
 }
 
-/// Squared distances of two closures from a guess that are as near to one another as this do not say which is meant.
+/// If the squared distances of both closures from a guess differ by less than this, the guess does not decide the mode.
 const UNDECIDED: f64 = 1e-9;
 
 impl<M: Mechanism> Solver<'_, M> {
-    /// The state that the guesses lead to; none where the general path must decide.
+    /// The state that the guesses lead to; none if the general path must be used.
     pub(crate) fn state_by_plan(&self, at: &Instant<'_>) -> Option<State> {
         if !self.goes_by_plan(at) {
             return None;
@@ -40,7 +40,7 @@ impl<M: Mechanism> Solver<'_, M> {
         self.finished(&parameters, at, &self.poses(&parameters, at, &start)?)
     }
 
-    /// The state near a complete start; none where the general path must decide.
+    /// The state near a complete start; none if the general path must be used.
     pub(crate) fn state_near(&self, at: &Instant<'_>, start: &[f64]) -> Option<State> {
         if !self.goes_by_plan(at) {
             return None;
@@ -50,7 +50,7 @@ impl<M: Mechanism> Solver<'_, M> {
         self.finished(&parameters, at, &self.poses(&parameters, at, &start)?)
     }
 
-    /// The position that the guesses lead to; none where the general path must decide.
+    /// The position that the guesses lead to; none if the general path must be used.
     pub(crate) fn position_by_plan(&self, at: &Instant<'_>) -> Option<Position> {
         if !self.goes_by_plan(at) {
             return None;
@@ -59,7 +59,7 @@ impl<M: Mechanism> Solver<'_, M> {
         self.position_of(&parameters, at, &self.start_of_guess(&parameters, at)?)
     }
 
-    /// The position near a complete start; none where the general path must decide.
+    /// The position near a complete start; none if the general path must be used.
     pub(crate) fn position_near(&self, at: &Instant<'_>, start: &[f64]) -> Option<Position> {
         if !self.goes_by_plan(at) {
             return None;
@@ -68,7 +68,7 @@ impl<M: Mechanism> Solver<'_, M> {
         self.position_of(&parameters, at, &self.start_of(&parameters, at, start)?)
     }
 
-    /// True where the plan determines everything and the geometry of the joints is sound.
+    /// True if the plan determines all coordinates and the geometry of the joints is not degenerate.
     fn goes_by_plan(&self, at: &Instant<'_>) -> bool {
         let plan = &M::model().plan;
         let usable = self.options.use_plan && plan.exists() && self.given.is_empty();
@@ -78,7 +78,7 @@ impl<M: Mechanism> Solver<'_, M> {
         usable && finite && self.options.check().is_ok() && at.inputs.len() == M::INPUTS && sound()
     }
 
-    /// True where no size of a joint is degenerate at these parameters.
+    /// True if no dimension of a joint is degenerate at these parameters.
     fn is_sound(&self, at: &Instant<'_>) -> bool {
         let model = M::model();
         let parameters = self.mechanism.parameters::<f64>();
@@ -111,10 +111,10 @@ impl<M: Mechanism> Solver<'_, M> {
         Some(Start { q, modes })
     }
 
-    /// What the guesses mean.
+    /// The start that the guesses stand for.
     fn start_of_guess(&self, parameters: &M::Parameters<f64>, at: &Instant<'_>) -> Option<Start<M>> {
         let plan = &M::model().plan;
-        // NaN for what is not guessed.
+        // NaN for coordinates without a guess.
         let guess = self.guessed(parameters)?;
         let finite = |numbers: &[f64]| numbers.iter().all(|x| x.is_finite());
         let guesses = self.guesses.iter().all(|(_, guess)| guess.is_finite());
@@ -163,7 +163,7 @@ impl<M: Mechanism> Solver<'_, M> {
         Some(Start { q: start, modes })
     }
 
-    /// The guesses, NaN for what is not guessed; none where one is for a coordinate that does not exist.
+    /// The guesses, NaN for coordinates without one; none if there is one for a coordinate that does not exist.
     fn guessed(&self, parameters: &M::Parameters<f64>) -> Option<M::Coordinates<f64>> {
         let own = M::model().guesses;
         // There are never more guesses than coordinates.
@@ -189,7 +189,7 @@ impl<M: Mechanism> Solver<'_, M> {
         self.solved(parameters, at, start, modes, &mut Margins::filled(0.0))
     }
 
-    /// q by the plan, with its margins as far as they belong to positions.
+    /// q by the plan, with the margins of positions.
     fn solved(
         &self,
         parameters: &M::Parameters<f64>,
@@ -204,13 +204,13 @@ impl<M: Mechanism> Solver<'_, M> {
             Solved { q: q.as_mut(), q_dot: q_dot.as_mut(), q_ddot: q_ddot.as_mut(), margins: margins.as_mut() };
         let modes = modes.of_closures();
         let (parameters, start) = (parameters.as_ref(), start.as_ref());
-        // The margins of iterations need the linear level, and so do redundant rows.
+        // Margins of iterations and of redundant rows need velocities.
         let depth = if plan.orientations.is_empty() { Depth::Position } else { Depth::Velocity };
         self.mechanism.solve_with(parameters, at, modes, start, depth, solved).ok()?;
         Some(q)
     }
 
-    /// The plan solved at an instant; none where it has no answer.
+    /// The solution of the plan at an instant; none if it has no answer.
     fn poses(&self, parameters: &M::Parameters<f64>, at: &Instant<'_>, start: &Start<M>) -> Option<Poses<M>> {
         let mut poses = Poses::<M>::nothing();
         let Poses { q, q_dot, q_ddot, margins } = &mut poses;
@@ -222,19 +222,19 @@ impl<M: Mechanism> Solver<'_, M> {
         if margins.as_ref().iter().fold(true, |all, margin| all & (*margin > FAR)) {
             return Some(poses);
         }
-        // Beside a limit, or with redundant rows that contradict, the follower judges.
+        // Near a limit, or if redundant rows contradict, the follower decides.
         let follower = Follower::begin(self.mechanism, *parameters, at, start.q.as_ref(), start.modes).ok()?;
         Some(*follower.state())
     }
 
-    /// The state with these rates, held against all rows.
+    /// The state with these rates, if it satisfies all rows.
     fn finished(&self, parameters: &M::Parameters<f64>, at: &Instant<'_>, poses: &Poses<M>) -> Option<State> {
         let model = M::model();
         let solution = [poses.q.as_ref(), poses.q_dot.as_ref(), poses.q_ddot.as_ref()];
         let [q, q_dot, q_ddot] = solution;
         let mut workspace = M::workspace::<f64>();
         let residual = if poses.margins.as_ref().iter().all(|margin| *margin > FAR) {
-            // Far from all limits rates follow from a q that closes.
+            // Far from all limits, rates need no check if q satisfies the rows.
             self.mechanism.evaluate_with(parameters.as_ref(), Subset::POSITION, at, q, q_dot, &mut workspace).ok()?;
             self.position_residual(&parts(&workspace), q)?
         } else {
@@ -268,7 +268,7 @@ impl<M: Mechanism> Solver<'_, M> {
         Some(state)
     }
 
-    /// The largest residual where all rows of position level hold; none where one does not.
+    /// The largest residual if all rows of position level are satisfied; otherwise none.
     fn position_residual(&self, parts: &Parts<'_>, q: &[f64]) -> Option<f64> {
         let model = M::model();
         let mut lengths = M::Coordinates::<f64>::filled(0.0);
@@ -279,13 +279,13 @@ impl<M: Mechanism> Solver<'_, M> {
         closed_position(model, parts.phi, sizes.as_ref(), allowed)
     }
 
-    /// The largest residual where all rows hold, with those of rates; none where one does not.
+    /// The largest residual if all rows are satisfied, for rates as well; otherwise none.
     fn residual(&self, parts: &Parts<'_>, solution: [&[f64]; 3]) -> Option<f64> {
         let model = M::model();
         let mut lengths = M::Coordinates::<f64>::filled(0.0);
         write_lengths(model, lengths.as_mut());
         let tolerances = Tolerances { position: self.options.tolerance, rates: self.options.consistency_tolerance };
-        // There are seldom more rows than fit on the stack.
+        // Usually the rows fit on the stack.
         let mut few = [Row::default(); FEW];
         let mut many = Vec::new();
         let rows = match few.get_mut(..M::ROWS) {
@@ -298,12 +298,12 @@ impl<M: Mechanism> Solver<'_, M> {
         closed(model, parts, solution, lengths.as_ref(), tolerances, rows)
     }
 
-    /// The position by the plan, held against all rows.
+    /// The position by the plan, if it satisfies all rows.
     fn position_of(&self, parameters: &M::Parameters<f64>, at: &Instant<'_>, start: &Start<M>) -> Option<Position> {
         let model = M::model();
         let mut margins = Margins::filled(0.0);
         let q = self.solved(parameters, at, &start.q, &start.modes, &mut margins)?;
-        // Rows that the plan does without have margins of their own, over rates too: those are left to states.
+        // Rows that the plan leaves out are checked with rates, which positions alone do not have.
         if !margins.are_good() || model.plan.watched().next().is_some() {
             return None;
         }
@@ -316,7 +316,7 @@ impl<M: Mechanism> Solver<'_, M> {
     }
 }
 
-/// Margins above this leave rates enough digits wherever branches cross.
+/// With margins above this, rates are accurate enough even near crossings of branches.
 const FAR: f64 = 1e-2;
 
 /// Rows for which there is room on the stack.
@@ -328,7 +328,7 @@ fn parts<R: AsRef<[f64]>, J: AsRef<[f64]>>(evaluation: &Evaluation<R, J>) -> Par
     Parts { phi, phi_q, phi_t: evaluation.phi_t(), gamma: evaluation.gamma() }
 }
 
-/// True where a joint has an axis, a radius or a value that parameters may spoil.
+/// True if a joint has an axis, a radius or a length that may be degenerate for some parameters.
 fn has_sizes(model: &Model) -> bool {
     let pieces = model.joints.iter().flat_map(|joint| joint.geometry);
     pieces.into_iter().any(|piece| matches!(piece.role, Role::Axis | Role::Radius | Role::Value))

@@ -8,9 +8,9 @@ use crate::state::State;
 use crate::workspace::Instant;
 
 impl<M: Mechanism> Solver<'_, M> {
-    /// Proves that a state is a solution: a box around it with exactly one, and an interval for every coordinate, rate and
-    /// acceleration, by Krawczyk's operator over interval arithmetic. Whatever rounding did to the state and does in the
-    /// proof is part of it. Prescribed coordinates are rows, with the values that they are given.
+    /// Proves that a state is a solution: a box around it with exactly one, and an interval for every coordinate, rate
+    /// and acceleration, by Krawczyk's operator over interval arithmetic. The proof accounts for all rounding, in the
+    /// state and in its own arithmetic. Prescribed coordinates are rows with their given values.
     ///
     /// ```
     /// use kin_runtime::{Instant, Kinematics, mechanism};
@@ -38,15 +38,15 @@ impl<M: Mechanism> Solver<'_, M> {
     /// ```
     ///
     /// # Errors
-    /// Why there is no certificate: nothing is wrong with the state then, except where it is
-    /// [`NotASolution`](Uncertified::NotASolution).
+    /// The reason why there is no certificate. Only [`NotASolution`](Uncertified::NotASolution) means that the state is
+    /// wrong.
     pub fn certify(&self, state: &State) -> Result<Certificate, Uncertified> {
         let square = self.square(&state.instant(), &state.q)?;
         let mut system = Box::new(OverBoxes::new(self.mechanism, &state.instant()));
         certify(&square, &mut *system, [&state.q, &state.q_dot, &state.q_ddot])
     }
 
-    /// The rows that certificates are about.
+    /// The rows to which a certificate applies.
     pub(super) fn square(&self, at: &Instant<'_>, q: &[f64]) -> Result<Square, Uncertified> {
         if at.inputs.len() != M::model().inputs.len() || self.given.iter().any(|&(k, _)| k >= M::COORDINATES) {
             return Err(Uncertified::Malformed);

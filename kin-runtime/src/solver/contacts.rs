@@ -9,15 +9,15 @@ use crate::signal::Signal;
 use crate::state::State;
 use crate::workspace::Instant;
 
-/// What answers questions between two states: the state at an instant near another, with its normal forces.
+/// Gives the state at an instant near a known state, with its normal forces.
 type Between<'b> = &'b dyn Fn(f64, &State) -> Option<(State, Vec<f64>)>;
 
 /// Watches normal forces from state to state.
 #[derive(Default)]
 pub(crate) struct ContactWatch {
-    /// The last two states with their normal forces, 0 where there is none.
+    /// The last two states with their normal forces, 0 for a contact without one.
     last: Vec<(State, Vec<f64>)>,
-    /// What was seen.
+    /// The changes that were found.
     pub(crate) changes: Vec<ContactChange>,
 }
 
@@ -90,19 +90,20 @@ fn dip(name: &'static str, k: usize, values: [(&State, f64); 3], between: Betwee
     }
     let Some((state, normals)) = between(t, b) else { return Vec::new() };
     let Some(value) = normals.get(k).copied().filter(|value| sign * value < 0.0) else { return Vec::new() };
-    // Between the first and the second state it is before the second, otherwise behind it.
+    // The least force is between the first and the second state, or between the second and the third.
     let (from, to) = if (t - b.t) * h < 0.0 { ((a, sign * x), (b, sign * y)) } else { ((b, sign * y), (c, sign * z)) };
     vec![change(name, k, from, (&state, value), between), change(name, k, (&state, value), to, between)]
 }
 
 impl<M: Mechanism> Solver<'_, M> {
-    /// Where contacts lift off, and where they press again, over the states of a motion in its order: the instants at which
-    /// the normal force of a cam, a flat follower or a rolling disc ([`Reaction::normal`](crate::Reaction::normal)) changes
-    /// its sign, as near as rounding allows. Joints of kin hold in both directions, and the motion is that of the equations
-    /// all the way; a real follower leaves its cam there unless something presses it on, as a spring or a groove.
+    /// Where contacts lift off, and where they press again, over the states of a motion in its order: the instants at
+    /// which the normal force of a cam, a flat follower or a rolling disc
+    /// ([`Reaction::normal`](crate::Reaction::normal)) changes its sign, exact to rounding. Contacts in kin hold in
+    /// both directions, so the motion does not change there; a real follower leaves its cam unless a spring or a groove
+    /// holds it.
     ///
-    /// Between states the mechanism is solved again; a force that changes its sign twice between two states is
-    /// found where it is small at the states beside. A contact that pulls from the first state on lifts off there.
+    /// Between states the mechanism is solved again. Two changes of sign between two states are found if the force is
+    /// small at the states around them. A contact whose force is tensile at the first state lifts off there.
     ///
     /// # Errors
     /// As [`forces`](Self::forces) at the states.

@@ -2,7 +2,6 @@
 
 use crate::analysis;
 use crate::analysis::acceleration::acceleration;
-use crate::analysis::fit::fit_inputs;
 use crate::analysis::forces::Sharing;
 use crate::analysis::position::position;
 use crate::analysis::singular::explain;
@@ -17,12 +16,12 @@ use crate::forces::{Forces, Load};
 use crate::measure::{Measure, values};
 use crate::mechanism::Mechanism;
 use crate::mobility::{Mobility, mobility};
-use crate::model::{Input, Point};
+use crate::model::Point;
 use crate::modes::{Mode, Wanted, assemble_in, modes};
 use crate::motion::Motion;
 use crate::observer::Observer;
 use crate::options::Options;
-use crate::planned::{InputRange, OutOfRange, PlanError, Planned, Sign};
+use crate::planned::{PlanError, Planned, Sign};
 use crate::ratios::{VelocityRatios, velocity_ratios};
 use crate::report::motion::{motion, point_jacobian};
 use crate::state::State;
@@ -34,6 +33,7 @@ mod assemblies;
 mod by_plan;
 mod certify;
 mod contacts;
+mod input_ranges;
 mod ranges;
 mod settings;
 mod sweep;
@@ -48,15 +48,15 @@ pub(crate) use contacts::ContactWatch;
 /// Φ(q, t) = 0        Φ_q q̇ = −Φ_t        Φ_q q̈ = γ
 /// ```
 ///
-/// Where degrees of freedom are left, every answer is the one of least Euclidean norm over q: the shortest correction
-/// of the start, the smallest q̇, the smallest q̈. Prescribe coordinates with [`with_given`](Self::with_given), or add
-/// drivers, for one that means something.
+/// If degrees of freedom are open, every answer is the one of least Euclidean norm over q: the shortest correction of
+/// the start, the smallest q̇, the smallest q̈. Such an answer is only a convention; prescribe coordinates with
+/// [`with_given`](Self::with_given) or add drivers for one with a mechanical meaning.
 pub struct Solver<'m, M: Mechanism> {
     pub(crate) mechanism: &'m M,
     pub(crate) options: Options,
     pub(crate) guesses: Vec<(usize, f64)>,
     pub(crate) given: Vec<(usize, Signal)>,
-    /// Modes asked for, by what they are called, and their signs.
+    /// The modes asked for, by name or index, and their signs.
     modes: Vec<(String, Option<usize>, Sign)>,
     pub(crate) inputs: InputFunction<'m>,
     observer: Option<Observer<'m>>,
@@ -94,8 +94,8 @@ impl<'m, M: Mechanism> Solver<'m, M> {
         self.analyse(at, |equations| modes(equations, q))
     }
 
-    /// Assembles the mechanism from the guesses, to be solved by its plan from there; prescribed coordinates have no part
-    /// in it.
+    /// Assembles the mechanism from the guesses and returns it as [`Planned`], which follows the plan from there.
+    /// Prescribed coordinates are not supported.
     ///
     /// # Errors
     /// As [`assemble`](Self::assemble), and [`Plan`](SolveError::Plan).
@@ -104,40 +104,6 @@ impl<'m, M: Mechanism> Solver<'m, M> {
             return Err(SolveError::Plan(PlanError::NoPlan { why: "coordinates are prescribed" }));
         }
         Ok(Planned::new(self.mechanism, at, &self.assemble(at)?)?)
-    }
-
-    /// The values of an input with which the mechanism closes, at an instant at which it does, while time and the other inputs
-    /// stay what they are: see [`Planned::range_of`].
-    ///
-    /// # Errors
-    /// As [`planned`](Self::planned), and [`Plan`](SolveError::Plan) with the handle of another mechanism.
-    pub fn range_of(&self, at: &Instant<'_>, input: Input) -> Result<InputRange, SolveError> {
-        Ok(self.planned(at)?.range_of(input)?)
-    }
-
-    /// The input that keeps the mechanism from closing at an instant, with what it can be while the others stay what they are;
-    /// where these cannot either, while they are what fits the guess. None where it closes, where no input alone is to blame,
-    /// and without a plan.
-    pub fn out_of_range(&self, at: &Instant<'_>) -> Option<OutOfRange> {
-        let guess = self.checked_guess().ok()?;
-        let fitted = |places: &[usize], values: &[Signal]| {
-            let at = Instant { t: at.t, inputs: values };
-            let found = self.analyse(&at, |equations| {
-                let fits = fit_inputs(equations, &guess, places)?;
-                Ok(fits.then(|| equations.inputs.clone()))
-            });
-            found.ok().flatten()
-        };
-        let all: Vec<usize> = (0..M::INPUTS).collect();
-        let first = |others: &[Signal]| {
-            all.iter().find_map(|&k| {
-                let asked = at.inputs.get(k)?.value;
-                let inputs = fitted(&[k], others)?;
-                let range = self.range_of(&Instant { t: at.t, inputs: &inputs }, Input(k)).ok()?;
-                (!range.contains(asked)).then_some(OutOfRange { value: asked, range })
-            })
-        };
-        first(at.inputs).or_else(|| first(&fitted(&all, at.inputs)?))
     }
 
     /// Position analysis from a complete start, n numbers: the configuration near it.
@@ -215,7 +181,7 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     pub fn motion(&self, state: &State) -> Result<Motion, SolveError> {
         self.analyse(&state.instant(), |equations| {
             let mut motion = motion(equations, state)?;
-            // They do not belong to the motion: where they do not exist, it is good nevertheless.
+            // Forces are optional: without them the motion is still valid.
             if equations.model.forces.is_some() {
                 motion.forces = analysis::forces::forces(equations, state, Sharing::Undetermined).ok();
             }
@@ -223,9 +189,9 @@ impl<'m, M: Mechanism> Solver<'m, M> {
         })
     }
 
-    /// The values of quantities at a solved state, in their order: lengths, angles and times in the units of the mechanism,
-    /// angles in radians. What has no value there is NaN: a transmission angle at which an arm has no length, a force that
-    /// redundancy leaves open, a ratio to what cannot move alone. Only what is asked for is computed.
+    /// The values of quantities at a solved state, in their order, in the units of the mechanism and in radians. A
+    /// value that does not exist is NaN: a transmission angle if an arm has no length, a force that redundant rows
+    /// leave undetermined, a ratio to a driver that cannot move alone. Only the quantities in `measures` are computed.
     ///
     /// # Errors
     /// [`NonFinite`](SolveError::NonFinite) and [`Length`](SolveError::Length).
@@ -243,8 +209,8 @@ impl<'m, M: Mechanism> Solver<'m, M> {
         )
     }
 
-    /// What drivers supply and joints carry at a solved state, from M q̈ + Φ_qᵀ λ = Q. What redundant rows leave
-    /// undetermined has no number.
+    /// Efforts of drivers, reactions of joints, energies and powers at a solved state, from M q̈ + Φ_qᵀ λ = Q. Forces
+    /// that redundant rows leave undetermined have no number.
     ///
     /// # Errors
     /// [`NoLoads`](SolveError::NoLoads) for a mechanism without masses and loads, [`NotHeld`](SolveError::NotHeld) where
@@ -254,10 +220,11 @@ impl<'m, M: Mechanism> Solver<'m, M> {
         self.shared_forces(state, Sharing::Undetermined)
     }
 
-    /// As [`forces`](Self::forces), but where redundant rows share a load, with the least forces that are possible: the least
-    /// sum of the squares of all forces in joints, times a typical length of the mechanism, and of all moments. Equal bodies
-    /// that are placed symmetrically share equally; how real bodies share depends on their stiffness and on tolerances.
-    /// [`Reaction::determined`](crate::Reaction::determined) says which numbers are so.
+    /// As [`forces`](Self::forces), but if redundant rows share a load, with the possible forces of least norm: the
+    /// least sum of the squares of all forces in joints, times a typical length of the mechanism, and of all moments.
+    /// Equal bodies that are placed symmetrically share equally; how real bodies share depends on their stiffness and
+    /// on tolerances. [`Reaction::determined`](crate::Reaction::determined) is false for numbers that depend on this
+    /// convention.
     ///
     /// # Errors
     /// As [`forces`](Self::forces).
@@ -303,8 +270,8 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     /// Velocity ratios and second-order ratios per driving row and per input.
     ///
     /// # Errors
-    /// As [`velocity`](Self::velocity); [`InconsistentVelocity`](SolveError::InconsistentVelocity) also where one
-    /// driving row cannot move without another.
+    /// As [`velocity`](Self::velocity); [`InconsistentVelocity`](SolveError::InconsistentVelocity) also if one driving
+    /// row cannot move without another.
     pub fn velocity_ratios(&self, state: &State) -> Result<VelocityRatios, SolveError> {
         self.analyse(&state.instant(), |equations| {
             equations.check("q", &state.q)?;
@@ -329,8 +296,8 @@ impl<'m, M: Mechanism> Solver<'m, M> {
         self.analyse(at, |equations| transmission_angles(equations, q))
     }
 
-    /// Every entry of Φ_q, Φ_t and γ against dual numbers, at the configurations given and at random ones around the
-    /// guess.
+    /// Compares every entry of Φ_q, Φ_t and γ with dual numbers, at the configurations given and at random ones around
+    /// the guess.
     ///
     /// # Errors
     /// [`NothingCompared`](SolveError::NothingCompared) where Φ is not finite at any of them;
@@ -340,11 +307,11 @@ impl<'m, M: Mechanism> Solver<'m, M> {
         cross_check(self.mechanism, options, &centre, length, self.observer)
     }
 
-    /// The plan against the equations, from the configurations given and from random ones around the guess; and against
-    /// full Newton from those given. Parameters stay what they are.
+    /// Compares the plan with the equations, from the configurations given and from random ones around the guess, and
+    /// with full Newton from those given. Parameters are not varied.
     ///
     /// # Errors
-    /// [`Plan`](SolveError::Plan) where there is no plan; as [`state_from`](Self::state_from) for the configurations given.
+    /// [`Plan`](SolveError::Plan) without a plan; as [`state_from`](Self::state_from) for the configurations given.
     pub fn plan_check(&self, options: &CrossCheckOptions) -> Result<CrossCheck, SolveError> {
         let (centre, length) = self.around(options)?;
         plan_check(self.mechanism, options, &centre, length, self.observer, |at, start| {
@@ -352,7 +319,8 @@ impl<'m, M: Mechanism> Solver<'m, M> {
         })
     }
 
-    /// The guess as centre of random configurations, and their width in x and y; those of the caller are checked.
+    /// The guess as centre of random configurations, and their width in x and y. Checks the configurations of the
+    /// caller.
     fn around(&self, options: &CrossCheckOptions) -> Result<(Vec<f64>, f64), SolveError> {
         let centre: Vec<f64> = self.checked_guess()?.into_iter().map(|g| g.unwrap_or(0.0)).collect();
         let inputs = vec![Signal::default(); M::INPUTS];
@@ -367,7 +335,7 @@ impl<'m, M: Mechanism> Solver<'m, M> {
         Ok((centre, length))
     }
 
-    /// The guesses, unless one of them is for a coordinate that does not exist.
+    /// The guesses; an error if one of them is for a coordinate that does not exist.
     pub(crate) fn checked_guess(&self) -> Result<Vec<Option<f64>>, SolveError> {
         let coordinates = M::COORDINATES;
         match self.guesses.iter().find(|(index, _)| *index >= coordinates) {
@@ -376,7 +344,7 @@ impl<'m, M: Mechanism> Solver<'m, M> {
         }
     }
 
-    /// The guesses, and the places of the modes that are asked for.
+    /// The guesses, and the indices of the modes that are asked for.
     pub(crate) fn wanted(&self) -> Result<Wanted, SolveError> {
         let guess = self.checked_guess()?;
         let place = |(mode, place, sign): &(String, Option<usize>, Sign)| match place {
@@ -393,7 +361,7 @@ impl<'m, M: Mechanism> Solver<'m, M> {
         Ok(Wanted { guess, modes: self.modes.iter().map(place).collect::<Result<_, _>>()? })
     }
 
-    /// Hands the equations at `at` to an analysis.
+    /// Runs an analysis with the equations at `at`.
     pub(crate) fn analyse<R>(
         &self,
         at: &Instant<'_>,

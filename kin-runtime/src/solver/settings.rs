@@ -1,4 +1,4 @@
-//! What a solver is asked for besides the mechanism: tolerances, guesses, prescribed coordinates, modes, inputs.
+//! Settings of a solver: tolerances, guesses, prescribed coordinates, modes, inputs, observer.
 
 use super::Solver;
 use crate::mechanism::Mechanism;
@@ -31,11 +31,11 @@ impl<'m, M: Mechanism> Solver<'m, M> {
         self
     }
 
-    /// Asks for an assembly mode, by its name or its place in [`Kinematics::modes`](crate::Kinematics::modes).
+    /// Asks for an assembly mode, by its name or its index in [`Kinematics::modes`](crate::Kinematics::modes).
     ///
-    /// Wherever the solver assembles from guesses, it does so as without; then the plan closes in the modes asked for, all
-    /// others being as the guesses have them, and full Newton closes what the plan gives. Analyses from a complete start
-    /// have the modes of that start.
+    /// Assembly from guesses first proceeds as without this setting. Then the plan closes in the modes asked for, with
+    /// all other modes as the guesses have them, and full Newton closes the result. Analyses from a complete start have
+    /// the modes of that start.
     #[must_use]
     pub fn with_mode<'k>(mut self, mode: impl Into<ModeKey<'k>>, sign: Sign) -> Self {
         let key = mode.into();
@@ -45,7 +45,7 @@ impl<'m, M: Mechanism> Solver<'m, M> {
 
     /// Prescribes a coordinate (place in q): adds the row q_k − value, with its rate and acceleration.
     ///
-    /// A sweep takes value, rate and acceleration at its first instant and goes on with that acceleration.
+    /// In a sweep the signal belongs to the first instant and continues with constant acceleration.
     #[must_use]
     pub fn with_given(mut self, coordinate: usize, signal: Signal) -> Self {
         self.given.retain(|&(k, _)| k != coordinate);
@@ -60,8 +60,8 @@ impl<'m, M: Mechanism> Solver<'m, M> {
         self
     }
 
-    /// Is told how far sweeps and checks are, and may end them: [`Stopped`](crate::SolveError::Stopped) then, a sweep with
-    /// all instants that are finished.
+    /// Sets an observer, which gets the progress of sweeps and checks and may end them with the error
+    /// [`Stopped`](crate::SolveError::Stopped); a sweep keeps the instants that are finished.
     #[must_use]
     pub fn with_observer(mut self, observer: Observer<'m>) -> Self {
         self.observer = Some(observer);
@@ -99,7 +99,7 @@ impl<M: Mechanism> Clone for Solver<'_, M> {
     }
 }
 
-/// The mechanism, and what is asked for besides.
+/// The mechanism, its prescribed coordinates and its modes.
 impl<M: Mechanism> fmt::Display for Solver<'_, M> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let coordinates = M::model().coordinates;

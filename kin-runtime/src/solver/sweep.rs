@@ -28,11 +28,10 @@ impl<'m, M: Mechanism> Solver<'m, M> {
         self.follow(times, |at| self.state_by_plan(at), first, kinematic)
     }
 
-    /// [`sweep`](Self::sweep) that lends its states instead of keeping them: `visit` is shown every state in its turn, and
-    /// what it is shown is written anew for the next one. So a sweep may be as long as one likes, and where the plan solves
-    /// the mechanism it takes no memory per instant.
+    /// As [`sweep`](Self::sweep), but states are passed to `visit` one by one and not kept: the memory of a state is
+    /// reused for the next one. If the plan solves the mechanism, the memory does not grow with the number of instants.
     ///
-    /// What comes back is the trajectory without its states: events and what else was seen on the way.
+    /// Returns the trajectory without states: its events, fallbacks and what could not be watched.
     ///
     /// ```
     /// use kin_runtime::{Kinematics, mechanism};

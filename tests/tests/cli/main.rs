@@ -253,10 +253,10 @@ fn bad_options_are_named_with_status_2() {
     failed("fourbar solve --guess rocker=1", 2, &["--guess: no coordinate named `rocker`"]);
     failed("fourbar solve --input u=1", 2, &["this mechanism has no inputs"]);
     failed("fourbar sweep --to 1 --steps 0", 2, &["--steps"]);
-    failed("fourbar sweep --times 0,1 --to 2", 2, &["--times: cannot stand beside --to"]);
+    failed("fourbar sweep --times 0,1 --to 2", 2, &["--times: cannot be combined with --to"]);
     failed("fourbar sweep --times 0,nan", 2, &["--times"]);
     failed("fourbar swep", 2, &["swep"]);
-    failed("fourbar --at 1 solve", 2, &["Options stand behind the command"]);
+    failed("fourbar --at 1 solve", 2, &["Options follow the command"]);
     failed("fourbar solve --at", 2, &["--at"]);
     let twice = failed("fourbar solve --at 1 --at 2", 2, &["multiple times"]);
     assert!(!twice.err.contains("behind the command"), "{}", twice.err);
@@ -334,7 +334,7 @@ fn supplied_functions_are_listed_and_checked() {
     let check = json("cam check --format json");
     assert_eq!(check["cross_check"]["functions"][0]["function"], "lift");
     assert!(check["cross_check"]["functions"][0]["arguments"].as_u64().expect("a count") > 100);
-    let parts = ["the derivatives of a supplied function are not its derivatives", "`lift`: f″ is"];
+    let parts = ["the derivatives of a supplied function differ from its difference quotients", "`lift`: f″ is"];
     let wrong = failed("wrong_cam check", 1, &parts);
     assert!(wrong.out.contains("FAILED") && wrong.out.contains("f″ of `lift`"), "{}", wrong.out);
 }

@@ -49,7 +49,7 @@ fn colours_are_for_terminals() {
 fn pictures_are_nothing_for_a_terminal() {
     for (line, ending) in [("animate", "html"), ("plot --format png", "png"), ("equations --format html", "html")] {
         let Some(text) = seen(&format!("fourbar {line}"), &[("NO_COLOR", "1")]) else { return };
-        let expected = format!("error: --out: {ending} is nothing for a terminal; write --out FILE.{ending}, or pipe");
+        let expected = format!("error: --out: {ending} is not shown on a terminal; write --out FILE.{ending}, or pipe");
         assert!(text.starts_with(&expected) && text.lines().count() == 1, "{line}: {text}");
     }
 }

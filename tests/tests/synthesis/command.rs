@@ -25,7 +25,8 @@ fn a_design_is_found_and_read_again() {
     assert_eq!("-", found["modes"]["A-B-D"]);
 
     let (set, solved) = (format!("@{best}"), file("solved.json"));
-    let again = ["solve", "--set", &set, "--mode", "A-B-D=-", "--at", "1.0471975511965976", "--out", &solved];
+    // The file has the assembly mode as well.
+    let again = ["solve", "--set", &set, "--at", "1.0471975511965976", "--out", &solved];
     assert_eq!(ExitCode::SUCCESS, run(&args(&again)));
     let state: Value = serde_json::from_str(&std::fs::read_to_string(&solved).unwrap()).unwrap();
     let r = &state["points"]["P"]["r"];

@@ -1,4 +1,4 @@
-//! The numbers of forces by what they are.
+//! Makes [`Forces`] of the numbers of forces.
 
 use super::numbers::{Numbers, Sharing};
 use crate::forces::{Effort, Forces, Reaction, SpringForce, Wrench};
@@ -6,7 +6,7 @@ use crate::model::forces::TOTALS;
 use crate::model::{EffortInfo, ForceModel, Model, ReactionInfo};
 use crate::state::State;
 
-/// The numbers by what they are.
+/// The numbers as efforts, reactions, springs, energies and powers.
 pub(crate) fn collected(model: &'static Model, info: &ForceModel, state: &State, numbers: &Numbers) -> Forces {
     let Numbers { values, determined, given, sharing, .. } = numbers;
     let shown: Vec<bool> = determined.iter().map(|determined| *determined || *sharing == Sharing::LeastNorm).collect();

@@ -1,8 +1,9 @@
-//! Forces: Φ_qᵀ λ = r at a solved state, and what λ means.
+//! Forces: solves Φ_qᵀ λ = r at a solved state, and computes efforts and reactions from λ.
 //!
-//! Along a plan the closed forms hold λ themselves. Otherwise λ is solved here from the scaled Φ_q: R Φ_q D with rows and
-//! columns on the common scale, (R Φ_q D)ᵀ y = D r, λ = R y. So it is where coordinates are given, where dimensions leave
-//! a degree of freedom open that no symbol shows, and where the closed forms do not close.
+//! Along a plan the generated code computes λ in closed form. Otherwise λ is solved here from the scaled Φ_q: R Φ_q D
+//! with rows and columns on the common scale, (R Φ_q D)ᵀ y = D r, λ = R y. This is so if coordinates are prescribed, if
+//! special dimensions leave a degree of freedom open that the plan does not know, and if the closed forms give no
+//! solution.
 
 mod collected;
 mod numbers;
@@ -23,7 +24,7 @@ pub(crate) use collected::collected;
 use nalgebra::{DMatrix, DVector};
 pub(crate) use numbers::{Numbers, Sharing};
 
-/// What of r may be left over, beside r.
+/// Largest residual of the solution for λ, relative to r.
 const LEFT_OVER: f64 = 1e-7;
 
 /// The forces at a state.
@@ -72,10 +73,10 @@ pub(crate) fn numbers(
     }
 }
 
-/// The numbers by the closed forms; none where there are none, and where they are no solution.
+/// The numbers by the closed forms; none without closed forms, and if they give no solution.
 fn by_plan(equations: &mut Equations<'_>, info: &ForceModel, state: &State) -> Result<Option<Vec<f64>>, SolveError> {
     let rows = equations.model.rows.len();
-    // They know neither prescribed coordinates nor degrees of freedom that dimensions leave open.
+    // The closed forms know neither prescribed coordinates nor degrees of freedom that special dimensions leave open.
     if !info.solved || state.degrees_of_freedom_left > 0 || equations.rows() > rows {
         return Ok(None);
     }
@@ -138,7 +139,7 @@ fn by_elimination(
     Ok(Numbers { values, determined, given: given.collect(), sharing, by_plan: false })
 }
 
-/// Why no multipliers balance r: the configuration is singular, or something is left open.
+/// The reason why no multipliers balance r: the configuration is singular, or degrees of freedom are open.
 fn not_held(equations: &mut Equations<'_>, state: &State, scaled: &DMatrix<f64>) -> Result<SolveError, SolveError> {
     let columns = vec![1.0; scaled.nrows()];
     let here = Factorization::absolute(&scaled.transpose(), &columns, equations.options.rank_tolerance);

@@ -1,11 +1,11 @@
-//! The numbers of forces, and what is asked of them.
+//! The numbers of forces, and how redundant rows share a load.
 
-/// What is asked where redundant rows share a load.
+/// What to do if redundant rows share a load.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Sharing {
-    /// To say so, without numbers.
+    /// Report the forces as undetermined, without numbers.
     Undetermined,
-    /// The least of all possible forces.
+    /// Take the possible forces of least norm.
     LeastNorm,
 }
 
@@ -17,6 +17,6 @@ pub(crate) struct Numbers {
     /// The name of every prescribed coordinate, its effort, the rate of the coordinate, and whether the effort is determined.
     pub(crate) given: Vec<(&'static str, f64, f64, bool)>,
     pub(crate) sharing: Sharing,
-    /// True where the closed forms hold λ, false where it was eliminated.
+    /// True if the closed forms gave λ, false if it was solved numerically.
     pub(crate) by_plan: bool,
 }

@@ -1,10 +1,10 @@
-//! What redundant rows leave undetermined, and the least of all forces that are possible then.
+//! Forces that redundant rows leave undetermined, and the possible forces of least norm.
 //!
-//! Where rows are more than their rank, λ may change along every null vector of Φ_qᵀ, and whatever changes along one is
-//! undetermined: equilibrium alone does not tell it. Of all possible λ, one has the least forces: the least sum of the
-//! squares of all forces in joints, times a length of the mechanism, of all moments and couples, and of the multipliers of
-//! rows that exert neither (drivers, rows of the user's own), on the common scale. However a joint is written, its force
-//! counts alike.
+//! If there are more rows than their rank, λ may change along every null vector of Φ_qᵀ, and a force that changes with
+//! it is not determined by equilibrium alone. Of all possible λ, `Sharing::LeastNorm` takes the one with the least sum
+//! of squares of: all forces in joints, times a length of the mechanism; all moments and couples; and the multipliers,
+//! on the common scale, of rows that exert neither (drivers, equations of the user). So the result does not depend on
+//! how a joint is written.
 
 use crate::equations::Equations;
 use crate::error::SolveError;
@@ -13,7 +13,7 @@ use crate::model::{ForceModel, Model};
 use crate::state::State;
 use nalgebra::{DMatrix, DVector};
 
-/// What counts as a change along a null vector, beside the largest change.
+/// Changes along a null vector below this, relative to the largest one, count as zero.
 const CHANGE: f64 = 1e-9;
 
 /// The multipliers of rows that share a load.
@@ -58,7 +58,8 @@ impl Shared {
         };
         let (weights, counted) = weights(equations.model, info, equations.scale.length);
         let here = numbers(&self.unscaled(&self.least))?;
-        // As large as the multipliers are, so that rounding of what does not change is small beside what does.
+        // Null vectors are scaled to the size of the multipliers, so that rounding of forces that do not change stays
+        // relatively small.
         let size = if self.least.amax() > 0.0 { self.least.amax() } else { 1.0 };
         let (count, free) = (info.count, self.null.ncols());
         let mut changes = DMatrix::zeros(count, free);
@@ -68,7 +69,8 @@ impl Shared {
         }
         let largest = changes.amax();
         self.determined = changes.row_iter().map(|change| change.amax() <= CHANGE * largest).collect();
-        // Σ (numbers + changes z)² + Σ (y + null z)², of what counts.
+        // Minimise Σ (numbers + changes z)² + Σ (y + null z)² over z, with the numbers of joints and the rows that
+        // exert nothing.
         let other: Vec<usize> = (0..self.least.len()).filter(|&row| !exerts(equations.model, info, row)).collect();
         let forces: Vec<usize> = (0..count).filter(|&place| counted[place]).collect();
         let matrix = DMatrix::from_fn(forces.len() + other.len(), free, |i, j| match forces.get(i) {
@@ -91,7 +93,7 @@ impl Shared {
         self.least.clone()
     }
 
-    /// λ of scaled multipliers.
+    /// λ from scaled multipliers.
     pub(super) fn unscaled(&self, y: &DVector<f64>) -> Vec<f64> {
         y.iter().zip(&self.rows).map(|(y, s)| y * s).collect()
     }
@@ -107,7 +109,7 @@ impl Shared {
     }
 }
 
-/// What every number is multiplied with to be a moment, and whether it is a force, a moment or a couple of a joint.
+/// The factor that makes every number a moment, and whether it is a force, a moment or a couple of a joint.
 fn weights(model: &Model, info: &ForceModel, length: f64) -> (DVector<f64>, Vec<bool>) {
     let (mut weights, mut counted) = (DVector::from_element(info.count, 1.0), vec![false; info.count]);
     debug_assert!(model.forces.is_some());

@@ -1,7 +1,7 @@
-//! Sets of parameters on their way from instant to instant.
+//! The motion of eight sets of parameters from instant to instant.
 //!
-//! Eight sets go through the follower's usual step together: predict, solve, and judge by what was expected. A set for
-//! which that step does not count takes it alone, by the follower itself, so that every set goes where it would go alone.
+//! Eight sets take the follower's usual step together: predict, solve, and judge the result by the prediction. A set
+//! for which this step is not accepted repeats it with the scalar follower, so that every set moves as it would alone.
 
 use super::end::{End, Outcome};
 use super::poses::{Limits, Poses, Question, copy_lane};
@@ -19,32 +19,32 @@ use crate::scalar::lanes::{Lanes, Octet, Pack};
 use crate::signal::{Instant, Signal};
 use crate::workspace::Array;
 
-/// Margins above this leave rates enough digits for all sets to be judged together.
+/// With margins above this, rates are accurate enough for all sets to be judged together.
 const FAR: f64 = 1e-2;
 
-/// Eight sets on their way.
+/// Eight sets that move together.
 pub(super) struct Motion<M: Mechanism> {
     pub(super) parameters: M::Parameters<Octet>,
     pub(super) modes: Modes<M, Octet>,
     pub(super) predicted: M::Coordinates<Octet>,
     distances: Distances<M, Octet>,
     margins: Margins<M, Octet>,
-    /// The last instant, and the one that is being tried.
+    /// The states at the last instant and at the instant that is tried.
     poses: [Poses<M::Coordinates<Octet>, Octet>; 2],
     good: usize,
-    /// The margins of the last instant, and its inputs, which all sets share.
+    /// The margins at the last instant, and its inputs, which all sets share.
     margins_before: Margins<M, Octet>,
     inputs: M::Inputs<f64>,
     t: f64,
-    /// Radians that a unit of each coordinate counts for.
+    /// The weight of each coordinate: radians per unit.
     weights: M::Coordinates<f64>,
 }
 
-/// Why a set has no answer: the margin to report, and the step of the plan where one is to blame.
+/// For every set without an answer the margin to report, and the step of the plan that is the reason, if there is one.
 type Refusals = [Option<(f64, Option<Limit>)>; Octet::COUNT];
 
 impl<M: Mechanism> Motion<M> {
-    /// Room for them.
+    /// Buffers without a state.
     pub(super) fn nothing() -> Self {
         let nothing = |_| Octet::default();
         Self {
@@ -67,7 +67,7 @@ impl<M: Mechanism> Motion<M> {
         &self.poses[self.good]
     }
 
-    /// The first instant, from a start that stands in `predicted`.
+    /// Solves the first instant, from the start in `predicted`.
     pub(super) fn begin(&mut self, mechanism: &M, at: &Instant<'_, Octet>) -> Option<Refusals> {
         let mut limits = self.solve(mechanism, at);
         self.orient(mechanism, at);
@@ -90,7 +90,7 @@ impl<M: Mechanism> Motion<M> {
         Some(Octet::each(refused))
     }
 
-    /// What tells the branches of all groups apart, at the state that is being tried.
+    /// The closures, whose signs distinguish the branches of all groups, at the state that is tried.
     fn found(&self, mechanism: &M, at: &Instant<'_, Octet>) -> Closures<M, Octet> {
         self.closures(mechanism, at, self.poses[1 - self.good].q.as_ref())
     }
@@ -101,7 +101,7 @@ impl<M: Mechanism> Motion<M> {
         closures.unwrap_or_else(|_| Closures::filled(Octet::default()))
     }
 
-    /// The signs of iterated groups, as they were found.
+    /// Takes the orientations of iterated groups from the state that was found.
     fn orient(&mut self, mechanism: &M, at: &Instant<'_, Octet>) {
         let plan = &M::model().plan;
         if !plan.orientations.is_empty() {
@@ -121,7 +121,7 @@ impl<M: Mechanism> Motion<M> {
         modes.fold(Octet::from_f64(1.0), |least, (mode, found)| least.least(*mode * *found))
     }
 
-    /// The next instant; refusals where a set has no answer.
+    /// Advances to the next instant; returns the sets that have no answer there.
     #[inline(always)]
     pub(super) fn advance(&mut self, mechanism: &M, at: &Instant<'_, Octet>, t: f64) -> Option<Refusals> {
         let h = t - self.t;
@@ -134,11 +134,11 @@ impl<M: Mechanism> Motion<M> {
         let away = turned(tried.q.as_ref(), self.predicted.as_ref(), self.weights.as_ref());
         let control = Control::USUAL;
         let allowed = Octet::from_f64(control.correction) * turn + Octet::from_f64(NEGLIGIBLE);
-        // All that must not be negative, as one number.
+        // The least of all numbers that must not be negative.
         let rotation = Octet::from_f64(control.rotation) - turn;
         let mut least = rotation.least(allowed - away);
         if M::LENGTHS > 0 {
-            // Where one is negative, the follower says so.
+            // The follower reports a negative length.
             least = least.least(least_length(mechanism, self.parameters.as_ref(), at));
         }
         let nearer = tried.margin.least(self.poses[self.good].margin);
@@ -146,13 +146,13 @@ impl<M: Mechanism> Motion<M> {
         let beyond = nearer - reach * reach;
         if !is_positive(beyond) || !plan.orientations.is_empty() {
             let certain = self.certainty_of_prediction(mechanism, at, nearer.abs().sqrt(), turn);
-            // Out of reach of all limits nothing need be certain.
+            // If all limits are out of reach, this certainty is not needed.
             least = least.least(certain.greatest(beyond));
             if !plan.orientations.is_empty() {
                 least = least.least(self.kept_orientation(mechanism, at));
             }
         }
-        // No group is so near to its limit that rates may mean nothing, and nothing is NaN.
+        // No group is so near to its limit that rates are inaccurate, and no number is NaN.
         let far = (nearer - Octet::from_f64(1.0)).is_within(1.0 - FAR);
         if limits.is_none() & far & is_positive(least) {
             self.keep(at);
@@ -163,7 +163,7 @@ impl<M: Mechanism> Motion<M> {
         refusals
     }
 
-    /// How certain it is that all groups have stayed on their branches, by what tells them apart at the prediction.
+    /// A measure, by the closures at the prediction, of the certainty that all groups have stayed on their branches.
     #[inline(never)]
     fn certainty_of_prediction(
         &mut self,
@@ -175,7 +175,7 @@ impl<M: Mechanism> Motion<M> {
         self.margins.write_distances(&mut self.distances);
         let foretold = self.closures(mechanism, at, self.predicted.as_ref());
         let groups = foretold.as_ref().iter().zip(self.modes.as_ref()).zip(self.distances.as_ref());
-        // Where a group may have come to its limit and back, the follower looks.
+        // If a group may have reached its limit and come back, the follower decides.
         let start = resolves(nearest, turn).least(nearest - Octet::from_f64(CLOSE));
         groups.fold(start, |least, ((w, mode), now)| least.least(certainty_of(*now, *mode * *w)))
     }
@@ -188,7 +188,7 @@ impl<M: Mechanism> Motion<M> {
         self.poses[1 - self.good].solve(mechanism, &question, &mut self.margins)
     }
 
-    /// What was tried is the last instant now.
+    /// Accepts the instant that was tried.
     #[inline(always)]
     fn keep(&mut self, at: &Instant<'_, Octet>) {
         self.margins_before = self.margins;
@@ -197,7 +197,7 @@ impl<M: Mechanism> Motion<M> {
         self.inputs.as_mut().iter_mut().zip(at.inputs).for_each(|(to, from)| *to = from.map(|x| x.lane(0)));
     }
 
-    /// The sets whose step does not count, one by one.
+    /// Repeats the step of the sets for which it was not accepted, one by one.
     #[cold]
     #[inline(never)]
     fn alone(&mut self, mechanism: &M, at: &Instant<'_, Octet>, least: Octet) -> Option<Refusals> {
@@ -211,7 +211,7 @@ impl<M: Mechanism> Motion<M> {
             }
             if let Err(error) = self.one(mechanism, at, lane) {
                 let limit = error.limit().copied();
-                // Where the instant itself has an answer, a limit stands before it.
+                // If the instant itself has an answer, there is a limit before it.
                 let margin = match error {
                     PlanError::NegativeLength { .. } => 0.0,
                     _ => limit.map_or(margin, |limit| limit.margin),
@@ -250,11 +250,12 @@ impl<M: Mechanism> Motion<M> {
         Ok(())
     }
 
-    /// Ends the sets that have no answer, and lets their lanes repeat one that has; false where there is none.
+    /// Ends the sets that have no answer; their lanes then repeat the lane of a set that has one. False if there is
+    /// none.
     #[cold]
     #[inline(never)]
     pub(super) fn mask<S>(&mut self, instant: usize, refusals: &Refusals, out: &mut [Outcome<S>]) -> bool {
-        // Lanes behind the last set have no outcome of their own: nothing is ever copied from them.
+        // Lanes after the last set are padding: nothing is copied from them.
         let mut ended = [true; Octet::COUNT];
         let ends = out.iter_mut().flat_map(|(_, ends)| ends);
         for (lane, (end, ended)) in ends.zip(&mut ended).enumerate() {
@@ -265,7 +266,7 @@ impl<M: Mechanism> Motion<M> {
         }
         let Some(first) = ended.iter().position(|ended| !ended) else { return false };
         for lane in (0..Octet::COUNT).filter(|lane| ended[*lane]) {
-            // One of its own group, where there is one: nobody sees the others.
+            // Prefer a lane of the same group of four, since each group is shown to `visit` by itself.
             let group = lane - lane % Lanes::COUNT;
             let other = (group..group + Lanes::COUNT).find(|other| !ended[*other]).unwrap_or(first);
             self.repeat(other, lane);
@@ -290,7 +291,7 @@ impl<M: Mechanism> Motion<M> {
 }
 
 impl<M: Mechanism> Modes<M> {
-    /// Those of one lane.
+    /// The modes of one lane.
     fn lane_of(modes: &Modes<M, Octet>, lane: usize) -> Self {
         let mut own = Self::filled(0.0);
         own.as_mut().iter_mut().zip(modes.as_ref()).for_each(|(to, from)| *to = from.lane(lane));
@@ -299,7 +300,7 @@ impl<M: Mechanism> Modes<M> {
 }
 
 impl<M: Mechanism> Margins<M> {
-    /// Those of one lane.
+    /// The margins of one lane.
     fn lane_of(margins: &Margins<M, Octet>, lane: usize) -> Self {
         let mut own = Self::filled(0.0);
         own.as_mut().iter_mut().zip(margins.as_ref()).for_each(|(to, from)| *to = from.lane(lane));
@@ -307,7 +308,7 @@ impl<M: Mechanism> Margins<M> {
     }
 }
 
-/// The smallest length that a joint keeps; 1 where none keeps any.
+/// The smallest of the lengths that joints keep; 1 if there are none.
 #[inline]
 pub(super) fn least_length<M: Mechanism>(mechanism: &M, parameters: &[Octet], at: &Instant<'_, Octet>) -> Octet {
     let most = Octet::from_f64(1.0);
@@ -325,7 +326,7 @@ pub(super) fn least_length<M: Mechanism>(mechanism: &M, parameters: &[Octet], at
 #[inline(always)]
 fn is_positive(x: Octet) -> bool {
     let half = Octet::from_f64(0.5);
-    // Of NaN and 1 the smaller may be 1; a number times 0 is 0.
+    // The minimum of NaN and 1 may be 1, so NaN is detected by multiplication with 0.
     (x.least(Octet::from_f64(1.0)) - half).is_within(0.5) & (x * Octet::default()).is_within(0.0)
 }
 

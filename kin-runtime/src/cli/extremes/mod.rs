@@ -9,15 +9,14 @@ use search::{Search, is_constant};
 use written::{csv, text};
 
 use crate::cli::columns::quantities;
-use crate::cli::engine::{Engine, Setup};
+use crate::cli::engine::Engine;
 use crate::cli::examples::{Help, Names};
-use crate::cli::failure::{Failure, Ledger, zip3};
-use crate::cli::instants::{Asked, GridArgs};
-use crate::cli::moving::{Moved, Walk, note_motion};
-use crate::cli::options::{AngleArgs, FreedomArgs, SetupArgs};
+use crate::cli::failure::{Failure, Ledger};
+use crate::cli::moving::{Moved, note_motion};
 use crate::cli::output::{Form, OutputArgs};
 use crate::cli::session::Session;
 use crate::cli::solved::note_freedom;
+use crate::cli::task::{MotionArgs, Task};
 use crate::cli::vary::VaryArgs;
 use crate::measure::Measure;
 use crate::present::json::to_json;
@@ -25,29 +24,23 @@ use crate::present::record::Parameters;
 use crate::present::text::count;
 use crate::present::units::Units;
 
-/// Steps when --steps is not there.
+/// Number of steps without `--steps`.
 pub(super) const STEPS: usize = 360;
-/// Motions at most.
-const MOST: (usize, &str) = (100_000, "more are a study of their own");
-/// Driven quantities whose values are told beside the time.
+/// Most motions of one search, and what to do for more.
+const MOST: (usize, &str) = (100_000, "for more, see the crate kin-study");
+/// Most driven quantities whose values are shown beside the time.
 const DRIVERS: usize = 3;
 
 /// The least and the greatest of quantities over a motion, also between instants
 #[derive(Clone, Debug, clap::Args)]
 pub(super) struct ExtremesArgs {
-    /// Quantities by name: B.transmission, tip.x, tip.x/drive [default: what tells most]
+    /// Quantities by name: B.transmission, tip.x, tip.x/drive [default: outputs and efforts]
     #[arg(value_name = "WHAT")]
     what: Vec<String>,
     #[command(flatten)]
     vary: VaryArgs,
     #[command(flatten)]
-    grid: GridArgs,
-    #[command(flatten)]
-    setup: SetupArgs,
-    #[command(flatten)]
-    freedom: FreedomArgs,
-    #[command(flatten)]
-    angles: AngleArgs,
+    motion: MotionArgs,
     #[command(flatten)]
     output: OutputArgs,
 }
@@ -57,7 +50,7 @@ pub(super) const HELP: Help = Help {
         let quantity = names.coordinate.map(|name| crate::cli::trial::quoted(format!("{name}_dot")));
         let vary = names.vary.as_ref().map(|vary| format!("extremes --vary {vary} --out extremes.csv"));
         vec![
-            names.analysis("extremes", "of what tells most, over one turn of the driven crank"),
+            names.analysis("extremes", "of outputs and efforts, over one turn of the driven crank"),
             quantity.and_then(|name| names.analysis(&format!("extremes {name} --degrees"), "of one quantity")),
             vary.and_then(|line| names.analysis(&line, "for each of five values of a parameter")),
             names.analysis("extremes --from limit --to limit", "as far as the mechanism goes both ways"),
@@ -66,31 +59,29 @@ pub(super) const HELP: Help = Help {
     details: "\
 Quantities are those of `sweep`: coordinates, points and their speeds, defines, joint quantities,
 transmission angles (NAME.transmission), velocity ratios (NAME/DRIVER), rates (NAME_dot) and
-accelerations (NAME_ddot), and forces. Where nothing is named those are taken that tell most, and
-what stays constant is left out.
+accelerations (NAME_ddot), and forces. Without names the search takes transmission angles, angles
+and points that are not driven, defines, strokes of joints and efforts of drivers, and leaves out
+what stays constant.
 
-The instants of the motion (--steps) say where an extreme is; beside each the mechanism is solved
-at further instants, until the value is right to rounding. An extreme at the beginning or at the
-end of the motion, at a limit, or where the quantity has a kink is told as such. Rates may grow
-without bounds towards a limit: then the value is that of the last instant before it.",
+The instants of the motion (--steps) show roughly where an extreme is; around it the mechanism is
+solved at further instants until the value is exact to rounding. The last column says if an extreme
+is at the beginning or the end of the motion, at a limit, or at a kink of the quantity. Rates may
+grow without bounds towards a limit: then the value is that of the last instant before it.",
 };
 
 pub(super) fn run(args: &ExtremesArgs, engine: &mut dyn Engine, session: &mut Session<'_>) -> Result<(), Failure> {
     let model = engine.model();
     let mut ledger = Ledger::default();
-    let (asked, output) =
-        (ledger.take(args.grid.asked(STEPS, model)), ledger.take(session.destination(&args.output, "extremes")));
-    let setup = ledger.take(args.setup.apply_complete(engine));
+    let task = args.motion.read(&mut ledger, ("extremes", &args.output), STEPS, engine, session);
     let choices = ledger.take(args.vary.choices(model, MOST));
     let wanted = ledger.take(quantities(model, &args.what));
-    let ((asked, output, setup), (choices, wanted)) =
-        ledger.close(zip3(asked, output, setup).zip(choices.zip(wanted)))?;
+    let (task, (choices, wanted)) = ledger.close(task.zip(choices.zip(wanted)))?;
     let watch = session.watch();
     let (mut motions, mut failure) = (Vec::new(), None);
     let several = choices.len() > 1;
     for (place, choice) in choices.iter().enumerate() {
         choice.set(engine);
-        let found = one(args, &*engine, &setup, (&asked, &wanted), (place, choices.len()), session);
+        let found = one(args, &*engine, (&task, &wanted), (place, choices.len()), session);
         let ended = match found {
             Ok((found, ended)) => {
                 let varied = several.then(|| choice.pairs(model).collect());
@@ -111,16 +102,16 @@ pub(super) fn run(args: &ExtremesArgs, engine: &mut dyn Engine, session: &mut Se
     if motions.is_empty() {
         return failure.map_or(Ok(()), Err);
     }
-    let units = Units::of(model).in_degrees(args.angles.degrees);
-    let text = match output.form {
+    let units = Units::of(model).in_degrees(args.motion.angles.degrees);
+    let text = match task.output.form {
         Form::Json => {
             let record = Record { mechanism: model.name, units: units.record(), motions: &motions };
             to_json(&record).map_err(Failure::Output)?
         }
         Form::Csv => csv(&motions, &choices[0], model),
-        _ => text(&motions, model, args.angles.degrees),
+        _ => text(&motions, model, args.motion.angles.degrees),
     };
-    session.deliver(&output, &text)?;
+    session.deliver(&task.output, &text)?;
     failure.map_or(Ok(()), Err)
 }
 
@@ -128,37 +119,22 @@ pub(super) fn run(args: &ExtremesArgs, engine: &mut dyn Engine, session: &mut Se
 fn one(
     args: &ExtremesArgs,
     engine: &dyn Engine,
-    setup: &Setup,
-    (asked, wanted): (&Asked, &[Measure]),
-    (place, count_of_all): (usize, usize),
+    (task, wanted): (&Task<'_>, &[Measure]),
+    place: (usize, usize),
     session: &mut Session<'_>,
 ) -> Result<(MotionRecord, Option<Failure>), Failure> {
     let model = engine.model();
-    let instants = asked.instants(engine, setup)?;
+    let instants = task.asked.instants(engine, &task.setup)?;
     let watch = session.watch();
-    match place {
-        0 => watch.begin("instants", count_of_all * instants.len()),
-        _ => watch.go_on(place * instants.len()),
-    }
+    watch.begin_motion(place, instants.len());
     let time = Measure::standard(model, false).into_iter().take(1);
     let driven: Vec<Measure> = Measure::driven(model).into_iter().take(DRIVERS).collect();
     let first = 1 + driven.len();
     let measures: Vec<Measure> = match wanted.is_empty() {
-        true => time.chain(driven).chain(Measure::telling(model)).collect(),
+        true => time.chain(driven).chain(Measure::default_outputs(model)).collect(),
         false => time.chain(driven).chain(wanted.iter().cloned()).collect(),
     };
-    let walk = Walk {
-        engine,
-        setup,
-        instants: &instants,
-        stop_at_events: false,
-        open_end: asked.is_open(),
-        freedom: args.freedom,
-        reported: false,
-        measures: &measures,
-        degrees: args.angles.degrees,
-        watch: &watch,
-    };
+    let walk = args.motion.walk(engine, (&task.asked, &task.setup, &instants), &measures, &watch);
     let moved = walk.kept()?;
     note_motion(session, &moved);
     let Moved { trajectory, columns, ended, left, .. } = moved;
@@ -169,13 +145,19 @@ fn one(
         session.note(&format!("the motion ended early: extremes of {states} of {instants}"));
     }
     let search = Search { walk, states, columns: &columns, first, instants: &instants };
-    let units = Units::of(model).in_degrees(args.angles.degrees);
+    let units = Units::of(model).in_degrees(args.motion.angles.degrees);
     let range = |place: usize| Range {
         quantity: measures[place].name().to_owned(),
         unit: units.of_measure(&measures[place]),
         least: search.extreme(place, -1.0),
         greatest: search.extreme(place, 1.0),
     };
+    // An empty table would hide that there is nothing to compare.
+    let undefined = |place: &usize| !states.is_empty() && columns[*place].iter().all(|value| !value.is_finite());
+    if let Some(place) = (first..first + wanted.len()).find(undefined) {
+        let what = "has no value in all of the motion: it is undetermined, or not defined there";
+        return Err(Failure::Analysis(format!("{}: `{}` {what}", model.name, measures[place].name())));
+    }
     let varies = |place: &usize| !wanted.is_empty() || !is_constant(&columns[*place]);
     let extremes = (first..measures.len()).filter(varies).map(range).collect();
     let [from, to] = [states.first(), states.last()].map(|state| state.map(|state| state.t));

@@ -1,4 +1,4 @@
-//! Extremes for another program.
+//! Extremes as records for JSON.
 
 use serde::Serialize;
 
@@ -6,7 +6,7 @@ use super::search::Extreme;
 use crate::present::record::Parameters;
 use crate::present::units::UnitsRecord;
 
-/// A quantity with its extremes; none where it has no value.
+/// A quantity with its extremes; none if it has no finite value.
 #[derive(Clone, Debug, Serialize)]
 pub(super) struct Range {
     pub(super) quantity: String,
@@ -27,7 +27,7 @@ pub(super) struct MotionRecord {
     pub(super) extremes: Vec<Range>,
 }
 
-/// Those of all motions.
+/// The extremes of all motions.
 #[derive(Serialize)]
 pub(super) struct Record<'a> {
     pub(super) mechanism: &'static str,

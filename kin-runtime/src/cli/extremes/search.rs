@@ -8,9 +8,9 @@ use crate::nonlinear::peak::peak;
 use crate::serial::Named;
 use crate::state::State;
 
-/// Places at most that are looked at more closely, the most promising ones first.
-const CLOSER: usize = 8;
-/// Variations this small, relative to the size, are none.
+/// Most peaks that are refined, the highest possible ones first.
+const REFINED: usize = 8;
+/// A quantity whose variation is smaller than this, relative to its largest value, is constant.
 const CONSTANT: f64 = 1e-12;
 
 /// The least or the greatest of a quantity.
@@ -18,13 +18,13 @@ const CONSTANT: f64 = 1e-12;
 pub(super) struct Extreme {
     pub(super) value: f64,
     pub(super) t: f64,
-    /// What is driven, there.
+    /// The values of the driven quantities there.
     pub(super) drivers: Named<f64, String>,
     #[serde(rename = "where")]
     pub(super) place: &'static str,
 }
 
-/// The least and the greatest of numbers; what is no number is passed over.
+/// The least and the greatest of the finite numbers.
 fn bounds(values: &[f64]) -> [f64; 2] {
     let finite = values.iter().filter(|value| value.is_finite());
     finite.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], v| [low.min(*v), high.max(*v)])
@@ -35,13 +35,13 @@ pub(super) fn is_constant(values: &[f64]) -> bool {
     low > high || high - low <= CONSTANT * low.abs().max(high.abs())
 }
 
-/// A motion in which extremes are looked for.
+/// A motion whose extremes are searched.
 pub(super) struct Search<'a> {
     pub(super) walk: Walk<'a>,
     pub(super) states: &'a [State],
-    /// t, what is driven, and the quantities.
+    /// t, the driven quantities, and the quantities whose extremes are wanted.
     pub(super) columns: &'a [Vec<f64>],
-    /// The place of the first quantity.
+    /// The index of the first quantity whose extremes are wanted.
     pub(super) first: usize,
     pub(super) instants: &'a Instants,
 }
@@ -61,7 +61,8 @@ impl Search<'_> {
         if [(0, 1), (last, last.saturating_sub(1))].iter().any(|&(end, beside)| values[end].is_nan() && top == beside) {
             return Some(Extreme { place: "towards the limit", ..sampled() });
         }
-        // By how much the course between instants may be above them: by less than it changes from one to the next.
+        // An upper estimate of the curve around an instant: it rises above the sample by less than it changes to the
+        // next one.
         let potential = |k: usize| {
             let beside = [k.checked_sub(1), Some(k + 1)].into_iter().flatten().filter_map(|j| values.get(j));
             let drop = beside.map(|other| values[k] - other).filter(|drop| drop.is_finite()).fold(0.0, f64::max);
@@ -73,9 +74,9 @@ impl Search<'_> {
         };
         let mut peaks: Vec<usize> = (0..values.len()).filter(is_peak).filter(|k| potential(*k) >= high).collect();
         peaks.sort_by(|a, b| potential(*b).total_cmp(&potential(*a)));
-        let closer = peaks.into_iter().take(CLOSER).filter_map(|k| self.closer(place, sign, k));
-        let best = closer.max_by(|a, b| (sign * a.value).total_cmp(&(sign * b.value)));
-        // What is above all instants by less than rounding is at the instant.
+        let refined = peaks.into_iter().take(REFINED).filter_map(|k| self.refined(place, sign, k));
+        let best = refined.max_by(|a, b| (sign * a.value).total_cmp(&(sign * b.value)));
+        // A value that exceeds those at the instants by rounding alone is reported at the instant.
         let rounding = 1e-14 * (high - low).max(high.abs());
         Some(match best {
             Some(best) if sign * best.value > high + rounding || best.place != "end" => best,
@@ -98,10 +99,10 @@ impl Search<'_> {
         Extreme { value: self.columns[place][k], t: self.states[k].t, drivers: drivers.collect(), place: told }
     }
 
-    /// The extreme beside an instant; `end` where it is at an end of what can be solved around it.
-    fn closer(&self, place: usize, sign: f64, k: usize) -> Option<Extreme> {
+    /// The extreme around an instant; its place is `end` if it is at an end of the interval that can be solved there.
+    fn refined(&self, place: usize, sign: f64, k: usize) -> Option<Extreme> {
         let last = self.states.len() - 1;
-        // A limit itself cannot be solved, nor can what is beyond it.
+        // Neither a limit nor what is beyond it can be solved.
         let solved = |j: &usize| self.states[*j].q_dot.iter().all(|rate| rate.is_finite());
         let around: Vec<usize> = (k.saturating_sub(1)..=(k + 1).min(last)).filter(solved).collect();
         let (&low, &high) = (around.first()?, around.last()?);
@@ -134,7 +135,7 @@ impl Search<'_> {
         })
     }
 
-    /// The states at times that follow one another from that of a state.
+    /// The states at `times`, each solved from the one before it, the first one from `from`.
     fn solve(&self, from: &State, times: &[f64]) -> Option<Vec<State>> {
         let Walk { engine, setup, .. } = self.walk;
         let first = self.instants.times.get(self.instants.start)?;

@@ -7,7 +7,7 @@ use crate::model::Model;
 use crate::present::number::{plain, rounded};
 use crate::present::table::Table;
 
-/// The names of what is driven, as all extremes have them.
+/// The names of the driven quantities, which are the same for all extremes.
 fn driver_names(motions: &[MotionRecord]) -> Vec<String> {
     let mut extremes = motions.iter().flat_map(|motion| &motion.extremes).filter_map(|range| range.least.as_ref());
     extremes.next().map_or_else(Vec::new, |extreme| extreme.drivers.names().cloned().collect())
@@ -46,7 +46,7 @@ pub(super) fn text(motions: &[MotionRecord], model: &Model, degrees: bool) -> St
                 let value = |extreme: &Extreme| extreme.drivers.iter().nth(k).map_or(f64::NAN, |(_, value)| *value);
                 table = table.right(name, rows.iter().map(|(_, extreme)| rounded(value(extreme))));
             }
-            // Between instants is where extremes usually are.
+            // Most extremes are between instants: that place is not mentioned.
             let told = |extreme: &Extreme| if extreme.place == "between instants" { "" } else { extreme.place };
             table = table.words("", rows.iter().map(|(_, extreme)| told(extreme)));
             out += &format!("\n{}", table.render());

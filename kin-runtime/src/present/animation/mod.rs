@@ -1,7 +1,7 @@
-//! A motion as one page that needs nothing else: the drawing, plots that go with it, and the controls.
+//! A motion as one self-contained page: the drawing, plots beside it, and the controls.
 //!
-//! The page holds numbers only; what moves is [drawn](super::drawing) here, and the script in it moves and turns groups
-//! of a picture.
+//! The parts of the [drawing](super::drawing) are written as groups of an SVG; the script of the page moves and turns
+//! them by the poses that the page holds as numbers.
 
 use super::drawing::{Carrier, Scene, View, still};
 use super::drawing::{animated, escaped, force_scale, round_below};
@@ -9,11 +9,11 @@ use crate::model::Model;
 use crate::present::number::rounded;
 use serde::Serialize;
 
-/// A motion with what is plotted beside it.
+/// A motion with the columns that can be plotted beside it.
 pub(crate) struct Run {
-    /// What distinguishes it from the others, an assembly mode for example.
+    /// Its name, which distinguishes it from the others, an assembly mode for example.
     pub(crate) name: String,
-    /// What there is to say of it.
+    /// A sentence about it, if it ended early.
     pub(crate) note: Option<String>,
     /// The drawing.
     pub(crate) scene: Scene,
@@ -21,7 +21,7 @@ pub(crate) struct Run {
     pub(crate) columns: Vec<Vec<f64>>,
 }
 
-/// What a column is.
+/// The name and the unit of a column.
 #[derive(Clone, Debug, Serialize)]
 pub(crate) struct ColumnInfo {
     /// `crank.phi_dot`.
@@ -36,11 +36,11 @@ pub(crate) struct Animation {
     pub(crate) model: &'static Model,
     /// At least one motion.
     pub(crate) runs: Vec<Run>,
-    /// What the columns of all of them are.
+    /// The columns, which are the same for all motions.
     pub(crate) columns: Vec<ColumnInfo>,
     /// The columns plotted at first.
     pub(crate) shown: Vec<usize>,
-    /// The columns of what is driven, whose values stand beside the time.
+    /// The columns of the driven quantities, whose values are shown beside the time.
     pub(crate) drivers: Vec<usize>,
     /// The unit of length.
     pub(crate) length: Option<String>,
@@ -57,7 +57,7 @@ struct Data<'a> {
     shown: &'a [usize],
     drivers: &'a [usize],
     time: Option<&'a str>,
-    /// How long the whole motion takes to watch.
+    /// How long the page takes to play the motion.
     seconds: f64,
 }
 
@@ -77,9 +77,9 @@ impl Animation {
     /// The page.
     ///
     /// # Errors
-    /// When the numbers cannot be written, which they can.
+    /// If the numbers cannot be serialised.
     pub(crate) fn page(&self) -> Result<String, String> {
-        // Every motion has a view of its own: one mode may need much more room than another.
+        // Every motion has its own view: one mode may need much more room than another.
         let views: Vec<View> = self.runs.iter().map(|run| View::of([&run.scene])).collect();
         let tracks = |scene: &Scene, view: &View| -> Vec<Vec<Vec<f64>>> {
             let digits = |x: f64, scale: f64| (x * scale).round() / scale;
@@ -93,7 +93,7 @@ impl Animation {
                 if !carrier.sizes.is_empty() {
                     out.push(carrier.sizes.iter().map(|size| digits(*size, 1e4)).collect());
                 }
-                // What stands still is said once.
+                // A track that never changes has a single entry.
                 out.iter_mut().for_each(|list| {
                     if list.iter().all(|x| *x == list[0]) {
                         list.truncate(1);
@@ -109,14 +109,14 @@ impl Animation {
             t: &run.scene.times,
             size: view.size.map(f64::round),
             tracks: tracks(&run.scene, view),
-            // Half the digits are more than a plot shows.
+            // `f32` has more digits than a plot shows, and halves the size of the page.
             columns: run.columns.iter().map(|list| list.iter().map(|x| *x as f32).collect()).collect(),
         });
         let (columns, time) = (&self.columns, self.time.as_deref());
         let (shown, drivers, seconds) = (&self.shown[..], &self.drivers[..], self.seconds());
         let data = Data { runs: runs.collect(), columns, shown, drivers, time, seconds };
         let data = serde_json::to_string(&data).map_err(|error| format!("cannot write the page: {error}"))?;
-        // Nothing in the data can end the element that holds it.
+        // Escaped so that the data cannot end the script element that holds it.
         let data = data.replace('<', "\\u003c");
         let unit = self.length.as_deref();
         let drawings: String = self.runs.iter().zip(&views).map(|(run, view)| drawing(&run.scene, view)).collect();
@@ -142,14 +142,14 @@ impl Animation {
             .replace("{{data}}", &data))
     }
 
-    /// The first motion as a picture that moves; names show what is what in a small mechanism and hide a large one.
+    /// The first motion as an animated picture, with or without names, which would hide a large mechanism.
     pub(crate) fn picture(&self, names: bool) -> String {
         let scene = &self.runs[0].scene;
         let title = format!("{}: {}", self.model.name, self.model.doc);
         animated(scene, &View::of([scene]), &title, self.seconds(), names, self.force)
     }
 
-    /// As long as the motion takes, where that can be watched.
+    /// The duration of the motion if it is easy to watch, otherwise five seconds.
     fn seconds(&self) -> f64 {
         let times = &self.runs[0].scene.times;
         let span = (times.last().copied().unwrap_or(0.0) - times.first().copied().unwrap_or(0.0)).abs();
@@ -166,10 +166,10 @@ fn drawing(scene: &Scene, view: &View) -> String {
     format!("<g class=\"run\">{}</g>", groups.collect::<String>())
 }
 
-/// Parts of the picture's width that the bar for a length takes at most.
+/// Largest width of the scale bar, relative to the picture.
 const BAR: f64 = 0.25;
 
-/// A bar that is as long as it says, 1, 2 or 5 times a power of ten, in the lower left corner of a drawing.
+/// A scale bar in the lower left corner of a drawing; its length is 1, 2 or 5 times a power of ten.
 fn scale_bar(view: &View, unit: Option<&str>) -> String {
     let length = round_below(BAR * view.size[0] / view.scale);
     let right = 10.0 + (length * view.scale).round();

@@ -1,33 +1,33 @@
-//! What moves as a rigid whole in a drawing.
+//! Rigid groups of a drawing.
 
 use super::part::Part;
 use super::subject::Pose;
 
-/// Something that moves as a rigid whole.
+/// A group of parts that moves rigidly.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Carrier {
-    /// The body it is, where it is one.
+    /// The body that it shows, if it shows one.
     pub(crate) body: Option<usize>,
-    /// A pose for every instant, or a single one where it never moves.
+    /// A pose for every instant, or a single one if it never moves.
     pub(crate) poses: Vec<Pose>,
-    /// What it shows.
+    /// Its parts.
     pub(crate) parts: Vec<Part>,
     /// How large it is shown at each instant, for arrows; nothing where it never changes its size.
     pub(crate) sizes: Vec<f64>,
 }
 
 impl Carrier {
-    /// Parts of no body in particular, with their poses.
+    /// Parts that belong to no body, with their poses.
     pub(super) fn new(poses: Vec<Pose>, parts: Vec<Part>) -> Self {
         Self { body: None, poses, parts, sizes: Vec::new() }
     }
 
-    /// How large it is shown at an instant.
+    /// The factor by which it is enlarged at an instant.
     pub(crate) fn size(&self, instant: usize) -> f64 {
         self.sizes.get(instant).copied().unwrap_or(1.0)
     }
 
-    /// How far the parts go from one another.
+    /// The extent of the parts.
     pub(super) fn reach(&self) -> f64 {
         let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
         for part in &self.parts {
@@ -42,7 +42,7 @@ impl Carrier {
     }
 }
 
-/// A part that stands upright along a track.
+/// A part that moves along a track without turning.
 pub(super) fn upright(track: Vec<[f64; 2]>, part: Part) -> Carrier {
     Carrier::new(track.into_iter().map(|[x, y]| [x, y, 0.0]).collect(), vec![part])
 }

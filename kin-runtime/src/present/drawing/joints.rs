@@ -1,4 +1,4 @@
-//! What joints look like, kind by kind.
+//! The drawing of joints, kind by kind.
 
 use super::carrier::{Carrier, upright};
 use super::links::Links;
@@ -7,7 +7,7 @@ use super::subject::{Pose, Subject, distance, is_still};
 use super::{ropes, slides, wheels};
 use crate::model::{Frame, JointInfo, JointKind, Role};
 
-/// Draws a joint: on the bodies it holds, and on carriers of its own behind and before them.
+/// Draws a joint: on the bodies that it connects, and on carriers of its own behind and in front of them.
 pub(super) fn draw(
     subject: &Subject<'_>,
     joint: &JointInfo,
@@ -62,7 +62,7 @@ fn prescribed(subject: &Subject<'_>, joint: &JointInfo, links: &mut Links, front
         track.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), p| (low.min(p[axis]), high.max(p[axis])))
     };
     let ((least, most), (low, high)) = (bounds(along), bounds(1 - along));
-    // What is prescribed may also move; then there is no rail.
+    // If the prescribed coordinate moves, there is no rail.
     if high - low <= 1e-6 * links.size() {
         let beyond = slides::BEYOND * links.size();
         let at = |s: f64| if along == 0 { [s, low] } else { [low, s] };
@@ -98,7 +98,7 @@ fn massless(
         behind.push(Carrier::new(along(&from, &to), vec![bar(most)]));
         return;
     }
-    // The rod reaches into the barrel also where the actuator is longest, and does not reach through where it is shortest.
+    // The rod still reaches into the barrel at the greatest length, and does not come out of its end at the least.
     let barrel = (0.6 * most).min(0.9 * least);
     let rod = (most - 0.8 * barrel).min(least);
     let line = Part::Line { points: vec![[0.0; 2], [rod, 0.0]], ink: Ink::Ground, stroke: Stroke::Full, closed: false };

@@ -1,5 +1,5 @@
-//! Where names stand: each on the side of its place on which it collides least with other names and with what is drawn,
-//! over the whole motion.
+//! The positions of names: each is on the side of its point on which it collides least with other names and with the
+//! drawing, over the whole motion.
 
 use super::part::{Kind, Part};
 use super::scene::Scene;
@@ -10,14 +10,14 @@ use super::view::View;
 const INSTANTS: usize = 12;
 /// Pixels between two points of a bar that a name should not hide.
 const STEP: f64 = 6.0;
-/// Beyond so many names nobody looks for collisions: drawings with more are read at another scale.
+/// With more names than this collisions are not avoided: such drawings are read enlarged.
 const MOST: usize = 150;
-/// What a collision with another name costs, in points of a bar.
+/// Cost of a collision with another name, in points of a bar.
 const NAME: f64 = 40.0;
-/// What it costs to leave the picture, in points of a bar.
+/// Cost of leaving the picture, in points of a bar.
 const OUTSIDE: f64 = 20.0;
 
-/// Where a text begins or ends, from the place that it names.
+/// The position of a text relative to the point that it names.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Side {
     /// The baseline's end that is nearest to the place, or its middle.
@@ -33,7 +33,7 @@ struct Frame {
     high: [f64; 2],
 }
 
-/// The sides of the names of all carriers; the usual one for carriers without a name.
+/// The sides of the names of all carriers; the default side for carriers without a name.
 pub(super) fn sides(scene: &Scene, view: &View, symbol: f64) -> Vec<Side> {
     let usual = candidates(symbol, 12.0)[0];
     let mut sides = vec![usual; scene.carriers.len()];
@@ -76,7 +76,7 @@ pub(super) fn sides(scene: &Scene, view: &View, symbol: f64) -> Vec<Side> {
     sides
 }
 
-/// The eight sides, the usual one first.
+/// The eight sides, the default first.
 fn candidates(symbol: f64, size: f64) -> [Side; 8] {
     let (aside, up, down) = (symbol + 1.0, -1.3 * symbol - 2.0, 1.3 * symbol + 0.8 * size);
     let (far, level) = (1.6 * symbol + 3.0, 0.35 * size);

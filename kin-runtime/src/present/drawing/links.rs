@@ -1,5 +1,5 @@
-//! The shapes of bodies: a bar through the places where something is attached, the plate that they span, or the arms that
-//! go from an axle to all others; a slot hangs on the nearest of them.
+//! The shapes of bodies: a bar through the points where joints are attached, the plate that these points span, or arms
+//! from an axle to all other points. A slot is connected with the nearest point.
 
 use super::carrier::{Carrier, upright};
 use super::part::{Ink, Part};
@@ -10,7 +10,7 @@ use crate::model::{Frame, JointKind, OriginKind, Role};
 /// Places nearer than this, relative to the size of the mechanism, are one.
 const SAME: f64 = 1e-6;
 
-/// What the bodies and the ground have so far.
+/// The parts of the bodies and of the ground that have been collected so far.
 pub(super) struct Links {
     bodies: Vec<Body>,
     ground: Vec<Part>,
@@ -19,7 +19,7 @@ pub(super) struct Links {
     size: f64,
 }
 
-/// What a body has so far.
+/// The parts of a body that have been collected so far.
 #[derive(Default)]
 struct Body {
     attached: Vec<Place>,
@@ -27,10 +27,10 @@ struct Body {
     parts: Vec<Part>,
 }
 
-/// Where something is attached to a body.
+/// A point at which something is attached to a body.
 struct Place {
     at: [f64; 2],
-    /// A joint does it, not only a name.
+    /// Whether a joint is attached, not only a name.
     held: bool,
 }
 
@@ -66,7 +66,7 @@ impl Links {
         links
     }
 
-    /// A length that is typical of the whole mechanism.
+    /// A typical length of the mechanism.
     pub(super) fn size(&self) -> f64 {
         self.size
     }
@@ -129,7 +129,7 @@ impl Links {
         &mut self.wheels
     }
 
-    /// What the ground shows.
+    /// The parts of the ground.
     pub(super) fn take_ground(&mut self) -> Vec<Part> {
         core::mem::take(&mut self.ground)
     }
@@ -158,7 +158,7 @@ impl Body {
     fn shape(self, ink: Ink) -> Vec<Part> {
         let Self { mut attached, slots, parts } = self;
         if attached.len() == 1 && slots.is_empty() && parts.is_empty() && attached[0].at != [0.0; 2] {
-            // All that is known of this body is where its frame is and that something holds it.
+            // Only the frame of this body is known, and that a joint holds it.
             attached.push(Place { at: [0.0; 2], held: false });
         }
         let bar = |from, to| Part::Bar { points: vec![from, to], ink };
@@ -175,7 +175,7 @@ impl Body {
     }
 }
 
-/// A joint within the outline of all joints: what turns around it has arms rather than an outline.
+/// A joint strictly inside the outline of all joints: such a body is drawn with arms from there instead of an outline.
 fn axle(attached: &[Place], outline: &[[f64; 2]]) -> Option<[f64; 2]> {
     let extent = outline.iter().map(|&corner| distance(corner, outline[0])).fold(0.0, f64::max);
     let within = |p: [f64; 2]| {
@@ -186,7 +186,7 @@ fn axle(attached: &[Place], outline: &[[f64; 2]]) -> Option<[f64; 2]> {
     attached.iter().find(|place| corners_held && place.held && within(place.at)).map(|place| place.at)
 }
 
-/// The way from a slot to the nearest of some places; none where one lies in the slot.
+/// The line from a slot to the nearest of some points; none if one of them lies in the slot.
 fn nearest([from, to]: &[[f64; 2]; 2], places: &[Place]) -> Option<([f64; 2], [f64; 2])> {
     let (along, length) = ([to[0] - from[0], to[1] - from[1]], distance(*from, *to));
     let foot = |[x, y]: [f64; 2]| {

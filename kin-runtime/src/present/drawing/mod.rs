@@ -1,8 +1,9 @@
 //! A mechanism as a drawing that moves: links, pins, sliders, wheels, cams, the ground, and the paths of its points.
 //!
 //! A [`Scene`] is made of [`Carrier`]s. Each has a pose for every instant and parts that never change in its own frame,
-//! so that whoever shows the motion has only to move and turn: a body is a carrier, and so are the block of a slider,
-//! which stands on one body and is turned with another, the barrel and the rod of an actuator, and a belt.
+//! so that showing the motion means only moving and turning carriers. Bodies are carriers, and so are the block of a
+//! slider, which has its position on one body and the direction of another, the barrel and the rod of an actuator, and
+//! belts.
 //!
 //! ```text
 //! subject     poses and geometry of every instant, and where points stand

@@ -1,4 +1,4 @@
-//! Cams and curves, and what follows them.
+//! Cams and other curves, and their followers.
 
 use super::links::Links;
 use super::part::{Ink, Part, Stroke};
@@ -47,13 +47,13 @@ fn sampled(subject: &Subject<'_>, place: usize, from: f64, to: f64) -> Vec<[f64;
     points.filter(|r| r.iter().all(|x| x.is_finite())).collect()
 }
 
-/// What of a curve the motion shows: the way of the follower, as the curve's body sees it.
+/// The part of a curve that the motion uses: the path of the follower in the frame of the curve's body.
 fn followed(subject: &Subject<'_>, joint: &JointInfo, frame: Frame) -> Vec<[f64; 2]> {
     let seen = |k: usize| Some(seen_from(subject.pose(k, frame), subject.point(k, joint, Role::Q)?));
     subject.instants().filter_map(seen).collect()
 }
 
-/// The range of a curve's parameter: a whole turn where that closes it, otherwise what the motion needs.
+/// The range of a curve's parameter: a whole turn if the curve closes after that, otherwise what the motion uses.
 fn parameter(subject: &Subject<'_>, place: usize, joint: &JointInfo, size: f64) -> Option<(f64, f64)> {
     let model = subject.model;
     let rows = joint.first_row..joint.first_row + joint.rows;
@@ -71,7 +71,7 @@ fn parameter(subject: &Subject<'_>, place: usize, joint: &JointInfo, size: f64) 
     (most > least).then_some((least - beyond, most + beyond))
 }
 
-/// The flat face of a follower, as long as the contact wanders: h′ from the foot of the normal.
+/// The flat face of a follower, as long as the contact moves along it: by h′ from the foot of the normal.
 fn face(subject: &Subject<'_>, joint: &JointInfo, cam: &[[f64; 2]], p: [f64; 2], links: &mut Links, ink: Ink) {
     let Some((frame, [ax, ay])) = subject.local(0, joint, Role::Axis) else { return };
     let Some((_, [qx, qy])) = subject.local(0, joint, Role::Q) else { return };

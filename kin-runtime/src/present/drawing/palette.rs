@@ -18,8 +18,8 @@ pub(super) struct Palette {
 }
 
 impl Palette {
-    /// Each body, and after the bodies each point, takes the colour whose nearest bearer is farthest away, counted in
-    /// joints; a colour that has no bearer yet comes first.
+    /// Each body, and after the bodies each point, takes an unused colour, or else the colour whose nearest use is
+    /// farthest away, counted in joints.
     pub(super) fn of(model: &Model) -> Self {
         let neighbours = neighbours(model);
         let mut colours: Vec<usize> = Vec::with_capacity(neighbours.len());
@@ -27,7 +27,7 @@ impl Palette {
             let mut nearest = [usize::MAX; COLOURS.len()];
             let distances = distances(&neighbours, node);
             for (&colour, &distance) in colours.iter().zip(&distances) {
-                // What hangs together with nothing is as far as can be, and yet a bearer.
+                // A body that is connected with no other is as far away as possible, but its colour is used.
                 nearest[colour] = nearest[colour].min(distance.unwrap_or(usize::MAX - 1));
             }
             let farthest = (0..COLOURS.len()).rev().max_by_key(|&colour| nearest[colour]).unwrap_or(0);

@@ -1,8 +1,8 @@
-//! What a carrier shows: lengths in the mechanism's units, strokes and symbols in pixels.
+//! The parts of a carrier: lengths in the mechanism's units, strokes and symbols in pixels.
 
 use crate::model::Frame;
 
-/// A colour: one for every body, the ground's, and that of what belongs to no body.
+/// A colour: of a body, of the ground, or of a path.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Ink {
     /// Of a body, by its place.
@@ -20,7 +20,7 @@ pub(crate) enum Ink {
 }
 
 impl Ink {
-    /// That of a frame.
+    /// The colour of a frame.
     pub(crate) fn of(frame: Frame) -> Self {
         match frame {
             Frame::Body(body) => Self::Body(body),
@@ -29,7 +29,7 @@ impl Ink {
     }
 }
 
-/// A piece of drawing in the frame of its carrier.
+/// A part of a drawing in the frame of its carrier.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Part {
     /// A bar along the points; filled where there are three or more, which then are its outline.
@@ -52,7 +52,7 @@ pub(crate) enum Part {
     },
     /// The path of a point: a smooth curve through places at which its direction is known.
     Path {
-        /// Where it goes through.
+        /// The points through which it goes.
         points: Vec<[f64; 2]>,
         /// The two inner control points of every piece between two of them (cubic Bézier curves).
         controls: Vec<[[f64; 2]; 2]>,
@@ -96,18 +96,18 @@ pub(crate) enum Part {
     Dot([f64; 2], Ink),
     /// The wheel of a rolling contact without slip across its plane, seen from above, along the x axis of its carrier.
     Tread,
-    /// The shaft of an arrow along the x axis, so long for the largest force.
+    /// The shaft of an arrow along the x axis; its length is that of the arrow of the largest force.
     Shaft(f64, Ink),
     /// The head of an arrow along the x axis, its tip at the origin.
     Head(Ink),
-    /// A couple around the origin.
+    /// A curved arrow around the origin, for a couple.
     Turn {
         /// Its sense.
         clockwise: bool,
         /// Its colour.
         ink: Ink,
     },
-    /// A name, upright whatever the carrier does.
+    /// A name, always upright.
     Name(String, Kind),
 }
 

@@ -14,7 +14,7 @@ use crate::model::Frame;
 pub(crate) struct Scene {
     /// The times of the instants.
     pub(crate) times: Vec<f64>,
-    /// What lies behind stands first.
+    /// The carriers, from back to front.
     pub(crate) carriers: Vec<Carrier>,
     /// The colours of its bodies and points.
     pub(super) palette: Palette,
@@ -23,7 +23,7 @@ pub(crate) struct Scene {
 }
 
 impl Scene {
-    /// A motion of which nothing is drawn.
+    /// A scene without carriers.
     #[cfg(test)]
     pub(super) fn empty(times: Vec<f64>) -> Self {
         Self { times, carriers: Vec::new(), palette: Palette::default(), forces: None }
@@ -62,7 +62,7 @@ fn ground(parts: Vec<Part>, paths: Vec<Part>) -> Carrier {
     Carrier::new(vec![[0.0; 3]], paths.into_iter().chain(parts).collect())
 }
 
-/// What is called something, and where it is at every instant.
+/// A name, and its place at every instant.
 struct Named<'a> {
     names: Vec<&'a str>,
     kind: Kind,
@@ -80,7 +80,7 @@ fn names(subject: &Subject<'_>, links: &Links) -> Vec<Carrier> {
         });
         Some(label(poses.collect(), info.name, Kind::Body))
     });
-    // What has one place has one label.
+    // Names of the same place share a label.
     let mut places: Vec<Named<'_>> = Vec::new();
     let pins = links.pins().iter().map(|(name, track)| (name.as_str(), Kind::Joint, track.clone()));
     let points = model.points.iter().enumerate().map(|(place, info)| {
@@ -107,7 +107,7 @@ fn names(subject: &Subject<'_>, links: &Links) -> Vec<Carrier> {
     bodies.chain(places).collect()
 }
 
-/// Several names of one place; of many, those of members of families without their indices.
+/// The label for several names of one place; if they are many, members of families are written without their indices.
 fn together(names: &[&str]) -> String {
     if names.len() < 3 {
         return names.join(", ");

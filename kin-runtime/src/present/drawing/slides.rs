@@ -6,13 +6,13 @@ use super::part::{Ink, Part, Stroke};
 use super::subject::{Subject, seen_from};
 use crate::model::{Frame, JointInfo, JointKind, Role};
 
-/// How far a rail goes beyond the block's way, relative to the size of the mechanism.
+/// How far a rail extends beyond the block's travel, relative to the size of the mechanism.
 pub(super) const BEYOND: f64 = 0.08;
 
-/// How far the turns of a thread are apart, relative to the size of the mechanism.
+/// Pitch of a drawn thread, relative to the size of the mechanism.
 const PITCH: f64 = 0.045;
 
-/// The rail as long as the way of the block, and the block.
+/// The rail, as long as the travel of the block, and the block.
 pub(super) fn slide(subject: &Subject<'_>, joint: &JointInfo, links: &mut Links, front: &mut Vec<Carrier>) {
     let (Some((i, p)), Some((j, q))) = (subject.local(0, joint, Role::P), subject.local(0, joint, Role::Q)) else {
         return;
@@ -21,7 +21,7 @@ pub(super) fn slide(subject: &Subject<'_>, joint: &JointInfo, links: &mut Links,
     if axis_frame != i {
         return;
     }
-    let Some(way) = Way::of(subject, joint, i, p, [ax, ay], BEYOND * links.size()) else { return };
+    let Some(way) = Travel::of(subject, joint, i, p, [ax, ay], BEYOND * links.size()) else { return };
     let (from, to) = way.ends();
     match i {
         Frame::Ground => links.add(i, Part::Hatching { from, to }),
@@ -36,14 +36,14 @@ pub(super) fn slide(subject: &Subject<'_>, joint: &JointInfo, links: &mut Links,
     front.push(Carrier::new(poses.collect(), vec![Part::Block(ink)]));
     let at = subject.track(joint, Role::Q);
     links.pin(joint.name, at.clone());
-    // A composite turns as well: its block carries a pin.
+    // The point of a point-on-line joint can also turn: its block carries a pin.
     if joint.kind == JointKind::PointOnLine {
         front.push(upright(at, if j == Frame::Ground { Part::Foot([0.0; 2]) } else { Part::Pin([0.0; 2]) }));
     }
 }
 
-/// A spindle as long as the way of its nut, and the nut. The thread is a symbol: its turns are so far apart that they can
-/// be seen, whatever the lead is.
+/// A spindle, as long as the travel of its nut, and the nut. The thread is a symbol: the drawn pitch does not depend on
+/// the lead.
 pub(super) fn screw(subject: &Subject<'_>, joint: &JointInfo, links: &mut Links, front: &mut Vec<Carrier>) {
     let (Some((i, p)), Some((j, q))) = (subject.local(0, joint, Role::P), subject.local(0, joint, Role::Q)) else {
         return;
@@ -52,7 +52,7 @@ pub(super) fn screw(subject: &Subject<'_>, joint: &JointInfo, links: &mut Links,
     if axis_frame != i {
         return;
     }
-    let Some(way) = Way::of(subject, joint, i, p, axis, BEYOND * links.size()) else { return };
+    let Some(way) = Travel::of(subject, joint, i, p, axis, BEYOND * links.size()) else { return };
     let pitch = PITCH * links.size();
     for points in [thread(&way, pitch), way.beside(0.5 * pitch), way.beside(-0.5 * pitch)] {
         links.add(i, Part::Line { points, ink: Ink::of(i), stroke: Stroke::Thin, closed: false });
@@ -66,8 +66,8 @@ pub(super) fn screw(subject: &Subject<'_>, joint: &JointInfo, links: &mut Links,
     links.pin(joint.name, subject.track(joint, Role::Q));
 }
 
-/// The flanks of a thread along a way: from side to side, twice for every turn.
-fn thread(way: &Way, pitch: f64) -> Vec<[f64; 2]> {
+/// The zigzag line of a thread: from side to side, twice for every turn.
+fn thread(way: &Travel, pitch: f64) -> Vec<[f64; 2]> {
     let turns = ((way.most - way.least) / pitch).round().clamp(3.0, 200.0);
     let step = (way.most - way.least) / (2.0 * turns);
     let corner = |k: usize| {
@@ -77,16 +77,16 @@ fn thread(way: &Way, pitch: f64) -> Vec<[f64; 2]> {
     (0..=2 * turns as usize).map(corner).collect()
 }
 
-/// The way of Q along an axis of the frame of P.
-pub(super) struct Way {
+/// The travel of Q along an axis of the frame of P.
+pub(super) struct Travel {
     start: [f64; 2],
     axis: [f64; 2],
     least: f64,
     most: f64,
 }
 
-impl Way {
-    /// Over all instants, and `beyond` at either end; its line is that of the first instant.
+impl Travel {
+    /// The travel over all instants, extended by `beyond` at either end; the line is that of the first instant.
     pub(super) fn of(
         subject: &Subject<'_>,
         joint: &JointInfo,
@@ -133,7 +133,7 @@ mod tests {
 
     #[test]
     fn a_thread_goes_from_side_to_side_all_the_way() {
-        let way = Way { start: [0.0; 2], axis: [0.0, 1.0], least: -1.0, most: 1.0 };
+        let way = Travel { start: [0.0; 2], axis: [0.0, 1.0], least: -1.0, most: 1.0 };
         let points = thread(&way, 0.5);
         assert_eq!((points.len(), points[0], points[8]), (9, [-0.25, -1.0], [-0.25, 1.0]));
         assert!(points.windows(2).all(|pair| pair[0][0] == -pair[1][0] && pair[0][1] < pair[1][1]));

@@ -1,10 +1,10 @@
-//! What is drawn: the poses and the geometry of every instant.
+//! The input of a drawing: the poses and the geometry at every instant.
 
 use crate::evaluation::curve::CurvePoint;
 use crate::forces::{Forces, Load};
 use crate::model::{Frame, Geometry, JointInfo, Model, Role};
 
-/// One instant as a drawing needs it.
+/// The data of one instant.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Snapshot {
     /// Time.
@@ -25,7 +25,7 @@ pub(crate) struct Snapshot {
     pub(crate) loads: Vec<Load>,
 }
 
-/// A point of a curve: of the joint, at the instant, for the argument.
+/// Gives a point of a curve, for the index of the instant, that of the joint, and the argument.
 pub(crate) type CurveFunction<'a> = dyn Fn(usize, usize, f64) -> Option<CurvePoint> + 'a;
 
 /// A motion that is to be drawn; it has at least one instant.
@@ -34,7 +34,7 @@ pub(crate) struct Subject<'a> {
     pub(crate) model: &'static Model,
     /// The instants in order.
     pub(crate) snapshots: &'a [Snapshot],
-    /// The curves of contacts, by the places of instant and joint.
+    /// The curves of contacts.
     pub(crate) curve: &'a CurveFunction<'a>,
 }
 
@@ -92,7 +92,7 @@ impl Subject<'_> {
     }
 }
 
-/// The piece of a joint's geometry for a role.
+/// The entry of a joint's geometry with a role.
 pub(crate) fn piece(joint: &JointInfo, role: Role) -> Option<&'static Geometry> {
     joint.geometry.iter().find(|geometry| geometry.role == role)
 }

@@ -1,4 +1,4 @@
-//! A scene as SVG: its parts once, and what moves them.
+//! A scene as SVG: every part is written once, with animations that move it.
 
 use super::arrows::ForceScale;
 use super::carrier::Carrier;
@@ -10,24 +10,24 @@ use super::view::{Pixels, View, short};
 use crate::present::number::rounded;
 use core::fmt::Write;
 
-/// Of the ground, of pins and of massless links.
+/// Colour of the ground, of pins and of massless links.
 const GROUND: &str = "#4b5563";
 
-/// Of the arrows of joints.
+/// Colour of forces of joints.
 const REACTION: &str = "#dc2626";
-/// Of the arrows of drivers.
+/// Colour of forces of drivers.
 const EFFORT: &str = "#7c3aed";
-/// Of the arrows of loads.
+/// Colour of loads.
 const LOAD: &str = "#0284c7";
 /// The head of an arrow, its tip at the origin.
 const HEAD: &str = "M0,0L-10,4L-8,0L-10,-4Z";
-/// The radius of the largest couple.
+/// The radius of the arrow of the largest couple.
 const TURN: f64 = 18.0;
 
-/// The part of a picture's width that the scale of forces takes at most.
+/// Largest length of the arrow that shows the scale of forces, relative to the picture.
 const SCALE: f64 = 0.2;
 
-/// How names are written.
+/// Style of names.
 const STYLE: &str = "<style>.name{font:12px system-ui,sans-serif;paint-order:stroke;stroke:#fff;stroke-width:3px;\
 stroke-linejoin:round;fill:#1f2937}.joint{font-size:10px;fill:#6b7280}</style>\n";
 
@@ -50,7 +50,7 @@ pub(crate) fn still(scene: &Scene, view: &View) -> Still {
     Still { groups: groups.collect() }
 }
 
-/// A picture that moves by itself, once through in `duration` seconds and again from the start; `unit` is that of forces.
+/// An animated picture, which repeats the motion every `duration` seconds; `unit` is that of forces.
 pub(crate) fn animated(
     scene: &Scene,
     view: &View,
@@ -129,7 +129,7 @@ fn animation(kind: &str, scene: &Scene, duration: f64, value: &dyn Fn(usize) -> 
     let values: Vec<String> = (0..scene.times.len()).map(value).collect();
     let (first, last) = (scene.times.first().copied().unwrap_or(0.0), scene.times.last().copied().unwrap_or(1.0));
     let times: Vec<f64> = scene.times.iter().map(|t| ((t - first) / (last - first) * 1e5).round() / 1e5).collect();
-    // Equal steps are what a picture assumes.
+    // SVG animations assume equal steps of time.
     let step = 1.0 / (times.len().max(2) - 1) as f64;
     let even = times.iter().enumerate().all(|(k, time)| (time - k as f64 * step).abs() < 2e-5);
     let times: Vec<String> = times.iter().map(f64::to_string).collect();
@@ -149,13 +149,13 @@ fn turns(carrier: &Carrier) -> bool {
     carrier.poses.iter().any(|pose| pose[2] != carrier.poses[0][2])
 }
 
-/// What the parts of a carrier are drawn with.
+/// The settings with which the parts of a carrier are drawn.
 struct Pen<'a> {
     view: &'a View,
     /// Half the width of pins and blocks.
     symbol: f64,
     palette: &'a Palette,
-    /// Where the name of the carrier stands.
+    /// The position of the carrier's name.
     side: Side,
 }
 
@@ -171,7 +171,7 @@ impl Pen<'_> {
         }
     }
 
-    /// Writing to a text never fails.
+    /// Errors are ignored: writing to a `String` never fails.
     fn part(&self, out: &mut String, part: &Part) {
         let (view, s) = (self.view, self.symbol);
         let _ = match part {
@@ -349,7 +349,7 @@ fn smooth(points: &[[f64; 2]], controls: &[[[f64; 2]; 2]], view: &View) -> Strin
     out
 }
 
-/// A text in a document of tags.
+/// A text with `<`, `>`, `&` and quotes escaped.
 pub(crate) fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }

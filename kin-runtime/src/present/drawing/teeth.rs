@@ -7,11 +7,16 @@ use core::f64::consts::TAU;
 /// Height of a tooth above and below the pitch circle, relative to the pitch.
 const HEIGHT: f64 = 0.28;
 
-/// Where a wheel is touched, in its own frame, and where between two of its teeth that is to be.
+/// The corners of a tooth, both roots and both ends of the tip: positions in parts of the pitch, and heights.
+fn corners(height: f64) -> [(f64, f64); 4] {
+    [(-0.36, -height), (-0.16, height), (0.16, height), (0.36, -height)]
+}
+
+/// The angle at which a wheel is touched, in its own frame, and the phase of its teeth there.
 #[derive(Clone, Copy)]
 pub(super) struct Contact {
     pub(super) angle: f64,
-    /// 0 on a tooth, ½ in a gap; on a tooth where nothing asks for more.
+    /// 0 on a tooth, ½ in a gap; `None` if it is free.
     pub(super) phase: Option<f64>,
 }
 
@@ -35,7 +40,7 @@ impl Wheel {
         Self { frame, centre, radius, pitch, teeth, start }
     }
 
-    /// Where between two teeth an angle of the wheel's frame is.
+    /// The phase of the teeth at an angle of the wheel's frame.
     pub(super) fn between_teeth(&self, angle: f64) -> f64 {
         ((angle - self.start) * self.teeth / TAU).rem_euclid(1.0)
     }
@@ -47,8 +52,7 @@ impl Wheel {
         let height = HEIGHT * self.pitch;
         let at = |angle: f64, r: f64| [x + r * angle.cos(), y + r * angle.sin()];
         let tooth = |k: usize| {
-            // A quarter of the pitch up, a quarter down, and the flanks between.
-            [(-0.36, -height), (-0.16, height), (0.16, height), (0.36, -height)].map(|(part, up)| {
+            corners(height).map(|(part, up)| {
                 let up = if radius < 0.0 { -up } else { up };
                 at(self.start + (k as f64 + part) * TAU / self.teeth, r + up)
             })
@@ -86,7 +90,7 @@ pub(super) struct Strip {
     /// How far along it.
     pub(super) after: f64,
     pub(super) pitch: f64,
-    /// Where between two teeth of the pinion the contact is.
+    /// The phase of the pinion's teeth at the contact.
     pub(super) phase: f64,
 }
 
@@ -95,14 +99,14 @@ impl Strip {
     pub(super) fn points(&self) -> Vec<[f64; 2]> {
         let Self { touch: [x, y], direction, down, pitch, .. } = *self;
         let height = HEIGHT * pitch;
-        // The pinion turns along the rack's way where the rack is on its right, and against it on its left.
+        // The pinion turns with the rack's travel if the rack is on its right, and against it if it is on its left.
         let side = if (down - direction).sin() < 0.0 { -1.0 } else { 1.0 };
         let first = (0.5 + side * self.phase) * pitch;
         let at =
             |s: f64, up: f64| [x + s * direction.cos() - up * down.cos(), y + s * direction.sin() - up * down.sin()];
         let count = |length: f64| (length / pitch).ceil() as i32;
         let teeth = -count(self.before)..=count(self.after);
-        let corners = [(-0.36, -height), (-0.16, height), (0.16, height), (0.36, -height)];
+        let corners = corners(height);
         teeth.flat_map(|k| corners.map(|(part, up)| at(first + (f64::from(k) + part) * pitch, up))).collect()
     }
 }

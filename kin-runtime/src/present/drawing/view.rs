@@ -1,4 +1,4 @@
-//! From lengths, y up, to pixels, y down.
+//! The transformation from lengths (y up) to pixels (y down).
 
 use super::part::Part;
 use super::scene::Scene;
@@ -7,12 +7,12 @@ use core::fmt;
 
 /// Room for a drawing, in pixels of a small screen.
 const ROOM: [f64; 2] = [640.0, 480.0];
-/// Room around it for symbols and names.
+/// Margin around it for symbols and names.
 const MARGIN: f64 = 34.0;
-/// What a view is never narrower than, relative to its other side.
+/// Least ratio of the shorter side of a view to the longer one.
 const NARROWEST: f64 = 0.3;
 
-/// Which rectangle of the plane is shown, and how large.
+/// The rectangle of the plane that is shown, and its scale.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct View {
     /// Pixels per length.
@@ -24,7 +24,7 @@ pub(crate) struct View {
 }
 
 impl View {
-    /// All that the scenes ever show.
+    /// The view that contains all scenes at all instants.
     pub(crate) fn of<'s>(scenes: impl IntoIterator<Item = &'s Scene>) -> Self {
         let mut low = [f64::INFINITY; 2];
         let mut high = [f64::NEG_INFINITY; 2];

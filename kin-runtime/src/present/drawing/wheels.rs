@@ -1,12 +1,12 @@
-//! Wheels: gears, belts, racks, and what rolls.
+//! Wheels: gears, belts, racks and rolling discs.
 //!
-//! Radii of gears and belts may be numbers of teeth, for only their ratio counts: they are drawn so that they meet on the
-//! line of centres.
+//! Radii of gears and belts may be numbers of teeth, since only their ratio matters: they are scaled so that the wheels
+//! meet on the line of centres.
 
 use super::carrier::Carrier;
 use super::links::Links;
 use super::part::{Ink, Part, Stroke};
-use super::slides::Way;
+use super::slides::Travel;
 use super::subject::{Subject, distance, piece, placed, seen_from};
 use super::teeth::{Contact, Strip, Wheel};
 use crate::model::{Frame, JointInfo, JointKind, Role};
@@ -33,7 +33,7 @@ fn axle(subject: &Subject<'_>, wheel: Frame, carrier: Frame) -> [f64; 2] {
     });
     let mut held = held;
     held.next().unwrap_or_else(|| match wheel {
-        // A wheel that is part of the ground stands where the carrier turns.
+        // A wheel that is part of the ground is centred where the carrier is pinned.
         Frame::Ground => foot_of(subject, carrier).unwrap_or([0.0; 2]),
         Frame::Body(_) => [0.0; 2],
     })
@@ -44,7 +44,7 @@ fn foot_of(subject: &Subject<'_>, body: Frame) -> Option<[f64; 2]> {
     (body != Frame::Ground).then(|| axle(subject, body, Frame::Ground)).map(|p| placed(subject.pose(0, body), p))
 }
 
-/// Both wheels of a gear or belt, scaled so that they meet; none where they have one centre.
+/// Both wheels of a gear or belt, scaled so that they meet; none if they have the same centre.
 fn pair(subject: &Subject<'_>, joint: &JointInfo, meet: impl Fn(f64, f64, f64) -> f64) -> Option<[Half; 2]> {
     let [(a, ra), (b, rb)] = subject.radii(joint)[..] else { return None };
     let carrier = piece(joint, Role::Value).map_or(Frame::Ground, |value| value.frame);
@@ -61,7 +61,8 @@ pub(super) fn gear(subject: &Subject<'_>, joint: &JointInfo, links: &mut Links) 
     let [pa, pb] = [a, b].map(|half| placed(subject.pose(0, half.frame), half.centre));
     let across = (pb[1] - pa[1]).atan2(pb[0] - pa[0]);
     let opposite = across + core::f64::consts::PI;
-    // The contact as each wheel sees it, at the first instant; a ring touches its pinion on the pinion's far side.
+    // The contact in the frame of each wheel at the first instant; in an internal gear it is on the far side of the
+    // pinion.
     let (at_a, at_b) = match (a.radius < 0.0, b.radius < 0.0) {
         (true, _) => (across, across),
         (_, true) => (opposite, opposite),
@@ -76,13 +77,15 @@ pub(super) fn gear(subject: &Subject<'_>, joint: &JointInfo, links: &mut Links) 
     mount(links, b, pitch, Contact { angle: at_b - turned(b), phase: Some(meshing) });
 }
 
-/// The pitch of all teeth of a mechanism, measured on the circle: the first pair decides, so that trains mesh.
+/// The pitch of all teeth of a mechanism along the circle. The first pair determines it, so that all wheels of a train
+/// mesh.
 fn pitch(subject: &Subject<'_>, links: &mut Links, smaller: f64) -> f64 {
     debug_assert!(!subject.snapshots.is_empty(), "a motion has an instant");
     links.wheels().first().map_or(TAU * smaller / FEWEST, |wheel| wheel.pitch)
 }
 
-/// Puts a toothed wheel on its body, unless it is there; gives where between its teeth the contact is, 0 on a tooth.
+/// Puts a toothed wheel on its body, unless the body has it already; returns the phase of its teeth at the contact, 0
+/// on a tooth.
 fn mount(links: &mut Links, half: Half, pitch: f64, contact: Contact) -> f64 {
     let Half { frame, centre, radius } = half;
     let same = 1e-6 * links.size();
@@ -102,7 +105,7 @@ fn mount(links: &mut Links, half: Half, pitch: f64, contact: Contact) -> f64 {
 
 /// Two discs and the belt around them; crossed where the radii differ in sign.
 pub(super) fn belt(subject: &Subject<'_>, joint: &JointInfo, links: &mut Links, behind: &mut Vec<Carrier>) {
-    // Numbers of teeth are made lengths that leave half of the distance free; lengths stay what they are.
+    // Numbers of teeth are scaled to lengths that leave half of the distance free; lengths are kept.
     let fitting = |ra: f64, rb: f64, apart: f64| {
         let sum = ra.abs() + rb.abs();
         if sum < 0.95 * apart { 1.0 } else { 0.5 * apart / sum }
@@ -132,7 +135,7 @@ pub(super) fn belt(subject: &Subject<'_>, joint: &JointInfo, links: &mut Links, 
     behind.push(Carrier::new(poses.collect(), vec![strand(1.0), strand(-1.0)]));
 }
 
-/// A pinion and the teeth of its rack, as long as the way of the rack.
+/// A pinion and the teeth of its rack, as long as the travel of the rack.
 pub(super) fn rack(subject: &Subject<'_>, joint: &JointInfo, links: &mut Links) {
     let (Some((guide, p)), Some((bar, q))) = (subject.local(0, joint, Role::P), subject.local(0, joint, Role::Q))
     else {
@@ -149,12 +152,12 @@ pub(super) fn rack(subject: &Subject<'_>, joint: &JointInfo, links: &mut Links) 
     let contact = Contact { angle: down - subject.pose(0, pinion)[2], phase: None };
     let phase = mount(links, Half { frame: pinion, centre, radius: radius.abs() }, pitch, contact);
     let beyond = 0.1 * links.size();
-    let Some(way) = Way::of(subject, joint, guide, p, axis, beyond) else { return };
+    let Some(way) = Travel::of(subject, joint, guide, p, axis, beyond) else { return };
     let ([fx, fy], [tx, ty]) = way.ends();
     let length = (tx - fx).hypot(ty - fy);
     let [cx, cy] = placed(subject.pose(0, pinion), centre);
     let touch = [cx + radius.abs() * down.cos(), cy + radius.abs() * down.sin()];
-    // On the rack, the contact wanders against the rack's own way: it is reached from either end of that.
+    // Relative to the rack, the contact moves opposite to the travel of the rack.
     let start = subject.point(0, joint, Role::Q).map_or(0.0, |point| {
         let [x, y] = seen_from(subject.pose(0, guide), point);
         (x - fx) * axis[0] + (y - fy) * axis[1]
@@ -173,8 +176,8 @@ pub(super) fn rolling_on_line(subject: &Subject<'_>, joint: &JointInfo, links: &
     let &[(_, radius)] = &subject.radii(joint)[..] else { return };
     links.attach(j, q);
     links.add(j, Part::Disc { centre: q, radius, ink: Ink::of(j) });
-    let Some(way) = Way::of(subject, joint, i, p, [ax, ay], radius.abs()) else { return };
-    // The way of the centre, moved down by the radius.
+    let Some(way) = Travel::of(subject, joint, i, p, [ax, ay], radius.abs()) else { return };
+    // The path of the centre, moved down by the radius.
     let down = |[x, y]: [f64; 2]| [x + radius * ay, y - radius * ax];
     let (from, to) = way.ends();
     let (from, to) = (down(from), down(to));

@@ -1,14 +1,14 @@
 //! The derivation for people: joint by joint, each with its own equation first, then its rows of Φ, Φ_q, Φ_t and γ; with
 //! masses or loads the equations of motion.
 //!
-//! The formulas are those of the graph that the code was emitted from, as the tables of the mechanism hold them; how they
-//! are written is kin-core's.
+//! The formulas are those from which the code was generated, as the tables of the mechanism hold them; kin-core writes
+//! them.
 
 use crate::model::{EquationText, Frame, JointInfo, Level, LineText, Model, Role, StepText};
 use kin_core::sheet::{Dynamics, Joint, Line, Row, Sheet, Shown, Step};
 use kin_core::vectors::NamedJoint;
 
-/// What of a sheet is asked for.
+/// The part of a sheet that is asked for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Part {
     /// Joints and steps.
@@ -19,7 +19,8 @@ pub(crate) enum Part {
     Solution,
 }
 
-/// The joints that are chosen by their places, all where none is, and the steps that they take part in.
+/// The sheet of the joints with these indices, of all joints if the list is empty, and of the steps of the plan in
+/// which they take part.
 pub(crate) fn sheet(model: &Model, chosen: &[usize], part: Part) -> Sheet {
     let all = model.joints.iter().enumerate();
     let joints = all.filter(|(place, _)| part != Part::Solution && (chosen.is_empty() || chosen.contains(place)));

@@ -21,9 +21,9 @@ const WIDTH: f64 = 860.0;
 const HALF: f64 = 560.0;
 /// Height of a panel over time, and of one whose axes are equal.
 const HEIGHTS: [f64; 2] = [400.0, 620.0];
-/// Height of an entry of the legend, and of what stands above and below the entries.
+/// Height of an entry of the legend, and of the space above and below all entries.
 const LEGEND: [f64; 2] = [18.0, 90.0];
-/// Room on the left and on the right of panels that share an axis, in pixels.
+/// Room to the left of panels that share an axis, in pixels.
 const LEFT: f64 = 76.0;
 const RIGHT: f64 = 24.0;
 /// Width of an entry of the legend: its line and frame, and of a letter.
@@ -40,21 +40,21 @@ const SHAPES: [MarkerShape; 4] =
 
 /// Colours that people with any kind of colour vision tell apart (Okabe and Ito, 2008), without yellow.
 const COLOURS: [&str; 7] = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00", "#000000"];
-/// How far more curves than these go along the colour map: its end is a yellow that cannot be seen on white.
+/// The part of the colour map that is used for more curves: its end is a yellow that is invisible on white.
 const MAP_END: f64 = 0.92;
 
 /// Panels below one another, or two of them side by side.
 pub(crate) struct Diagram {
-    /// What stands above.
+    /// The title above the panels.
     pub(crate) title: String,
     /// At least one.
     pub(crate) panels: Vec<Panel>,
-    /// Two panels stand side by side.
+    /// Whether two panels are side by side.
     pub(crate) beside: bool,
 }
 
 impl Diagram {
-    /// As SVG whose curves are paths of numbers.
+    /// The diagram as SVG.
     pub(crate) fn svg(&self) -> String {
         SvgBackend.render_scene(&self.scene())
     }
@@ -85,7 +85,7 @@ impl Diagram {
         if over_time { figure.with_shared_x_all().render() } else { figure.render() }
     }
 
-    /// Whether several panels stand below one another over the same quantity, so that one axis serves them all.
+    /// Whether several panels below one another have the same horizontal quantity, so that they share one axis.
     fn shares_axis(&self) -> bool {
         let first = &self.panels[0];
         let same =
@@ -115,7 +115,7 @@ fn plots(panel: &Panel) -> Vec<Plot> {
         let line = if panel.curves.len() > 1 { line.with_legend(curve.name.clone()) } else { line };
         Plot::from(line)
     };
-    // Behind the last colour of the curves there are the marks, each with a shape of its own.
+    // Marks come after the curves, each with a shape of its own.
     let mark = |(k, mark): (usize, &Mark)| {
         let points = ScatterPlot::new().with_data(mark.points.iter().copied()).with_color(MARK).with_size(4.0);
         Plot::from(points.with_marker(SHAPES[k % SHAPES.len()]).with_legend(mark.name.clone()))
@@ -131,15 +131,14 @@ fn colour(place: usize, count: usize) -> String {
     }
 }
 
-/// Axes that end where the curves end. The label of the vertical axis stands above it, where it is read without turning the
-/// head, and where a picture of pixels needs no turned letters.
+/// Axes that end where the curves end. The label of the vertical axis is above it, so that it needs no rotated text.
 fn layout(panel: &Panel, plots: &[Plot], sides: Option<[f64; 2]>) -> Layout {
     let layout =
         Layout::auto_from_plots(plots).with_x_label(panel.labels[0].clone()).with_title(panel.labels[1].clone());
     let layout = layout.with_title_size(14);
     let [x, y] = [panel.range(0), panel.range(1)].map(|(from, to)| ticks(to - from));
     let layout = layout.with_x_tick_format(x).with_y_tick_format(y);
-    // A path has room on all sides, a course over time above and below, and beside its ends where they are marked.
+    // A path has a margin on all sides; a curve over time above and below, and at its ends if they are marked.
     let beside = if panel.marks.is_empty() { 0.0 } else { 0.3 * MARGIN };
     let margins = if panel.equal { [MARGIN; 2] } else { [beside, MARGIN] };
     let [(left, right), (low, high)] = [0, 1].map(|axis| ends(panel.range(axis), margins[axis]));
@@ -151,7 +150,7 @@ fn layout(panel: &Panel, plots: &[Plot], sides: Option<[f64; 2]>) -> Layout {
     }
 }
 
-/// Where an axis begins and ends. What never changes has a band around it.
+/// The ends of an axis. A constant quantity gets an interval around its value.
 fn ends((low, high): (f64, f64), margin: f64) -> (f64, f64) {
     let length = high - low;
     let size = low.abs().max(high.abs());
@@ -162,8 +161,8 @@ fn ends((low, high): (f64, f64), margin: f64) -> (f64, f64) {
     (low - margin * length, high + margin * length)
 }
 
-/// Numbers at the ticks of an axis of some length, with all their digits: kuva's own format has three decimals, which
-/// makes 0.022 of 0.0225.
+/// Labels of the ticks of an axis with all significant digits: kuva's own format has three decimals, so that 0.0225
+/// would be 0.022.
 fn ticks(length: f64) -> TickFormat {
     TickFormat::Custom(Arc::new(move |value| match value.abs() {
         size if size <= 1e-9 * length.abs() => "0".to_owned(),

@@ -1,9 +1,9 @@
-//! Panels: which curves stand in one pair of axes.
+//! Panels: curves that share a pair of axes.
 
 /// A curve with its name in the legend.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Curve {
-    /// What distinguishes it from the others of its panel.
+    /// Its name, which distinguishes it from the others of its panel.
     pub(crate) name: String,
     /// (x, y), all finite.
     pub(crate) points: Vec<(f64, f64)>,
@@ -12,17 +12,17 @@ pub(crate) struct Curve {
 /// One pair of axes.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Panel {
-    /// Under and beside it.
+    /// Labels of the horizontal and of the vertical axis.
     pub(crate) labels: [String; 2],
-    /// A length is as long on either axis: for paths in the plane.
+    /// Whether both axes have the same scale, for paths in the plane.
     pub(crate) equal: bool,
     /// At least one.
     pub(crate) curves: Vec<Curve>,
-    /// Points of curves that are told apart.
+    /// Points of curves that are marked.
     pub(crate) marks: Vec<Mark>,
 }
 
-/// Points of curves that have a meaning of their own: where motions end at a limit.
+/// Marked points of curves, such as limits at which motions end.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Mark {
     /// What they are, for the legend.

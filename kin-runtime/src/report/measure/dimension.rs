@@ -1,22 +1,22 @@
-//! What numbers measure, and the units that follow.
+//! The dimensions of quantities, and their units.
 
 use crate::model::Units;
 
-/// What a number measures.
+/// The dimension of a quantity.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Dimension {
     /// A length.
     Length,
     /// An angle.
     Angle,
-    /// Something whose unit is known.
+    /// Another dimension, given by its unit.
     In(&'static str),
-    /// Something that nobody has named.
+    /// Not known.
     Unknown,
 }
 
 impl Dimension {
-    /// Of a quantity that is called so: `crank.x`, `B.angle`, `reach`.
+    /// The dimension of a quantity by its name: `crank.x`, `B.angle`, `reach`.
     pub(crate) fn named(units: &Units, name: &str) -> Self {
         match name.rsplit_once('.') {
             Some((_, "x" | "y" | "stroke" | "distance" | "length")) => Self::Length,
@@ -29,7 +29,7 @@ impl Dimension {
         }
     }
 
-    /// The unit of the derivative of an order, with angles in degrees, if they are to be.
+    /// The unit of the derivative of an order, with angles in degrees if `degrees`.
     pub(crate) fn unit(self, units: &Units, order: usize, degrees: bool) -> Option<String> {
         let base = match self {
             Self::Length => units.length?,
@@ -54,7 +54,7 @@ impl Dimension {
     }
 }
 
-/// The unit of time: s unless another is written.
+/// The unit of time: s unless the description has another.
 pub(crate) fn time(units: &Units) -> &'static str {
     units.time.unwrap_or("s")
 }

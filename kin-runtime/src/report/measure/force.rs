@@ -4,7 +4,7 @@ use super::Dimension;
 use crate::forces::Forces;
 use crate::model::{ForceModel, ForceUnits, Frame, Model};
 
-/// The names of the columns of forces with what they measure; none for a mechanism without masses and loads.
+/// The names and dimensions of the columns of forces; none for a mechanism without masses and loads.
 pub(crate) fn columns(model: &Model) -> Vec<(String, Dimension)> {
     let Some(info) = model.forces else { return Vec::new() };
     let mut columns = Vec::new();
@@ -32,7 +32,7 @@ fn unit_of_effort(model: &Model, info: &ForceModel, driver: &str) -> Option<&'st
     if joint.keeps_distance() {
         return force;
     }
-    // A row of one quantity says what it drives.
+    // A row with a single coordinate drives that coordinate.
     let entries = model.constraint_pattern.entries.iter().filter(|(row, _)| *row == joint.first_row);
     let mut units = entries.map(|(_, column)| of(model.coordinates[*column].name));
     let first = units.next()?;

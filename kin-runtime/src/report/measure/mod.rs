@@ -11,7 +11,7 @@
 //! | `B.angle`, `slide.stroke` | a quantity of a joint ([`JointInfo::quantities`](crate::model::JointInfo::quantities)) |
 //! | `B.transmission` | the transmission angle at a revolute joint ([`transmission`](crate::transmission)), in [0, π]; with several pairs of neighbours `B.transmission_A_D` |
 //! | `drive.effort`, `B.force`, … | what drivers supply and joints carry, where there are masses or loads |
-//! | `tip.x/drive` | the velocity ratio of coordinates, points, defines and joint quantities to a driver or an input: ∂x/∂f, the others standing still |
+//! | `tip.x/drive` | the velocity ratio of coordinates, points, defines and joint quantities to a driver or an input: ∂x/∂f with all other drivers and inputs constant |
 //!
 //! Coordinates, points, defines, joint quantities and inputs have a rate (`tip.x_dot`) and an acceleration (`tip.x_ddot`).
 
@@ -61,7 +61,7 @@ pub struct Measure {
     of: Of,
     /// 0, 1 or 2: the value, its rate or its acceleration.
     order: usize,
-    /// By what it is differentiated, where it is a velocity ratio.
+    /// The driver of a velocity ratio; none for other quantities.
     per: Option<Driver>,
     dimension: Dimension,
 }
@@ -83,7 +83,7 @@ enum Of {
     Transmission(Pair),
 }
 
-/// What drives: a driving row or an input, with the dimension of what it gives.
+/// A driving row or an input, with the dimension of the driven quantity.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Driver {
     place: Place,
@@ -96,11 +96,11 @@ enum Place {
     Input(usize),
 }
 
-/// What the endings of names are for a value, its rate and its acceleration.
+/// The endings of the names of a value, its rate and its acceleration.
 const SUFFIXES: [&str; 3] = ["", "_dot", "_ddot"];
 
 impl Measure {
-    /// The quantity of this name; none where the mechanism has none.
+    /// The quantity with this name; none if the mechanism has none.
     pub fn named(model: &'static Model, name: &str) -> Option<Self> {
         let found = Self::all(model).into_iter().find(|measure| measure.name == name);
         found.or_else(|| {
@@ -141,12 +141,12 @@ impl Measure {
         pairs.iter().map(angle).collect()
     }
 
-    /// The names of what velocity ratios can be taken to, behind a stroke: driving rows and inputs.
+    /// The names of driving rows and inputs, which come after the slash in the name of a velocity ratio.
     pub fn drivers(model: &'static Model) -> Vec<&'static str> {
         drivers(model).map(|(name, _)| name).collect()
     }
 
-    /// t and every coordinate with its rate and acceleration; where it is wanted, what else is reported, too.
+    /// t and every coordinate with its rate and acceleration; with `reported` also the other reported quantities.
     pub(crate) fn standard(model: &'static Model, reported: bool) -> Vec<Self> {
         let mut out = vec![Self::new("t".to_owned(), Of::Time, Dimension::In(dimension::time(&model.units)))];
         let mut add = |name: &str, of: Of, dimension: Dimension| out.extend(Self::with_rates(name, of, dimension));
@@ -181,7 +181,8 @@ impl Measure {
         out
     }
 
-    /// What drivers drive, once each: the quantity that the joint reports, or else the one coordinate that it holds.
+    /// The driven quantities, each once: the quantity that the joint of a driver reports, or else the one coordinate in
+    /// its row.
     pub fn driven(model: &'static Model) -> Vec<Self> {
         let rows = model.rows.iter().enumerate().filter(|(_, row)| row.driving);
         let mut driven: Vec<Self> = rows.filter_map(|(row, _)| Self::named(model, &driven_by(model, row)?)).collect();
@@ -199,7 +200,7 @@ impl Measure {
         Self { name, of, order: 0, per: None, dimension }
     }
 
-    /// Whether it moves with the coordinates, so that it has a ratio to a driver.
+    /// Whether it is a function of the coordinates, so that it has a ratio to a driver.
     fn has_ratio(&self) -> bool {
         match self.of {
             Of::Coordinate(_) | Of::Point(..) | Of::Observable(_) => self.order == 0 && self.per.is_none(),
@@ -213,12 +214,12 @@ impl Measure {
         &self.name
     }
 
-    /// Its unit, where the description says enough: `m/s`, `rad`, `m/rad`.
+    /// Its unit, if the description determines it: `m/s`, `rad`, `m/rad`.
     pub fn unit(&self, units: &Units) -> Option<String> {
         self.unit_in(units, false)
     }
 
-    /// Its unit, with angles in degrees, if they are to be.
+    /// Its unit, with angles in degrees if `degrees`.
     pub(crate) fn unit_in(&self, units: &Units, degrees: bool) -> Option<String> {
         let Some(driver) = self.per else { return self.dimension.unit(units, self.order, degrees) };
         let [above, below] = [self.dimension, driver.dimension].map(|of| of.unit(units, 0, degrees));
@@ -230,14 +231,14 @@ impl Measure {
         })
     }
 
-    /// What its value is to be multiplied with so that its angles are in degrees.
+    /// The factor that converts its value from radians to degrees.
     #[cfg(feature = "cli")]
     pub(crate) fn in_degrees(&self) -> f64 {
         let factor = |dimension: Dimension| if dimension == Dimension::Angle { 1_f64.to_degrees() } else { 1.0 };
         factor(self.dimension) / self.per.map_or(1.0, |driver| factor(driver.dimension))
     }
 
-    /// Whether it follows from the place alone, so that it has a value where nothing has a rate.
+    /// Whether it depends on the position only, so that it has a value at a limit, where rates do not exist.
     #[cfg(feature = "cli")]
     pub(crate) const fn is_place(&self) -> bool {
         self.order == 0 && self.per.is_none() && !matches!(self.of, Of::Force(_))
@@ -249,14 +250,14 @@ impl Measure {
         matches!(self.of, Of::Transmission(_))
     }
 
-    /// What a designer asks first: transmission angles; angles, scalars and points; defines and the strokes of joints; what
-    /// drivers must supply. What is driven is left out.
+    /// The default quantities of `extremes`: transmission angles; angles, scalars and points; defines and the strokes
+    /// of joints; efforts of drivers. Driven quantities are left out.
     #[cfg(feature = "cli")]
-    pub(crate) fn telling(model: &'static Model) -> Vec<Self> {
+    pub(crate) fn default_outputs(model: &'static Model) -> Vec<Self> {
         let driven = Self::driven(model);
-        let tells = |measure: &Self| match measure.of {
+        let is_output = |measure: &Self| match measure.of {
             Of::Speed(_) | Of::Transmission(_) => true,
-            Of::Coordinate(place) => measure.order == 0 && told(model, place),
+            Of::Coordinate(place) => measure.order == 0 && shows_motion(model, place),
             Of::Point(..) => measure.order == 0,
             Of::Observable(_) => {
                 measure.order == 0 && measure.dimension != Dimension::Angle || measure.is_define(model)
@@ -266,7 +267,7 @@ impl Measure {
         };
         let all = Self::all(model).into_iter();
         let (angles, others): (Vec<Self>, Vec<Self>) =
-            all.filter(|measure| tells(measure) && !driven.contains(measure)).partition(Self::is_transmission);
+            all.filter(|measure| is_output(measure) && !driven.contains(measure)).partition(Self::is_transmission);
         angles.into_iter().chain(others).collect()
     }
 
@@ -276,9 +277,10 @@ impl Measure {
     }
 }
 
-/// Whether a coordinate says how its body moves: x and y do only of one that does not turn, or has no angle of its own.
+/// Whether a coordinate describes the motion of its body: angles and scalars do, x and y only of a body that does not
+/// turn or has no angle of its own.
 #[cfg(feature = "cli")]
-fn told(model: &Model, coordinate: usize) -> bool {
+fn shows_motion(model: &Model, coordinate: usize) -> bool {
     match model.coordinates[coordinate].kind {
         CoordinateKind::Pose { body, component: Component::X | Component::Y } => {
             let slides = |joint: &crate::model::JointInfo| {
@@ -300,7 +302,8 @@ impl fmt::Display for Measure {
     }
 }
 
-/// The name of what a driving row drives: of what its joint reports, or else of the one coordinate that it holds.
+/// The name of the quantity that a driving row drives: the one that its joint reports, or else the one coordinate in
+/// the row.
 fn driven_by(model: &'static Model, row: usize) -> Option<String> {
     let joint = &model.joints[model.rows[row].joint];
     if let Some(quantity) = joint.quantities.first() {

@@ -13,7 +13,7 @@ use crate::state::State;
 use crate::transmission::angles;
 
 impl Measure {
-    /// Its value, where the state alone has it.
+    /// Its value, if it is an entry of the state.
     pub(crate) fn of_state(&self, state: &State) -> Option<f64> {
         if self.per.is_some() {
             return None;
@@ -35,17 +35,17 @@ fn of_order(rates: Signal, order: usize) -> f64 {
     [rates.value, rates.rate, rates.acceleration].get(order).copied().unwrap_or(f64::NAN)
 }
 
-/// How everything follows a driving row or an input.
+/// The velocity ratios of all quantities to a driving row or an input.
 struct Ratio {
     place: Place,
     /// ∂q/∂f.
     first: Vec<f64>,
-    /// The same of observables.
+    /// The velocity ratios of observables.
     observed: Vec<f64>,
 }
 
-/// The values at a state. NaN is what has no value there: a transmission angle where an arm has no length, a force that
-/// redundancy leaves open, a ratio to what cannot move alone.
+/// The values at a state. A value that does not exist is NaN: a transmission angle if an arm has no length, a force
+/// that redundant rows leave undetermined, a ratio to a driver that cannot move alone.
 pub(crate) fn values(
     equations: &mut Equations<'_>,
     state: &State,

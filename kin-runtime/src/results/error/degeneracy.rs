@@ -1,17 +1,17 @@
-//! What is degenerate in the geometry of joints.
+//! Degenerate geometry of joints.
 
 use core::fmt;
 
-/// [`Degeneracy`], by the name that it has where parameters say it.
+/// [`Degeneracy`], under the name for geometry that follows from parameters alone.
 #[doc(hidden)]
 pub type GeometryFault = Degeneracy;
 
-/// What is degenerate in the geometry of a joint: in the sizes that the parameters give it, or where bodies touch.
+/// A degenerate geometry of a joint: of its dimensions as the parameters give them, or of a contact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub enum Degeneracy {
-    /// The point stands at the centre of a polar curve, where the direction θ has no value.
+    /// The point is at the centre of a polar curve, where the direction θ is undefined.
     Centre {
         /// |w|.
         distance: f64,
@@ -21,31 +21,31 @@ pub enum Degeneracy {
         /// Largest entry of the row of Φ_q on the common scale.
         largest: f64,
     },
-    /// A parametric curve stands still, c′ = 0, so that a roller has no side to run on.
+    /// The tangent of a parametric curve vanishes, c′ = 0, so that the side of its roller is undefined.
     Direction {
         /// The curve's parameter.
         parameter: &'static str,
         /// Its value.
         value: f64,
     },
-    /// The radius of a gear, a pulley or a disc couples nothing.
+    /// The radius of a gear, a pulley or a disc is 0, so that it couples no motion.
     Radius {
         /// The radius.
         value: f64,
     },
-    /// Two discs that roll on one another have one centre.
+    /// Two discs that roll on one another have the same centre.
     OneCentre {
         /// The sum of their radii.
         sum: f64,
     },
     /// The axis has no direction: its components are 0, or too small or too large to be normalised.
     Axis,
-    /// The distance that the joint keeps is nothing, and its row has no gradient where it is kept.
+    /// The distance that the joint keeps is 0, where its row has no gradient.
     Length {
         /// The distance.
         length: f64,
     },
-    /// The distance that the joint keeps is negative, which no distance is.
+    /// The distance that the joint keeps is negative.
     NegativeLength {
         /// The distance.
         length: f64,

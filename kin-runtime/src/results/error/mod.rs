@@ -1,4 +1,4 @@
-//! What can go wrong in an analysis, with numbers.
+//! Errors of analyses, with numbers.
 
 use crate::certificate::Uncertified;
 use crate::mechanism::LengthError;
@@ -25,9 +25,9 @@ pub enum Refusal {
     StepTooSmall,
     /// More internal steps than allowed.
     TooManySteps,
-    /// A driver or an input goes from one place to another in no time.
+    /// A driver or an input is discontinuous.
     Discontinuous,
-    /// The numbers of t are so far apart that no step of the motion fits between two of them: t is too large.
+    /// t is so large that neighbouring `f64` are farther apart than a step of the motion.
     TimeTooCoarse,
 }
 
@@ -69,8 +69,8 @@ pub enum SolveError {
         iterations: u32,
         /// Whether assembly had nothing to vary, since every coordinate had a guess.
         all_guessed: bool,
-        /// The group of the plan that cannot close, in the modes of the best attempt; none where all can or where there is
-        /// no plan.
+        /// The group of the plan that cannot close, in the modes of the best attempt; none if all can, or without a
+        /// plan.
         limit: Option<Limit>,
     },
     /// Φ_q loses rank in this configuration, though not in its neighbourhood.
@@ -85,7 +85,7 @@ pub enum SolveError {
         rows: Vec<&'static str>,
         /// Estimated condition number of the scaled Φ_q; infinite where it is exactly singular.
         condition: f64,
-        /// The group of the plan that is at its limit, or cannot close beyond; none where all can or where there is no plan.
+        /// The group of the plan that is at its limit or cannot close beyond it; none if all can, or without a plan.
         limit: Option<Limit>,
     },
     /// No q̇ satisfies Φ_q q̇ = −Φ_t.
@@ -133,7 +133,7 @@ pub enum SolveError {
     UnknownDerivative {
         /// Time.
         t: f64,
-        /// The order that is asked for.
+        /// The order that was asked for.
         order: usize,
         /// `input` or `function`.
         what: &'static str,
@@ -166,16 +166,16 @@ pub enum SolveError {
         t: f64,
         /// Time at which there is none.
         t_refused: f64,
-        /// The row that resists most.
+        /// The row with the largest residual.
         row_name: &'static str,
         /// Its joint.
         joint: &'static str,
         /// Why.
         reason: Refusal,
-        /// The group of the plan that cannot close at `t_refused`; none where all can or where there is no plan.
+        /// The group of the plan that cannot close at `t_refused`; none if all can, or without a plan.
         limit: Option<Limit>,
     },
-    /// Bodies touch where their contact says nothing.
+    /// Bodies touch where the contact equation is degenerate.
     DegenerateContact {
         /// Time.
         t: f64,
@@ -192,7 +192,7 @@ pub enum SolveError {
         t: f64,
         /// The joint.
         joint: &'static str,
-        /// What it lacks.
+        /// What is degenerate.
         fault: Degeneracy,
     },
     /// Forces were asked for, and the mechanism has neither masses nor loads.
@@ -220,12 +220,12 @@ pub enum SolveError {
         /// The group of the plan that is at its limit; none where there is no plan.
         limit: Option<Limit>,
     },
-    /// Derivatives by parameters were asked for where the parameters do not determine the configuration: degrees of freedom
-    /// are left open, or rows of velocity level make the position an outcome of the motion so far.
+    /// Derivatives by parameters were asked for, but the parameters do not determine the configuration: degrees of
+    /// freedom are left open, or rows of velocity level make the position depend on the motion so far.
     NotDetermined {
         /// Time.
         t: f64,
-        /// How many degrees of freedom are left open; 0 where rows of velocity level are why.
+        /// How many degrees of freedom are left open; 0 if rows of velocity level are the reason.
         open: usize,
         /// Coordinates that could be given.
         could_be_given: Vec<&'static str>,
@@ -236,8 +236,8 @@ pub enum SolveError {
         t: f64,
         /// The parameter.
         parameter: &'static str,
-        /// A row that would be missed, where redundant rows agree at this value of the parameter alone; none where a
-        /// function has no derivative here, or none that is known.
+        /// A redundant row that agrees with the others at this value of the parameter only; none if the reason is a
+        /// function without a (known) derivative here.
         row_name: Option<&'static str>,
     },
     /// No parameter has this index.
@@ -256,24 +256,24 @@ pub enum SolveError {
     },
     /// NaN or infinity in an argument, a parameter or a result.
     NonFinite {
-        /// Where: `q`, `t`, `parameters`, `inputs`, `Φ`, ….
+        /// The list it is in: `q`, `t`, `parameters`, `inputs`, `Φ`, ….
         what: &'static str,
-        /// Place in it.
+        /// Index in that list.
         index: usize,
         /// Name of the coordinate, parameter, input or row.
         name: &'static str,
-        /// Time, where the number was computed for an instant.
+        /// Time, if the number was computed for an instant.
         t: Option<f64>,
     },
     /// An argument of the wrong length.
     Length(LengthError),
-    /// One of the [`Options`](crate::Options) is no number that means something.
+    /// One of the [`Options`](crate::Options) is out of range.
     Option {
         /// Its name.
         name: &'static str,
-        /// What it was given.
+        /// The value it was given.
         value: f64,
-        /// The largest that means something.
+        /// The largest possible value.
         most: f64,
     },
     /// No coordinate has this index.
@@ -307,23 +307,23 @@ pub enum SolveError {
         /// All of them.
         total: usize,
     },
-    /// No mode has the name or the place that was asked for.
+    /// No mode has the name or the index that was asked for.
     UnknownMode {
         /// What was asked for.
         mode: String,
         /// The modes that there are.
         modes: Vec<&'static str>,
     },
-    /// The mechanism has no configuration in the modes asked for, all others being as the guesses have them.
+    /// The mechanism has no configuration in the modes asked for, with all other modes as the guesses have them.
     ModeNotAssembled {
         /// Time.
         t: f64,
         /// The modes asked for.
         modes: Vec<(&'static str, Sign)>,
-        /// The group that cannot close; none where the plan closes and the mechanism does not.
+        /// The group that cannot close; none if the plan closes and the mechanism does not.
         limit: Option<Limit>,
     },
-    /// Not one configuration could be compared.
+    /// No configuration could be compared.
     NothingCompared {
         /// Configurations skipped because Φ is not finite there.
         skipped: usize,
@@ -343,7 +343,7 @@ impl From<LengthError> for SolveError {
 }
 
 impl SolveError {
-    /// The group of the plan that is at its limit or cannot close, where that is why there is no answer.
+    /// The group of the plan that is at its limit or cannot close, if that is the reason of the error.
     pub const fn limit(&self) -> Option<&Limit> {
         match self {
             Self::NotAssembled { limit, .. }
@@ -365,7 +365,8 @@ impl SolveError {
     }
 }
 
-/// What it says is the whole; the source is the error of the plan or of a length, as a type, where that is what went wrong.
+/// The message contains that of the source, which is the error of the plan or of a length, if one of them is the
+/// reason.
 impl core::error::Error for SolveError {
     fn source(&self) -> Option<&(dyn core::error::Error + 'static)> {
         match self {

@@ -4,24 +4,24 @@ use super::SolveError;
 use crate::trajectory::Trajectory;
 use core::fmt;
 
-/// A sweep that ended early: what went well, and why it ended.
+/// A sweep that ended early: the states up to there, and the reason.
 #[derive(Clone, PartialEq)]
 pub struct SweepError {
     /// The states of all instants before the one that failed, and the events until then.
     pub trajectory: Box<Trajectory>,
-    /// Why there is no next one.
+    /// The reason why there is no next state.
     pub source: SolveError,
 }
 
 impl SweepError {
-    /// q at the limit itself, n numbers, where the motion ended at one that was located; its t and its kind are in
-    /// [`SolveError::limit`].
+    /// q at the limit itself, n numbers, if the motion ended at a limit that was located; [`SolveError::limit`] has its
+    /// t and its kind.
     pub fn q_at_limit(&self) -> Option<&[f64]> {
         self.trajectory.q_at_limit.as_deref()
     }
 }
 
-/// Without the states, which would drown the reason.
+/// Without the states, so that the reason is easy to find.
 impl fmt::Debug for SweepError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("SweepError")

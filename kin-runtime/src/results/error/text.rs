@@ -1,4 +1,4 @@
-//! Errors of the analyses in words.
+//! Messages of the errors of analyses.
 
 use super::{Refusal, SolveError};
 use crate::planned::Limit;
@@ -213,7 +213,7 @@ impl fmt::Display for SolveError {
     }
 }
 
-/// The group that cannot close, behind what else there is to say.
+/// Appends the group that cannot close.
 fn write_limit(f: &mut fmt::Formatter<'_>, limit: &Option<Limit>) -> fmt::Result {
     limit.as_ref().map_or(Ok(()), |limit| write!(f, "; {limit}"))
 }

@@ -1,11 +1,11 @@
-//! Motions from rates, and as the types of nalgebra.
+//! Conversions of motions from signals, and to the types of nalgebra.
 
 use super::{BodyMotion, PointMotion, Signal};
 use crate::model::Component;
 use nalgebra::{Isometry2, Point2, Vector2, Vector3};
 
 impl From<[Signal; 3]> for BodyMotion {
-    /// From those of x, y and φ.
+    /// From the signals of x, y and φ.
     fn from([x, y, phi]: [Signal; 3]) -> Self {
         Self {
             x: x.value,
@@ -22,14 +22,14 @@ impl From<[Signal; 3]> for BodyMotion {
 }
 
 impl From<[Signal; 2]> for PointMotion {
-    /// From those of x and y.
+    /// From the signals of x and y.
     fn from([x, y]: [Signal; 2]) -> Self {
         Self { r: [x.value, y.value], v: [x.rate, y.rate], a: [x.acceleration, y.acceleration] }
     }
 }
 
 impl Signal {
-    /// Of what is not there.
+    /// The signal of something that is missing: NaN.
     pub(crate) const UNKNOWN: Self = Self { value: f64::NAN, rate: f64::NAN, acceleration: f64::NAN };
 }
 
@@ -44,7 +44,7 @@ impl BodyMotion {
         }
     }
 
-    /// The pose: what takes body-fixed coordinates to the inertial frame, r + A(φ) s′.
+    /// The pose: the transformation of body-fixed coordinates to the inertial frame, r + A(φ) s′.
     pub fn pose(&self) -> Isometry2<f64> {
         Isometry2::new(Vector2::new(self.x, self.y), self.phi)
     }

@@ -48,7 +48,8 @@ pub struct PointMotion {
     pub a: [f64; 2],
 }
 
-/// A unilateral condition at one instant: g, by how much its larger side exceeds the other, with its derivatives.
+/// A unilateral condition at one instant: its margin g (the side that must be larger minus the other) and its
+/// derivatives.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct ConditionMotion {
@@ -80,11 +81,11 @@ pub struct Motion {
     pub joints: Vec<Vec<Signal>>,
     /// Unilateral conditions, in the order of [`Model::conditions`].
     pub conditions: Vec<ConditionMotion>,
-    /// Forces, where there are masses or loads and something holds what they act along.
+    /// Forces, if there are masses or loads and their effects are held by constraints and drivers.
     pub forces: Option<Forces>,
 }
 
-/// What reports on everything that a mechanism shows have in common: indices by handle, and how they are printed.
+/// Implements the indexing by handles and the printing that all reports on bodies, points, defines and joints share.
 macro_rules! report {
     ($report:ty, body: $body:ty, point: $point:ty) => {
         impl core::fmt::Debug for $report {
@@ -122,7 +123,7 @@ pub(crate) use report;
 report!(Motion, body: BodyMotion, point: PointMotion);
 
 impl Motion {
-    /// The places alone; rates, accelerations and forces are unknown.
+    /// With positions only: rates, accelerations and forces are NaN or none.
     #[cfg(feature = "cli")]
     pub(crate) fn without_rates(mut self) -> Self {
         let unknown = f64::NAN;

@@ -1,4 +1,4 @@
-//! Motions in words and numbers.
+//! How motions print.
 
 use super::{BodyMotion, ConditionMotion, Motion, PointMotion};
 use crate::text::{number, numbers};

@@ -1,0 +1,110 @@
+//! Options that commands share, read together so that all errors are reported at once: those of one instant, and those of
+//! a motion.
+
+use super::engine::{Engine, Setup};
+use super::failure::{Failure, Ledger, zip3};
+use super::instants::{Asked, GridArgs, Instants, instant};
+use super::moving::Walk;
+use super::options::{AngleArgs, FreedomArgs, InstantArgs, SetupArgs};
+use super::output::{Destination, OutputArgs};
+use super::session::Session;
+use super::watch::Watch;
+use crate::measure::Measure;
+
+/// Options of the analysis of one instant.
+#[derive(Clone, Debug, clap::Args)]
+pub(super) struct AtArgs {
+    #[command(flatten)]
+    instant: InstantArgs,
+    #[command(flatten)]
+    setup: SetupArgs,
+}
+
+/// An instant to be analysed.
+pub(super) struct At<'o> {
+    pub(super) t: f64,
+    pub(super) setup: Setup,
+    pub(super) output: Destination<'o>,
+}
+
+/// How options become a setup: [`SetupArgs::apply`], or [`SetupArgs::apply_complete`] for a command that needs all inputs.
+type Apply = fn(&SetupArgs, &mut dyn Engine) -> Result<Setup, Failure>;
+
+impl AtArgs {
+    /// Reads the options of `command`; errors go to the ledger.
+    pub(super) fn read<'o>(
+        &self,
+        ledger: &mut Ledger,
+        (command, output): (&str, &'o OutputArgs),
+        apply: Apply,
+        engine: &mut dyn Engine,
+        session: &Session<'_>,
+    ) -> Option<At<'o>> {
+        let moment = ledger.take(self.instant.time(engine.model()));
+        let output = ledger.take(session.destination(output, command));
+        let setup = ledger.take(apply(&self.setup, engine));
+        let (moment, output, setup) = zip3(moment, output, setup)?;
+        let t = ledger.take(instant("--at", moment, engine, &setup))?;
+        Some(At { t, setup, output })
+    }
+}
+
+/// Options of a motion.
+#[derive(Clone, Debug, clap::Args)]
+pub(super) struct MotionArgs {
+    #[command(flatten)]
+    grid: GridArgs,
+    #[command(flatten)]
+    setup: SetupArgs,
+    #[command(flatten)]
+    freedom: FreedomArgs,
+    #[command(flatten)]
+    pub(super) angles: AngleArgs,
+}
+
+/// A motion to be followed.
+pub(super) struct Task<'o> {
+    pub(super) asked: Asked,
+    pub(super) setup: Setup,
+    pub(super) output: Destination<'o>,
+}
+
+impl MotionArgs {
+    /// Reads the options of `command`, whose default number of steps is `steps`; errors go to the ledger.
+    pub(super) fn read<'o>(
+        &self,
+        ledger: &mut Ledger,
+        (command, output): (&str, &'o OutputArgs),
+        steps: usize,
+        engine: &mut dyn Engine,
+        session: &Session<'_>,
+    ) -> Option<Task<'o>> {
+        let asked = ledger.take(self.grid.asked(steps, engine.model()));
+        let output = ledger.take(session.destination(output, command));
+        let setup = ledger.take(self.setup.apply_complete(engine));
+        let (asked, output, setup) = zip3(asked, output, setup)?;
+        Some(Task { asked, setup, output })
+    }
+
+    /// The walk over the instants of a task, with the values of `measures`.
+    pub(super) fn walk<'w>(
+        &self,
+        engine: &'w dyn Engine,
+        (asked, setup, instants): (&Asked, &'w Setup, &'w Instants),
+        measures: &'w [Measure],
+        watch: &'w Watch,
+    ) -> Walk<'w> {
+        Walk {
+            engine,
+            setup,
+            instants,
+            stop_at_events: false,
+            open_end: asked.is_open(),
+            freedom: self.freedom,
+            reported: false,
+            measures,
+            degrees: self.angles.degrees,
+            watch,
+        }
+    }
+}

@@ -1,0 +1,53 @@
+//! What the inputs can be for the mechanism to close.
+
+use super::Solver;
+use crate::analysis::fit::fit_inputs;
+use crate::error::SolveError;
+use crate::mechanism::Mechanism;
+use crate::model::Input;
+use crate::planned::{InputRange, OutOfRange};
+use crate::workspace::{Instant, Signal};
+
+impl<M: Mechanism> Solver<'_, M> {
+    /// The range of an input in which the mechanism closes, with time and the other inputs constant, at an instant at
+    /// which it closes: see [`Planned::range_of`].
+    ///
+    /// # Errors
+    /// As [`planned`](Self::planned), and [`Plan`](SolveError::Plan) with the handle of another mechanism.
+    pub fn range_of(&self, at: &Instant<'_>, input: Input) -> Result<InputRange, SolveError> {
+        Ok(self.planned(at)?.range_of(input)?)
+    }
+
+    /// The input that keeps the mechanism from closing at an instant, with the range in which it closes if the others
+    /// are constant; where several could be, the one that is farthest from what fits the guess. If it does not close for
+    /// any value then, the others have the values that fit the guess. None if the mechanism closes, if no single input
+    /// is the cause, and without a plan.
+    pub fn out_of_range(&self, at: &Instant<'_>) -> Option<OutOfRange> {
+        let guess = self.checked_guess().ok()?;
+        let fitted = |places: &[usize], values: &[Signal]| {
+            let at = Instant { t: at.t, inputs: values };
+            let found = self.analyse(&at, |equations| {
+                let fits = fit_inputs(equations, &guess, places)?;
+                Ok(fits.then(|| equations.inputs.clone()))
+            });
+            found.ok().flatten()
+        };
+        let mut all: Vec<usize> = (0..M::INPUTS).collect();
+        let at_guess = fitted(&all, at.inputs);
+        // Where several inputs could each be the cause, it is the one that is farthest from what fits the guess.
+        let departure = |k: usize| {
+            let fit = at_guess.as_ref()?.get(k)?.value;
+            Some((at.inputs.get(k)?.value - fit).abs() / fit.abs().max(f64::MIN_POSITIVE))
+        };
+        all.sort_by(|&a, &b| departure(b).unwrap_or(0.0).total_cmp(&departure(a).unwrap_or(0.0)));
+        let first = |others: &[Signal]| {
+            all.iter().find_map(|&k| {
+                let asked = at.inputs.get(k)?.value;
+                let inputs = fitted(&[k], others)?;
+                let range = self.range_of(&Instant { t: at.t, inputs: &inputs }, Input(k)).ok()?;
+                (!range.contains(asked)).then_some(OutOfRange { value: asked, range })
+            })
+        };
+        first(at.inputs).or_else(|| first(at_guess.as_ref()?))
+    }
+}
