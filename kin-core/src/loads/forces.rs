@@ -27,7 +27,7 @@ pub struct SpringForce {
     pub numbers: [ExprId; 5],
 }
 
-/// What gravity, an applied load or a spring exerts on a body.
+/// The force or couple of gravity, an applied load or a spring on a body.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LoadForce {
     /// Its name; `gravity` for the weight of a mass.
@@ -62,7 +62,7 @@ pub struct Forces {
     pub reactions: Vec<ReactionForce>,
     /// Springs.
     pub springs: Vec<SpringForce>,
-    /// What loads exert on bodies, for pictures.
+    /// The forces and couples of loads on bodies, for pictures.
     pub exerted: Program,
     /// What its numbers are.
     pub loads: Vec<LoadForce>,
@@ -114,7 +114,7 @@ pub fn forces(mechanism: &Mechanism, system: &KinematicSystem, linear: Option<Li
     })
 }
 
-/// What loads exert on bodies: what the numbers are, and the numbers.
+/// The forces and couples of loads on bodies: a table of the numbers, and the numbers.
 fn on_bodies(acting: &[Acting]) -> (Vec<LoadForce>, Vec<ExprId>) {
     let (mut loads, mut numbers) = (Vec::new(), Vec::new());
     for acting in acting {

@@ -19,7 +19,7 @@ pub(super) struct Work {
 /// A force and its moment about the origin of the inertial frame: f_x, f_y, m.
 pub(super) type Wrench = [ExprId; 3];
 
-/// What a load exerts on a body, for people: a force at a point, or a couple.
+/// The force or couple of a load on a body, for pictures.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Exerted {
     pub(super) on: Frame,

@@ -36,7 +36,7 @@ pub(super) struct AnimateArgs {
     /// Show names in a picture; a page has a switch for them
     #[arg(long)]
     names: bool,
-    /// Arrows of what joints, drivers and loads exert; a page can hide them
+    /// Show forces of joints, drivers and loads as arrows
     #[arg(long)]
     forces: bool,
     #[command(flatten)]
@@ -62,9 +62,9 @@ The page has the drawing, plots, and controls for time and speed. If the mechani
 in several modes, the page has all of them, up to eight, unless --mode chooses one. The space bar
 plays and pauses.
 
-Arrows of forces are to one scale over the whole motion, which is shown; those of couples have one
-of their own. Joints (red) act on the body of their second operand, drivers (violet) on what they
-drive: on a coordinate of a body, a difference of angles, or a distance; loads are blue.
+With --forces, arrows show forces to one scale over the whole motion. Those of joints are red and
+act on the body of the second operand; those of drivers (coordinates of bodies, differences of
+angles, distances) are violet; loads are blue. Couples are curved arrows with their own scale.
 
 When a motion fails midway, or Ctrl-C ends it, the finished part is written and the status is 1,
 or 130.",

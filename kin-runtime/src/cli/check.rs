@@ -89,8 +89,8 @@ pub(super) const HELP: Help = Help {
 The closed forms of Φ_q, Φ_t and γ are compared with automatic differentiation by dual numbers,
 the plan with full Newton, the solution with the equations, and powers with energies. The status
 is 0 only when everything passes. Where inputs have no value (--input), no solution is checked;
-where the drivers leave degrees of freedom open, it is that of least norm. With masses, contacts
-that would have to pull are told: what only touches has lifted off there.",
+where the drivers leave degrees of freedom open, it is that of least norm. With masses, a note
+reports contacts whose normal force is negative.",
 };
 
 pub(super) fn run(args: &CheckArgs, engine: &mut dyn Engine, session: &mut Session<'_>) -> Result<(), Failure> {

@@ -44,18 +44,18 @@ while the driven quantity grows. A joint's force and moment act on the body of i
 operand, at the joint's point; the other body receives the opposite. Shaking is what the
 mechanism exerts on the ground, its moment about the origin. Units follow the parameters.
 
-A contact that would have to pull is told; `sweep` finds when it lifts off. At a dead centre, where
-no forces are determined, the joints and drivers whose forces grow without bounds are.",
+A note reports contacts whose normal force is negative; `sweep` finds when they lift off. At a dead
+centre forces do not exist; the error names the joints and drivers whose forces grow without bounds.",
 };
 
-/// `contact would have to pull at t = 0.1: normal force -3.2 N; bodies that only press have lifted off`.
+/// `contact would have to pull at t = 0.1: normal force -3.2 N; a contact that only presses has lifted off`.
 pub(super) fn pulls(contact: &Reaction, forces: &Forces) -> String {
     let unit =
         forces.model.forces.and_then(|info| info.units.force).map_or_else(String::new, |unit| format!(" {unit}"));
     let normal = contact.normal.map_or_else(String::new, rounded);
     let (name, t) = (contact.name, plain(forces.t));
     format!(
-        "`{name}` would have to pull at t = {t}: normal force {normal}{unit}; bodies that only touch have lifted off"
+        "`{name}` would have to pull at t = {t}: normal force {normal}{unit}; a contact that only presses has lifted off"
     )
 }
 

@@ -101,7 +101,7 @@ pub struct SpringForce {
     pub damper_power: f64,
 }
 
-/// What gravity, an applied load or a spring exerts on a body.
+/// The force or couple of gravity, an applied load or a spring on a body.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Load {
     /// Its name; `gravity` for the weight of a mass.
@@ -182,8 +182,8 @@ impl Forces {
         self.reactions.iter().find(|reaction| reaction.name == joint)
     }
 
-    /// The contacts whose normal force would have to pull: their bodies have lifted off, unless a groove or a spring that the
-    /// description leaves out holds them together.
+    /// The contacts whose normal force is negative: the bodies would have to pull on one another. A contact that only presses
+    /// has lifted off.
     pub fn pulling(&self) -> impl Iterator<Item = &Reaction> {
         self.reactions.iter().filter(|reaction| reaction.normal.is_some_and(|normal| normal < 0.0))
     }

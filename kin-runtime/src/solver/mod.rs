@@ -232,7 +232,8 @@ impl<'m, M: Mechanism> Solver<'m, M> {
         self.shared_forces(state, Sharing::LeastNorm)
     }
 
-    /// What gravity, applied loads and springs exert on the bodies at a solved state: their points and forces, or couples.
+    /// The forces of gravity, applied loads and springs on the bodies at a solved state, with their points, and their
+    /// couples.
     ///
     /// # Errors
     /// For a mechanism without masses and loads, and when a list has another length.

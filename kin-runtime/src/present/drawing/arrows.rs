@@ -1,8 +1,8 @@
-//! Forces and couples as arrows, which are as large as what they show: what joints exert on the body of their second
-//! operand, at the joint's point, what drivers exert on what they drive, and what gravity, applied loads and springs exert.
+//! Forces and couples as arrows whose size is proportional to them: the reactions of joints on the body of the second
+//! operand, at the joint's point, the efforts of drivers, and the forces of gravity, applied loads and springs.
 //!
-//! The largest force of the whole motion has an arrow of a quarter of the mechanism's size, and all others are to its
-//! scale; couples have a scale of their own. A couple without a point stands in the middle of its body.
+//! The arrow of the largest force of the whole motion is a quarter of the mechanism's size long. Couples have a scale of
+//! their own; a couple without a point is drawn in the middle of its body.
 
 use super::carrier::Carrier;
 use super::links::Links;
@@ -16,10 +16,10 @@ use core::f64::consts::{PI, TAU};
 const LONGEST: f64 = 0.25;
 /// The part of the largest arrow from which on arrows have a head of full size.
 const FULL_HEAD: f64 = 0.1;
-/// What is smaller beside the largest is rounding.
+/// Forces and couples that never exceed this part of the largest are rounding errors and are not drawn.
 const NOTHING: f64 = 1e-9;
 
-/// To which scale forces are shown.
+/// The scale of the arrows of forces.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct ForceScale {
     /// The largest force.
@@ -36,10 +36,10 @@ pub(super) struct Arrows {
     pub(super) scale: Option<ForceScale>,
 }
 
-/// What acts over the motion at a point that moves.
+/// A force or a couple over the motion, with its point.
 struct Track<T> {
     ink: Ink,
-    /// The point and what acts, at every instant; none where it is not known.
+    /// The point and the value at every instant; none if the forces of that instant are unknown.
     values: Vec<Option<([f64; 2], T)>>,
 }
 
@@ -159,7 +159,7 @@ impl<T: Copy> Track<T> {
     }
 }
 
-/// What acts at every instant whose forces are known.
+/// The values of one force or couple over the motion.
 fn track<T>(subject: &Subject<'_>, ink: Ink, value: impl Fn(usize, &Forces) -> Option<([f64; 2], T)>) -> Track<T> {
     let values = subject.snapshots.iter().enumerate();
     Track { ink, values: values.map(|(k, snapshot)| value(k, snapshot.forces.as_ref()?)).collect() }

@@ -12,7 +12,7 @@ pub(crate) struct Carrier {
     pub(crate) poses: Vec<Pose>,
     /// Its parts.
     pub(crate) parts: Vec<Part>,
-    /// How large it is shown at each instant, for arrows; nothing where it never changes its size.
+    /// The factor by which it is enlarged at every instant, for arrows; empty if its size is constant.
     pub(crate) sizes: Vec<f64>,
 }
 

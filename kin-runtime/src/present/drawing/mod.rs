@@ -8,7 +8,7 @@
 //! ```text
 //! subject     poses and geometry of every instant, and where points stand
 //! links       the shapes of bodies        slides, wheels, outlines, paths    what joints look like
-//! arrows      forces and couples, as large as they are
+//! arrows      forces and couples
 //! part        lines, bars, circles, …     palette, labels    colours, and where names stand
 //! view        from lengths to pixels      svg                the text
 //! ```

@@ -11,11 +11,11 @@ pub(crate) enum Ink {
     Ground,
     /// Of a path, by the place of its point.
     Path(usize),
-    /// Of what joints exert.
+    /// Of the forces of joints.
     Reaction,
-    /// Of what drivers exert.
+    /// Of the efforts of drivers.
     Effort,
-    /// Of what loads exert.
+    /// Of the forces of loads.
     Load,
 }
 

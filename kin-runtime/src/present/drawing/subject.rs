@@ -19,9 +19,9 @@ pub(crate) struct Snapshot {
     pub(crate) velocities: Vec<[f64; 2]>,
     /// The geometry array: local points, axes, values and radii.
     pub(crate) geometry: Vec<f64>,
-    /// Forces, where they are to be shown and there are any.
+    /// Forces, if they are shown and known.
     pub(crate) forces: Option<Forces>,
-    /// What loads exert on bodies, likewise.
+    /// The forces of loads, if they are shown.
     pub(crate) loads: Vec<Load>,
 }
 
