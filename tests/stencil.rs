@@ -34,6 +34,22 @@ impl Stencil {
         std::iter::once(first).chain(around).collect()
     }
 
+    /// The seven values of a function at the shifts of the instants from the middle one.
+    #[must_use]
+    pub fn around(&self, value: impl Fn(f64) -> f64) -> Vec<f64> {
+        (-3..=3).map(|k| value(f64::from(k) * self.step)).collect()
+    }
+
+    /// The first derivative by differences of the seven `samples`.
+    ///
+    /// # Panics
+    /// If there are not seven samples.
+    #[must_use]
+    pub fn rate(&self, samples: &[f64]) -> f64 {
+        let &[a, b, c, _, e, f, g] = samples else { panic!("{} samples", samples.len()) };
+        (45.0 * (e - c) - 9.0 * (f - b) + (g - a)) / (60.0 * self.step)
+    }
+
     /// Compares rate and acceleration with differences of the seven `samples`. `scales` are the sizes of rate and
     /// acceleration in this motion; the differences are accurate to 1e-9 and 1e-7 of these sizes, or of one unit per
     /// span.
@@ -49,7 +65,7 @@ impl Stencil {
         scales: [f64; 2],
     ) {
         let &[a, b, c, d, e, f, g] = samples else { panic!("{} samples", samples.len()) };
-        let first = (45.0 * (e - c) - 9.0 * (f - b) + (g - a)) / (60.0 * self.step);
+        let first = self.rate(samples);
         let second = (270.0 * (e + c) - 27.0 * (f + b) + 2.0 * (g + a) - 490.0 * d) / (180.0 * self.step * self.step);
         let slow = scales[0].max(1.0 / self.span);
         let slower = scales[1].max(1.0 / (self.span * self.span));

@@ -106,7 +106,7 @@ pub use crate::{
     cross_check::{Configuration, CrossCheck, CrossCheckOptions, FunctionCheck, WorstEntry},
     error::{Degeneracy, GeometryFault, Refusal, SolveError, SweepError},
     events::{Crossing, Event, Unwatched},
-    forces::{ContactChange, Effort, Forces, Reaction, SpringForce, Wrench},
+    forces::{ContactChange, Effort, Forces, Load, Reaction, SpringForce, Wrench},
     kinematics::Kinematics,
     measure::Measure,
     mobility::{Cause, Mobility, RedundantRow},

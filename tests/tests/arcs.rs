@@ -110,7 +110,6 @@ fn a_crank_that_rocks_draws_the_whole_coupler_curve() {
             assert!(nearest <= 0.51 * longest, "{phi}: {nearest} of {longest}");
         }
     }
-    // Back where it began, in position and velocity.
     let [Some(first), Some(last)] = [swept.states.first(), swept.last()] else { panic!("states") };
     assert!(first.q.iter().zip(&last.q).all(|(a, b)| (a - b).abs() < 1e-9));
     assert!(first.q_dot.iter().zip(&last.q_dot).all(|(a, b)| (a - b).abs() < 1e-6));
@@ -181,7 +180,6 @@ fn a_slider_drives_its_crank_all_the_way_round() {
     assert!(times.len() == 2 && (times[0] - 1.0).abs() < 1e-12 && (times[1] + 3.0).abs() < 1e-11, "{times:?}");
     let turned = swept.last().map_or(0.0, |last| last.q[2]) - swept.states[0].q[2];
     assert!((turned.abs() - TAU).abs() < 1e-9, "{turned}");
-
     // Between two times it goes through the dead centre and back out of the interval.
     let part = Engine.solver().sweep_along_arc(0.0, Some(2.0), 30).unwrap();
     let found = arc(&part);

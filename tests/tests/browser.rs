@@ -5,7 +5,7 @@
 //! the browser then prints the document.
 
 use kin_runtime::{Kinematics, cli};
-use kin_tests::mechanisms::FourbarLectureMid;
+use kin_tests::mechanisms::{FourbarLectureMid, loaded};
 use serde_json::Value;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -57,17 +57,15 @@ fn browse(chromium: &str, scratch: &Scratch, page: &Path, what: &[&str]) -> Vec<
 
 /// Writes the page of the lecture's four-bar, with 37 instants of one turn.
 fn written(scratch: &Scratch) -> PathBuf {
+    written_of::<FourbarLectureMid>(scratch, &[])
+}
+
+/// The page of a mechanism, with more options.
+fn written_of<M: Kinematics + Default>(scratch: &Scratch, options: &[&str]) -> PathBuf {
     let file = scratch.0.join("motion.html");
-    let _ = cli::run_from::<FourbarLectureMid>([
-        "four_bar",
-        "animate",
-        "--to",
-        "6",
-        "--steps",
-        "36",
-        "--out",
-        &file.display().to_string(),
-    ]);
+    let out = file.display().to_string();
+    let args = ["four_bar", "animate", "--to", "6", "--steps", "36", "--out", &out];
+    let _ = cli::run_from::<M>(args.iter().chain(options).copied());
     assert!(file.exists(), "the page is written");
     file
 }
@@ -79,7 +77,12 @@ fn tried(chromium: &str, scratch: &Scratch, script: &str) -> Value {
 
 /// As [`tried`], for a screen of the given size.
 fn tried_on(chromium: &str, scratch: &Scratch, size: &str, script: &str) -> Value {
-    let page = fs::read_to_string(written(scratch)).expect("the page");
+    tried_page(chromium, scratch, &written(scratch), size, script)
+}
+
+/// As [`tried_on`], for a page that is written already.
+fn tried_page(chromium: &str, scratch: &Scratch, page: &Path, size: &str, script: &str) -> Value {
+    let page = fs::read_to_string(page).expect("the page");
     let listen = "<script>window.faults = []; window.onerror = (m) => { faults.push(String(m)); };</script>";
     let report = format!(
         "<script>const seen = {{}}; {script}; seen.faults = faults; seen.ready = document.documentElement.dataset.ready;\n\
@@ -179,6 +182,29 @@ fn the_page_fits_a_phone_and_says_what_is_driven() {
     assert!(seen["mode"].as_i64().is_some_and(|bottom| bottom < 400), "{seen}");
     assert_eq!(seen["drivers"], "crank.phi = 4.235 rad");
     assert!(seen["scale"].as_str().is_some_and(|text| text.ends_with(" m")), "{seen}");
+}
+
+#[test]
+fn arrows_of_forces_follow_the_time_and_can_be_switched_off() {
+    let Some(chromium) = chromium() else { return };
+    let scratch = Scratch::new("forces");
+    let page = written_of::<loaded::FourbarLectureMid>(&scratch, &["--forces"]);
+    let script = "const $ = (id) => document.getElementById(id), slider = $('slider');\n\
+         const arrow = [...document.querySelector('g.run').children].findLast((g) => g.querySelector('.force'));\n\
+         seen.at = [0, 9].map((k) => { slider.value = k; slider.dispatchEvent(new Event('input'));\n\
+           return arrow.getAttribute('transform'); });\n\
+         const shown = () => getComputedStyle(document.querySelector('.force')).display !== 'none';\n\
+         seen.shown = [shown()]; $('forces').click(); seen.shown.push(shown());\n\
+         seen.offered = $('forces').getBoundingClientRect().width > 0;";
+    let seen = tried_page(&chromium, &scratch, &page, "1200,800", script);
+    assert_eq!(seen["faults"], serde_json::json!([]));
+    assert_eq!(seen["shown"], serde_json::json!([true, false]));
+    assert_eq!(seen["offered"], true);
+    let at = seen["at"].as_array().expect("two instants");
+    assert!(
+        at[0] != at[1] && at.iter().all(|text| text.as_str().is_some_and(|text| text.contains("scale("))),
+        "{seen}"
+    );
 }
 
 #[test]

@@ -74,9 +74,12 @@ pub(super) fn lists(set: &ConstraintSet, arguments: &[ExprId]) -> Vec<List> {
     lists.into_iter().filter(|(.., values)| !values.is_empty()).map(list).collect()
 }
 
-/// The lists of forces: r, from which λ is solved numerically, and the results, along the plan and given λ.
-pub(super) fn of_forces(forces: &Forces) -> [List; 2] {
+/// The lists of forces: r, from which λ is solved numerically; the results, along the plan and given λ; and what loads
+/// exert, where there are loads.
+pub(super) fn of_forces(forces: &Forces) -> Vec<List> {
     let mut results = List::of("forces_with", "forces", Given::Multipliers, &forces.results);
     results.of_multipliers = forces.of_multipliers.as_ref().map(written);
-    [List::of("generalized_forces_with", "generalized", Given::Acceleration, &forces.generalized), results]
+    let generalized = List::of("generalized_forces_with", "generalized", Given::Acceleration, &forces.generalized);
+    let loads = List::of("loads_with", "loads", Given::Velocity, &forces.exerted);
+    [generalized, results, loads].into_iter().filter(|list| list.length > 0).collect()
 }

@@ -6,7 +6,7 @@
 //! ```
 
 use super::free_bodies::FreeBodies;
-use super::load::{Acting, LoadType, Work, load};
+use super::load::{Acting, Exerted, LoadType, Work, load};
 use crate::mechanism::{BodyRef, Dimension, Place, Slot, Takes, Vector};
 
 load! {
@@ -34,6 +34,7 @@ impl LoadType for Force {
         let mut acting = Acting::nothing(graph.zero());
         acting.work = (0..2).map(|c| Work { posed: posed.r[c], free: free.r[c], force: force[c] }).collect();
         acting.outside = [force[0], force[1], graph.plain_cross(posed.r, force)];
+        acting.exerted = vec![Exerted::force(posed.frame, posed.r, force)];
         acting.applied_power = graph.plain_dot(force, rates);
         acting
     }

@@ -6,7 +6,7 @@ use super::kinds::acts;
 use super::load::Acting;
 use super::reactions::{Effort, ReactionForce, Writer};
 use super::transpose::transpose;
-use crate::constraint::{Assembly, indexed};
+use crate::constraint::{Assembly, Frame, indexed};
 use crate::expr::{ExprId, Graph, Symbol, velocity_derivatives};
 use crate::mechanism::Mechanism;
 use crate::plan::{Linear, Probe};
@@ -25,6 +25,19 @@ pub struct SpringForce {
     pub place: usize,
     /// Its numbers.
     pub numbers: [ExprId; 5],
+}
+
+/// The force or couple of gravity, an applied load or a spring on a body.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LoadForce {
+    /// Its name; `gravity` for the weight of a mass.
+    pub name: String,
+    /// The body.
+    pub on: Frame,
+    /// The place of its first number among those of all loads.
+    pub place: usize,
+    /// True for a force, four numbers with its point; otherwise it is a couple.
+    pub is_force: bool,
 }
 
 /// What is asked of the forces of a mechanism.
@@ -49,6 +62,10 @@ pub struct Forces {
     pub reactions: Vec<ReactionForce>,
     /// Springs.
     pub springs: Vec<SpringForce>,
+    /// The forces and couples of loads on bodies, for pictures.
+    pub exerted: Program,
+    /// What its numbers are.
+    pub loads: Vec<LoadForce>,
 }
 
 /// Numbers before λ: shaking, inertia, energies, powers, the rate of all energy.
@@ -67,6 +84,7 @@ pub fn forces(mechanism: &Mechanism, system: &KinematicSystem, linear: Option<Li
     };
     let mut bodies = FreeBodies::new(mechanism, set, graph);
     let (acting, mut springs) = all_acting(&mut bodies);
+    let (loads, exerted) = on_bodies(&acting);
     let equilibrium = Equilibrium::new(&mut bodies, set, &acting);
     let rows = set.rows.len();
     // Rows that are more than coordinates share the forces in a way that the plan does not know.
@@ -91,7 +109,23 @@ pub fn forces(mechanism: &Mechanism, system: &KinematicSystem, linear: Option<Li
         efforts,
         reactions,
         springs,
+        exerted: program(&exerted),
+        loads,
     })
+}
+
+/// The forces and couples of loads on bodies: a table of the numbers, and the numbers.
+fn on_bodies(acting: &[Acting]) -> (Vec<LoadForce>, Vec<ExprId>) {
+    let (mut loads, mut numbers) = (Vec::new(), Vec::new());
+    for acting in acting {
+        for exerted in acting.exerted.iter().filter(|exerted| exerted.on != Frame::Ground) {
+            let (on, place, is_force) = (exerted.on, numbers.len(), exerted.force.is_some());
+            loads.push(LoadForce { name: acting.name.clone(), on, place, is_force });
+            numbers.extend(exerted.force.iter().flatten().flatten());
+            numbers.extend(exerted.couple);
+        }
+    }
+    (loads, numbers)
 }
 
 /// All results, and what efforts and reactions they hold.
@@ -130,7 +164,7 @@ impl Writer<'_, '_> {
 }
 
 /// What all masses and loads do, the field of gravity first, and the springs among them.
-fn all_acting(bodies: &mut FreeBodies<'_>) -> (Vec<Acting>, Vec<SpringForce>) {
+pub(super) fn all_acting(bodies: &mut FreeBodies<'_>) -> (Vec<Acting>, Vec<SpringForce>) {
     let (mut all, mut springs) = (Vec::new(), Vec::new());
     let loads = &bodies.a.mechanism.loads;
     let is_field = |kind| kind == StatementKind::Load(LoadKind::Gravity);
@@ -138,15 +172,14 @@ fn all_acting(bodies: &mut FreeBodies<'_>) -> (Vec<Acting>, Vec<SpringForce>) {
     for load in fields.into_iter().chain(others) {
         for (shown, index) in Assembly::instances(load.range) {
             bodies.a.index = index;
-            let Some(acting) = acts(bodies, &load.operands) else { continue };
+            let Some(mut acting) = acts(bodies, &load.operands) else { continue };
+            acting.name = match load.operands.kind() {
+                StatementKind::Load(LoadKind::Mass) => LoadKind::Gravity.keyword().to_owned(),
+                _ => indexed(&load.name, shown.is_some(), index),
+            };
             if let Some(numbers) = acting.spring {
                 let turns = load.operands.kind() == StatementKind::Load(LoadKind::TorsionSpring);
-                springs.push(SpringForce {
-                    name: indexed(&load.name, shown.is_some(), index),
-                    turns,
-                    place: 0,
-                    numbers,
-                });
+                springs.push(SpringForce { name: acting.name.clone(), turns, place: 0, numbers });
             }
             all.push(acting);
         }

@@ -1,6 +1,7 @@
 //! What every kind of mass or load has: operands, and what it does to the bodies.
 
 use super::free_bodies::FreeBodies;
+use crate::constraint::Frame;
 use crate::expr::ExprId;
 use crate::mechanism::{Operands, StatementForm, TypedOperands};
 
@@ -18,10 +19,33 @@ pub(super) struct Work {
 /// A force and its moment about the origin of the inertial frame: f_x, f_y, m.
 pub(super) type Wrench = [ExprId; 3];
 
+/// The force or couple of a load on a body, for pictures.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Exerted {
+    pub(super) on: Frame,
+    /// Where, and what force.
+    pub(super) force: Option<[[ExprId; 2]; 2]>,
+    pub(super) couple: Option<ExprId>,
+}
+
+impl Exerted {
+    pub(super) fn force(on: Frame, point: [ExprId; 2], force: [ExprId; 2]) -> Self {
+        Self { on, force: Some([point, force]), couple: None }
+    }
+
+    pub(super) fn couple(on: Frame, couple: ExprId) -> Self {
+        Self { on, force: None, couple: Some(couple) }
+    }
+}
+
 /// What a mass or a load does; everything that it does not do is 0.
 #[derive(Clone, Debug)]
 pub(super) struct Acting {
+    /// What it is called; `gravity` for the weight of a mass.
+    pub(super) name: String,
     pub(super) work: Vec<Work>,
+    /// What has inertia: quantities that move, each with its mass or moment of inertia.
+    pub(super) inertial: Vec<(ExprId, ExprId)>,
     /// What comes from outside of the mechanism: its weight, applied forces and couples.
     pub(super) outside: Wrench,
     /// −m a and −J α, as a wrench.
@@ -33,12 +57,15 @@ pub(super) struct Acting {
     pub(super) damper_power: ExprId,
     /// Of a spring: length or angle, its rate, tension or torque, energy, power of the damper.
     pub(super) spring: Option<[ExprId; 5]>,
+    pub(super) exerted: Vec<Exerted>,
 }
 
 impl Acting {
     pub(super) fn nothing(zero: ExprId) -> Self {
         Self {
+            name: String::new(),
             work: Vec::new(),
+            inertial: Vec::new(),
             outside: [zero; 3],
             inertia: [zero; 3],
             kinetic: zero,
@@ -47,6 +74,7 @@ impl Acting {
             applied_power: zero,
             damper_power: zero,
             spring: None,
+            exerted: Vec::new(),
         }
     }
 }

@@ -7,7 +7,7 @@
 //! add up. After Haug (1989), section 6.1.
 
 use super::free_bodies::FreeBodies;
-use super::load::{Acting, LoadType, Work, load};
+use super::load::{Acting, Exerted, LoadType, Work, load};
 use crate::mechanism::{Dimension, Formula, Place, Slot, Takes};
 
 load! {
@@ -32,6 +32,7 @@ impl LoadType for Mass {
         let field = bodies.field;
         let graph = &mut bodies.a.graph;
         let mut acting = Acting::nothing(graph.zero());
+        acting.inertial = vec![(posed.r[0], mass), (posed.r[1], mass), (posed.angle, inertia)];
         let (a, v) = ([x.acceleration, y.acceleration], [x.rate, y.rate]);
         let mut inertial = [mass, mass, inertia];
         for (force, acceleration) in inertial.iter_mut().zip([a[0], a[1], phi.acceleration]) {
@@ -51,6 +52,9 @@ impl LoadType for Mass {
         let (v_squared, turn_squared) = (graph.plain_dot(v, v), graph.square(phi.rate));
         let [linear, angular] = [graph.mul(mass, v_squared), graph.mul(inertia, turn_squared)];
         let (both, half) = (graph.add(linear, angular), graph.number(0.5));
+        if !weight.iter().all(|force| graph.is_zero(*force)) {
+            acting.exerted = vec![Exerted::force(posed.frame, posed.r, weight)];
+        }
         acting.kinetic = graph.mul(half, both);
         let work = graph.plain_dot(weight, posed.r);
         acting.gravity = graph.neg(work);

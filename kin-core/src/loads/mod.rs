@@ -8,6 +8,7 @@
 //! written as forces along quantities (see [`Mass`], [`Force`], [`Spring`], …); what drivers and joints exert follows from
 //! λ and the rows of free bodies. After Haug (1989), chapters 6 and 7.
 
+mod dynamics;
 mod elastic;
 mod equilibrium;
 mod force;
@@ -23,8 +24,9 @@ mod torque;
 mod torsion_spring;
 mod transpose;
 
+pub use dynamics::{Dynamics, dynamics};
 pub use force::Force;
-pub use forces::{Forces, SpringForce, forces};
+pub use forces::{Forces, LoadForce, SpringForce, forces};
 pub use gravity::Gravity;
 pub use kinds::forms;
 pub use mass::Mass;

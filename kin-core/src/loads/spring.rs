@@ -8,7 +8,7 @@
 
 use super::elastic::{Elastic, stretched};
 use super::free_bodies::FreeBodies;
-use super::load::{Acting, LoadType, load};
+use super::load::{Acting, Exerted, LoadType, load};
 use crate::mechanism::{Dimension, Formula, Place, Slot, Takes};
 
 load! {
@@ -36,6 +36,18 @@ impl LoadType for Spring {
             a.distance(&p, &q)
         });
         let (stiffness, damping) = (&self.stiffness, &self.damping);
-        stretched(bodies, &Elastic { length, stiffness, free: &self.free_length, damping })
+        let mut acting = stretched(bodies, &Elastic { length, stiffness, free: &self.free_length, damping });
+        let [p, q] = [&self.p, &self.q].map(|end| bodies.place(end)[0]);
+        if let Some(pull) = acting.spring.map(|spring| spring[2]) {
+            let graph = &mut bodies.a.graph;
+            let by_length = graph.div(pull, length[0]);
+            let on_p = [0, 1].map(|c| {
+                let along = graph.sub(q.r[c], p.r[c]);
+                graph.mul(by_length, along)
+            });
+            let on_q = on_p.map(|force| graph.neg(force));
+            acting.exerted = vec![Exerted::force(p.frame, p.r, on_p), Exerted::force(q.frame, q.r, on_q)];
+        }
+        acting
     }
 }

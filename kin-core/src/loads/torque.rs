@@ -5,7 +5,7 @@
 //! ```
 
 use super::free_bodies::FreeBodies;
-use super::load::{Acting, LoadType, Work, load};
+use super::load::{Acting, Exerted, LoadType, Work, load};
 use crate::mechanism::{BodyRef, Dimension, Formula, Slot, Takes};
 
 load! {
@@ -32,12 +32,16 @@ impl LoadType for Torque {
             _ => return acting,
         };
         let rate = bodies.motion(posed).rate;
+        let frames: Vec<_> = self.bodies.iter().filter_map(|body| bodies.a.frame(body)).collect();
         let graph = &mut bodies.a.graph;
         // What has its reaction on another body cancels, unless that is the ground: then it is no load from outside.
         if from_outside {
             acting.outside[2] = force;
         }
         acting.work.push(Work { posed, free, force });
+        let back = graph.neg(force);
+        let couples = frames.into_iter().rev().zip([force, back]);
+        acting.exerted = couples.map(|(on, couple)| Exerted::couple(on, couple)).collect();
         acting.applied_power = graph.mul(force, rate);
         acting
     }

@@ -7,7 +7,7 @@
 
 use super::elastic::{Elastic, stretched};
 use super::free_bodies::FreeBodies;
-use super::load::{Acting, LoadType, load};
+use super::load::{Acting, Exerted, LoadType, load};
 use crate::mechanism::{BodyRef, Dimension, Formula, Slot, Takes};
 
 load! {
@@ -37,6 +37,11 @@ impl LoadType for TorsionSpring {
         // The couple on b, where a spring of lengths has its tension.
         if let (Some(spring), Some(work)) = (&mut acting.spring, acting.work.first()) {
             spring[2] = work.force;
+            let couple = work.force;
+            let [on_a, on_b] = [&self.a, &self.b].map(|body| bodies.a.frame(body));
+            let back = bodies.a.graph.neg(couple);
+            let both = [on_a.zip(Some(back)), on_b.zip(Some(couple))];
+            acting.exerted = both.into_iter().flatten().map(|(on, couple)| Exerted::couple(on, couple)).collect();
         }
         acting
     }

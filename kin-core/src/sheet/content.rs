@@ -1,6 +1,6 @@
 //! The contents of a sheet.
 
-use super::shown::Row;
+use super::shown::{Row, Shown};
 use super::steps::Step;
 use crate::joints;
 use crate::vectors::{Equation, NamedJoint};
@@ -22,6 +22,35 @@ pub struct Sheet {
     pub steps: Vec<Step>,
     /// The reason why there are no steps; empty if it need not be shown.
     pub unsolved: String,
+    /// M and Q of a mechanism with masses or loads.
+    pub dynamics: Option<Dynamics>,
+}
+
+/// M and Q by the names of their coordinates.
+#[derive(Clone, Debug, Default)]
+pub struct Dynamics {
+    /// Entries of the symmetric M that are not 0, each once.
+    pub mass: Vec<([String; 2], Shown)>,
+    /// Entries of Q that are not 0.
+    pub forces: Vec<(String, Shown)>,
+}
+
+impl Dynamics {
+    /// From the names of the coordinates, and texts as the graph prints them.
+    pub fn new<'t>(
+        coordinates: &[String],
+        mass: impl IntoIterator<Item = (usize, usize, &'t str)>,
+        forces: impl IntoIterator<Item = &'t str>,
+    ) -> Self {
+        let entry = |(row, column, text): (usize, usize, &str)| {
+            ([row, column].map(|k| coordinates[k].clone()), Shown::new(text))
+        };
+        let not_zero = coordinates.iter().zip(forces).filter(|(_, text)| *text != "0");
+        Self {
+            mass: mass.into_iter().map(entry).collect(),
+            forces: not_zero.map(|(name, text)| (name.clone(), Shown::new(text))).collect(),
+        }
+    }
 }
 
 /// A joint.

@@ -40,7 +40,7 @@ impl Sheet {
             ));
         }
         out.push_str("</div>\n");
-        out + &self.docs_solution()
+        out + &self.docs_solution() + &self.docs_dynamics()
     }
 
     /// The steps of the plan as a section, which is cut if it is too long.
@@ -58,6 +58,16 @@ impl Sheet {
         }
         out.push_str("</div>\n");
         out
+    }
+
+    /// The equations of motion in a section of their own, unless they are too long.
+    fn docs_dynamics(&self) -> String {
+        let Some(forces) = self.html_dynamics() else { return String::new() };
+        let forces = match forces.len() > LONG {
+            true => "<p>M and Q stand in what the command <code>equations</code> writes.</p>\n".to_owned(),
+            false => forces,
+        };
+        format!("\n\n# Forces\n\n<div class=\"kin-sheet\">\n{forces}</div>\n")
     }
 
     /// q = (…)ᵀ, in parts between which a line may end.

@@ -41,10 +41,11 @@ impl Sheet {
              max-width:60rem;padding:0 1rem}}h2{{margin:1.6rem 0 .4rem;font-size:1.1rem}}\
              h2 span{{opacity:.65;font-weight:400}}.hint{{display:none;opacity:.65}}\
              @media(max-width:52rem){{.hint{{display:block}}}}{STYLE}{SHADOWS}</style>\n</head>\n<body>\n<h1>{name}</h1>\n<p>{}</p>\n\
-             <p class=\"hint\">Long equations scroll to the side.</p>\n{sections}{}{}</body>\n</html>\n",
+             <p class=\"hint\">Long equations scroll to the side.</p>\n{sections}{}{}{}</body>\n</html>\n",
             escaped(&self.doc),
             self.html_assembled(),
-            self.html_solution()
+            self.html_solution(),
+            self.html_dynamics().map_or_else(String::new, |forces| format!("<h1>Forces</h1>\n{forces}"))
         )
     }
 }

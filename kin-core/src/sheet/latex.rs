@@ -24,7 +24,7 @@ impl Sheet {
     /// A fragment for a document: a paragraph for every joint, each with one display.
     pub fn latex_fragment(&self) -> String {
         let joints: String = self.joints.iter().map(joint).collect();
-        joints + &self.latex_assembled() + &self.latex_solution()
+        joints + &self.latex_assembled() + &self.latex_solution() + &self.latex_dynamics()
     }
 
     /// The matrices of the mechanism; empty if they are not wanted or too large. A wide matrix is set in small type.

@@ -7,6 +7,7 @@
 mod assembled;
 mod content;
 mod docs;
+mod dynamics;
 mod html;
 mod latex;
 mod lines;
@@ -15,6 +16,6 @@ mod shown;
 mod steps;
 mod text;
 
-pub use content::{Joint, Sheet};
+pub use content::{Dynamics, Joint, Sheet};
 pub use shown::{Row, Shown};
 pub use steps::{Line, Step};

@@ -1,9 +1,11 @@
 //! A sheet from the expression graph, while the mechanism is compiled.
 
-use super::content::{Joint, Sheet};
+use super::content::{Dynamics, Joint, Sheet};
 use super::shown::{Row, Shown};
 use super::steps::Step;
 use crate::constraint::{Frame, JointInstance};
+use crate::loads::dynamics;
+use crate::mechanism::Mechanism;
 use crate::plan::SolutionPlan;
 use crate::system::{Equation, KinematicSystem};
 use crate::vectors::NamedJoint;
@@ -12,8 +14,9 @@ use crate::vocabulary::Role;
 
 impl Sheet {
     /// The derivation of a system. Of a family only the first member is written, with the names of the others, if these
-    /// differ in their indices only. The steps are those of a plan that was made with its formulas.
-    pub fn of_system(system: &KinematicSystem, plan: &SolutionPlan) -> Self {
+    /// differ in their indices only. The steps are those of a plan that was made with its formulas. A mechanism with masses
+    /// has its equations of motion.
+    pub fn of_system(mechanism: &Mechanism, system: &KinematicSystem, plan: &SolutionPlan) -> Self {
         let set = &system.set;
         let mut joints: Vec<Joint> = Vec::new();
         let mut shapes: Vec<(usize, JointKind, Vec<String>)> = Vec::new();
@@ -27,9 +30,22 @@ impl Sheet {
                 }
             }
         }
-        let coordinates = set.coordinates.iter().map(|coordinate| coordinate.name.clone()).collect();
+        let coordinates: Vec<String> = set.coordinates.iter().map(|coordinate| coordinate.name.clone()).collect();
+        let dynamics = dynamics(mechanism, system).map(|of| {
+            let mass = of.mass.iter().map(|(row, column, entry)| (*row, *column, entry.as_str()));
+            Dynamics::new(&coordinates, mass, of.forces.iter().map(String::as_str))
+        });
         let (steps, unsolved) = (Step::of_plan(plan), String::new());
-        Self { name: set.name.clone(), doc: String::new(), coordinates, joints, whole: false, steps, unsolved }
+        Self {
+            name: set.name.clone(),
+            doc: String::new(),
+            coordinates,
+            joints,
+            whole: false,
+            steps,
+            unsolved,
+            dynamics,
+        }
     }
 }
 

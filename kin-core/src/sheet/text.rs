@@ -14,7 +14,8 @@ impl Sheet {
     pub fn text(&self) -> String {
         let joints = self.joints.iter().map(joint);
         let joints: String = joints.collect();
-        format!("{}\n{joints}{}{}", self.name, self.text_assembled(), self.text_solution())
+        let [assembled, solution, dynamics] = [self.text_assembled(), self.text_solution(), self.text_dynamics()];
+        format!("{}\n{joints}{assembled}{solution}{dynamics}", self.name)
     }
 
     /// The matrices of the mechanism; empty if they are not wanted or too large.

@@ -21,6 +21,19 @@ fn a_slider_crank() {
     }));
 }
 
+#[test]
+fn a_pendulum_with_a_spring() {
+    insta::assert_snapshot!(documented(quote! {
+        #[bodies(rod)]
+        #[revolute(O: ground @ (0, 0), rod @ (0, 0))]
+        #[driver(swing: rod.phi = 0.3 * sin(t))]
+        #[gravity(0, -9.81)]
+        #[mass(rod @ (l/2, 0), mass = m, inertia = m*l*l/12)]
+        #[spring(S: ground @ (0, h), rod @ (l, 0), stiffness = k, free_length = l, damping = c)]
+        struct Pendulum { l: f64, m: f64, k: f64, c: f64, h: f64 }
+    }));
+}
+
 /// Markdown ends an HTML block at a blank line, and treats four spaces as code.
 #[test]
 fn every_mechanism_is_well_formed_html_that_markdown_leaves_alone() {
@@ -33,7 +46,7 @@ fn every_mechanism_is_well_formed_html_that_markdown_leaves_alone() {
         seen += 1;
         let sections = docs.split("\n\n# ").skip(1).map(|section| section.split_once("\n\n").unwrap_or_default());
         for (heading, block) in sections {
-            assert!(matches!(heading, "Equations" | "Solution"), "{name}: {heading}");
+            assert!(matches!(heading, "Equations" | "Solution" | "Forces"), "{name}: {heading}");
             assert!(block.starts_with('<') && block.trim_end().ends_with("</div>"), "{name}");
             assert!(block.lines().all(|line| !line.trim().is_empty() && !line.starts_with("    ")), "{name}");
             well_formed(&name, block);

@@ -1,6 +1,8 @@
 //! The derivation as text in the static model, only with the feature `equations`, so that programs for controllers do
 //! not contain it.
 
+use kin_core::loads;
+use kin_core::mechanism::Mechanism;
 use kin_core::plan::{Line, SolutionPlan};
 use kin_core::system::KinematicSystem;
 use proc_macro2::TokenStream;
@@ -32,6 +34,13 @@ pub(super) fn equations(system: &KinematicSystem) -> Vec<TokenStream> {
             }
         })
         .collect()
+}
+
+/// The text of M and Q: entries of M that are not 0, and all of Q.
+pub(super) fn dynamics(mechanism: &Mechanism, system: &KinematicSystem) -> [Vec<TokenStream>; 2] {
+    let Some(of) = WRITTEN.then(|| loads::dynamics(mechanism, system)).flatten() else { return Default::default() };
+    let mass = of.mass.iter().map(|(row, column, entry)| quote! { (#row, #column, #entry) });
+    [mass.collect(), of.forces.iter().map(|force| quote! { #force }).collect()]
 }
 
 /// The text of the plan's closed forms, step by step.

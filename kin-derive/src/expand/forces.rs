@@ -1,18 +1,25 @@
 //! The static table that describes the numbers of the closed forms of forces; empty for a mechanism without loads.
 
+use super::derivation::dynamics;
 use super::entries::{frame, optional};
 use super::tables::operations;
 use kin_core::Kernels;
 use kin_core::loads::Forces;
 use kin_core::mechanism::Mechanism;
+use kin_core::system::KinematicSystem;
 use kin_core::units::{ForceUnits, force_units};
 use proc_macro2::TokenStream;
 use quote::quote;
 
 /// The static table as an item beside the trait's implementation.
-pub(super) fn forces(forces: Option<&Forces>, kernels: &Kernels, mechanism: &Mechanism, rows: usize) -> TokenStream {
+pub(super) fn forces(
+    forces: Option<&Forces>,
+    kernels: &Kernels,
+    mechanism: &Mechanism,
+    system: &KinematicSystem,
+) -> TokenStream {
     let (Some(forces), Some(count)) = (forces, kernels.force_operations) else { return TokenStream::new() };
-    let Forces { count: numbers, of_multipliers, efforts, reactions, springs, .. } = forces;
+    let Forces { count: numbers, of_multipliers, efforts, reactions, springs, loads, .. } = forces;
     let solved = of_multipliers.is_some();
     let operations = operations(count);
     let efforts = efforts.iter().map(|effort| {
@@ -37,8 +44,14 @@ pub(super) fn forces(forces: Option<&Forces>, kernels: &Kernels, mechanism: &Mec
         let (name, turns, place) = (&spring.name, spring.turns, spring.place);
         quote! { __kin::SpringInfo { name: #name, turns: #turns, place: #place } }
     });
+    let loads = loads.iter().map(|load| {
+        let (name, on, place, is_force) = (&load.name, frame(load.on), load.place, load.is_force);
+        quote! { __kin::LoadInfo { name: #name, on: #on, place: #place, is_force: #is_force } }
+    });
     let ForceUnits { force, moment, energy, power } = force_units(mechanism);
     let [force, moment, energy, power] = [force, moment, energy, power].map(optional);
+    let rows = system.set.rows.len();
+    let [mass_matrix, generalized] = dynamics(mechanism, system);
     // With a plan this type has already been defined.
     let multipliers = kernels.solution.is_none().then(|| quote! { type __Rows<__T> = [__T; #rows]; });
     quote! {
@@ -50,7 +63,10 @@ pub(super) fn forces(forces: Option<&Forces>, kernels: &Kernels, mechanism: &Mec
             efforts: &[#(#efforts),*],
             reactions: &[#(#reactions),*],
             springs: &[#(#springs),*],
+            loads: &[#(#loads),*],
             units: __kin::ForceUnits { force: #force, moment: #moment, energy: #energy, power: #power },
+            mass_matrix: &[#(#mass_matrix),*],
+            generalized: &[#(#generalized),*],
         };
     }
 }

@@ -97,7 +97,7 @@ fn mechanism(
     let Evaluations { items: row_items, values, evaluate, observe, counts } = evaluations;
     let [p, s, entries, seen, seen_entries] = counts;
     let planned = plan::planned(lowered, kernels, plan, n);
-    let force_items = forces::forces(forces, kernels, &lowered.mechanism, s);
+    let force_items = forces::forces(forces, kernels, &lowered.mechanism, system);
     let (factors, plan_items, plan_methods) = (plan.factors, planned.items, planned.methods);
     let tables = tables::model(&tables::Tables {
         mechanism: &lowered.mechanism,

@@ -2,12 +2,11 @@
 
 use super::BatchError;
 use super::column::{Arguments, Configurations};
-use super::run::{CHUNK, Progress, Shape, drive};
+use super::run::{CHUNK, Progress, Shape, blocks, drive};
 use super::solution::{Problems, Solutions, SolvedBlock};
 use crate::mechanism::Mechanism;
 use crate::model::ForceModel;
 use crate::scalar::lanes::{Lanes, Octet, Pack};
-use crate::signal::{Instant, Signal};
 use crate::workspace::Array;
 use alloc::vec::Vec;
 use core::marker::PhantomData;
@@ -16,14 +15,14 @@ use core::ops::ControlFlow;
 /// The forces of a batch: the numbers of [`ForceModel`] for every configuration, 0 if it is not solved.
 pub struct ForceSolutions<M: Mechanism> {
     count: usize,
-    blocks: Vec<Octet>,
+    blocks: Vec<Lanes>,
     mechanism: PhantomData<fn(M)>,
 }
 
 impl<M: Mechanism> ForceSolutions<M> {
     /// Room for `count` configurations.
     pub fn new(count: usize) -> Self {
-        let blocks = alloc::vec![Octet::default(); count.div_ceil(Octet::COUNT) * Self::stride()];
+        let blocks = alloc::vec![Lanes::default(); blocks(count) * Self::stride()];
         Self { count, blocks, mechanism: PhantomData }
     }
 
@@ -47,7 +46,7 @@ impl<M: Mechanism> ForceSolutions<M> {
         let stride = Self::stride();
         assert!(place < stride, "number {place} of {stride}");
         let blocks = self.blocks.chunks_exact(stride.max(1));
-        blocks.flat_map(move |block| Octet::each(|lane| block[place].lane(lane))).take(self.count)
+        blocks.flat_map(move |block| Lanes::each(|lane| block[place].lane(lane))).take(self.count)
     }
 }
 
@@ -55,7 +54,10 @@ impl<M: Mechanism> ForceSolutions<M> {
 pub(super) fn table<M: Mechanism>() -> Result<&'static ForceModel, BatchError> {
     match M::model().forces {
         None => Err(BatchError::NoForces("the mechanism has neither masses nor loads")),
-        Some(model) if !model.solved => Err(BatchError::NoForces("no closed forms solve for the multipliers")),
+        Some(model) if !model.solved => Err(BatchError::NoForces(
+            "closed forms do not solve for λ: redundant rows share the load, or there is no plan; `Solver::forces` solves \
+             for it state by state",
+        )),
         Some(model) => Ok(model),
     }
 }
@@ -110,67 +112,49 @@ pub fn forces<M: Mechanism + Sync>(
     let model = table::<M>()?;
     problems.check::<M>(out.count)?;
     solutions.check(out.count)?;
-    let &Problems { parameters, t, inputs, modes, start } = problems;
-    let configurations = Configurations { parameters, t, inputs, q: start, q_dot: modes.columns() };
-    let shape = Shape { count: out.count, width: Octet::COUNT, stride: model.count, chunk: CHUNK };
-    let scratch = || Scratch { arguments: Arguments::<M, Octet>::new(&configurations), four: Four::new(model.count) };
-    drive(&shape, &mut out.blocks, watch, scratch, |first, Scratch { arguments, four }, out| {
+    let &Problems { parameters, t, inputs, .. } = problems;
+    // q and its rates are those of the solutions.
+    let configurations = Configurations { parameters, t, inputs, q: &[], q_dot: &[] };
+    let shape = Shape { count: out.count, width: Lanes::COUNT, stride: model.count, chunk: CHUNK };
+    let scratch = || (Arguments::<M, Lanes>::new(&configurations), Motion::<M>::default());
+    drive(&shape, &mut out.blocks, watch, scratch, |first, (arguments, motion), out| {
         let block = arguments.block(first);
         let solved = solutions.block(first / Octet::COUNT);
-        for group in 0..Octet::GROUPS {
-            four.take(block.parameters, &block.at, &solved, group);
-            let at = Instant { t: block.at.t.group(group), inputs: &four.inputs };
-            let [parameters, q, q_dot, q_ddot] =
-                [four.parameters.as_ref(), four.q.as_ref(), four.q_dot.as_ref(), four.q_ddot.as_ref()];
-            let lengths = mechanism.forces_with(parameters, &at, q, q_dot, q_ddot, &[], &mut four.forces);
-            debug_assert!(lengths.is_ok(), "the columns have been counted");
-            out.iter_mut().zip(&four.forces).for_each(|(to, from)| to.set_group(group, *from));
-        }
-        for lane in (0..Octet::COUNT).filter(|lane| solved.good.lane(*lane) == 0.0) {
+        let group = first % Octet::COUNT / Lanes::COUNT;
+        motion.take(&solved, group);
+        let [q, q_dot, q_ddot] = [motion.q.as_ref(), motion.q_dot.as_ref(), motion.q_ddot.as_ref()];
+        let lengths = mechanism.forces_with(block.parameters, &block.at, q, q_dot, q_ddot, &[], out);
+        debug_assert!(lengths.is_ok(), "the columns have been counted");
+        let good = solved.good.group(group);
+        for lane in (0..Lanes::COUNT).filter(|lane| good.lane(*lane) == 0.0) {
             out.iter_mut().for_each(|number| number.set(lane, 0.0));
         }
     })
 }
 
-/// The buffers of one thread.
-struct Scratch<'a, M: Mechanism> {
-    arguments: Arguments<'a, M, Octet>,
-    four: Four<M>,
-}
-
-/// Half a block. Closed forms of forces have many live values at once: with eight lanes these would not fit into
-/// registers.
-struct Four<M: Mechanism> {
-    parameters: M::Parameters<Lanes>,
-    inputs: Vec<Signal<Lanes>>,
+/// The motion of half a block of solutions. Closed forms of forces have many live values at once: with eight lanes these
+/// would not fit into registers.
+struct Motion<M: Mechanism> {
     q: M::Coordinates<Lanes>,
     q_dot: M::Coordinates<Lanes>,
     q_ddot: M::Coordinates<Lanes>,
-    forces: Vec<Lanes>,
 }
 
-impl<M: Mechanism> Four<M> {
-    fn new(count: usize) -> Self {
+impl<M: Mechanism> Default for Motion<M> {
+    fn default() -> Self {
         let nothing = |_| Lanes::default();
-        Self {
-            parameters: Array::generate(nothing),
-            inputs: alloc::vec![Signal::constant(Lanes::default()); M::INPUTS],
-            q: Array::generate(nothing),
-            q_dot: Array::generate(nothing),
-            q_ddot: Array::generate(nothing),
-            forces: alloc::vec![Lanes::default(); count],
-        }
+        Self { q: Array::generate(nothing), q_dot: Array::generate(nothing), q_ddot: Array::generate(nothing) }
     }
+}
 
+impl<M: Mechanism> Motion<M> {
     #[inline(always)]
-    fn take(&mut self, parameters: &[Octet], at: &Instant<'_, Octet>, solved: &SolvedBlock<'_>, group: usize) {
+    fn take(&mut self, solved: &SolvedBlock<'_>, group: usize) {
         let copy = |to: &mut [Lanes], from: &[Octet]| {
             to.iter_mut().zip(from).for_each(|(to, from)| *to = from.group(group));
         };
-        copy(self.parameters.as_mut(), parameters);
         copy(self.q.as_mut(), solved.q);
         copy(self.q_dot.as_mut(), solved.q_dot);
         copy(self.q_ddot.as_mut(), solved.q_ddot);
-        self.inputs.iter_mut().zip(at.inputs).for_each(|(to, from)| *to = from.map(|x| x.group(group)));
     }
 }

@@ -2,7 +2,7 @@
 
 use super::closures::{self, Choice};
 use super::columns::{column_infos, shown};
-use super::engine::Engine;
+use super::engine::{Engine, Setup};
 use super::examples::{Help, Names};
 use super::failure::{Failure, Ledger};
 use super::instants::ArcArgs;
@@ -10,8 +10,9 @@ use super::moving::{Moved, Walk, note_motion};
 use super::output::{Form, OutputArgs};
 use super::places::places;
 use super::session::Session;
-use super::solved::note_freedom;
+use super::solved::{analysis, note_freedom};
 use super::task::{MotionArgs, Task};
+use crate::error::SolveError;
 use crate::measure::Measure;
 use crate::model::Model;
 use crate::motion::Motion;
@@ -40,6 +41,9 @@ pub(super) struct AnimateArgs {
     /// Places that a point is to pass, drawn as crosses: csv with the columns x,y or t,x,y
     #[arg(long, value_name = "FILE")]
     targets: Option<String>,
+    /// Show forces of joints, drivers and loads as arrows
+    #[arg(long)]
+    forces: bool,
     #[command(flatten)]
     output: OutputArgs,
 }
@@ -59,6 +63,7 @@ pub(super) const HELP: Help = Help {
                 .arc
                 .then(|| names.analysis("animate --along-arc --out motion.html", "through dead centres"))
                 .flatten(),
+            names.analysis("animate --out motion.html --forces", "with arrows of forces").filter(|_| names.loads),
         ]
     },
     details: "\
@@ -68,6 +73,10 @@ space bar plays and pauses. With --along-arc the motion goes on through dead cen
 driver turns back; its steps are numbered, because t increases and decreases.
 With --targets the places of a
 `design` are shown beside the path of the mechanism that --set @best.json gives.
+
+With --forces, arrows show forces to one scale over the whole motion. Those of joints are red and
+act on the body of the second operand; those of drivers (coordinates of bodies, differences of
+angles, distances) are violet; loads are blue. Couples are curved arrows with their own scale.
 
 When a motion fails midway, or Ctrl-C ends it, the finished part is written and the status is 1,
 or 130.",
@@ -84,6 +93,9 @@ pub(super) fn run(args: &AnimateArgs, engine: &mut dyn Engine, session: &mut Ses
     if model.bodies.is_empty() && model.points.is_empty() {
         let what = "it has no bodies and no points, only scalar coordinates: `sweep` and `plot` show those";
         return Err(Failure::Analysis(format!("{}: there is nothing to draw; {what}", model.name)));
+    }
+    if args.forces && model.forces.is_none() {
+        return Err(analysis(engine, &SolveError::NoLoads { mechanism: model.name }));
     }
     let instants = asked.instants(engine, &setup)?;
     // A page has no room for velocity ratios.
@@ -108,8 +120,8 @@ pub(super) fn run(args: &AnimateArgs, engine: &mut dyn Engine, session: &mut Ses
     };
     let note = ended.as_ref().map(|failure| early(model, failure));
     let degrees = args.motion.angles.degrees;
-    let mut runs =
-        vec![run_of(engine, (&trajectory.states, &motions), (&targets, along_arc), columns, choice.own, note)?];
+    let drawn = Drawn { engine, targets: &targets, forces: args.forces };
+    let mut runs = vec![drawn.run(&setup, (&trajectory.states, &motions, along_arc), columns, choice.own, note)?];
     for (place, (name, asked)) in choice.others.iter().enumerate() {
         watch.go_on((1 + place) * instants.len());
         // Other modes that do not close are left out: they are no error of the motion that was asked for.
@@ -121,7 +133,7 @@ pub(super) fn run(args: &AnimateArgs, engine: &mut dyn Engine, session: &mut Ses
         }
         if states.len() > 1 {
             let note = also.ended.as_ref().map(|failure| early(model, failure));
-            runs.push(run_of(engine, (states, &also.motions), (&targets, false), also.columns, name.clone(), note)?);
+            runs.push(drawn.run(asked, (states, &also.motions, false), also.columns, name.clone(), note)?);
         }
     }
     watch.end();
@@ -130,8 +142,9 @@ pub(super) fn run(args: &AnimateArgs, engine: &mut dyn Engine, session: &mut Ses
     let shown = shown(model, &runs[0].columns);
     let along = if along_arc { "step" } else { "t" };
     let time = units.time().filter(|_| !along_arc).map(str::to_owned);
+    let force = model.forces.and_then(|forces| forces.units.force);
     let (length, drivers) = (model.units.length.map(str::to_owned), drivers(model, &columns));
-    let animation = Animation { model, runs, drivers, columns, shown, length, along, time };
+    let animation = Animation { model, runs, drivers, columns, shown, length, along, time, force };
     let text = match output.form {
         Form::Svg => animation.picture(args.names),
         _ => animation.page().map_err(Failure::Output)?,
@@ -168,24 +181,52 @@ fn drivers(model: &'static Model, columns: &[ColumnInfo]) -> Vec<usize> {
     Measure::driven(model).into_iter().filter_map(place).take(DRIVERS).collect()
 }
 
-/// A motion with its drawing and its numbers; along an arc in equal steps, and not by time.
-fn run_of(
-    engine: &dyn Engine,
-    (states, motions): (&[State], &[Motion]),
-    (targets, along_arc): (&[[f64; 2]], bool),
-    columns: Vec<Vec<f64>>,
-    name: String,
-    note: Option<String>,
-) -> Result<Run, Failure> {
-    let mut snapshots: Vec<Snapshot> =
-        states.iter().zip(motions).map(|(state, motion)| snapshot(engine, state, motion)).collect::<Result<_, _>>()?;
-    if along_arc {
-        by_steps(&mut snapshots);
+/// What the motions of a page or a picture have in common.
+struct Drawn<'a> {
+    engine: &'a dyn Engine,
+    /// Places that a point is to pass.
+    targets: &'a [[f64; 2]],
+    /// Whether forces are shown as arrows.
+    forces: bool,
+}
+
+impl Drawn<'_> {
+    /// A motion with its drawing and its numbers; along an arc in equal steps, and not by time.
+    fn run(
+        &self,
+        setup: &Setup,
+        (states, motions, along_arc): (&[State], &[Motion], bool),
+        columns: Vec<Vec<f64>>,
+        name: String,
+        note: Option<String>,
+    ) -> Result<Run, Failure> {
+        let pairs = states.iter().zip(motions);
+        let mut snapshots: Vec<Snapshot> =
+            pairs.map(|(state, motion)| self.snapshot(setup, state, motion)).collect::<Result<_, _>>()?;
+        if along_arc {
+            by_steps(&mut snapshots);
+        }
+        let engine = self.engine;
+        let curve = |instant: usize, joint: usize, s: f64| engine.curve(&states.get(instant)?.instant(), joint, s);
+        let subject = Subject { model: engine.model(), snapshots: &snapshots, curve: &curve, targets: self.targets };
+        let scene = Scene::new(&subject);
+        Ok(Run { name, note, scene, columns })
     }
-    let curve = |instant: usize, joint: usize, s: f64| engine.curve(&states.get(instant)?.instant(), joint, s);
-    let subject = Subject { model: engine.model(), snapshots: &snapshots, curve: &curve, targets };
-    let scene = Scene::new(&subject);
-    Ok(Run { name, note, scene, columns })
+
+    fn snapshot(&self, setup: &Setup, state: &State, motion: &Motion) -> Result<Snapshot, Failure> {
+        let engine = self.engine;
+        let geometry = engine.geometry(&state.instant()).map_err(|error| analysis(engine, &error))?;
+        Ok(Snapshot {
+            t: state.t,
+            bodies: motion.bodies.iter().map(|body| [body.x, body.y, body.phi]).collect(),
+            q: state.q.clone(),
+            points: motion.points.iter().map(|point| point.r).collect(),
+            velocities: motion.points.iter().map(|point| point.v).collect(),
+            geometry,
+            forces: motion.forces.as_ref().filter(|_| self.forces).cloned(),
+            loads: if self.forces { engine.loads(setup, state).unwrap_or_default() } else { Vec::new() },
+        })
+    }
 }
 
 /// Numbers the instants in place of their times, and takes velocities by these numbers, from one neighbour to the other.
@@ -198,16 +239,4 @@ fn by_steps(snapshots: &mut [Snapshot]) {
         let pairs = places[before].iter().zip(&places[after]);
         snapshot.velocities = pairs.map(|(p, q)| [0, 1].map(|axis| (q[axis] - p[axis]) / steps)).collect();
     }
-}
-
-fn snapshot(engine: &dyn Engine, state: &State, motion: &Motion) -> Result<Snapshot, Failure> {
-    let geometry = engine.geometry(&state.instant()).map_err(|error| super::solved::analysis(engine, &error))?;
-    Ok(Snapshot {
-        t: state.t,
-        bodies: motion.bodies.iter().map(|body| [body.x, body.y, body.phi]).collect(),
-        q: state.q.clone(),
-        points: motion.points.iter().map(|point| point.r).collect(),
-        velocities: motion.points.iter().map(|point| point.v).collect(),
-        geometry,
-    })
 }

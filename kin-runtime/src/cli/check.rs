@@ -5,6 +5,7 @@ use serde::Serialize;
 use super::engine::{Engine, Miss, Setup};
 use super::examples::{Help, Names};
 use super::failure::{Failure, Ledger};
+use super::forces::pulls;
 use super::options::{FreedomArgs, SetupArgs};
 use super::output::{Form, OutputArgs};
 use super::session::Session;
@@ -15,6 +16,7 @@ use super::watch::Watch;
 use crate::certificate::Uncertified;
 use crate::cross_check::{Configuration, CrossCheck, CrossCheckOptions};
 use crate::error::SolveError;
+use crate::forces::Forces;
 use crate::present::certificate::{self, Certified};
 use crate::present::json::to_json;
 use crate::present::number::{magnitude, plain};
@@ -54,6 +56,8 @@ pub(super) struct Findings {
     /// The relative difference between the power of drivers, loads and dampers and the rate of the total energy; none
     /// without masses and loads.
     power: Option<f64>,
+    /// Contacts whose normal force is negative, in words; they are no error of the solution.
+    pulling: Vec<String>,
     /// The proof that the solution exists; none if the mechanism could not be solved.
     #[serde(serialize_with = "certificate::record")]
     certificate: Option<Certified>,
@@ -85,7 +89,8 @@ pub(super) const HELP: Help = Help {
 The closed forms of Φ_q, Φ_t and γ are compared with automatic differentiation by dual numbers,
 the plan with full Newton, the solution with the equations, and powers with energies. The status
 is 0 only when everything passes. Where inputs have no value (--input), no solution is checked;
-where the drivers leave degrees of freedom open, it is that of least norm.",
+where the drivers leave degrees of freedom open, it is that of least norm. With masses, a note
+reports contacts whose normal force is negative.",
 };
 
 pub(super) fn run(args: &CheckArgs, engine: &mut dyn Engine, session: &mut Session<'_>) -> Result<(), Failure> {
@@ -116,6 +121,7 @@ pub(super) fn run(args: &CheckArgs, engine: &mut dyn Engine, session: &mut Sessi
             format!("{heading}{}\n  {verdict}\n", facts(&findings).render())
         }
     };
+    findings.pulling.iter().for_each(|contact| session.note(&format!("note: {contact}")));
     session.deliver(&output, &text)?;
     solved?;
     if findings.passed { Ok(()) } else { Err(Failure::Analysis(complaint(&findings))) }
@@ -157,14 +163,16 @@ pub(super) fn find(
     let close = |m: &Option<Miss>| m.is_none_or(|m| m.error <= CLOSURE_TOLERANCE);
     let closed = closure.as_ref().is_none_or(|c| close(&c.velocity) && close(&c.acceleration));
     let planned = plan.as_ref().is_none_or(|plan| plan.max_error <= CLOSURE_TOLERANCE);
-    let power =
-        state.and_then(|state| engine.forces(&Setup::default(), state, false).ok()).map(|forces| forces.power_miss());
+    let forces = state.and_then(|state| engine.forces(&Setup::default(), state, false).ok());
+    let power = forces.as_ref().map(Forces::power_miss);
+    let pulling = forces.as_ref().map(|forces| forces.pulling().map(|contact| pulls(contact, forces)).collect());
+    let pulling = pulling.unwrap_or_default();
     let balanced = power.is_none_or(|miss| miss <= CLOSURE_TOLERANCE);
     let certificate = state.map(|state| engine.certify(setup, state));
     // A missing certificate is no failure, unless the reason is that the state is not a solution.
     let solution = !matches!(certificate, Some(Err(Uncertified::NotASolution { .. })));
     let passed = closed && planned && balanced && solution && cross_check.passes(CLOSED_FORM_TOLERANCE);
-    Ok(Findings { t, mechanism: engine.model().name, passed, cross_check, plan, closure, power, certificate })
+    Ok(Findings { t, mechanism: engine.model().name, passed, cross_check, plan, closure, power, pulling, certificate })
 }
 
 /// The findings, line by line.

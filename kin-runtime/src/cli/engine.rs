@@ -9,7 +9,7 @@ use crate::certificate::{Certificate, Uncertified};
 use crate::cross_check::{CrossCheck, CrossCheckOptions};
 use crate::error::SolveError;
 use crate::evaluation::curve::CurvePoint;
-use crate::forces::Forces;
+use crate::forces::{Forces, Load};
 use crate::measure::Measure;
 use crate::mechanism::Mechanism;
 use crate::mobility::Mobility;
@@ -109,6 +109,8 @@ pub(super) trait Engine {
     fn measure(&self, setup: &Setup, state: &State, measures: &[Measure]) -> Result<Vec<f64>, SolveError>;
     /// Forces; with `least_norm` also those of joints that share a load redundantly, as the forces of least norm.
     fn forces(&self, setup: &Setup, state: &State, least_norm: bool) -> Result<Forces, SolveError>;
+    /// The forces of gravity, of applied loads and of springs on the bodies.
+    fn loads(&self, setup: &Setup, state: &State) -> Result<Vec<Load>, SolveError>;
     /// Gives the next state of a motion that began at `first` to the watch of contact forces.
     fn watch_contacts(
         &self,
@@ -243,6 +245,10 @@ impl<M: Mechanism + Default> Engine for Bound<M> {
     fn forces(&self, setup: &Setup, state: &State, least_norm: bool) -> Result<Forces, SolveError> {
         let solver = self.solver(setup);
         if least_norm { solver.forces_of_least_norm(state) } else { solver.forces(state) }
+    }
+
+    fn loads(&self, setup: &Setup, state: &State) -> Result<Vec<Load>, SolveError> {
+        self.solver(setup).loads(state)
     }
 
     fn watch_contacts(

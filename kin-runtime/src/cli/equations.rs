@@ -37,7 +37,8 @@ Each joint begins with its own equation, in vectors: r is the origin of a body, 
 s′ a point in its frame, index 0 the ground. Then follow its rows of Φ as they were derived, their
 partial derivatives that are not 0, and γ. The solution plan comes after them: the formulas of each
 step for q, q̇ and q̈, in which coordinates of earlier steps are known. σ is the sign of an assembly
-mode; of the values of an angle that differ by 2π the one nearest to the last position is taken.",
+mode; of the values of an angle that differ by 2π the one nearest to the last position is taken.
+A mechanism with masses or loads has M and Q of M q̈ + Φ_qᵀ λ = Q at the end.",
 };
 
 /// What is written.

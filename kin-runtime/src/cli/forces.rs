@@ -8,10 +8,13 @@ use super::output::{Form, OutputArgs};
 use super::session::Session;
 use super::solved::{analysis, driven_state, note_freedom, note_modes};
 use super::task::{At, AtArgs};
+use crate::analysis::forces::unbounded;
+use crate::error::SolveError;
+use crate::forces::{Forces, Reaction};
 use crate::measure::{column_values, columns};
 use crate::present::forces::text;
 use crate::present::json::to_json;
-use crate::present::number::plain;
+use crate::present::number::{plain, rounded};
 
 /// What drivers supply and joints carry at one instant
 #[derive(Clone, Debug, clap::Args)]
@@ -39,14 +42,32 @@ pub(super) const HELP: Help = Help {
 Efforts are torques along angles and forces along lengths, positive when they do positive work
 while the driven quantity grows. A joint's force and moment act on the body of its second
 operand, at the joint's point; the other body receives the opposite. Shaking is what the
-mechanism exerts on the ground, its moment about the origin. Units follow the parameters.",
+mechanism exerts on the ground, its moment about the origin. Units follow the parameters.
+
+A note reports contacts whose normal force is negative; `sweep` finds when they lift off. At a dead
+centre forces do not exist; the error names the joints and drivers whose forces grow without bounds.",
 };
+
+/// `contact would have to pull at t = 0.1: normal force -3.2 N; a contact that only presses has lifted off`.
+pub(super) fn pulls(contact: &Reaction, forces: &Forces) -> String {
+    let unit =
+        forces.model.forces.and_then(|info| info.units.force).map_or_else(String::new, |unit| format!(" {unit}"));
+    let normal = contact.normal.map_or_else(String::new, rounded);
+    let (name, t) = (contact.name, plain(forces.t));
+    format!(
+        "`{name}` would have to pull at t = {t}: normal force {normal}{unit}; a contact that only presses has lifted off"
+    )
+}
 
 pub(super) fn run(args: &ForcesArgs, engine: &mut dyn Engine, session: &mut Session<'_>) -> Result<(), Failure> {
     let mut ledger = Ledger::default();
     let at = args.at.read(&mut ledger, ("forces", &args.output), SetupArgs::apply_complete, engine, session);
     let At { t, setup, output } = ledger.close(at)?;
-    let (state, _) = driven_state(engine, &setup, t, args.least_norm)?;
+    let (state, _) = driven_state(engine, &setup, t, args.least_norm).map_err(|failure| {
+        // In a singular configuration without velocities, the error names the joints whose forces grow near it.
+        let singular = engine.state(&setup, t).err().filter(|error| matches!(error, SolveError::Singular { .. }));
+        singular.map_or(failure, |error| analysis(engine, &unbounded(engine.model(), error)))
+    })?;
     note_freedom(session, state.degrees_of_freedom_left);
     note_modes(session, engine, &setup, t);
     let forces = engine.forces(&setup, &state, args.least_norm).map_err(|error| analysis(engine, &error))?;
@@ -63,6 +84,9 @@ pub(super) fn run(args: &ForcesArgs, engine: &mut dyn Engine, session: &mut Sess
                  bodies' stiffness; --least-norm gives the forces of least norm"
             }
         });
+    }
+    for contact in forces.pulling() {
+        session.note(&format!("note: {}", pulls(contact, &forces)));
     }
     let text = match output.form {
         Form::Json => to_json(&forces).map_err(Failure::Output)?,

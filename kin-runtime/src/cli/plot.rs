@@ -179,11 +179,14 @@ pub(super) fn run(args: &PlotArgs, engine: &mut dyn Engine, session: &mut Sessio
 /// The columns, t first, worst cases of what is drawn, the limits at both ends, and why the motion ended early.
 type Numbers = (Vec<Vec<f64>>, Vec<Vec<f64>>, [Option<String>; 2], Option<Failure>);
 
+/// The curves that are drawn, and the tolerances of the parameters.
+type Toleranced<'a> = (&'a [Wanted], &'a [f64]);
+
 fn one(
     args: &PlotArgs,
     engine: &dyn Engine,
     task: &Task<'_>,
-    (measures, toleranced): (&[Measure], Option<(&[Wanted], &[f64])>),
+    (measures, toleranced): (&[Measure], Option<Toleranced<'_>>),
     place: (usize, usize),
     session: &mut Session<'_>,
 ) -> Result<Numbers, Failure> {

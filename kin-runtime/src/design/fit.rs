@@ -9,7 +9,8 @@
 //! the mechanism does not assemble, residuals are no numbers, and the trust region shrinks.
 
 use super::builder::Design;
-use super::motion::{Branch, Evaluated};
+use super::follow::Branch;
+use super::motion::Evaluated;
 use crate::mechanism::Mechanism;
 use basin::{
     BoundedLevenbergMarquardt, BoxBounds, ConstraintDescription, ConstraintSet, Constraints, CostFunction, DenseMatrix,

@@ -1,10 +1,10 @@
 //! A design followed along its motion: by the follower of the plan, or by a sweep where that cannot decide.
 
 use super::builder::Design;
-use super::motion::Branch;
 use crate::error::SolveError;
 use crate::measure::Needs;
 use crate::mechanism::Mechanism;
+use crate::planned::Sign;
 use crate::planned::follower::{Control, Follower};
 use crate::sensitivity::{LARGEST, Variation, Varied, Varying, WIDTH, is_integrated, observe};
 use crate::solver::Solver;
@@ -12,6 +12,13 @@ use crate::workspace::Instant;
 
 /// Is shown the place of an instant, the place of the first parameter that these numbers vary by, and the numbers.
 type See<'s> = dyn FnMut(usize, usize, &Varied) + 's;
+
+/// What is fixed in one descent: the signs of modes, and the directions of paths.
+#[derive(Clone, Debug)]
+pub(crate) struct Branch {
+    pub(crate) modes: Vec<(usize, Sign)>,
+    pub(crate) forward: bool,
+}
 
 /// A mechanism that is followed.
 pub(crate) struct Follow<'d, M: Mechanism> {

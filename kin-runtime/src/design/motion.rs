@@ -2,14 +2,13 @@
 
 use super::builder::Design;
 use super::condition::Condition;
-use super::follow::Follow;
+use super::follow::{Branch, Follow};
 use super::objective::{Objective, Quantity, Wanted};
 use super::variables::{Instants, instants};
 use crate::error::SolveError;
 use crate::measure::Needs;
 use crate::mechanism::Mechanism;
 use crate::model::Model;
-use crate::planned::Sign;
 use crate::scalar::Scalar;
 use crate::sensitivity::{Number, Varied, WIDTH};
 
@@ -30,13 +29,6 @@ pub(crate) struct Evaluated {
     pub(crate) conditions: Vec<usize>,
     /// The instants of every objective.
     pub(crate) times: Vec<Vec<f64>>,
-}
-
-/// What is fixed in one descent: the signs of modes, and the directions of paths.
-#[derive(Clone, Debug)]
-pub(crate) struct Branch {
-    pub(crate) modes: Vec<(usize, Sign)>,
-    pub(crate) forward: bool,
 }
 
 impl<M: Mechanism> Design<M> {

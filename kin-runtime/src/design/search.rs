@@ -3,7 +3,7 @@
 use super::builder::Design;
 use super::error::DesignError;
 use super::fit::{Effort, End, FIRST, GLANCE, LAST, NOTHING, SECOND, descend, error};
-use super::motion::Branch;
+use super::follow::Branch;
 use super::result::{Designed, Slack};
 use super::variables::FIRST as PERIODS;
 use crate::error::SolveError;

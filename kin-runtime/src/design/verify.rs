@@ -3,8 +3,9 @@
 use super::builder::Design;
 use super::condition::Condition;
 use super::error::DesignError;
+use super::follow::Branch;
 use super::follow::Follow;
-use super::motion::{Branch, margin_slacks, range_slacks};
+use super::motion::{margin_slacks, range_slacks};
 use super::result::Slack;
 use crate::error::SolveError;
 use crate::measure::Needs;

@@ -96,6 +96,11 @@ pub(crate) trait System {
         let _ = (at, state, generalized);
         Ok(())
     }
+    /// Writes what loads exert on bodies at a state.
+    fn loads(&self, at: &Instant<'_>, state: &State, loads: &mut [f64]) -> Result<(), LengthError> {
+        let _ = (at, state, loads);
+        Ok(())
+    }
     /// Writes the numbers of all forces at a solved state; `multipliers` is λ where the closed forms do not compute it.
     fn forces(
         &self,
@@ -233,6 +238,10 @@ impl<B: Borrow<M>, M: Mechanism> System for Evaluator<B, M> {
     fn generalized_forces(&self, at: &Instant<'_>, state: &State, generalized: &mut [f64]) -> Result<(), LengthError> {
         let (mechanism, parameters) = (self.mechanism.borrow(), self.parameters.as_ref());
         mechanism.generalized_forces_with(parameters, at, &state.q, &state.q_dot, &state.q_ddot, generalized)
+    }
+
+    fn loads(&self, at: &Instant<'_>, state: &State, loads: &mut [f64]) -> Result<(), LengthError> {
+        self.mechanism.borrow().loads_with(self.parameters.as_ref(), at, &state.q, &state.q_dot, loads)
     }
 
     fn forces(

@@ -25,8 +25,18 @@ pub struct ForceModel {
     pub reactions: &'static [ReactionInfo],
     /// Springs.
     pub springs: &'static [SpringInfo],
+    /// What gravity, applied loads and springs exert on bodies.
+    #[doc(hidden)]
+    pub loads: &'static [LoadInfo],
     /// Units.
     pub units: ForceUnits,
+    /// Entries of the symmetric mass matrix M that are not 0, as texts: row, column, not before the row, and the entry;
+    /// empty without the feature `equations`.
+    #[doc(hidden)]
+    pub mass_matrix: &'static [(usize, usize, &'static str)],
+    /// Q of M q̈ + Φ_qᵀ λ = Q, a text for every coordinate; empty likewise.
+    #[doc(hidden)]
+    pub generalized: &'static [&'static str],
 }
 
 /// The units of forces, from those of masses, lengths and times that are written; none where these do not tell them.
@@ -146,6 +156,29 @@ pub struct ReactionInfo {
     pub has_normal: bool,
     /// They roll on one another, and it has a tangential part.
     pub has_tangential: bool,
+}
+
+/// What a load exerts on a body: a force with its point, four numbers, or a couple, from `place` on among the numbers of
+/// [`Mechanism::loads_with`](crate::Mechanism::loads_with).
+#[doc(hidden)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LoadInfo {
+    /// Its name; `gravity` for the weight of a mass.
+    pub name: &'static str,
+    /// The body on which it acts.
+    pub on: Frame,
+    /// The first of its numbers.
+    pub place: usize,
+    /// True for a force, false for a couple.
+    pub is_force: bool,
+}
+
+#[cfg(feature = "std")]
+impl LoadInfo {
+    /// The place behind its numbers.
+    pub(crate) const fn end(&self) -> usize {
+        self.place + if self.is_force { 4 } else { 1 }
+    }
 }
 
 /// A spring: length or angle, its rate, tension or couple on the second body, energy and power of the damper stand at `place`.

@@ -11,6 +11,8 @@ mod text;
 mod units;
 
 #[doc(hidden)]
+pub use forces::LoadInfo;
+#[doc(hidden)]
 pub use forces::{EffortInfo, ReactionInfo, SpringInfo};
 pub use forces::{ForceModel, ForceUnits};
 pub use handles::{Body, Coordinate, Input, Point, Quantity};

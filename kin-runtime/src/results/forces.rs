@@ -27,7 +27,8 @@ pub struct Effort {
     pub determined: bool,
 }
 
-/// What a joint exerts. The other body receives the opposite force at the same place and the opposite moment.
+/// What a joint exerts. The other body receives the opposite force at the same place and the opposite moment; of two discs
+/// that roll on one another along a ψ that is driven, the first receives the driver's torque besides.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Reaction {
     /// The joint; `b.x`, `b.y`, `b.phi` or `b.origin` for held coordinates and the carried origin of a body `b`.
@@ -100,6 +101,30 @@ pub struct SpringForce {
     pub damper_power: f64,
 }
 
+/// The force or couple of gravity, an applied load or a spring on a body.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Load {
+    /// Its name; `gravity` for the weight of a mass.
+    pub name: &'static str,
+    /// The body on which it acts.
+    pub on: Frame,
+    /// The point and the force there, in the inertial frame; none for a couple.
+    pub force: Option<[[f64; 2]; 2]>,
+    /// The couple; none for a force.
+    pub couple: Option<f64>,
+}
+
+/// `S: force (1, 2) at (0.3, 0)`, `brake: couple 1.5`.
+impl fmt::Display for Load {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}:", self.name)?;
+        if let Some([[x, y], [fx, fy]]) = self.force {
+            write!(f, " force ({fx}, {fy}) at ({x}, {y})")?;
+        }
+        self.couple.map_or(Ok(()), |couple| write!(f, " couple {couple}"))
+    }
+}
+
 /// Forces at one instant, from M q̈ + Φ_qᵀ λ = Q.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Forces {
@@ -155,6 +180,12 @@ impl Forces {
     /// The reaction of a joint.
     pub fn reaction(&self, joint: &str) -> Option<&Reaction> {
         self.reactions.iter().find(|reaction| reaction.name == joint)
+    }
+
+    /// The contacts whose normal force is negative: the bodies would have to pull on one another. A contact that only presses
+    /// has lifted off.
+    pub fn pulling(&self) -> impl Iterator<Item = &Reaction> {
+        self.reactions.iter().filter(|reaction| reaction.normal.is_some_and(|normal| normal < 0.0))
     }
 
     /// The name of the body that something acts on, or `ground`.

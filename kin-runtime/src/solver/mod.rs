@@ -12,7 +12,7 @@ use crate::equations::scale::Scale;
 use crate::equations::system::Evaluator;
 use crate::equations::{Equations, finite};
 use crate::error::SolveError;
-use crate::forces::Forces;
+use crate::forces::{Forces, Load};
 use crate::measure::{Measure, values};
 use crate::mechanism::Mechanism;
 use crate::mobility::{Mobility, mobility};
@@ -231,6 +231,15 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     /// As [`forces`](Self::forces).
     pub fn forces_of_least_norm(&self, state: &State) -> Result<Forces, SolveError> {
         self.shared_forces(state, Sharing::LeastNorm)
+    }
+
+    /// The forces of gravity, applied loads and springs on the bodies at a solved state, with their points, and their
+    /// couples.
+    ///
+    /// # Errors
+    /// For a mechanism without masses and loads, and when a list has another length.
+    pub fn loads(&self, state: &State) -> Result<Vec<Load>, SolveError> {
+        self.analyse(&state.instant(), |equations| analysis::forces::loads(equations, state))
     }
 
     fn shared_forces(&self, state: &State, sharing: Sharing) -> Result<Forces, SolveError> {

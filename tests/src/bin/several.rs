@@ -57,12 +57,42 @@ struct Teeth {
 #[derive(Default)]
 struct Loaded;
 
+/// A slider-crank whose slider is driven, which has a dead centre where the links are in line.
+#[mechanism]
+#[bodies(crank, rod, slider)]
+#[revolute(O: ground @ (0, 0), crank @ (0, 0))]
+#[revolute(A: crank @ (0.2, 0), rod @ (0, 0))]
+#[revolute(B: rod @ (0.7, 0), slider @ (0, 0))]
+#[translational(guide: ground @ (0, 0), slider @ (0, 0), axis = (1, 0))]
+#[input(place)]
+#[driver(push: slider.x = place)]
+#[guess(crank.phi = 0.5, rod.phi = -0.1)]
+#[mass(crank @ (0.1, 0), mass = 1, inertia = 0.01)]
+#[gravity(0, -9.81)]
+#[derive(Default)]
+struct DeadCentre;
+
+/// A follower that lies on an eccentric disc with its weight alone, and lifts off where the disc falls faster.
+#[mechanism]
+#[bodies(cam, follower)]
+#[revolute(O: ground @ (0, 0), cam @ (0, 0))]
+#[translational(way: ground @ (0, 0), follower @ (0, 0), axis = (0, 1))]
+#[flat_follower(contact: cam @ (0, 0), follower @ (0, 0), axis = (1, 0), support(theta) = 0.05 + 0.01*cos(theta))]
+#[driver(drive: cam.phi = 40 * t)]
+#[guess(follower.y = 0.05)]
+#[gravity(0, -9.81)]
+#[mass(follower @ (0, 0), mass = 2)]
+#[derive(Default)]
+struct Eccentric;
+
 fn main() -> ExitCode {
     let mut args: Vec<OsString> = std::env::args_os().collect();
     let name = if args.len() > 1 { args.remove(1) } else { OsString::new() };
     match name.to_str() {
         Some("cam") => run_from::<CamTable>(args),
         Some("wrong_cam") => run_from::<WrongCam>(args),
+        Some("dead_centre") => run_from::<DeadCentre>(args),
+        Some("eccentric") => run_from::<Eccentric>(args),
         Some("fourbar") => run_from::<FourbarLectureMid>(args),
         Some("ends") => run_from::<FourbarEnds>(args),
         Some("leg") => run_from::<FiveBarLeg>(args),
@@ -75,7 +105,7 @@ fn main() -> ExitCode {
         Some("underdriven") => run_from::<UnderdrivenFivebar>(args),
         _ => {
             eprintln!(
-                "error: the first argument is cam, wrong_cam, fourbar, ends, infeasible, leg, limits, loaded, redundant, singular, teeth or underdriven"
+                "error: the first argument is cam, wrong_cam, dead_centre, eccentric, fourbar, ends, infeasible, leg, limits, loaded, redundant, singular, teeth or underdriven"
             );
             ExitCode::from(2)
         }

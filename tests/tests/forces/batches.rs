@@ -122,5 +122,7 @@ fn a_mechanism_without_closed_forms_of_forces_says_so() {
     let solutions = Solutions::<Parallelogram>::new(1);
     let failed = forces(&Parallelogram, &problems, &solutions, &mut ForceSolutions::new(1), &always);
     assert!(matches!(failed, Err(BatchError::NoForces(_))), "{failed:?}");
+    let words = failed.unwrap_err().to_string();
+    assert!(words.contains("redundant rows share the load") && words.contains("`Solver::forces`"), "{words}");
     assert!(loaded::FourbarLectureMid::model().forces.unwrap().solved);
 }

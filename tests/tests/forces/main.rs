@@ -8,4 +8,5 @@ mod pictures;
 mod redundant;
 mod references;
 mod squeezer;
+mod typeset;
 mod units;

@@ -1,10 +1,13 @@
 //! Forces of a pump jack, a press and an engine, compared with laws that need no multipliers.
 
 use crate::examples::engine::{Engine, largest_shaking};
+use crate::examples::excavator::{Excavator, holding_forces};
 use crate::examples::pump_jack::{PumpJack, largest_torque};
 use crate::examples::toggle_press::{TogglePress, largest_pin_forces};
 use crate::page::says;
 use crate::{close, moved};
+use kin_runtime::model::Body;
+use kin_runtime::{Instant, Kinematics, Signal};
 use std::f64::consts::TAU;
 
 /// The motor's power is the rate of the energy plus the power delivered to the rods.
@@ -26,6 +29,39 @@ fn the_pump_jack_needs_the_power_that_it_lifts_with() {
         lifted -= forces.applied_power * turn / steps as f64;
     }
     close(supplied / lifted, 1.0, 1e-6);
+}
+
+/// The boom cylinder alone holds all weights about the boom's pin; bucket and stick cylinders are inside of the arm.
+#[test]
+fn the_boom_cylinder_holds_all_weights() {
+    let inputs = [1.42, 1.9, 1.13].map(Signal::constant);
+    let mut forces = [0.0; 2];
+    for (found, load) in forces.iter_mut().zip([0.0, 1600.0]) {
+        let arm = Excavator { load, ..Excavator::default() };
+        let at = arm.state_at(&Instant { t: 0.0, inputs: &inputs }).unwrap();
+        let place = |body: Body, [u, v]: [f64; 2]| {
+            let (body, (sin, cos)) = (&at[body], at[body].phi.sin_cos());
+            [body.x + cos * u - sin * v, body.y + sin * u + cos * v]
+        };
+        let weights = [
+            (1100.0, place(Excavator::boom, [1.5, 0.4])),
+            (550.0, place(Excavator::stick, [0.4, 0.1])),
+            (60.0, place(Excavator::lever, [0.0, 0.0])),
+            (420.0, place(Excavator::bucket, [0.1, -0.1])),
+            (load, at[Excavator::tip].r),
+        ];
+        let moment: f64 = weights.iter().map(|(mass, [x, _])| 9.81 * mass * x).sum();
+        let [x, y] = place(Excavator::boom, [1.4, 0.35]);
+        let along = [(x - 0.45) / 1.42, (y + 0.05) / 1.42];
+        let exact = moment / (x * along[1] - (y - 0.2) * along[0]);
+        *found = holding_forces(&arm).unwrap()[0];
+        close(*found / exact, 1.0, 1e-9);
+    }
+    let [empty, full] = forces.map(|force| force / 1000.0);
+    says(
+        "excavator",
+        &format!("its cylinder holds the empty arm with {empty:.1} kN, and 1600 kg at the tip with {full:.1} kN"),
+    );
 }
 
 /// Near the dead centre of the toggle, the load of the ram goes directly into the frame.

@@ -13,11 +13,11 @@ use crate::analysis::singular::diagnose;
 use crate::equations::Equations;
 use crate::equations::scale::Scale;
 use crate::error::SolveError;
-use crate::forces::Forces;
+use crate::forces::{Forces, Load};
 use crate::linear::Factorization;
 use crate::mobility::mobility;
 use crate::model::forces::TOTALS;
-use crate::model::{Component, CoordinateKind, ForceModel};
+use crate::model::{Component, CoordinateKind, ForceModel, LoadInfo, Model};
 use crate::state::State;
 use crate::workspace::Subset;
 pub(crate) use collected::collected;
@@ -35,6 +35,23 @@ pub(crate) fn forces(equations: &mut Equations<'_>, state: &State, sharing: Shar
     };
     let numbers = numbers(equations, info, state, sharing)?;
     Ok(collected(model, info, state, &numbers))
+}
+
+/// What loads exert on bodies at a state.
+pub(crate) fn loads(equations: &Equations<'_>, state: &State) -> Result<Vec<Load>, SolveError> {
+    let model = equations.model;
+    let info = model.forces.ok_or(SolveError::NoLoads { mechanism: model.name })?;
+    for (what, list) in [("q", &state.q), ("q_dot", &state.q_dot)] {
+        equations.check(what, list)?;
+    }
+    let mut numbers = vec![0.0; info.loads.last().map_or(0, LoadInfo::end)];
+    equations.system.loads(&state.instant(), state, &mut numbers)?;
+    let load = |load: &LoadInfo| {
+        let at = |k: usize| numbers[load.place + k];
+        let force = load.is_force.then(|| [[at(0), at(1)], [at(2), at(3)]]);
+        Load { name: load.name, on: load.on, force, couple: (!load.is_force).then(|| at(0)) }
+    };
+    Ok(info.loads.iter().map(load).collect())
 }
 
 /// The numbers of forces at a state.
@@ -126,20 +143,27 @@ fn by_elimination(
 fn not_held(equations: &mut Equations<'_>, state: &State, scaled: &DMatrix<f64>) -> Result<SolveError, SolveError> {
     let columns = vec![1.0; scaled.nrows()];
     let here = Factorization::absolute(&scaled.transpose(), &columns, equations.options.rank_tolerance);
-    if let Some(SolveError::Singular { rows, condition, limit, .. }) = diagnose(equations, &state.q, &here) {
-        let mut joints: Vec<&'static str> = Vec::new();
-        for row in rows {
-            let info = equations.model.rows.iter().find(|info| info.name == row);
-            let joint = info.map_or(row, |info| equations.model.joints[info.joint].name);
-            if !joints.contains(&joint) {
-                joints.push(joint);
-            }
-        }
-        return Ok(SolveError::UnboundedForces { t: state.t, joints, condition, limit });
+    if let Some(error @ SolveError::Singular { .. }) = diagnose(equations, &state.q, &here) {
+        return Ok(unbounded(equations.model, error));
     }
     let open = mobility(equations, &state.q)?;
     let could_be_given = open.could_be_given.iter().map(|&k| equations.model.coordinates[k].name).collect();
     Ok(SolveError::NotHeld { t: state.t, open: open.degrees_of_freedom_left, could_be_given })
+}
+
+/// What a singular configuration means for forces: those of the joints whose rows depend on one another there grow without
+/// bounds near it. Other errors stay what they are.
+pub(crate) fn unbounded(model: &Model, error: SolveError) -> SolveError {
+    let SolveError::Singular { t, rows, condition, limit, .. } = error else { return error };
+    let mut joints: Vec<&'static str> = Vec::new();
+    for row in rows {
+        let info = model.rows.iter().find(|info| info.name == row);
+        let joint = info.map_or(row, |info| model.joints[info.joint].name);
+        if !joints.contains(&joint) {
+            joints.push(joint);
+        }
+    }
+    SolveError::UnboundedForces { t, joints, condition, limit }
 }
 
 fn finite(what: &'static str, values: &[f64], t: f64) -> Result<(), SolveError> {

@@ -20,6 +20,7 @@ pub use workspaces::{Observations, Workspace};
 /// [`Model::constraint_pattern`]. Lengths are in the user's unit, angles in radians, counter-clockwise.
 ///
 /// The evaluation path needs neither `std` nor an allocator.
+#[allow(unused_variables, reason = "a default is for mechanisms without what it writes")]
 pub trait Mechanism: Sized {
     /// n, the number of generalized coordinates.
     const COORDINATES: usize;
@@ -62,7 +63,6 @@ pub trait Mechanism: Sized {
 
     /// (f, f′, f″) at `x` of the supplied function at `index` of [`Model::functions`]; `None` when it is out of range.
     fn evaluate_function(&self, index: usize, x: f64) -> Option<[f64; 3]> {
-        let _ = (index, x);
         None
     }
 
@@ -77,7 +77,6 @@ pub trait Mechanism: Sized {
         q: &[T],
         arguments: &mut [T],
     ) -> Result<(), LengthError> {
-        let _ = (parameters, at, q);
         length::empty("arguments", arguments)
     }
 
@@ -127,8 +126,6 @@ pub trait Mechanism: Sized {
         q_dot: &[T],
         eta: &mut [T],
     ) -> Result<(), LengthError> {
-        // The default is for mechanisms without rows of velocity level.
-        let _ = (parameters, at, q, q_dot);
         eta.fill(T::from_f64(0.0));
         Ok(())
     }
@@ -150,7 +147,6 @@ pub trait Mechanism: Sized {
         depth: Depth,
         solved: Solved<'_, T>,
     ) -> Result<(), LengthError> {
-        let _ = (parameters, at, modes, start, depth, solved);
         Ok(())
     }
 
@@ -166,7 +162,6 @@ pub trait Mechanism: Sized {
         q: &[T],
         closures: &mut [T],
     ) -> Result<(), LengthError> {
-        let _ = (parameters, at, q, closures);
         Ok(())
     }
 
@@ -197,7 +192,6 @@ pub trait Mechanism: Sized {
         q: &[T],
         factors: &mut Self::Factors<T>,
     ) -> Result<(), LengthError> {
-        let _ = (parameters, at, q, factors);
         Ok(())
     }
 
@@ -208,7 +202,6 @@ pub trait Mechanism: Sized {
     /// # Errors
     /// When an argument has the wrong length.
     fn solve_factorised<T: Scalar>(factors: &Self::Factors<T>, b: &[T], x: &mut [T]) -> Result<(), LengthError> {
-        let _ = (factors, b, x);
         Ok(())
     }
 
@@ -235,7 +228,6 @@ pub trait Mechanism: Sized {
         at: &Instant<'_, T>,
         geometry: &mut [T],
     ) -> Result<(), LengthError> {
-        let _ = (parameters, at);
         length::empty("geometry", geometry)
     }
 
@@ -250,7 +242,6 @@ pub trait Mechanism: Sized {
         at: &Instant<'_, T>,
         lengths: &mut [T],
     ) -> Result<(), LengthError> {
-        let _ = (parameters, at);
         length::empty("lengths", lengths)
     }
 
@@ -267,8 +258,23 @@ pub trait Mechanism: Sized {
         q_ddot: &[T],
         generalized: &mut [T],
     ) -> Result<(), LengthError> {
-        let _ = (parameters, at, q, q_dot, q_ddot, generalized);
         Ok(())
+    }
+
+    /// Writes what gravity, applied loads and springs exert on bodies at q and q̇: for each of the model's
+    /// [`loads`](crate::model::ForceModel::loads) the point and the force in the inertial frame, or the couple.
+    ///
+    /// # Errors
+    /// When an argument has the wrong length.
+    fn loads_with<T: Scalar>(
+        &self,
+        parameters: &[T],
+        at: &Instant<'_, T>,
+        q: &[T],
+        q_dot: &[T],
+        loads: &mut [T],
+    ) -> Result<(), LengthError> {
+        length::empty("loads", loads)
     }
 
     /// Writes efforts, reactions, energies and powers at a solved q, q̇, q̈, the numbers of
@@ -287,7 +293,6 @@ pub trait Mechanism: Sized {
         right: &[T],
         forces: &mut [T],
     ) -> Result<(), LengthError> {
-        let _ = (parameters, at, q, q_dot, q_ddot, right, forces);
         Ok(())
     }
 
@@ -296,7 +301,6 @@ pub trait Mechanism: Sized {
     /// # Errors
     /// As [`evaluate_with`](Self::evaluate_with).
     fn write_guesses<T: Scalar>(&self, parameters: &[T], guesses: &mut [T]) -> Result<(), LengthError> {
-        let _ = parameters;
         length::empty("guesses", guesses)
     }
 
@@ -312,7 +316,6 @@ pub trait Mechanism: Sized {
         joint: usize,
         s: T,
     ) -> Result<Option<CurvePoint<T>>, LengthError> {
-        let _ = (parameters, at, joint, s);
         Ok(None)
     }
 
@@ -371,10 +374,7 @@ pub trait Mechanism: Sized {
     /// # Errors
     /// As [`evaluate_with`](Self::evaluate_with).
     fn jacobian<T: Scalar>(&self, at: &Instant<'_, T>, q: &[T]) -> Result<Self::NonZeros<T>, LengthError> {
-        let mut workspace = Self::workspace::<T>();
-        let rest = Self::Coordinates::<T>::filled(T::from_f64(0.0));
-        self.evaluate(Subset::JACOBIAN, at, q, rest.as_ref(), &mut workspace)?;
-        Ok(*workspace.parts_mut().1)
+        Ok(*workspaces::at_rest(self, Subset::JACOBIAN, at, q)?.parts_mut().1)
     }
 
     /// Φ_t(q, t), s numbers; ν = −Φ_t.
@@ -382,10 +382,7 @@ pub trait Mechanism: Sized {
     /// # Errors
     /// As [`evaluate_with`](Self::evaluate_with).
     fn time_derivative<T: Scalar>(&self, at: &Instant<'_, T>, q: &[T]) -> Result<Self::Rows<T>, LengthError> {
-        let mut workspace = Self::workspace::<T>();
-        let rest = Self::Coordinates::<T>::filled(T::from_f64(0.0));
-        self.evaluate(Subset::TIME_DERIVATIVE, at, q, rest.as_ref(), &mut workspace)?;
-        Ok(*workspace.parts_mut().2)
+        Ok(*workspaces::at_rest(self, Subset::TIME_DERIVATIVE, at, q)?.parts_mut().2)
     }
 
     /// γ(q, q̇, t) = −(Φ_q q̇)_q q̇ − 2 Φ_qt q̇ − Φ_tt, s numbers.

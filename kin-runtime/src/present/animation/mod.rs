@@ -3,8 +3,8 @@
 //! The parts of the [drawing](super::drawing) are written as groups of an SVG; the script of the page moves and turns
 //! them by the poses that the page holds as numbers.
 
-use super::drawing::{Scene, View, still};
-use super::drawing::{animated, escaped};
+use super::drawing::{Carrier, Scene, View, still};
+use super::drawing::{animated, escaped, force_scale, round_below};
 use crate::model::Model;
 use crate::present::number::rounded;
 use serde::Serialize;
@@ -48,6 +48,8 @@ pub(crate) struct Animation {
     pub(crate) along: &'static str,
     /// The unit of time.
     pub(crate) time: Option<String>,
+    /// That of forces, where they are shown.
+    pub(crate) force: Option<&'static str>,
 }
 
 #[derive(Serialize)]
@@ -69,8 +71,8 @@ struct RunData<'a> {
     t: &'a [f64],
     /// Width and height in pixels.
     size: [f64; 2],
-    /// For every carrier, x, y in pixels and the angle in degrees, clockwise.
-    tracks: Vec<[Vec<f64>; 3]>,
+    /// For every carrier, x, y in pixels and the angle in degrees, clockwise; of arrows their size, too.
+    tracks: Vec<Vec<Vec<f64>>>,
     columns: Vec<Vec<f32>>,
 }
 
@@ -82,18 +84,27 @@ impl Animation {
     pub(crate) fn page(&self) -> Result<String, String> {
         // Every motion has its own view: one mode may need much more room than another.
         let views: Vec<View> = self.runs.iter().map(|run| View::of([&run.scene])).collect();
-        let tracks = |scene: &Scene, view: &View| -> Vec<[Vec<f64>; 3]> {
-            let track = |poses: &[[f64; 3]]| {
-                let mut out = [Vec::new(), Vec::new(), Vec::new()];
-                for pose in poses.iter().map(|&pose| view.pose(pose)) {
+        let tracks = |scene: &Scene, view: &View| -> Vec<Vec<Vec<f64>>> {
+            let digits = |x: f64, scale: f64| (x * scale).round() / scale;
+            let track = |carrier: &Carrier| {
+                let mut out = vec![Vec::new(), Vec::new(), Vec::new()];
+                for pose in carrier.poses.iter().map(|&pose| view.pose(pose)) {
                     for (list, number) in out.iter_mut().zip(pose) {
-                        list.push((number * 100.0).round() / 100.0);
+                        list.push(digits(number, 100.0));
                     }
                 }
+                if !carrier.sizes.is_empty() {
+                    out.push(carrier.sizes.iter().map(|size| digits(*size, 1e4)).collect());
+                }
                 // A track that never changes has a single entry.
-                out.map(|list| if list.iter().all(|x| *x == list[0]) { list[..1].to_vec() } else { list })
+                out.iter_mut().for_each(|list| {
+                    if list.iter().all(|x| *x == list[0]) {
+                        list.truncate(1);
+                    }
+                });
+                out
             };
-            scene.carriers.iter().map(|carrier| track(&carrier.poses)).collect()
+            scene.carriers.iter().map(track).collect()
         };
         let runs = self.runs.iter().zip(&views).map(|(run, view)| RunData {
             name: &run.name,
@@ -112,7 +123,12 @@ impl Animation {
         let data = data.replace('<', "\\u003c");
         let unit = self.length.as_deref();
         let drawings: String = self.runs.iter().zip(&views).map(|(run, view)| drawing(&run.scene, view)).collect();
-        let bars: String = views.iter().map(|view| scale_bar(view, unit)).collect();
+        let bars = self.runs.iter().zip(&views).map(|(run, view)| {
+            let forces =
+                run.scene.forces.as_ref().map_or_else(String::new, |scale| force_scale(view, scale, self.force));
+            format!("<g class=\"scale\">{}{forces}</g>", scale_bar(view, unit))
+        });
+        let bars: String = bars.collect();
         let [width, height] = views[0].size.map(f64::round);
         let (name, doc) = (escaped(self.model.name), escaped(self.model.doc));
         let picture = format!(
@@ -124,6 +140,7 @@ impl Animation {
             .replace("{{doc}}", &doc)
             .replace("{{style}}", include_str!("page.css"))
             .replace("{{script}}", include_str!("page.js"))
+            .replace("{{forces}}", if self.runs[0].scene.forces.is_some() { "" } else { " hidden" })
             .replace("{{drawing}}", &picture)
             .replace("{{data}}", &data))
     }
@@ -132,7 +149,7 @@ impl Animation {
     pub(crate) fn picture(&self, names: bool) -> String {
         let scene = &self.runs[0].scene;
         let title = format!("{}: {}", self.model.name, self.model.doc);
-        animated(scene, &View::of([scene]), &title, self.seconds(), names)
+        animated(scene, &View::of([scene]), &title, self.seconds(), names, self.force)
     }
 
     /// The duration of the motion if it is easy to watch, otherwise five seconds.
@@ -157,10 +174,7 @@ const BAR: f64 = 0.25;
 
 /// A scale bar in the lower left corner of a drawing; its length is 1, 2 or 5 times a power of ten.
 fn scale_bar(view: &View, unit: Option<&str>) -> String {
-    let most = BAR * view.size[0] / view.scale;
-    let power = 10_f64.powf(most.log10().floor());
-    let length = [5.0, 2.0, 1.0].into_iter().map(|digit| digit * power).find(|length| *length <= most);
-    let length = length.unwrap_or(power);
+    let length = round_below(BAR * view.size[0] / view.scale);
     let right = 10.0 + (length * view.scale).round();
     let middle = 0.5 * (10.0 + right);
     let label = match unit {
@@ -169,7 +183,6 @@ fn scale_bar(view: &View, unit: Option<&str>) -> String {
     };
     let [above, base, text] = [12.0, 8.0, 14.0].map(|up| view.size[1].round() - up);
     format!(
-        "<g class=\"scale\"><path d=\"M10,{above}V{base}H{right}V{above}\"/>\
-         <text x=\"{middle}\" y=\"{text}\">{label}</text></g>"
+        "<path class=\"bar\" d=\"M10,{above}V{base}H{right}V{above}\"/><text class=\"bar\" x=\"{middle}\" y=\"{text}\">{label}</text>"
     )
 }

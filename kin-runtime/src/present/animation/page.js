@@ -21,7 +21,7 @@
     groups[run].forEach((group, which) => {
       const track = tracks[which];
       const at = (axis) => between(track[axis], track[axis].length === 1 ? 0 : place);
-      group.setAttribute("transform", `translate(${at(0)},${at(1)}) rotate(${at(2)})`);
+      group.setAttribute("transform", `translate(${at(0)},${at(1)}) rotate(${at(2)})${track.length > 3 ? ` scale(${at(3)})` : ""}`);
     });
     const now = between(t, place);
     $("now").textContent = `${data.along} = ${text(now)}${data.time ? " " + data.time : ""}`;
@@ -164,6 +164,7 @@
   play.onclick = () => toggle(!playing);
   slider.oninput = () => { toggle(false); place = Number(slider.value); show(); };
   $("names").onchange = () => drawing.classList.toggle("without-names", !$("names").checked);
+  $("forces").onchange = () => drawing.classList.toggle("without-forces", !$("forces").checked);
   $("paths").onchange = () => drawing.classList.toggle("without-paths", !$("paths").checked);
   $("more").onclick = () => new Chart(Math.min(charts.length * 3, data.columns.length - 1));
   document.addEventListener("keydown", (event) => {

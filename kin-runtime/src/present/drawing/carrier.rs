@@ -12,9 +12,21 @@ pub(crate) struct Carrier {
     pub(crate) poses: Vec<Pose>,
     /// Its parts.
     pub(crate) parts: Vec<Part>,
+    /// The factor by which it is enlarged at every instant, for arrows; empty if its size is constant.
+    pub(crate) sizes: Vec<f64>,
 }
 
 impl Carrier {
+    /// Parts that belong to no body, with their poses.
+    pub(super) fn new(poses: Vec<Pose>, parts: Vec<Part>) -> Self {
+        Self { body: None, poses, parts, sizes: Vec::new() }
+    }
+
+    /// The factor by which it is enlarged at an instant.
+    pub(crate) fn size(&self, instant: usize) -> f64 {
+        self.sizes.get(instant).copied().unwrap_or(1.0)
+    }
+
     /// The extent of the parts.
     pub(super) fn reach(&self) -> f64 {
         let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
@@ -32,5 +44,5 @@ impl Carrier {
 
 /// A part that moves along a track without turning.
 pub(super) fn upright(track: Vec<[f64; 2]>, part: Part) -> Carrier {
-    Carrier { body: None, poses: track.into_iter().map(|[x, y]| [x, y, 0.0]).collect(), parts: vec![part] }
+    Carrier::new(track.into_iter().map(|[x, y]| [x, y, 0.0]).collect(), vec![part])
 }

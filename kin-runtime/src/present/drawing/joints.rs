@@ -95,15 +95,15 @@ fn massless(
     let (least, most) = lengths.fold((f64::INFINITY, 0.0_f64), |(low, high), x| (low.min(x), high.max(x)));
     let bar = |length: f64| Part::Bar { points: vec![[0.0; 2], [length, 0.0]], ink: Ink::Ground };
     if most - least <= 1e-6 * links.size() {
-        behind.push(Carrier { body: None, poses: along(&from, &to), parts: vec![bar(most)] });
+        behind.push(Carrier::new(along(&from, &to), vec![bar(most)]));
         return;
     }
     // The rod still reaches into the barrel at the greatest length, and does not come out of its end at the least.
     let barrel = (0.6 * most).min(0.9 * least);
     let rod = (most - 0.8 * barrel).min(least);
     let line = Part::Line { points: vec![[0.0; 2], [rod, 0.0]], ink: Ink::Ground, stroke: Stroke::Full, closed: false };
-    behind.push(Carrier { body: None, poses: along(&to, &from), parts: vec![line] });
-    behind.push(Carrier { body: None, poses: along(&from, &to), parts: vec![bar(barrel)] });
+    behind.push(Carrier::new(along(&to, &from), vec![line]));
+    behind.push(Carrier::new(along(&from, &to), vec![bar(barrel)]));
 }
 
 /// A wheel or blade that does not slip across its plane.
@@ -114,5 +114,5 @@ fn tread(subject: &Subject<'_>, joint: &JointInfo, links: &mut Links, front: &mu
         let [x, y] = subject.point(k, joint, Role::P)?;
         Some([x, y, subject.direction(k, joint)?])
     });
-    front.push(Carrier { body: None, poses: poses.collect(), parts: vec![Part::Tread] });
+    front.push(Carrier::new(poses.collect(), vec![Part::Tread]));
 }

@@ -156,16 +156,9 @@ mod tests {
 
     #[test]
     fn names_in_one_place_take_different_sides() {
-        let name = |text: &str| Carrier {
-            body: None,
-            poses: vec![[0.0; 3]],
-            parts: vec![Part::Name(text.to_owned(), Kind::Point)],
-        };
-        let bar = Carrier {
-            body: None,
-            poses: vec![[0.0; 3]],
-            parts: vec![Part::Bar { points: vec![[-1.0, -1.0], [1.0, 1.0]], ink: super::super::part::Ink::Ground }],
-        };
+        let name = |text: &str| Carrier::new(vec![[0.0; 3]], vec![Part::Name(text.to_owned(), Kind::Point)]);
+        let points = vec![[-1.0, -1.0], [1.0, 1.0]];
+        let bar = Carrier::new(vec![[0.0; 3]], vec![Part::Bar { points, ink: super::super::part::Ink::Ground }]);
         let mut scene = Scene::empty(vec![0.0]);
         scene.carriers = vec![bar, name("first"), name("second"), name("third")];
         let view = View::of([&scene]);

@@ -139,7 +139,7 @@ impl Links {
         let bodies = self.bodies.into_iter().enumerate();
         let carriers = bodies.map(|(place, body)| {
             let poses: Vec<Pose> = subject.instants().map(|k| subject.pose(k, Frame::Body(place))).collect();
-            Carrier { body: Some(place), poses, parts: body.shape(Ink::Body(place)) }
+            Carrier { body: Some(place), ..Carrier::new(poses, body.shape(Ink::Body(place))) }
         });
         let mut carriers: Vec<Carrier> = carriers.collect();
         carriers.sort_by(|a, b| b.reach().total_cmp(&a.reach()));

@@ -8,10 +8,12 @@
 //! ```text
 //! subject     poses and geometry of every instant, and where points stand
 //! links       the shapes of bodies        slides, wheels, outlines, paths    what joints look like
+//! arrows      forces and couples
 //! part        lines, bars, circles, …     palette, labels    colours, and where names stand
 //! view        from lengths to pixels      svg                the text
 //! ```
 
+mod arrows;
 mod carrier;
 mod joints;
 mod labels;
@@ -29,7 +31,8 @@ mod teeth;
 mod view;
 mod wheels;
 
+pub(crate) use carrier::Carrier;
 pub(crate) use scene::Scene;
 pub(crate) use subject::{Snapshot, Subject};
-pub(crate) use svg::{animated, escaped, still};
+pub(crate) use svg::{animated, escaped, force_scale, round_below, still};
 pub(crate) use view::View;

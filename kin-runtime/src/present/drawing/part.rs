@@ -11,6 +11,12 @@ pub(crate) enum Ink {
     Ground,
     /// Of a path, by the place of its point.
     Path(usize),
+    /// Of the forces of joints.
+    Reaction,
+    /// Of the efforts of drivers.
+    Effort,
+    /// Of the forces of loads.
+    Load,
 }
 
 impl Ink {
@@ -92,6 +98,17 @@ pub(crate) enum Part {
     Target([f64; 2]),
     /// The wheel of a rolling contact without slip across its plane, seen from above, along the x axis of its carrier.
     Tread,
+    /// The shaft of an arrow along the x axis; its length is that of the arrow of the largest force.
+    Shaft(f64, Ink),
+    /// The head of an arrow along the x axis, its tip at the origin.
+    Head(Ink),
+    /// A curved arrow around the origin, for a couple.
+    Turn {
+        /// Its sense.
+        clockwise: bool,
+        /// Its colour.
+        ink: Ink,
+    },
     /// A name, always upright.
     Name(String, Kind),
 }
@@ -134,7 +151,9 @@ impl Part {
                 let r = radius.abs();
                 [[x - r, y], [x + r, y], [x, y - r], [x, y + r]].into_iter().for_each(each);
             }
-            Self::Block(_) | Self::Tread | Self::Name(..) => each([0.0, 0.0]),
+            Self::Block(_) | Self::Tread | Self::Name(..) | Self::Shaft(..) | Self::Head(_) | Self::Turn { .. } => {
+                each([0.0, 0.0]);
+            }
         }
     }
 }

@@ -52,7 +52,7 @@ fn taut(from: &[[f64; 2]], to: &[[f64; 2]]) -> Vec<Carrier> {
                 [x + ahead * cos, y + ahead * sin, angle]
             })
             .collect();
-        Carrier { body: None, poses, parts: vec![line()] }
+        Carrier::new(poses, vec![line()])
     };
     numbers.map(carrier).collect()
 }

@@ -1,5 +1,6 @@
 //! A motion as carriers and their parts.
 
+use super::arrows::{Arrows, ForceScale};
 use super::carrier::Carrier;
 use super::links::Links;
 use super::palette::Palette;
@@ -17,13 +18,15 @@ pub(crate) struct Scene {
     pub(crate) carriers: Vec<Carrier>,
     /// The colours of its bodies and points.
     pub(super) palette: Palette,
+    /// The scale of forces, where they are shown.
+    pub(crate) forces: Option<ForceScale>,
 }
 
 impl Scene {
     /// A scene without carriers.
     #[cfg(test)]
     pub(super) fn empty(times: Vec<f64>) -> Self {
-        Self { times, carriers: Vec::new(), palette: Palette::default() }
+        Self { times, carriers: Vec::new(), palette: Palette::default(), forces: None }
     }
 
     /// The drawing of a motion.
@@ -38,14 +41,16 @@ impl Scene {
         let mut paths = paths::paths(subject, &mut links);
         paths.extend(subject.targets.iter().map(|&place| Part::Target(place)));
         let names = names(subject, &links);
+        let arrows = Arrows::new(subject, &links);
         let mut carriers = vec![ground(links.take_ground(), paths)];
         carriers.extend(behind);
         carriers.extend(links.into_carriers(subject));
         carriers.extend(front);
+        carriers.extend(arrows.carriers);
         carriers.extend(names);
         carriers.retain(|carrier| carrier.body.is_some() || !carrier.parts.is_empty());
         let times = subject.snapshots.iter().map(|snapshot| snapshot.t).collect();
-        Self { times, carriers, palette: Palette::of(model) }
+        Self { times, carriers, palette: Palette::of(model), forces: arrows.scale }
     }
 
     /// The pose of a carrier at an instant.
@@ -55,7 +60,7 @@ impl Scene {
 }
 
 fn ground(parts: Vec<Part>, paths: Vec<Part>) -> Carrier {
-    Carrier { body: None, poses: vec![[0.0; 3]], parts: paths.into_iter().chain(parts).collect() }
+    Carrier::new(vec![[0.0; 3]], paths.into_iter().chain(parts).collect())
 }
 
 /// A name, and its place at every instant.
@@ -118,5 +123,5 @@ fn together(names: &[&str]) -> String {
 }
 
 fn label(poses: Vec<Pose>, name: &str, kind: Kind) -> Carrier {
-    Carrier { body: None, poses, parts: vec![Part::Name(name.to_owned(), kind)] }
+    Carrier::new(poses, vec![Part::Name(name.to_owned(), kind)])
 }

@@ -33,7 +33,7 @@ pub(super) fn slide(subject: &Subject<'_>, joint: &JointInfo, links: &mut Links,
         let [x, y] = subject.point(k, joint, Role::Q)?;
         Some([x, y, subject.direction(k, joint)?])
     });
-    front.push(Carrier { body: None, poses: poses.collect(), parts: vec![Part::Block(ink)] });
+    front.push(Carrier::new(poses.collect(), vec![Part::Block(ink)]));
     let at = subject.track(joint, Role::Q);
     links.pin(joint.name, at.clone());
     // The point of a point-on-line joint can also turn: its block carries a pin.
@@ -62,7 +62,7 @@ pub(super) fn screw(subject: &Subject<'_>, joint: &JointInfo, links: &mut Links,
         let [x, y] = subject.point(k, joint, Role::Q)?;
         Some([x, y, subject.direction(k, joint)?])
     });
-    front.push(Carrier { body: None, poses: poses.collect(), parts: vec![Part::Block(Ink::of(j))] });
+    front.push(Carrier::new(poses.collect(), vec![Part::Block(Ink::of(j))]));
     links.pin(joint.name, subject.track(joint, Role::Q));
 }
 

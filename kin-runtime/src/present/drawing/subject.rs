@@ -1,6 +1,7 @@
 //! The input of a drawing: the poses and the geometry at every instant.
 
 use crate::evaluation::curve::CurvePoint;
+use crate::forces::{Forces, Load};
 use crate::model::{Frame, Geometry, JointInfo, Model, Role};
 
 /// The data of one instant.
@@ -18,6 +19,10 @@ pub(crate) struct Snapshot {
     pub(crate) velocities: Vec<[f64; 2]>,
     /// The geometry array: local points, axes, values and radii.
     pub(crate) geometry: Vec<f64>,
+    /// Forces, if they are shown and known.
+    pub(crate) forces: Option<Forces>,
+    /// The forces of loads, if they are shown.
+    pub(crate) loads: Vec<Load>,
 }
 
 /// Gives a point of a curve, for the index of the instant, that of the joint, and the argument.

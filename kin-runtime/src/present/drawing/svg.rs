@@ -1,15 +1,31 @@
 //! A scene as SVG: every part is written once, with animations that move it.
 
+use super::arrows::ForceScale;
 use super::carrier::Carrier;
 use super::labels::{self, Side};
 use super::palette::Palette;
 use super::part::{Ink, Kind, Part, Stroke};
 use super::scene::Scene;
 use super::view::{Pixels, View, short};
+use crate::present::number::rounded;
 use core::fmt::Write;
 
 /// Colour of the ground, of pins and of massless links.
 const GROUND: &str = "#4b5563";
+
+/// Colour of forces of joints.
+const REACTION: &str = "#dc2626";
+/// Colour of forces of drivers.
+const EFFORT: &str = "#7c3aed";
+/// Colour of loads.
+const LOAD: &str = "#0284c7";
+/// The head of an arrow, its tip at the origin.
+const HEAD: &str = "M0,0L-10,4L-8,0L-10,-4Z";
+/// The radius of the arrow of the largest couple.
+const TURN: f64 = 18.0;
+
+/// Largest length of the arrow that shows the scale of forces, relative to the picture.
+const SCALE: f64 = 0.2;
 
 /// Style of names.
 const STYLE: &str = "<style>.name{font:12px system-ui,sans-serif;paint-order:stroke;stroke:#fff;stroke-width:3px;\
@@ -34,8 +50,15 @@ pub(crate) fn still(scene: &Scene, view: &View) -> Still {
     Still { groups: groups.collect() }
 }
 
-/// An animated picture, which repeats the motion every `duration` seconds.
-pub(crate) fn animated(scene: &Scene, view: &View, title: &str, duration: f64, names: bool) -> String {
+/// An animated picture, which repeats the motion every `duration` seconds; `unit` is that of forces.
+pub(crate) fn animated(
+    scene: &Scene,
+    view: &View,
+    title: &str,
+    duration: f64,
+    names: bool,
+    unit: Option<&str>,
+) -> String {
     let [width, height] = view.size.map(short);
     let mut out = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" width=\"{width}\" \
@@ -50,30 +73,60 @@ pub(crate) fn animated(scene: &Scene, view: &View, title: &str, duration: f64, n
         let [x, y, angle] = view.pose(scene.pose(carrier, 0)).map(short);
         let _ = write!(out, "<g transform=\"translate({x},{y})\">");
         if moves(carrier) {
-            let place = |pose| {
-                let [x, y, _] = view.pose(pose).map(short);
+            let place = |k| {
+                let [x, y, _] = view.pose(scene.pose(carrier, k)).map(short);
                 format!("{x},{y}")
             };
-            out.push_str(&animation("translate", scene, carrier, duration, &place));
+            out.push_str(&animation("translate", scene, duration, &place));
         }
         let _ = write!(out, "<g transform=\"rotate({angle})\">");
         if turns(carrier) {
-            out.push_str(&animation("rotate", scene, carrier, duration, &|pose| short(view.pose(pose)[2]).to_string()));
+            let turned = |k| short(view.pose(scene.pose(carrier, k))[2]).to_string();
+            out.push_str(&animation("rotate", scene, duration, &turned));
         }
-        let _ = writeln!(out, "{group}</g></g>");
+        let Some(size) = carrier.sizes.first() else {
+            let _ = writeln!(out, "{group}</g></g>");
+            continue;
+        };
+        let grows = animation("scale", scene, duration, &|k| exact(carrier.size(k)));
+        let _ = writeln!(out, "<g transform=\"scale({})\">{grows}{group}</g></g></g>", exact(*size));
+    }
+    if let Some(scale) = &scene.forces {
+        out.push_str(&force_scale(view, scale, unit));
     }
     out.push_str("</svg>\n");
     out
 }
 
-fn animation(
-    kind: &str,
-    scene: &Scene,
-    carrier: &Carrier,
-    duration: f64,
-    value: &dyn Fn([f64; 3]) -> String,
-) -> String {
-    let values: Vec<String> = (0..scene.times.len()).map(|k| value(scene.pose(carrier, k))).collect();
+/// A number without a unit, such as a share of the largest force.
+fn exact(x: f64) -> String {
+    ((x * 1e4).round() / 1e4).to_string()
+}
+
+/// An arrow that is as long as a force of 1, 2 or 5 times a power of ten, in the lower right corner.
+pub(crate) fn force_scale(view: &View, scale: &ForceScale, unit: Option<&str>) -> String {
+    let by_force = scale.length / scale.largest * view.scale;
+    let force = round_below((SCALE * view.size[0] / by_force).min(scale.largest));
+    let (long, [right, low]) = (force * by_force, view.size.map(|size| size.round() - 10.0));
+    let [from, text] = [right - long, low - 6.0].map(short);
+    let shaft = short(right - 5.0);
+    let label = format!("{}{}{}", rounded(force), if unit.is_some() { " " } else { "" }, escaped(unit.unwrap_or("")));
+    format!(
+        "<g class=\"force\"><path d=\"M{from},{low}H{shaft}\" stroke=\"{REACTION}\" stroke-width=\"2.5\"/>\
+         <path d=\"{HEAD}\" transform=\"translate({right},{low})\" fill=\"{REACTION}\"/><text x=\"{right}\" y=\"{text}\" \
+         text-anchor=\"end\" style=\"font:11px system-ui,sans-serif;fill:#1f2937\">{label}</text></g>\n"
+    )
+}
+
+/// 1, 2 or 5 times a power of ten, at most so much.
+pub(crate) fn round_below(most: f64) -> f64 {
+    let power = 10_f64.powf(most.log10().floor());
+    [5.0, 2.0, 1.0].into_iter().map(|digit| digit * power).find(|value| *value <= most).unwrap_or(power)
+}
+
+/// A transformation with its value at every instant.
+fn animation(kind: &str, scene: &Scene, duration: f64, value: &dyn Fn(usize) -> String) -> String {
+    let values: Vec<String> = (0..scene.times.len()).map(value).collect();
     let (first, last) = (scene.times.first().copied().unwrap_or(0.0), scene.times.last().copied().unwrap_or(1.0));
     let times: Vec<f64> = scene.times.iter().map(|t| ((t - first) / (last - first) * 1e5).round() / 1e5).collect();
     // SVG animations assume equal steps of time.
@@ -112,6 +165,9 @@ impl Pen<'_> {
             Ink::Body(body) => self.palette.body(body),
             Ink::Ground => GROUND,
             Ink::Path(point) => self.palette.point(point),
+            Ink::Reaction => REACTION,
+            Ink::Effort => EFFORT,
+            Ink::Load => LOAD,
         }
     }
 
@@ -204,6 +260,29 @@ impl Pen<'_> {
                 let (w, h) = (short(4.0 * s), short(1.4 * s));
                 let (x, y) = (short(-2.0 * s), short(-0.7 * s));
                 write!(out, "<rect x=\"{x}\" y=\"{y}\" width=\"{w}\" height=\"{h}\" rx=\"3\" fill=\"{GROUND}\"/>")
+            }
+            Part::Shaft(length, own) => {
+                let (c, l) = (self.ink(*own), short(length * view.scale));
+                write!(
+                    out,
+                    "<path d=\"M0,0H{l}\" stroke=\"{c}\" stroke-width=\"2.5\" vector-effect=\"non-scaling-stroke\" \
+                 class=\"force\"/>"
+                )
+            }
+            Part::Head(own) => write!(out, "<path d=\"{HEAD}\" fill=\"{}\" class=\"force\"/>", self.ink(*own)),
+            Part::Turn { clockwise, ink: own } => {
+                // Three quarters around, from the right; y points down.
+                let (c, r, up) = (self.ink(*own), TURN, if *clockwise { 1.0 } else { -1.0 });
+                let (sweep, y) = (u8::from(*clockwise), -up * r);
+                let head = 6.0 * up;
+                write!(
+                    out,
+                    "<path d=\"M{r},0A{r},{r} 0 1 {sweep} 0,{y}\" fill=\"none\" stroke=\"{c}\" stroke-width=\"2.5\" \
+                 vector-effect=\"non-scaling-stroke\" class=\"force\"/>\
+                 <path d=\"M9,{y}L-1,{}V{}Z\" fill=\"{c}\" class=\"force\"/>",
+                    y - head,
+                    y + head
+                )
             }
             Part::Name(name, kind) => {
                 let class = match kind {

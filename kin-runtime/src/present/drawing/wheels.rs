@@ -132,7 +132,7 @@ pub(super) fn belt(subject: &Subject<'_>, joint: &JointInfo, links: &mut Links, 
         stroke: Stroke::Full,
         closed: false,
     };
-    behind.push(Carrier { body: None, poses: poses.collect(), parts: vec![strand(1.0), strand(-1.0)] });
+    behind.push(Carrier::new(poses.collect(), vec![strand(1.0), strand(-1.0)]));
 }
 
 /// A pinion and the teeth of its rack, as long as the travel of the rack.

@@ -1,10 +1,11 @@
-//! The derivation for people: joint by joint, each with its own equation first, then its rows of Φ, Φ_q, Φ_t and γ.
+//! The derivation for people: joint by joint, each with its own equation first, then its rows of Φ, Φ_q, Φ_t and γ; with
+//! masses or loads the equations of motion.
 //!
 //! The formulas are those from which the code was generated, as the tables of the mechanism hold them; kin-core writes
 //! them.
 
 use crate::model::{EquationText, Frame, JointInfo, Level, LineText, Model, Role, StepText};
-use kin_core::sheet::{Joint, Line, Row, Sheet, Shown, Step};
+use kin_core::sheet::{Dynamics, Joint, Line, Row, Sheet, Shown, Step};
 use kin_core::vectors::NamedJoint;
 
 /// The part of a sheet that is asked for.
@@ -28,14 +29,20 @@ pub(crate) fn sheet(model: &Model, chosen: &[usize], part: Part) -> Sheet {
         part != Part::Rows && (chosen.is_empty() || own.iter().any(|joint| chosen.contains(joint)))
     };
     let unsolved = if part == Part::Rows { None } else { model.plan.absent };
+    let whole = chosen.is_empty() && part != Part::Solution;
+    let coordinates: Vec<String> = model.coordinates.iter().map(|coordinate| coordinate.name.to_owned()).collect();
+    let dynamics = model.forces.filter(|forces| whole && !forces.generalized.is_empty()).map(|forces| {
+        Dynamics::new(&coordinates, forces.mass_matrix.iter().copied(), forces.generalized.iter().copied())
+    });
     Sheet {
         name: model.name.to_owned(),
         doc: model.doc.to_owned(),
-        coordinates: model.coordinates.iter().map(|coordinate| coordinate.name.to_owned()).collect(),
+        coordinates,
         joints: joints.map(|(_, of)| joint(model, of)).collect(),
-        whole: chosen.is_empty() && part != Part::Solution,
+        whole,
         steps: model.solution.iter().filter(takes_part).map(step).collect(),
         unsolved: unsolved.unwrap_or_default().to_owned(),
+        dynamics,
     }
 }
 

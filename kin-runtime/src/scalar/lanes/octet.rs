@@ -24,12 +24,6 @@ impl Octet {
         self.0[number]
     }
 
-    /// Puts a group of lanes in its place.
-    #[inline(always)]
-    pub(crate) const fn set_group(&mut self, number: usize, lanes: Lanes) {
-        self.0[number] = lanes;
-    }
-
     #[inline(always)]
     fn both(self, f: impl Fn(Lanes) -> Lanes) -> Self {
         Self([f(self.0[0]), f(self.0[1])])
