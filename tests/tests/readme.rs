@@ -119,11 +119,6 @@ fn without_head(source: &str) -> &str {
     source[head..].trim_start()
 }
 
-/// The listing without the lines that rustdoc hides.
-fn without_hidden(listing: &str) -> String {
-    listing.split_inclusive('\n').filter(|line| !line.starts_with("# ")).collect()
-}
-
 /// Asserts that the error shown on a page is the compiler's for the page's listing with `crnk` in place of `crank`.
 #[track_caller]
 fn shows_the_mistake(page: &str, listing: &str) {

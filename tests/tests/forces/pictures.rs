@@ -86,7 +86,7 @@ fn arrows_are_the_forces() {
                 let shaft = (share - 0.03 * (share / 0.1).min(1.0)).max(0.0);
                 // Pictures turn clockwise.
                 let off = (pair[0][2][k].to_radians() + force[1].atan2(force[0])).rem_euclid(std::f64::consts::TAU);
-                let turned = off < 1e-3 || off > std::f64::consts::TAU - 1e-3;
+                let turned = off.min(std::f64::consts::TAU - off) < 1e-3;
                 turned && (pair[0][3][k] - shaft).abs() < 1e-3
             })
         };

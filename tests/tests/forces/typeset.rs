@@ -50,12 +50,12 @@ fn m_and_q_are_the_code<M: Mechanism + Default>() {
         };
         for j in 0..n {
             let mut sum = value(&format!("Q_{{{}}}", names[j])).unwrap_or(Value::of(0.0));
-            for k in 0..n {
+            for (k, q_ddot) in q_ddot.iter().enumerate() {
                 let [low, high] = [j.min(k), j.max(k)];
                 if let Some(entry) = value(&format!("M_{{{},\\,{}}}", names[low], names[high])) {
                     entries += 1;
-                    sum.value -= entry.value * q_ddot[k];
-                    sum.size = sum.size.max(entry.size * q_ddot[k].abs());
+                    sum.value -= entry.value * q_ddot;
+                    sum.size = sum.size.max(entry.size * q_ddot.abs());
                 }
             }
             let size = sum.size.max(r[j].abs()).max(1.0);

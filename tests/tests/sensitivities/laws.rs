@@ -86,7 +86,8 @@ fn are_derivatives<M: Kinematics + Default>(from: f64, to: f64) {
             let mut second = lists([&by_rows.q, &by_rows.q_dot, &by_rows.q_ddot], &by_rows.points);
             second.push(by_rows.forces.as_ref().map_or(Vec::new(), force_numbers));
             let slopes = || derived_by.iter().map(|by| vec![by[index]]);
-            (exact.extend(slopes()), second.extend(slopes()));
+            exact.extend(slopes());
+            second.extend(slopes());
             differences.at(format_args!("{} at t = {t}, by {}", M::model().name, by.parameter));
             for (list, (exact, second)) in exact.iter().zip(&second).enumerate() {
                 let [a, b, c, d] = samples.each_ref().map(|sample| &sample[list]);
