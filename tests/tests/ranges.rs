@@ -277,3 +277,58 @@ fn a_3rrr_robot_closes_as_long_as_all_of_its_legs_reach() {
         (0..3).map(leg).product()
     });
 }
+
+/// A boom on a cylinder between 0.5 and 1.5.
+#[mechanism]
+#[bodies(boom)]
+#[input(length, default = 1)]
+#[revolute(pin: ground @ (0, 0), boom @ (0, 0))]
+#[driver(lift: distance(ground @ (0, -0.5), boom @ (1, 0)) = length)]
+#[guess(boom.phi = 0.3)]
+struct Boom;
+
+#[test]
+fn inputs_go_on_with_constant_acceleration() {
+    let inputs = [Signal::new(1.0, 0.1, 0.02)];
+    let all = Boom.solver().ranges(&Instant { t: 2.0, inputs: &inputs }, 12.0).unwrap();
+    // 0.1 dt + 0.01 dt² = 0.5.
+    let end = 2.0 + (0.03_f64.sqrt() - 0.1) / 0.02;
+    assert!(all.is_complete() && all.ranges.len() == 2 && all.limits.len() == 2, "{all}");
+    assert!(all.ranges.iter().all(|range| range.from == 2.0 && (range.to - end).abs() < 1e-8), "{all}");
+    assert!(all.limits.iter().all(|limit| limit.t.contains(end) && limit.kind == Some(LimitKind::DeadCentre)), "{all}");
+    let course = |t: f64, u: &mut [Signal]| u[0] = inputs[0].after(t - 2.0);
+    let ended = Boom.solver().with_inputs(&course).sweep(&[2.0, 12.0]).unwrap_err();
+    assert!(ended.source.limit().and_then(|limit| limit.at()).is_some_and(|t| (t - end).abs() < 1e-8), "{ended}");
+}
+
+/// Three cranks of equal length under one platform: a row is redundant as long as the third is as long as the others.
+#[mechanism(allow_redundant)]
+#[bodies(left, middle, right, platform)]
+#[revolute(A: ground @ (0, 0), left @ (0, 0))]
+#[revolute(B: ground @ (0.5, 0), middle @ (0, 0))]
+#[revolute(C: ground @ (1, 0), right @ (0, 0))]
+#[revolute(D: left @ (0.3, 0), platform @ (0, 0))]
+#[revolute(E: middle @ (third, 0), platform @ (0.5, 0))]
+#[revolute(F: right @ (0.3, 0), platform @ (1, 0))]
+#[driver(drive: left.phi = 1 + t)]
+#[guess(middle.phi = 1, right.phi = 1)]
+struct Cranks {
+    #[param(0.3)]
+    third: f64,
+}
+
+#[test]
+fn redundant_rows_are_not_passed_over() {
+    let refused = |third| match (Cranks { third }).solver().ranges(&Instant::at(0.0), 1.0) {
+        Err(SolveError::NotCertified { why, .. }) => why,
+        other => panic!("{other:?}"),
+    };
+    assert!(matches!(refused(0.3), Uncertified::Redundant { row: "E.x" | "E.y" | "F.x" | "F.y" }), "{}", refused(0.3));
+    assert!(matches!(refused(0.31), Uncertified::Redundant { .. }));
+    // The antiparallelogram violates the third crank, which is proven; so does every mode of other lengths.
+    let all = Cranks { third: 0.3 }.solver().assemblies(&Instant::at(0.0)).unwrap();
+    assert!(all.undecided.is_empty() && all.found.len() == 1, "{all:?}");
+    assert!((all.found[0].q[2] - 1.0).abs() < 1e-9 && (all.found[0].q[5] - 1.0).abs() < 1e-9, "{all:?}");
+    let none = Cranks { third: 0.31 }.solver().assemblies(&Instant::at(0.0)).unwrap();
+    assert!(none.is_complete() && none.found.is_empty(), "{none:?}");
+}

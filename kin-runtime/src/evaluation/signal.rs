@@ -59,11 +59,12 @@ impl<T> Signal<T> {
     }
 }
 
-impl Signal {
+impl<T: Scalar> Signal<T> {
     /// The signal a time `dt` later, with constant acceleration: u + dt u̇ + ½ dt² ü, u̇ + dt ü.
-    pub fn after(self, dt: f64) -> Self {
+    pub fn after(self, dt: T) -> Self {
         let Self { value, rate, acceleration } = self;
-        Self { value: value + dt * (rate + 0.5 * dt * acceleration), rate: rate + dt * acceleration, acceleration }
+        let half = T::from_f64(0.5) * dt * acceleration;
+        Self { value: value + dt * (rate + half), rate: rate + dt * acceleration, acceleration }
     }
 }
 

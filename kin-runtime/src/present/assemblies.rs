@@ -63,7 +63,8 @@ pub(crate) fn text(model: &Model, all: &Assemblies) -> String {
             table.numbers(&number(k), assembly.q.iter().copied())
         });
     let found = match all.found.len() {
-        0 => "\nIt does not close.\n".to_owned(),
+        0 if all.undecided.is_empty() => "\nIt does not close.\n".to_owned(),
+        0 => "\nIt is undecided whether it closes.\n".to_owned(),
         k => format!("\nIt closes in {}.\n", count(k, "way")),
     };
     let searched = Table::new()

@@ -77,7 +77,11 @@ pub(crate) fn text(model: &Model, [from, to]: [f64; 2], all: &Ranges) -> String 
         .words("drivers", all.limits.iter().map(drivers))
         .words("modes", all.limits.iter().map(RangeLimit::name))
         .words("proven", all.limits.iter().map(|limit| if limit.proven { "yes" } else { "no" }));
-    let nothing = if all.ranges.is_empty() { "\nIt closes nowhere.\n" } else { "" };
+    let nothing = match (all.ranges.is_empty(), all.is_complete()) {
+        (false, _) => "",
+        (true, true) => "\nIt closes nowhere.\n",
+        (true, false) => "\nIt is nowhere proven to close, and undecided near the limits below.\n",
+    };
     let heading = format!("{} from t = {} to t = {}\n{nothing}", model.name, plain(from), plain(to));
     [heading, section("Ranges", &ranges), section("Limits", &limits)].concat()
 }

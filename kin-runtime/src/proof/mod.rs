@@ -23,7 +23,7 @@ mod search;
 mod signs;
 mod winding;
 
-pub(crate) use enclosures::OverBoxes;
+pub(crate) use enclosures::{Enclosures, OverBoxes};
 pub(crate) use krawczyk::{Square, certify};
 pub(crate) use scan::{Seen, Stretch, refined, stretches};
 pub(crate) use search::{Outcome, search};

@@ -19,6 +19,8 @@ pub(crate) enum Closing {
         /// True if its interval is negative.
         excluded: bool,
     },
+    /// It is proven that the only solution of the plan violates rows that the plan leaves out.
+    Violated,
 }
 
 /// The closures, and what is undecided.
@@ -42,6 +44,7 @@ pub(crate) fn combinations(model: &'static Model, solve: &mut dyn FnMut(&[f64]) 
                 closed.push(solution);
                 count
             }
+            Closing::Violated => count,
             Closing::Open { margin, excluded } => {
                 let step = plan.step_of_margin(margin).unwrap_or(plan.steps.len());
                 let decisive = plan.modes.iter().filter(|mode| mode.step <= step).count();

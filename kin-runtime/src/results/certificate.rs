@@ -96,6 +96,12 @@ pub enum Uncertified {
         /// The joints of the first such group.
         joints: Vec<&'static str>,
     },
+    /// The plan leaves out a redundant row, which holds only for some dimensions and modes. No enclosure along t can prove
+    /// that it holds.
+    Redundant {
+        /// The first such row.
+        row: &'static str,
+    },
     /// There is no plan to enclose.
     NoPlan {
         /// The reason.
@@ -142,6 +148,10 @@ impl fmt::Display for Uncertified {
                      one motion",
                 )
             }
+            Self::Redundant { row } => write!(
+                f,
+                "row {row} is redundant, and it cannot be proven along t that it holds; `sweep` checks it at every instant"
+            ),
             Self::NoPlan { why } => write!(f, "there is no plan, because {why}"),
             Self::TooManyModes { modes, most } => {
                 write!(f, "there are {modes} assembly modes, and the combinations of at most {most} are gone through")

@@ -9,9 +9,9 @@ use crate::error::SolveError;
 use crate::mechanism::Mechanism;
 use crate::model::{Component, CoordinateKind};
 use crate::plan::{Depth, Plan, Solved, StepKind};
-use crate::proof::{Closing, Outcome, OverBoxes, Seen, certify, combinations, search};
+use crate::proof::{Closing, Enclosures, Outcome, OverBoxes, Seen, certify, combinations, search};
 use crate::scalar::Interval;
-use crate::workspace::{Array, Instant};
+use crate::workspace::{Array, Instant, Subset};
 
 /// Half the width of the search for lengths that no row determines, relative to the size of the mechanism.
 const REACH: f64 = 16.0;
@@ -107,13 +107,28 @@ impl<M: Mechanism> Solver<'_, M> {
         // NaN is not positive either.
         let is_good = |margin: &f64| *margin > Plan::SMALLEST_MARGIN;
         match margins.iter().position(|margin| !is_good(margin)) {
+            None if self.violates(at, signs, start) => Closing::Violated,
             None if done.is_ok() => Closing::Closed([q, q_dot, q_ddot].map(|list| list.as_ref().to_vec())),
             None => Closing::Open { margin: 0, excluded: false },
             Some(margin) => {
-                let seen = self.look([at.t, at.t], at.inputs, signs, start);
+                let seen = self.look([at.t, at.t], at, signs, start);
                 Closing::Open { margin, excluded: matches!(seen, Seen::Open(_)) }
             }
         }
+    }
+
+    /// True if it is proven that the only configuration that the plan has with these signs violates a row that the plan leaves
+    /// out as redundant. An antiparallelogram violates the third crank of a parallelogram, for example.
+    fn violates(&self, at: &Instant<'_>, signs: &[f64], start: &[f64]) -> bool {
+        let watched: Vec<usize> = M::model().plan.watched().collect();
+        if watched.is_empty() {
+            return false;
+        }
+        let Some([q, _]) = self.enclosed([at.t, at.t], at, signs, start) else { return false };
+        let rest = vec![Interval::from(0.0); M::COORDINATES];
+        let mut boxes = OverBoxes::new(self.mechanism, at);
+        let Ok(rows) = boxes.evaluate(Subset::PHI, &q, &rest) else { return false };
+        watched.iter().any(|&row| rows.phi.get(row).is_some_and(|phi| phi.is_defined() && !phi.contains(0.0)))
     }
 
     /// q near a configuration, with its q̇ and q̈.

@@ -22,8 +22,8 @@ const BEFORE: f64 = 1e-2;
 
 impl<M: Mechanism> Solver<'_, M> {
     /// Where the mechanism closes between the time of an instant and another, in every combination of its modes, and the
-    /// limits at which that ends: dead centres, which come with the joints that are in line, and branch points. Inputs stay
-    /// what they are.
+    /// limits at which that ends: dead centres, which come with the joints that are in line, and branch points. Inputs go
+    /// on from the instant with constant acceleration ([`Signal::after`]), as those of a sweep from the command line do.
     ///
     /// The plan is evaluated over intervals of t. Where all its margins are positive on an interval the mechanism closes on
     /// all of it, where one is negative it closes nowhere; what is neither is halved. So ranges are proven, and limits are
@@ -71,7 +71,7 @@ impl<M: Mechanism> Solver<'_, M> {
         for code in 0..1_usize << plan.modes.len() {
             let signs: Vec<f64> =
                 (0..plan.modes.len()).map(|place| if code >> place & 1 == 0 { 1.0 } else { -1.0 }).collect();
-            let look = &mut |a: f64, b: f64| self.look([a, b], from.inputs, &signs, &guess);
+            let look = &mut |a: f64, b: f64| self.look([a, b], from, &signs, &guess);
             let found = stretches(way, narrowest[0], MOST[0], look);
             let found = refined(&found, narrowest, MOST[1], look);
             for (place, stretch) in found.iter().enumerate() {
@@ -80,7 +80,7 @@ impl<M: Mechanism> Solver<'_, M> {
                     Seen::Open(_) => {}
                     Seen::Unknown(margin) => {
                         let neighbours = [place.checked_sub(1).map(|k| found[k]), found.get(place + 1).copied()];
-                        all.limits.push(self.limit(from.inputs, &signs, margin, *stretch, neighbours));
+                        all.limits.push(self.limit(from, &signs, margin, *stretch, neighbours));
                     }
                 }
             }
@@ -99,17 +99,39 @@ impl<M: Mechanism> Solver<'_, M> {
             let joints = Step::new(model, place).map_or_else(Vec::new, |step| step.joints().collect());
             return Some(Uncertified::NoClosedForm { joints });
         }
+        if let Some(row) = plan.watched().next() {
+            return Some(Uncertified::Redundant { row: model.rows.get(row).map_or("", |row| row.name) });
+        }
         let modes = plan.modes.len();
         (modes > MODES).then_some(Uncertified::TooManyModes { modes, most: MODES })
     }
 
-    /// What the plan says of an interval of t, in the modes with these signs.
-    pub(super) fn look(&self, [from, to]: [f64; 2], inputs: &[Signal], signs: &[f64], guess: &[f64]) -> Seen {
+    /// What the plan says of an interval of t, in the modes with these signs. Inputs go on from the instant `start`.
+    pub(super) fn look(&self, way: [f64; 2], start: &Instant<'_>, signs: &[f64], guess: &[f64]) -> Seen {
+        let Some([_, margins]) = self.enclosed(way, start, signs, guess) else { return Seen::Unknown(0) };
+        let first = margins.iter().position(|margin| margin.lower() <= Plan::SMALLEST_MARGIN || !margin.is_defined());
+        match first {
+            None => Seen::Closed,
+            Some(margin) if margins[margin].upper() < 0.0 => Seen::Open(margin),
+            Some(margin) => Seen::Unknown(margin),
+        }
+    }
+
+    /// q and the margins over an interval of t, by the plan with these signs.
+    pub(super) fn enclosed(
+        &self,
+        [from, to]: [f64; 2],
+        start: &Instant<'_>,
+        signs: &[f64],
+        guess: &[f64],
+    ) -> Option<[Vec<Interval>; 2]> {
         let middle = 0.5 * from + 0.5 * to;
+        let since = Winding(Interval::new(from, to)) - Winding(Interval::from(start.t));
+        let later = |u: &Signal| u.map(|x| Winding(Interval::from(x))).after(since);
+        let inputs: Vec<Signal<Winding>> = start.inputs.iter().map(later).collect();
         // Angles are those nearest to the configuration in the middle, as far as it exists.
-        let start = self.near_by_plan(middle, inputs, signs, guess);
+        let near = self.near_by_plan(middle, start, signs, guess);
         let interval = |list: &[f64]| list.iter().map(|&x| Winding(Interval::from(x))).collect::<Vec<_>>();
-        let inputs: Vec<Signal<Winding>> = inputs.iter().map(|u| u.map(|x| Winding(Interval::from(x)))).collect();
         let at = Instant { t: Winding(Interval::new(from, to)), inputs: &inputs };
         let all = Winding(Interval::ENTIRE);
         let mut lists: [Vec<Winding>; 3] = std::array::from_fn(|_| vec![all; M::COORDINATES]);
@@ -117,28 +139,21 @@ impl<M: Mechanism> Solver<'_, M> {
         let [q, q_dot, q_ddot] = &mut lists;
         let solved = Solved { q, q_dot, q_ddot, margins: &mut margins };
         let parameters = self.mechanism.parameters::<Winding>();
-        let (signs, start) = (interval(signs), interval(&start));
-        let done = self.mechanism.solve_with(parameters.as_ref(), &at, &signs, &start, Depth::Position, solved);
-        if done.is_err() {
-            return Seen::Unknown(0);
-        }
-        let first =
-            margins.iter().position(|margin| margin.0.lower() <= Plan::SMALLEST_MARGIN || !margin.0.is_defined());
-        match first {
-            None => Seen::Closed,
-            Some(margin) if margins[margin].0.upper() < 0.0 => Seen::Open(margin),
-            Some(margin) => Seen::Unknown(margin),
-        }
+        let (signs, near) = (interval(signs), interval(&near));
+        self.mechanism.solve_with(parameters.as_ref(), &at, &signs, &near, Depth::Position, solved).ok()?;
+        let [q, ..] = lists;
+        Some([q, margins].map(|list| list.into_iter().map(|x| x.0).collect()))
     }
 
     /// q by the plan, with the guess where it has none.
-    fn near_by_plan(&self, t: f64, inputs: &[Signal], signs: &[f64], guess: &[f64]) -> Vec<f64> {
+    fn near_by_plan(&self, t: f64, start: &Instant<'_>, signs: &[f64], guess: &[f64]) -> Vec<f64> {
         let zeros = || M::Coordinates::<f64>::filled(0.0);
         let ([mut q, mut q_dot, mut q_ddot], mut margins) =
             ([zeros(), zeros(), zeros()], vec![0.0; M::model().plan.margins]);
         let solved = Solved { q: q.as_mut(), q_dot: q_dot.as_mut(), q_ddot: q_ddot.as_mut(), margins: &mut margins };
         let parameters = self.mechanism.parameters::<f64>();
-        let at = Instant { t, inputs };
+        let inputs: Vec<Signal> = start.inputs.iter().map(|u| u.after(t - start.t)).collect();
+        let at = Instant { t, inputs: &inputs };
         let done = self.mechanism.solve_with(parameters.as_ref(), &at, signs, guess, Depth::Position, solved);
         let found = q.as_ref().iter().zip(guess).map(|(&x, &guess)| if x.is_finite() { x } else { guess });
         if done.is_ok() { found.collect() } else { guess.to_vec() }
@@ -148,7 +163,7 @@ impl<M: Mechanism> Solver<'_, M> {
     /// it from a neighbour in which the mechanism closes.
     fn limit(
         &self,
-        inputs: &[Signal],
+        start: &Instant<'_>,
         signs: &[f64],
         margin: usize,
         stretch: Stretch,
@@ -165,7 +180,7 @@ impl<M: Mechanism> Solver<'_, M> {
             }
             (None, None) => (stretch.from, stretch.from),
         };
-        let (limit, q) = self.approached(inputs, signs, [inside, beyond]);
+        let (limit, q) = self.approached(start, signs, [inside, beyond]);
         let within = |limit: &Limit| {
             let slack = 1e-6 * (1.0 + stretch.to.abs());
             limit.at().is_some_and(|at| at >= stretch.from - slack && at <= stretch.to + slack)
@@ -178,11 +193,13 @@ impl<M: Mechanism> Solver<'_, M> {
     }
 
     /// The limit that ends a motion in these modes, and the configuration there.
-    fn approached(&self, inputs: &[Signal], signs: &[f64], way: [f64; 2]) -> (Option<Limit>, Vec<f64>) {
-        let still = |_: f64, out: &mut [Signal]| out.copy_from_slice(inputs);
+    fn approached(&self, start: &Instant<'_>, signs: &[f64], way: [f64; 2]) -> (Option<Limit>, Vec<f64>) {
+        let later = |t: f64, out: &mut [Signal]| {
+            out.iter_mut().zip(start.inputs).for_each(|(out, u)| *out = u.after(t - start.t));
+        };
         let modes = signs.iter().enumerate().filter_map(|(place, &sign)| Some((place, Sign::of(sign)?)));
         let guesses = self.guesses.iter();
-        let solver = Solver::new(self.mechanism).with_options(self.options).with_inputs(&still);
+        let solver = Solver::new(self.mechanism).with_options(self.options).with_inputs(&later);
         let solver = guesses.fold(solver, |solver, &(place, guess)| solver.with_guess(place, guess));
         let solver = modes.fold(solver, |solver, (place, sign)| solver.with_mode(place, sign));
         match solver.sweep(&way) {
