@@ -136,6 +136,10 @@ fn several_broken_sensors_do_not_hide_one_another() {
     let mut inputs: Vec<Signal> = signals::<MeasuredExcavator>(0.0);
     inputs[MeasuredExcavator::stick_length.0] = Signal::constant(0.2);
     inputs[MeasuredExcavator::bucket_length.0] = Signal::constant(5.0);
+    // The one that is farthest from where the guess closes comes first, the other when that one is mended.
+    let why = excavator.solver().out_of_range(&Instant { t: 0.0, inputs: &inputs }).expect("an input is to blame");
+    assert_eq!((why.range.input, why.value), ("bucket_length", 5.0));
+    inputs[MeasuredExcavator::bucket_length.0] = signals::<MeasuredExcavator>(0.0)[MeasuredExcavator::bucket_length.0];
     let why = excavator.solver().out_of_range(&Instant { t: 0.0, inputs: &inputs }).expect("an input is to blame");
     assert_eq!((why.range.input, why.value), ("stick_length", 0.2));
     assert!((why.range.greatest - (1.6_f64.hypot(0.6) + 0.6_f64.hypot(0.15))).abs() < 1e-9, "{why}");

@@ -38,7 +38,7 @@ pub(super) struct AnimateArgs {
     /// Show names in a picture; a page has a switch for them
     #[arg(long)]
     names: bool,
-    /// Places that a point is to pass, drawn as crosses: csv with the columns x,y or t,x,y
+    /// Places that a point is to pass, drawn as crosses: csv with x,y or t,x,y
     #[arg(long, value_name = "FILE")]
     targets: Option<String>,
     /// Show forces of joints, drivers and loads as arrows

@@ -3,20 +3,27 @@
 use super::engine::{Engine, Setup};
 use super::examples::{Help, Names};
 use super::failure::{Failure, Ledger, zip3};
-use super::instants::natural_end;
+use super::instants::{natural_end, turn_of};
 use super::number::Measured;
 use super::options::SetupArgs;
 use super::output::{Form, OutputArgs};
-use super::places::columns;
+use super::places::{PLACES, columns};
 use super::session::Session;
 use super::trial::quoted;
 use super::values;
 use super::wishes::{Wish, Wishes};
 use crate::design::{DesignError, Designed, Direction, Search, Shortest};
-use crate::model::Model;
+use crate::measure::Measure;
+use crate::model::{Model, Units};
 use crate::present::json::to_json;
+use crate::present::number::rounded;
+use crate::present::table::Table;
+use crate::present::text::section;
 use crate::serial::Named;
 use std::collections::BTreeMap;
+
+/// How near to a bound a parameter is at it, relative to its range.
+const AT_BOUND: f64 = 1e-6;
 
 /// Dimensions with which it does what is wanted
 #[derive(Clone, Debug, clap::Args)]
@@ -36,12 +43,15 @@ pub(super) struct DesignArgs {
     /// A quantity over time: NAME=FILE, csv with the columns t,value
     #[arg(long, value_name = "NAME=FILE")]
     function: Vec<String>,
-    /// It moves on through all of a turn, far enough from dead centres
-    #[arg(long)]
-    turns: bool,
-    /// Lengths of a four-bar whose shortest one turns: GROUND,CRANK,COUPLER,ROCKER
+    /// It moves on through all of a turn [of this driver], away from dead centres by 1 % of the links
+    #[arg(long, value_name = "DRIVER", num_args = 0..=1, default_missing_value = "")]
+    turns: Option<String>,
+    /// Lengths of a four-bar by Grashof's rule: GROUND,CRANK,COUPLER,ROCKER
     #[arg(long, value_name = "LENGTHS")]
     grashof: Option<String>,
+    /// The shortest of these: ground, crank, coupler or rocker
+    #[arg(long, value_name = "LINK", default_value = "crank", requires = "grashof")]
+    shortest: String,
     /// A quantity stays within a range over all of a turn: NAME=LOW..HIGH
     #[arg(long, value_name = "NAME=LOW..HIGH")]
     range: Vec<String>,
@@ -112,7 +122,15 @@ pub(super) fn run(args: &DesignArgs, engine: &mut dyn Engine, session: &mut Sess
     let setup = ledger.take(args.setup.apply_complete(engine));
     let all = ledger.take(wishes(args, &*engine));
     let (output, setup, all) = ledger.close(zip3(output, setup, all))?;
-    let period = args.period.unwrap_or_else(|| natural_end(&*engine, &setup, 0.0));
+    let period = match (args.period, args.turns.as_deref().filter(|driver| !driver.is_empty())) {
+        (Some(period), _) => period,
+        (None, None) => natural_end(&*engine, &setup, 0.0),
+        (None, Some(driver)) => turn_of(&*engine, &setup, driver).ok_or_else(|| {
+            let what = format!("`{driver}` drives no angle at constant speed; say how long a turn takes by --period");
+            Failure::option("--turns", what)
+        })?,
+    };
+    let bounds: Vec<(String, [f64; 2])> = all.iter().filter_map(Wish::bounds).collect();
     let found = searched(args, &*engine, &setup, &Wishes { all, period }, session)?;
     if found.stopped {
         session.note("note: stopped before all starts were tried; this is the best so far");
@@ -131,9 +149,49 @@ pub(super) fn run(args: &DesignArgs, engine: &mut dyn Engine, session: &mut Sess
             let parameters = found.parameters.iter().copied().collect();
             to_json(&Record { mechanism: model.name, parameters, modes, result: &result }).map_err(Failure::Output)?
         }
-        _ => format!("{}, designed\n{found}\n", model.name),
+        _ => report(model, &bounds, &found),
     };
     session.deliver(&output, &text)
+}
+
+/// The parameters beside their bounds, and what is left of the conditions.
+fn report(model: &Model, bounds: &[(String, [f64; 2])], found: &Designed<()>) -> String {
+    let of = |name: &str| bounds.iter().find(|(other, _)| other == name).map(|(_, bounds)| *bounds);
+    let range = |name: &str| of(name).map_or_else(String::new, |[low, high]| format!("{low} to {high}"));
+    let at_bound = |&(name, value): &(&str, f64)| match of(name) {
+        Some([low, high]) if value - low <= AT_BOUND * (high - low) => "at its lower bound",
+        Some([low, high]) if high - value <= AT_BOUND * (high - low) => "at its upper bound",
+        _ => "",
+    };
+    let unit = |name: &str| {
+        let info = model.parameters.iter().find(|info| info.name == name);
+        info.and_then(|info| info.unit).unwrap_or_default()
+    };
+    let parameters = Table::new()
+        .words("parameter", found.parameters.iter().map(|(name, _)| *name))
+        .numbers("value", found.parameters.iter().map(|(_, value)| *value))
+        .words("unit", found.parameters.iter().map(|(name, _)| unit(name)))
+        .words("bounds", found.parameters.iter().map(|(name, _)| range(name)))
+        .words("", found.parameters.iter().map(at_bound));
+    let modes = Table::new()
+        .words("mode", found.modes.iter().map(|(name, _)| *name))
+        .words("sign", found.modes.iter().map(|(_, sign)| sign.to_string()));
+    let conditions = Table::new()
+        .words("condition", found.slacks.iter().map(|slack| slack.condition.as_str()))
+        .numbers("slack", found.slacks.iter().map(|slack| slack.slack))
+        .words("at t", found.slacks.iter().map(|slack| slack.at.map_or_else(String::new, rounded)));
+    let summary = found.to_string();
+    let summary = summary.lines().next().unwrap_or_default();
+    let sections = [section("Parameters", &parameters), section("Modes", &modes), section("Conditions", &conditions)];
+    format!("{}, designed\n{summary}\n{}", model.name, sections.concat())
+}
+
+/// The joints that drive.
+fn drivers(model: &Model) -> Vec<&'static str> {
+    let driving = model.rows.iter().filter(|row| row.driving || row.rheonomic);
+    let mut names: Vec<&str> = driving.filter_map(|row| Some(model.joints.get(row.joint)?.name)).collect();
+    names.dedup();
+    names
 }
 
 /// The search, with a bar and an ear for Ctrl-C.
@@ -177,12 +235,12 @@ fn wishes(args: &DesignArgs, engine: &dyn Engine) -> Result<Vec<Wish>, Failure> 
     };
     let direction = ledger.take(direction).unwrap_or_default();
     for (point, file) in ledger.take(values::assignments("--path", "tip=points.csv", &args.path)).unwrap_or_default() {
-        let path = columns("--path", &file).and_then(|rows| path("--path", point, &rows, direction));
+        let path = columns("--path", &file, &PLACES).and_then(|rows| path("--path", point, &rows, direction));
         all.extend(ledger.take(path));
     }
     let functions = values::assignments("--function", "rocker.phi=values.csv", &args.function);
     for (name, file) in ledger.take(functions).unwrap_or_default() {
-        let rows = ledger.take(columns("--function", &file)).unwrap_or_default();
+        let rows = ledger.take(columns("--function", &file, &[])).unwrap_or_default();
         match rows.iter().map(|row| <[f64; 2]>::try_from(&row[..])).collect::<Result<Vec<_>, _>>() {
             Ok(rows) => all.push(Wish::Function(name, rows.into_iter().map(|[t, value]| (t, value)).collect())),
             Err(_) => {
@@ -190,18 +248,26 @@ fn wishes(args: &DesignArgs, engine: &dyn Engine) -> Result<Vec<Wish>, Failure> 
             }
         }
     }
-    if args.turns {
+    if let Some(driver) = &args.turns {
         all.push(Wish::Turns);
+        if !driver.is_empty() {
+            let names = drivers(model);
+            ledger.take(super::names::find_in(model, "--turns", super::names::Kind::Driver, driver, &names));
+        }
     }
     if let Some(lengths) = &args.grashof {
         let lengths: Vec<String> = lengths.split(',').map(|name| name.trim().to_owned()).collect();
-        match lengths.len() {
-            4 => all.push(Wish::Grashof(lengths, Shortest::Crank)),
-            _ => {
-                let what = "four lengths are needed: ground,crank,coupler,rocker";
-                ledger.take::<()>(Err(Failure::option("--grashof", what)));
-            }
-        }
+        let four = match lengths.len() {
+            4 => Ok(()),
+            _ => Err(Failure::option("--grashof", "four lengths are needed: ground,crank,coupler,rocker")),
+        };
+        let all_links = [Shortest::Ground, Shortest::Crank, Shortest::Coupler, Shortest::Rocker];
+        let shortest = all_links.into_iter().find(|link| link.to_string() == args.shortest).ok_or_else(|| {
+            let what = format!("`{}` is none; write ground, crank, coupler or rocker", args.shortest);
+            Failure::option("--shortest", what)
+        });
+        let both = ledger.take(four).zip(ledger.take(shortest));
+        all.extend(both.map(|((), shortest)| Wish::Grashof(lengths, shortest)));
     }
     for text in &args.transmission {
         const OPTION: &str = "--transmission";
@@ -220,7 +286,9 @@ fn wishes(args: &DesignArgs, engine: &dyn Engine) -> Result<Vec<Wish>, Failure> 
             ledger.take::<()>(Err(Failure::option("--range", format!("`{text}` is none; write NAME=LOW..HIGH"))));
             continue;
         };
-        let bound = |text: &str| values::number("--range", text, Measured::quantity(model, name));
+        let unit = Measure::named(model, name).and_then(|measure| measure.unit(&Units::of(model)));
+        let measured = Measured { name, unit: unit.as_deref(), ..Measured::default() };
+        let bound = |text: &str| values::number("--range", text, measured);
         let bounds = ledger.take(bound(low)).zip(ledger.take(bound(high)));
         all.extend(bounds.map(|(low, high)| Wish::Range(name.to_owned(), low, high)));
     }

@@ -296,10 +296,13 @@ fn as_far(
     let first = usize::from(out.limits[0].is_some());
     let last = steps - usize::from(out.limits[1].is_some());
     let mut times: Vec<f64> = (first..=last).map(|k| if k == steps { to } else { place(k) }).collect();
-    // The motion is followed from the start in both directions: the start is one of the instants.
-    let behind = times.iter().position(|t| *t >= start).unwrap_or(times.len());
-    if times.get(behind).is_none_or(|t| *t != start) {
-        times.insert(behind, start);
+    // The motion is followed from the start in both directions: the start is one of the instants, in place of one that
+    // differs from it by rounding.
+    let same = |t: f64| (t - start).abs() <= 1e-9 * (to - from).abs();
+    let behind = times.iter().position(|t| *t >= start || same(*t)).unwrap_or(times.len());
+    match times.get_mut(behind).filter(|t| same(**t)) {
+        Some(t) => *t = start,
+        None => times.insert(behind, start),
     }
     Ok(Instants { times, start: behind, ..out })
 }
@@ -350,8 +353,19 @@ pub(super) fn natural_end(engine: &dyn Engine, setup: &Setup, from: f64) -> f64 
     from + speed(engine, setup, from).map_or(1.0, |speed| TAU / speed)
 }
 
+/// How long a turn of this driver takes, if it drives an angle at constant speed.
+#[cfg(feature = "design")]
+pub(super) fn turn_of(engine: &dyn Engine, setup: &Setup, driver: &str) -> Option<f64> {
+    slowest(engine, setup, 0.0, &|name| name == driver).map(|speed| TAU / speed)
+}
+
 /// The speed of the slowest of the cranks that are driven at constant speed.
 fn speed(engine: &dyn Engine, setup: &Setup, from: f64) -> Option<f64> {
+    slowest(engine, setup, from, &|_| true)
+}
+
+/// The speed of the slowest of the cranks that these drivers drive at constant speed.
+fn slowest(engine: &dyn Engine, setup: &Setup, from: f64, counts: &dyn Fn(&str) -> bool) -> Option<f64> {
     let model = engine.model();
     let (state, _) = driven_state(engine, setup, from, true).ok()?;
     let angle = |column: usize| {
@@ -359,7 +373,8 @@ fn speed(engine: &dyn Engine, setup: &Setup, from: f64) -> Option<f64> {
         matches!(kind, Some(CoordinateKind::Pose { component: Component::Phi, .. } | CoordinateKind::Scalar))
     };
     let driven =
-        model.rows.iter().enumerate().filter(|(_, row)| row.driving || row.rheonomic).filter_map(|(place, _)| {
+        model.rows.iter().enumerate().filter(|(_, row)| row.driving || row.rheonomic).filter_map(|(place, row)| {
+            model.joints.get(row.joint).filter(|joint| counts(joint.name))?;
             let mut entries = model.constraint_pattern.entries.iter().filter(|(row, _)| *row == place);
             match (entries.next(), entries.next()) {
                 (Some(&(_, column)), None) if angle(column) => Some(column),

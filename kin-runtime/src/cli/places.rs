@@ -2,8 +2,9 @@
 
 use super::failure::Failure;
 
-/// The numbers of a file, below a line of names where it has one.
-pub(super) fn columns(option: &str, file: &str) -> Result<Vec<Vec<f64>>, Failure> {
+/// The numbers of a file, below a line of names where it has one. Names are those of one of these lists of columns, or
+/// end with them: `tip.x` is an x. Without lists they may be any.
+pub(super) fn columns(option: &str, file: &str, lists: &[&[&str]]) -> Result<Vec<Vec<f64>>, Failure> {
     let cannot = |why: String| Failure::option(option, format!("cannot read `{file}`: {why}"));
     let reader = csv::ReaderBuilder::new().has_headers(false).trim(csv::Trim::All).from_path(file);
     let mut rows = Vec::new();
@@ -11,12 +12,23 @@ pub(super) fn columns(option: &str, file: &str) -> Result<Vec<Vec<f64>>, Failure
         let record = record.map_err(|error| cannot(error.to_string()))?;
         match record.iter().map(str::parse).collect::<Result<Vec<f64>, _>>() {
             Ok(numbers) => rows.push(numbers),
-            Err(_) if line == 0 => {}
+            Err(_) if line == 0 => {
+                let is = |(name, wanted): (&str, &&str)| name.rsplit('.').next() == Some(*wanted);
+                let fits = |list: &&[&str]| list.len() == record.len() && record.iter().zip(list.iter()).all(is);
+                if !lists.is_empty() && !lists.iter().any(|list| fits(list)) {
+                    let wanted: Vec<String> = lists.iter().map(|list| list.join(",")).collect();
+                    let found: Vec<&str> = record.iter().collect();
+                    return Err(cannot(format!("its columns are {}, not {}", found.join(","), wanted.join(" or "))));
+                }
+            }
             Err(_) => return Err(cannot(format!("line {} has something that is no number", line + 1))),
         }
     }
     if rows.is_empty() { Err(cannot("there are no numbers in it".to_owned())) } else { Ok(rows) }
 }
+
+/// The columns of places, and of places with their times.
+pub(super) const PLACES: [&[&str]; 2] = [&["x", "y"], &["t", "x", "y"]];
 
 /// The places of a path: the columns x,y or t,x,y.
 pub(super) fn places(option: &str, file: &str) -> Result<Vec<[f64; 2]>, Failure> {
@@ -27,5 +39,5 @@ pub(super) fn places(option: &str, file: &str) -> Result<Vec<[f64; 2]>, Failure>
             Err(Failure::option(option, what))
         }
     };
-    columns(option, file)?.into_iter().map(place).collect()
+    columns(option, file, &PLACES)?.into_iter().map(place).collect()
 }

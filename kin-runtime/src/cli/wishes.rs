@@ -5,8 +5,8 @@ use crate::mechanism::Mechanism;
 
 /// Instants of a turn at which a search looks at conditions; the result is looked at between them, too.
 const INSTANTS: usize = 37;
-/// The least margin of a mechanism that turns.
-const MARGIN: f64 = 1e-3;
+/// The least margin of a mechanism that turns: a dyad's height over its links, for example.
+const MARGIN: f64 = 1e-2;
 
 /// What is asked of a design, one call of its builder each.
 #[derive(Clone, Debug, PartialEq)]
@@ -20,6 +20,16 @@ pub(super) enum Wish {
     Turns,
     Range(String, f64, f64),
     Transmission(String, f64),
+}
+
+impl Wish {
+    /// The bounds of a free parameter.
+    pub(super) fn bounds(&self) -> Option<(String, [f64; 2])> {
+        match self {
+            Self::Free(name, low, high) => Some((name.clone(), [*low, *high])),
+            _ => None,
+        }
+    }
 }
 
 /// A design with what belongs to all of its wishes.

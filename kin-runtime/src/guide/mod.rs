@@ -17,7 +17,8 @@
 //! 13. [How the derivation works](chapter_13_derivation): from tokens to straight-line code;
 //! 14. [Adding a constraint](chapter_14_constraint): for contributors;
 //! 15. [What is not there](chapter_15_limits): space, contact, friction;
-//! 16. [Proofs](chapter_16_proofs): certificates, all ways in which a mechanism closes, and how far it moves.
+//! 16. [Proofs](chapter_16_proofs): certificates, all ways in which a mechanism closes, and how far it moves;
+//! 17. [Designing](chapter_17_designing): dimensions that do what is wanted, from places on a table to a drawing.
 //!
 //! The language itself, attribute by attribute, is in [`vocabulary`](crate::vocabulary). These modules hold documentation only;
 //! their numbers keep them in order beside the text.
@@ -139,3 +140,6 @@ pub mod chapter_15_limits {}
 ))]
 #[doc = include_str!("proofs.md")]
 pub mod chapter_16_proofs {}
+#[doc(alias("design", "synthesis", "optimisation", "optimization", "coupler curve", "path generation", "tolerance"))]
+#[doc = include_str!("designing.md")]
+pub mod chapter_17_designing {}

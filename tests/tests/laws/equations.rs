@@ -1,7 +1,7 @@
 //! Laws of the equations at configurations that do not satisfy Φ = 0.
 
 use crate::{When, evaluated, random_configuration};
-use kin_runtime::model::{CoordinateKind, Frame, JointKind};
+use kin_runtime::model::{BodyInfo, CoordinateKind, Frame, JointKind};
 use kin_runtime::{Instant, Kinematics, Mechanism, Subset};
 use kin_tests::compare::{Differences, largest};
 use kin_tests::random::Random;
@@ -80,14 +80,20 @@ pub(crate) fn joints_do_not_feel_rigid_motion<M: Mechanism + Default>() {
         // For axles in the ground, the row depends on the angles relative to the ground.
         let frames = joint.geometry.iter().map(|geometry| geometry.frame);
         let coupled = matches!(joint.kind, JointKind::Gear | JointKind::Belt);
-        if coupled && frames.clone().any(|frame| frame == Frame::Ground) {
+        if coupled && frames.into_iter().any(|frame| frame == Frame::Ground) {
             continue;
         }
-        // A carrier or a pinion is a third body.
-        let third = frames.filter_map(|frame| match frame {
-            Frame::Body(body) => Some(body),
-            Frame::Ground => None,
-        });
+        // A carrier, a pinion or a nut is a third body.
+        let rows = joint.first_row..joint.first_row + joint.rows;
+        let columns: BTreeSet<usize> = model
+            .constraint_pattern
+            .entries
+            .iter()
+            .filter(|entry| rows.contains(&entry.0))
+            .map(|entry| entry.1)
+            .collect();
+        let touches = |body: &BodyInfo| body.coordinates.iter().flatten().any(|place| columns.contains(place));
+        let third = model.bodies.iter().enumerate().filter(|(_, body)| touches(body)).map(|(place, _)| place);
         let bodies: BTreeSet<usize> = [first, second].into_iter().chain(third).collect();
         let poses: Vec<_> = bodies.into_iter().map(|body| model.bodies[body].coordinates).collect();
         if poses.iter().flatten().any(Option::is_none) {
@@ -105,7 +111,6 @@ pub(crate) fn joints_do_not_feel_rigid_motion<M: Mechanism + Default>() {
         }
         if joint.kind == JointKind::RollingOnDisc {
             // The coordinate of the direction of the line of centres is rotated, too.
-            let rows = joint.first_row..joint.first_row + joint.rows;
             let entries = model.constraint_pattern.entries.iter().filter(|entry| rows.contains(&entry.0));
             let scalars: BTreeSet<usize> = entries.map(|entry| entry.1).collect();
             for psi in scalars.into_iter().filter(|&k| model.coordinates[k].kind == CoordinateKind::Scalar) {

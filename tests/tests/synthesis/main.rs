@@ -7,5 +7,6 @@ mod command;
 // Quick with optimisation, and minutes without.
 #[cfg(not(debug_assertions))]
 mod examples;
+mod guide;
 mod laws;
 mod published;

@@ -236,13 +236,8 @@ pub trait Mechanism: Sized {
     ///
     /// # Errors
     /// As [`evaluate_with`](Self::evaluate_with).
-    fn lengths_with<T: Scalar>(
-        &self,
-        parameters: &[T],
-        at: &Instant<'_, T>,
-        lengths: &mut [T],
-    ) -> Result<(), LengthError> {
-        length::empty("lengths", lengths)
+    fn lengths_with<T: Scalar>(&self, parameters: &[T], at: &Instant<'_, T>, out: &mut [T]) -> Result<(), LengthError> {
+        length::empty("lengths", out)
     }
 
     /// Writes r = Q − M q̈, n numbers: the generalized forces that the constraints must balance, Φ_qᵀ λ = r.
@@ -374,7 +369,10 @@ pub trait Mechanism: Sized {
     /// # Errors
     /// As [`evaluate_with`](Self::evaluate_with).
     fn jacobian<T: Scalar>(&self, at: &Instant<'_, T>, q: &[T]) -> Result<Self::NonZeros<T>, LengthError> {
-        Ok(*workspaces::at_rest(self, Subset::JACOBIAN, at, q)?.parts_mut().1)
+        let mut workspace = Self::workspace::<T>();
+        let rest = Self::Coordinates::<T>::filled(T::from_f64(0.0));
+        self.evaluate(Subset::JACOBIAN, at, q, rest.as_ref(), &mut workspace)?;
+        Ok(*workspace.parts_mut().1)
     }
 
     /// Φ_t(q, t), s numbers; ν = −Φ_t.
@@ -382,7 +380,10 @@ pub trait Mechanism: Sized {
     /// # Errors
     /// As [`evaluate_with`](Self::evaluate_with).
     fn time_derivative<T: Scalar>(&self, at: &Instant<'_, T>, q: &[T]) -> Result<Self::Rows<T>, LengthError> {
-        Ok(*workspaces::at_rest(self, Subset::TIME_DERIVATIVE, at, q)?.parts_mut().2)
+        let mut workspace = Self::workspace::<T>();
+        let rest = Self::Coordinates::<T>::filled(T::from_f64(0.0));
+        self.evaluate(Subset::TIME_DERIVATIVE, at, q, rest.as_ref(), &mut workspace)?;
+        Ok(*workspace.parts_mut().2)
     }
 
     /// γ(q, q̇, t) = −(Φ_q q̇)_q q̇ − 2 Φ_qt q̇ − Φ_tt, s numbers.

@@ -1,8 +1,7 @@
 //! The workspaces of a mechanism.
 
-use super::{LengthError, Mechanism};
-use crate::scalar::Scalar;
-use crate::workspace::{Array, Evaluation, Instant, Subset};
+use super::Mechanism;
+use crate::workspace::Evaluation;
 
 /// A workspace for Φ, Φ_q, Φ_t and γ of the mechanism `M`.
 pub type Workspace<M, T = f64> = Evaluation<<M as Mechanism>::Rows<T>, <M as Mechanism>::NonZeros<T>>;
@@ -11,16 +10,3 @@ pub type Workspace<M, T = f64> = Evaluation<<M as Mechanism>::Rows<T>, <M as Mec
 #[doc(hidden)]
 pub type Observations<M, T = f64> =
     Evaluation<<M as Mechanism>::Observables<T>, <M as Mechanism>::ObservableNonZeros<T>>;
-
-/// What does not depend on the velocity, evaluated at the struct's own parameters.
-pub(super) fn at_rest<M: Mechanism, T: Scalar>(
-    mechanism: &M,
-    subset: Subset,
-    at: &Instant<'_, T>,
-    q: &[T],
-) -> Result<Workspace<M, T>, LengthError> {
-    let mut workspace = M::workspace::<T>();
-    let rest = M::Coordinates::<T>::filled(T::from_f64(0.0));
-    mechanism.evaluate(subset, at, q, rest.as_ref(), &mut workspace)?;
-    Ok(workspace)
-}

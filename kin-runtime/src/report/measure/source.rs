@@ -1,6 +1,7 @@
 //! Where the value of a quantity comes from, for code that evaluates many configurations together.
 
 use crate::model::Geometry;
+use core::fmt;
 
 /// Where the value of a quantity comes from, in terms of what a [`Mechanism`](crate::Mechanism) evaluates. `order` is 0 for a
 /// value, 1 for its rate and 2 for its acceleration.
@@ -38,4 +39,25 @@ pub enum Source {
     Force(usize),
     /// The length of the vector of this number of forces and the next one.
     ForceLength(usize),
+}
+
+/// `the rate of coordinate 2`.
+impl fmt::Display for Source {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let of = |order: usize| match order {
+            0 => "",
+            1 => "the rate of ",
+            _ => "the acceleration of ",
+        };
+        match self {
+            Self::Time => f.write_str("time"),
+            Self::Coordinate { place, order } => write!(f, "{}coordinate {place}", of(*order)),
+            Self::Observable { row, order } => write!(f, "{}observable {row}", of(*order)),
+            Self::Speed([x, y]) => write!(f, "the speed of observables {x} and {y}"),
+            Self::Input { place, order } => write!(f, "{}input {place}", of(*order)),
+            Self::Transmission(_) => f.write_str("a transmission angle"),
+            Self::Force(place) => write!(f, "number {place} of the forces"),
+            Self::ForceLength(place) => write!(f, "the length of numbers {place} and {} of the forces", place + 1),
+        }
+    }
 }
