@@ -14,7 +14,7 @@ use super::values;
 use super::wishes::{Wish, Wishes};
 use crate::design::{DesignError, Designed, Direction, Search, Shortest};
 use crate::measure::Measure;
-use crate::model::{Model, Units};
+use crate::model::Model;
 use crate::present::json::to_json;
 use crate::present::number::rounded;
 use crate::present::table::Table;
@@ -286,7 +286,7 @@ fn wishes(args: &DesignArgs, engine: &dyn Engine) -> Result<Vec<Wish>, Failure> 
             ledger.take::<()>(Err(Failure::option("--range", format!("`{text}` is none; write NAME=LOW..HIGH"))));
             continue;
         };
-        let unit = Measure::named(model, name).and_then(|measure| measure.unit(&Units::of(model)));
+        let unit = Measure::named(model, name).and_then(|measure| measure.unit(&model.units));
         let measured = Measured { name, unit: unit.as_deref(), ..Measured::default() };
         let bound = |text: &str| values::number("--range", text, measured);
         let bounds = ledger.take(bound(low)).zip(ledger.take(bound(high)));

@@ -34,8 +34,8 @@ pub(super) struct PlotArgs {
     vary: VaryArgs,
     #[command(flatten)]
     motion: MotionArgs,
-    /// Tolerances of parameters, NAME=DEVIATION on either side: bands of the worst case
-    #[arg(long, value_name = "NAME=DEVIATION")]
+    /// Tolerances of parameters, NAME=D on either side: bands of the worst case
+    #[arg(long, value_name = "NAME=D")]
     tolerance: Vec<String>,
     #[command(flatten)]
     arc: ArcArgs,

@@ -10,7 +10,7 @@ use crate::present::number::rounded;
 /// Which parameters vary.
 #[derive(Clone, Debug, Default, clap::Args)]
 pub(super) struct VaryArgs {
-    /// A motion for each of several values: NAME=0.08..0.12:5 or NAME=0.08,0.1
+    /// A motion for each value: NAME=0.08..0.12:5 or NAME=0.08,0.1
     #[arg(
         long,
         value_name = "NAME=VALUES",

@@ -92,7 +92,7 @@ impl<M: Mechanism> Solver<'_, M> {
             column_values(model, by.forces.as_ref(), &mut slopes);
             for (measure, all) in measures.iter().zip(&mut *all) {
                 let Some(place) = measure.force() else { continue };
-                all[k] = match magnitude_parts(measure, place) {
+                all[k] = match magnitude_parts(measure.name(), place) {
                     // |f| = √(x² + y²).
                     Some([x, y]) => (at[x] * slopes[x] + at[y] * slopes[y]) / at[place],
                     None => slopes[place],

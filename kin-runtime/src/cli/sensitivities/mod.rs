@@ -34,12 +34,12 @@ pub(in crate::cli) struct SensitivitiesArgs {
     freedom: FreedomArgs,
     #[command(flatten)]
     angles: AngleArgs,
-    /// What tolerances come to: NAME=DEVIATION on either side
+    /// What tolerances come to: NAME=D on either side
     #[arg(
         long,
-        value_name = "NAME=DEVIATION",
+        value_name = "NAME=D",
         long_help = "\
-What tolerances of parameters come to, NAME=DEVIATION on either side: for every quantity
+What tolerances of parameters come to, NAME=D on either side: for every quantity
 the worst case and the root sum of squares, to first order"
     )]
     tolerance: Vec<String>,

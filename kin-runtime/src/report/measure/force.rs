@@ -29,9 +29,9 @@ pub(crate) fn column_values(model: &Model, forces: Option<&Forces>, out: &mut Ve
     }
 }
 
-/// The columns of the components of a force whose magnitude is in this column: they stand before it.
-pub(crate) fn magnitude_parts(measure: &super::Measure, place: usize) -> Option<[usize; 2]> {
-    measure.name().ends_with(".force").then(|| [place - 2, place - 1])
+/// The columns of the components of a force whose magnitude is in a column of this name: they stand before it.
+pub(crate) fn magnitude_parts(name: &str, place: usize) -> Option<[usize; 2]> {
+    name.ends_with(".force").then(|| [place - 2, place - 1])
 }
 
 /// The unit of a driver's effort: that of a force where it drives a length, that of a moment where it drives an angle.
