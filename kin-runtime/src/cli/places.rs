@@ -15,7 +15,7 @@ pub(super) fn columns(option: &str, file: &str, lists: &[&[&str]]) -> Result<Vec
             Err(_) if line == 0 => {
                 let is = |(name, wanted): (&str, &&str)| name.rsplit('.').next() == Some(*wanted);
                 let fits = |list: &&[&str]| list.len() == record.len() && record.iter().zip(list.iter()).all(is);
-                if !lists.is_empty() && !lists.iter().any(|list| fits(list)) {
+                if !lists.is_empty() && !lists.iter().any(fits) {
                     let wanted: Vec<String> = lists.iter().map(|list| list.join(",")).collect();
                     let found: Vec<&str> = record.iter().collect();
                     return Err(cannot(format!("its columns are {}, not {}", found.join(","), wanted.join(" or "))));
