@@ -6,7 +6,7 @@ use kin_benches::paired::{Contender, compare};
 use kin_benches::placed::Placed;
 use kin_runtime::plan::{Depth, Solved};
 use kin_runtime::scalar::Tangents;
-use kin_runtime::{Instant, Kinematics, Mechanism, Scalar};
+use kin_runtime::{Instant, Kinematics, Measure, Mechanism, Scalar};
 use std::hint::black_box;
 
 /// One revolution.
@@ -62,6 +62,12 @@ fn main() {
     let solver = four_bar.solver();
     let state = solver.with_guess(5, 0.9).with_guess(8, 5.0).state(&0.0.into()).expect("it closes");
     let solver = four_bar.solver();
+    let solver = four_bar.solver().with_guess(5, 0.9).with_guess(8, 5.0);
+    let times: Vec<f64> = (0..STEPS).map(|step| step as f64 * std::f64::consts::TAU / STEPS as f64).collect();
+    let turn = solver.sweep(&times).expect("it turns").states;
+    let wanted: Vec<Measure> =
+        ["rocker.phi", "coupler.x"].iter().filter_map(|name| Measure::named(FourBar::model(), name)).collect();
+    let weights: Vec<f64> = (0..wanted.len() * STEPS).map(|k| 0.5 + (k % 7) as f64).collect();
     compare(
         "q, q̇, q̈ of the four-bar and their derivatives by seven parameters",
         STEPS,
@@ -69,6 +75,18 @@ fn main() {
             Contender { name: "the plan", work: Box::new(|| plain.turn()) },
             Contender { name: "with tangents by seven parameters", work: Box::new(|| seven.turn()) },
             Contender { name: "with tangents in eight lanes", work: Box::new(|| eight.turn()) },
+            Contender {
+                name: "Solver::gradient of one objective by all seven",
+                work: Box::new(|| {
+                    black_box(solver.gradient(black_box(&turn), &wanted, &weights).expect("regular states"));
+                }),
+            },
+            Contender {
+                name: "Solver::sweep, states of a turn",
+                work: Box::new(|| {
+                    black_box(solver.sweep(black_box(&times)).expect("it turns"));
+                }),
+            },
             Contender {
                 name: "Solver::sensitivities, with points and joints",
                 work: Box::new(|| {

@@ -11,6 +11,8 @@ pub(crate) mod expansion;
 mod interval;
 #[cfg(feature = "simd")]
 pub(crate) mod lanes;
+#[cfg(feature = "std")]
+pub(crate) mod recorded;
 pub(crate) mod recurrence;
 pub(crate) mod standard;
 mod tangents;

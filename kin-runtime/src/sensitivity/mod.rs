@@ -13,6 +13,8 @@
 //! the same equations by time). The right-hand sides are the code of Φ, Φ_q, Φ_t and γ over the same numbers, and so is all
 //! that is reported of the motion and of forces.
 
+#[cfg(feature = "std")]
+mod adjoint;
 mod forces;
 mod linear;
 mod measured;
@@ -29,9 +31,14 @@ use crate::sensitivities::{Sensitivities, Sensitivity};
 use crate::solver::Solver;
 use crate::state::State;
 use linear::Linear;
+#[cfg(feature = "design")]
+pub(crate) use variation::LARGEST;
+#[cfg(not(feature = "design"))]
+pub(crate) use variation::Number;
+#[cfg(feature = "design")]
 pub use variation::Number;
 pub(crate) use variation::WIDTH;
-pub(crate) use variation::{LARGEST, Variation, Varied, Varying};
+pub(crate) use variation::{Variation, Varied, Varying};
 
 /// What the plan's q may miss that of the state by, in the size of its numbers, to be the same configuration.
 const SAME: f64 = 1e-6;

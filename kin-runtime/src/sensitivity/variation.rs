@@ -4,7 +4,7 @@ use crate::equations::system::Parts;
 use crate::mechanism::{LengthError, Mechanism, Observations, Workspace};
 use crate::model::Model;
 use crate::plan::{Depth, Solved};
-use crate::planned::lists::Closures;
+use crate::planned::lists::{Closures, Modes};
 use crate::scalar::{Scalar, Tangents};
 use crate::state::State;
 use crate::workspace::{Array, Instant, Signal, Subset};
@@ -13,6 +13,7 @@ use crate::workspace::{Array, Instant, Signal, Subset};
 pub(crate) const WIDTH: usize = 8;
 
 /// A number with its derivatives by as many parameters as are taken together.
+#[allow(unreachable_pub, reason = "only with the feature `design` is it public")]
 pub type Number = Tangents<WIDTH>;
 
 /// Coordinates, at most, whose numbers are on the stack: a plan has about twenty values for each.
@@ -22,17 +23,24 @@ pub(crate) const LARGEST: usize = 160;
 const UNDECIDED: f64 = 1e-6;
 
 /// q, q̇ and q̈ with their derivatives, and what is reported of them.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct Varied {
-    pub(crate) q: Vec<Number>,
-    pub(crate) q_dot: Vec<Number>,
-    pub(crate) q_ddot: Vec<Number>,
+#[derive(Clone, Debug)]
+pub(crate) struct Varied<T = Number> {
+    pub(crate) q: Vec<T>,
+    pub(crate) q_dot: Vec<T>,
+    pub(crate) q_ddot: Vec<T>,
     /// The margins of the plan; empty where it did not solve.
-    pub(crate) margins: Vec<Number>,
+    pub(crate) margins: Vec<T>,
     /// The observables with their rates.
-    pub(crate) observed: Vec<Signal<Number>>,
+    pub(crate) observed: Vec<Signal<T>>,
     /// The numbers of the joints' geometry; empty where nobody needs them.
-    pub(crate) geometry: Vec<Number>,
+    pub(crate) geometry: Vec<T>,
+}
+
+impl<T> Default for Varied<T> {
+    fn default() -> Self {
+        let [q, q_dot, q_ddot, margins, geometry] = core::array::from_fn(|_| Vec::new());
+        Self { q, q_dot, q_ddot, margins, observed: Vec::new(), geometry }
+    }
 }
 
 /// A mechanism some of whose parameters vary.
@@ -108,7 +116,15 @@ impl<'m, M: Mechanism> Varying<'m, M> {
     }
 }
 
-fn parts<R: AsRef<[Number]>, J: AsRef<[Number]>>(evaluation: &crate::workspace::Evaluation<R, J>) -> Parts<'_, Number> {
+/// The signs of the modes of a state; none where a group is so near to its limit that they are not decided.
+pub(super) fn modes_of<M: Mechanism>(mechanism: &M, state: &State) -> Result<Option<Modes<M>>, LengthError> {
+    let parameters = mechanism.parameters::<f64>();
+    let closures = Closures::at(mechanism, parameters.as_ref(), &state.instant(), &state.q)?;
+    let decided = closures.as_ref().iter().all(|closure| closure.abs() > UNDECIDED);
+    Ok(decided.then(|| closures.modes()))
+}
+
+pub(super) fn parts<T, R: AsRef<[T]>, J: AsRef<[T]>>(evaluation: &crate::workspace::Evaluation<R, J>) -> Parts<'_, T> {
     Parts { phi: evaluation.phi(), phi_q: evaluation.phi_q(), phi_t: evaluation.phi_t(), gamma: evaluation.gamma() }
 }
 
@@ -132,16 +148,8 @@ impl<M: Mechanism> Variation for Varying<'_, M> {
         if M::COORDINATES > LARGEST {
             return Ok(false);
         }
-        let parameters = self.mechanism.parameters::<f64>();
-        let closures = Closures::at(self.mechanism, parameters.as_ref(), &state.instant(), &state.q)?;
-        if closures.as_ref().iter().any(|closure| closure.is_nan() || closure.abs() <= UNDECIDED) {
-            return Ok(false);
-        }
-        // There are never more modes than coordinates.
-        let sign = |k: usize| closures.as_ref().get(k).map_or(0.0, |closure| closure.signum());
-        let signs = M::Coordinates::<f64>::generate(sign);
-        let modes = &signs.as_ref()[..M::model().plan.modes.len()];
-        self.solve_from(modes, &state.q, Depth::Acceleration, varied)?;
+        let Some(modes) = modes_of(self.mechanism, state)? else { return Ok(false) };
+        self.solve_from(modes.of_closures(), &state.q, Depth::Acceleration, varied)?;
         Ok(true)
     }
 

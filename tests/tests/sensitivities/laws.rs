@@ -6,6 +6,7 @@ use kin_runtime::{Instant, Kinematics, Measure, Options, SolveError, State};
 use kin_tests::compare::{Differences, largest};
 use kin_tests::every_mechanism;
 use kin_tests::mechanisms::{loaded, signals, *};
+use kin_tests::random::Random;
 
 /// The tolerance, relative to the derivative, or to the quantity divided by the parameter's size.
 const CLOSE: f64 = 1e-6;
@@ -66,6 +67,7 @@ fn are_derivatives<M: Kinematics + Default>(from: f64, to: f64) {
         let by_rows = mechanism.solver().with_options(whole).sensitivities(state).unwrap();
         let (derived, all) = (derived::<M>(), (0..parameters.len()).collect::<Vec<usize>>());
         let derived_by = mechanism.solver().measure_sensitivities(state, &derived, &all).unwrap();
+        backwards_is_forwards(&mechanism, state);
         for (index, &value) in parameters.iter().enumerate() {
             let (by, by_rows) = (&found.by[index], &by_rows.by[index]);
             let step = STEP * value.abs().max(0.05);
@@ -108,6 +110,30 @@ fn are_derivatives<M: Kinematics + Default>(from: f64, to: f64) {
     if !parameters.is_empty() {
         differences.finish();
     }
+}
+
+/// The gradient of a weighted sum of quantities is the weighted sum of their derivatives.
+fn backwards_is_forwards<M: Kinematics>(mechanism: &M, state: &State) {
+    let (solver, all) = (mechanism.solver(), (0..M::PARAMETERS).collect::<Vec<usize>>());
+    let of_forces = [".effort", ".force", ".moment", ".torque", ".normal", ".tangential", ".generalized", ".tension"];
+    let is_force = |name: &str| {
+        let total = ["shaking.", "energy.", "power."].iter().any(|start| name.starts_with(start));
+        total || of_forces.iter().any(|part| name.contains(part))
+    };
+    let mut measures = Measure::all(M::model());
+    measures.retain(|measure| !is_force(measure.name()));
+    let by = solver.measure_sensitivities(state, &measures, &all).unwrap();
+    let mut random = Random::new(41);
+    // What has no derivative has no weight.
+    let known = |by: &Vec<f64>| by.iter().all(|by| by.is_finite());
+    let weights: Vec<f64> = by.iter().map(|by| if known(by) { random.between(-1.0, 1.0) } else { 0.0 }).collect();
+    let found = solver.gradient(std::slice::from_ref(state), &measures, &weights).unwrap();
+    for (k, found) in found.into_iter().enumerate() {
+        let terms = || by.iter().zip(&weights).filter(|(_, weight)| **weight != 0.0).map(|(by, weight)| by[k] * weight);
+        let (exact, size) = (terms().sum::<f64>(), terms().fold(1.0, |size: f64, term| size.max(term.abs())));
+        assert!((found - exact).abs() <= 1e-9 * size, "{}: {found} instead of {exact}", M::model().name);
+    }
+    assert!(solver.gradient(std::slice::from_ref(state), &measures, &weights[1..]).is_err());
 }
 
 /// Where sensitivities do not exist, the error gives the reason.

@@ -4,7 +4,7 @@ use super::{Measure, Of};
 use crate::model::{Frame, Geometry, Model};
 use crate::plan::Depth;
 use crate::scalar::Scalar;
-use crate::sensitivity::{Number, Varied};
+use crate::sensitivity::Varied;
 use crate::signal::Signal;
 use crate::transmission::Pair;
 
@@ -21,6 +21,7 @@ pub(crate) struct Needs {
 
 impl Needs {
     /// q, q̇ and the margins of the plan.
+    #[cfg(feature = "design")]
     pub(crate) const LEAST: Self = Self { depth: Depth::Velocity, observed: false, geometry: false };
 
     /// What both need.
@@ -40,6 +41,7 @@ impl Measure {
     }
 
     /// Its rate; none of what has no rate, or of an acceleration.
+    #[cfg(feature = "design")]
     pub(crate) fn next_order(&self) -> Option<Self> {
         let has_rate = matches!(self.of, Of::Coordinate(_) | Of::Point(..) | Of::Observable(_)) && self.order < 2;
         has_rate.then(|| Self { order: self.order + 1, ..self.clone() })
@@ -54,11 +56,11 @@ impl Measure {
     }
 
     /// Its value with derivatives; none where it [has none](Self::has_derivatives), or what it needs is not there.
-    pub(crate) fn varied(&self, model: &Model, varied: &Varied) -> Option<Number> {
+    pub(crate) fn varied<T: Scalar>(&self, model: &Model, varied: &Varied<T>) -> Option<T> {
         if !self.has_derivatives() {
             return None;
         }
-        let order = |signal: &Signal<Number>| [signal.value, signal.rate, signal.acceleration].get(self.order).copied();
+        let order = |signal: &Signal<T>| [signal.value, signal.rate, signal.acceleration].get(self.order).copied();
         let observed = |place: usize| varied.observed.get(place);
         match self.of {
             Of::Coordinate(place) => [&varied.q, &varied.q_dot, &varied.q_ddot].get(self.order)?.get(place).copied(),
@@ -76,7 +78,7 @@ impl Measure {
 }
 
 /// The angle at the centre of a pair, in [0, π].
-fn transmission(model: &Model, pair: &Pair, varied: &Varied) -> Option<Number> {
+fn transmission<T: Scalar>(model: &Model, pair: &Pair, varied: &Varied<T>) -> Option<T> {
     let [centre, a, b] = pair.places.map(|geometry| point(model, geometry, varied));
     let (centre, a, b) = (centre?, a?, b?);
     let [(ax, ay), (bx, by)] = [a, b].map(|p| (p[0] - centre[0], p[1] - centre[1]));
@@ -84,7 +86,7 @@ fn transmission(model: &Model, pair: &Pair, varied: &Varied) -> Option<Number> {
 }
 
 /// A point of a joint in the inertial frame.
-fn point(model: &Model, geometry: &Geometry, varied: &Varied) -> Option<[Number; 2]> {
+fn point<T: Scalar>(model: &Model, geometry: &Geometry, varied: &Varied<T>) -> Option<[T; 2]> {
     let &[u, v] = varied.geometry.get(geometry.offset..geometry.offset + 2)? else { return None };
     let Frame::Body(body) = geometry.frame else { return Some([u, v]) };
     let [x, y, phi] = model.bodies[body].observables.map(|place| Some(varied.observed.get(place)?.value));

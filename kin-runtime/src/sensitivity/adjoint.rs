@@ -1,0 +1,169 @@
+//! One objective, many parameters: the plan is evaluated once, its operations are recorded, and one pass backwards gives the
+//! gradient.
+
+use super::variation::{LARGEST, Varied, modes_of};
+use super::{SAME, is_integrated};
+use crate::error::SolveError;
+use crate::measure::{Measure, Needs};
+use crate::mechanism::{LengthError, Mechanism, Observations};
+use crate::plan::{Depth, Plan, Solved};
+use crate::scalar::Scalar;
+use crate::scalar::recorded::{Recorded, accumulate, variables};
+use crate::signal::Signal;
+use crate::solver::Solver;
+use crate::state::State;
+use crate::workspace::{Array, Instant};
+
+impl<M: Mechanism> Solver<'_, M> {
+    /// The gradient of Σ weight · quantity over the states of a motion by all parameters, in the order of
+    /// [`Model::parameters`](crate::model::Model::parameters).
+    ///
+    /// `weights` has a number per state and quantity, state by state: the derivatives of an objective by what it is computed
+    /// from. The cost per state does not grow with the number of parameters, unlike that of
+    /// [`measure_sensitivities`](Self::measure_sensitivities), whose weighted sum it is; where the plan has no answer, and for
+    /// forces, it is computed as that sum. The instants, inputs and assembly modes are held.
+    ///
+    /// ```
+    /// use kin_runtime::{Kinematics, Measure, Mechanism, mechanism};
+    ///
+    /// /// A crank whose end is at (l cos t, l sin t).
+    /// #[mechanism]
+    /// #[bodies(crank)]
+    /// #[point(tip = crank @ (l, 0))]
+    /// #[revolute(pin: ground @ (0, 0), crank @ (0, 0))]
+    /// #[driver(drive: crank.phi = t)]
+    /// struct Crank {
+    ///     #[param(0.2)]
+    ///     l: f64,
+    /// }
+    ///
+    /// let crank = Crank::default();
+    /// let solver = crank.solver();
+    /// let motion = solver.sweep(&[0.0, 0.5, 1.0])?;
+    /// // F = ½ Σ (tip.y − 0.1)².
+    /// let height: Vec<Measure> = Measure::named(Crank::model(), "tip.y").into_iter().collect();
+    /// let misses: Vec<f64> = motion.states.iter().map(|state| state[Crank::tip].r[1] - 0.1).collect();
+    /// let gradient = solver.gradient(&motion.states, &height, &misses)?;
+    /// let exact: f64 = [0.0_f64, 0.5, 1.0].iter().map(|t| (0.2 * t.sin() - 0.1) * t.sin()).sum();
+    /// assert!((gradient[0] - exact).abs() < 1e-15);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`sensitivities`](Self::sensitivities); [`Length`](SolveError::Length) when there are not as many weights as states
+    /// times quantities; [`NoSensitivity`](SolveError::NoSensitivity) where a quantity with a weight has no derivative.
+    pub fn gradient(&self, states: &[State], measures: &[Measure], weights: &[f64]) -> Result<Vec<f64>, SolveError> {
+        let expected = states.len() * measures.len();
+        if weights.len() != expected {
+            return Err(LengthError { what: "weights", expected, found: weights.len() }.into());
+        }
+        let mut gradient = vec![0.0; M::PARAMETERS];
+        if measures.is_empty() {
+            return Ok(gradient);
+        }
+        let model = M::model();
+        let usable = self.options.use_plan && self.given.is_empty() && model.plan.exists();
+        let determined = !is_integrated(model) && model.plan.watched().next().is_none();
+        let differentiable = measures.iter().all(|measure| measure.has_derivatives() || measure.is_held());
+        let backwards = usable && determined && differentiable && M::COORDINATES <= LARGEST;
+        let mut work = Work::<M>::new(measures);
+        for (state, weights) in states.iter().zip(weights.chunks(measures.len())) {
+            let before = gradient.clone();
+            let done = backwards
+                && state.degrees_of_freedom_left == 0
+                && work.add(self.mechanism, state, (measures, weights), &mut gradient)?;
+            if !(done && gradient.iter().all(|by| by.is_finite())) {
+                gradient = before;
+                self.add_forwards(state, (measures, weights), &mut gradient)?;
+            }
+        }
+        Ok(gradient)
+    }
+
+    /// The same for a state, parameter by parameter.
+    fn add_forwards(
+        &self,
+        state: &State,
+        (measures, weights): (&[Measure], &[f64]),
+        gradient: &mut [f64],
+    ) -> Result<(), SolveError> {
+        let all: Vec<usize> = (0..M::PARAMETERS).collect();
+        let slopes = self.measure_sensitivities(state, measures, &all)?;
+        for (slopes, &weight) in slopes.iter().zip(weights).filter(|(_, weight)| **weight != 0.0) {
+            gradient.iter_mut().zip(slopes).for_each(|(by, slope)| *by += weight * slope);
+        }
+        match gradient.iter().position(|by| !by.is_finite()) {
+            None => Ok(()),
+            Some(place) => {
+                let parameter = M::model().parameters[place].name;
+                Err(SolveError::NoSensitivity { t: state.t, parameter, row_name: None })
+            }
+        }
+    }
+}
+
+/// What is written over again for every state.
+struct Work<M: Mechanism> {
+    needs: Needs,
+    varied: Varied<Recorded>,
+    observations: Box<Observations<M, Recorded>>,
+}
+
+impl<M: Mechanism> Work<M> {
+    fn new(measures: &[Measure]) -> Self {
+        let least = Needs { depth: Depth::Velocity, observed: false, geometry: false };
+        let needs = measures.iter().fold(least, |needs, measure| needs.and(measure.needs()));
+        Self { needs, varied: Varied::default(), observations: Box::new(M::observations()) }
+    }
+
+    /// Adds the gradient at a state; false where the plan has no answer that counts.
+    fn add(
+        &mut self,
+        mechanism: &M,
+        state: &State,
+        (measures, weights): (&[Measure], &[f64]),
+        gradient: &mut [f64],
+    ) -> Result<bool, LengthError> {
+        let model = M::model();
+        let Some(modes) = modes_of(mechanism, state)? else { return Ok(false) };
+        let parameters = variables(mechanism.parameters::<f64>().as_ref().iter().copied());
+        let number = Recorded::from_f64;
+        let inputs: Vec<Signal<Recorded>> = state.inputs.iter().map(|input| input.map(number)).collect();
+        let at = Instant { t: number(state.t), inputs: &inputs };
+        let start = M::Coordinates::<Recorded>::generate(|k| number(state.q.get(k).copied().unwrap_or(0.0)));
+        let signs: Vec<Recorded> = modes.of_closures().iter().map(|&sign| number(sign)).collect();
+        let Varied { q, q_dot, q_ddot, margins, observed, geometry } = &mut self.varied;
+        margins.clear();
+        margins.resize(model.plan.margins, number(0.0));
+        for list in [&mut *q, &mut *q_dot, &mut *q_ddot] {
+            list.clear();
+            list.resize(M::COORDINATES, number(0.0));
+        }
+        let solved = Solved { q: &mut *q, q_dot: &mut *q_dot, q_ddot: &mut *q_ddot, margins: &mut *margins };
+        mechanism.solve_with(&parameters, &at, &signs, start.as_ref(), self.needs.depth, solved)?;
+        let good = margins.iter().all(|margin| margin.value() > Plan::SMALLEST_MARGIN);
+        let size = state.q.iter().fold(1.0, |size: f64, x| size.max(x.abs()));
+        let same = q.iter().zip(&state.q).all(|(found, exact)| (found.value() - exact).abs() <= SAME * size);
+        if !(good && same) {
+            return Ok(false);
+        }
+        if self.needs.observed {
+            mechanism.observe_with(&parameters, &at, q, q_dot, &mut self.observations)?;
+            let parts = super::variation::parts(&self.observations);
+            let pattern = &model.observable_pattern;
+            observed.clear();
+            observed.extend((0..model.observables.len()).map(|row| parts.rates(pattern, row, q_dot, q_ddot)));
+        }
+        if self.needs.geometry {
+            geometry.clear();
+            geometry.resize(model.geometry, number(0.0));
+            mechanism.write_geometry(&parameters, &at, geometry)?;
+        }
+        let results = measures.iter().zip(weights).filter(|(measure, weight)| **weight != 0.0 && !measure.is_held());
+        let results: Option<Vec<(Recorded, f64)>> =
+            results.map(|(measure, &weight)| Some((measure.varied(model, &self.varied)?, weight))).collect();
+        let Some(results) = results else { return Ok(false) };
+        accumulate(results, gradient);
+        Ok(true)
+    }
+}
