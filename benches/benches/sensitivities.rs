@@ -61,7 +61,6 @@ fn main() {
         Steps::new(&four_bar, std::array::from_fn(|k| Tangents::variable(numbers[k], k)));
     let solver = four_bar.solver();
     let state = solver.with_guess(5, 0.9).with_guess(8, 5.0).state(&0.0.into()).expect("it closes");
-    let solver = four_bar.solver();
     let solver = four_bar.solver().with_guess(5, 0.9).with_guess(8, 5.0);
     let times: Vec<f64> = (0..STEPS).map(|step| step as f64 * std::f64::consts::TAU / STEPS as f64).collect();
     let turn = solver.sweep(&times).expect("it turns").states;
