@@ -99,9 +99,12 @@ pub(super) fn text(engine: &dyn Engine, known: Option<Known<'_>>) -> String {
     }
     if let Some(Known { mobility, .. }) = known {
         let left = mobility.degrees_of_freedom_left;
+        let (coordinates, of_joints) = (mobility.coordinates, mobility.rows - mobility.driving_rows);
+        let counted = coordinates as i64 - of_joints as i64;
         let driven = if left == 0 { "fully driven".to_owned() } else { format!("{left} left open by the drivers") };
         facts
             .add("degrees of freedom", mobility.degrees_of_freedom, [driven])
+            .add("  Grübler's count", counted, [format!("{coordinates} coordinates − {of_joints} rows of joints")])
             .add("  independent", mobility.independent.len(), coordinate_names(model, &mobility.independent))
             .add("  dependent", mobility.dependent.len(), coordinate_names(model, &mobility.dependent));
         if mobility.velocity_level_rows > 0 {

@@ -10,6 +10,7 @@ use crate::mobility::Mobility;
 use crate::model::{Level, Model};
 use crate::modes::Mode;
 use crate::motion::Motion;
+use crate::plan::StepKind;
 use crate::present::certificate::Certified;
 use crate::present::number::rounded;
 use crate::present::text;
@@ -158,9 +159,34 @@ pub(super) fn misfit(engine: &dyn Engine, setup: &Setup, t: f64, error: &SolveEr
                 matches!(error, SolveError::DegenerateGeometry { fault: Degeneracy::NegativeLength { .. }, .. });
             match (open || negative).then(|| engine.out_of_range(setup, t)).flatten() {
                 Some(why) => Failure::Analysis(format!("{}: {why}\n  {error}", engine.model().name)),
+                None if matches!(error, SolveError::NotAssembled { .. }) => {
+                    let proven = closures(engine, setup, t).map(|hint| format!("{}\n  {hint}", named(engine, error)));
+                    proven.map_or_else(|| analysis(engine, error), Failure::Analysis)
+                }
                 None => analysis(engine, error),
             }
         }
+    }
+}
+
+/// What is proven of the closures at an instant, if a plan in closed form gives them: that there are none, or in which modes.
+fn closures(engine: &dyn Engine, setup: &Setup, t: f64) -> Option<String> {
+    let plan = &engine.model().plan;
+    if !plan.exists() || plan.steps.iter().any(|step| matches!(step.kind, StepKind::Newton(_))) {
+        return None;
+    }
+    let all = engine.assemblies(setup, t).ok()?;
+    match all.found.first() {
+        None if all.undecided.is_empty() => Some(format!(
+            "it is proven that it closes in no way at t = {}: other dimensions (--set) or times may close",
+            rounded(t)
+        )),
+        None => all.undecided.first().map(|left| format!("whether it closes is undecided: {left}")),
+        Some(closure) if closure.name().is_empty() => None,
+        Some(closure) => Some(format!(
+            "it closes from another start: --mode {}; `modes` lists every way in which it closes",
+            closure.name()
+        )),
     }
 }
 
