@@ -12,6 +12,7 @@ mod help;
 mod interrupt;
 mod matrices;
 mod terminal;
+mod unclosed;
 mod unwatched;
 
 use serde_json::Value;
