@@ -27,3 +27,13 @@ fn info_counts_degrees_of_freedom_as_one_does_by_hand() {
     let text = good("fourbar info");
     assert!(text.contains("Grübler's count    1  9 coordinates − 8 rows of joints"), "{text}");
 }
+
+#[test]
+fn a_guess_that_changes_its_mode_on_the_way_is_told() {
+    const BETWEEN: &str = "limits solve --guess slider.x=0,rod.phi=1.5707963267948966";
+    let ran = kin(&format!("{BETWEEN} --at 3"));
+    let note = "another assembly mode at t = 3 than at t = 0; a motion from t = 0 stays in --mode A-B-guide=-";
+    assert!(ran.status == Some(0) && ran.err.contains(note), "{}", ran.err);
+    assert_eq!("", kin(&format!("{BETWEEN} --at 1")).err);
+    assert_eq!("", kin(&format!("{BETWEEN} --at 3 --mode A-B-guide=-")).err);
+}
