@@ -178,7 +178,7 @@ fn closures(engine: &dyn Engine, setup: &Setup, t: f64) -> Option<String> {
     let all = engine.assemblies(setup, t).ok()?;
     match all.found.first() {
         None if all.undecided.is_empty() => Some(format!(
-            "it is proven that it closes in no way at t = {}: other dimensions (--set) or times may close",
+            "it is proven that it closes in no way at t = {}, whatever --guess: other dimensions (--set) or times may close",
             rounded(t)
         )),
         None => all.undecided.first().map(|left| format!("whether it closes is undecided: {left}")),

@@ -112,17 +112,23 @@ fn greatest(numbers: impl Iterator<Item = f64>) -> Option<(usize, f64)> {
 /// Which parameter matters most to every quantity and when; what tolerances come to at most.
 fn text(model: &Model, times: &[f64], quantities: &[Quantity], values: &[f64]) -> String {
     let [from, to] = [times.first(), times.last()].map(|t| t.copied().map_or_else(String::new, rounded));
-    let mut out = format!("{}, sensitivities from t = {from} to t = {to}\n", model.name);
+    let when = if times.len() == 1 { format!("at t = {from}") } else { format!("from t = {from} to t = {to}") };
+    let mut out = format!("{}, sensitivities {when}\n", model.name);
     let t = |place: usize| times.get(place).copied().map_or_else(String::new, rounded);
-    let most = |quantity: &Quantity| {
+    // Along a motion the parameter that matters most; at one instant all that matter, in this order.
+    let ranked = |quantity: &Quantity| {
         let percent = |k: usize| 0.01 * values.get(k).copied().unwrap_or(0.0).abs();
         let all = quantity.by.iter().enumerate().filter_map(|(k, (name, by))| {
             let (place, size) = greatest(by.iter().map(|by| by.abs() * percent(k)))?;
-            Some((*name, place, size, by[place]))
+            (size > 0.0).then(|| (*name, place, size, by[place]))
         });
-        all.max_by(|a, b| a.2.total_cmp(&b.2)).filter(|most| most.2 > 0.0)
+        let mut all: Vec<_> = all.collect();
+        all.sort_by(|a, b| b.2.total_cmp(&a.2));
+        all.truncate(if times.len() == 1 { all.len() } else { 1 });
+        all
     };
-    let rows: Vec<_> = quantities.iter().filter_map(|quantity| Some((quantity, most(quantity)?))).collect();
+    let rows = quantities.iter().flat_map(|quantity| ranked(quantity).into_iter().map(move |most| (quantity, most)));
+    let rows: Vec<_> = rows.collect();
     let table = Table::new()
         .words("quantity", rows.iter().map(|(quantity, _)| quantity.name.as_str()))
         .words("parameter", rows.iter().map(|(_, most)| most.0))
