@@ -168,7 +168,7 @@ macro_rules! problems {
 }
 
 problems! {
-    problem_1_vertical_line: vertical_line(), 60, 1e-12;
+    problem_1_vertical_line: vertical_line(), 200, 1e-12;
     problem_2_arc: arc(), 20, 7.4158e-7;
     problem_3_closed_loop: closed_loop(), 100, 9.0289e-3;
     problem_4a_semicircle: semicircle(5.0), 60, 2.58036;
