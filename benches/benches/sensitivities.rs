@@ -4,6 +4,7 @@
 use kin_benches::four_bar::FourBar;
 use kin_benches::paired::{Contender, compare};
 use kin_benches::placed::Placed;
+use kin_runtime::batch::{self, Column, Modes, Problems, SensitivitySolutions, Solutions, always};
 use kin_runtime::plan::{Depth, Solved};
 use kin_runtime::scalar::Tangents;
 use kin_runtime::{Instant, Kinematics, Measure, Mechanism, Scalar};
@@ -51,6 +52,51 @@ impl<'m, T: Scalar> Steps<'m, T> {
     }
 }
 
+/// The instants of a turn as a batch.
+struct Batch<'m> {
+    four_bar: &'m FourBar,
+    parameters: Vec<Column<'static>>,
+    times: &'m [f64],
+    start: Vec<Column<'static>>,
+    solutions: Solutions<FourBar>,
+    sensitivities: SensitivitySolutions,
+}
+
+impl<'m> Batch<'m> {
+    fn new(four_bar: &'m FourBar, times: &'m [f64], start: &[f64]) -> Self {
+        Self {
+            four_bar,
+            parameters: four_bar.parameters::<f64>().into_iter().map(Column::Shared).collect(),
+            times,
+            start: start.iter().map(|x| Column::Shared(*x)).collect(),
+            solutions: Solutions::new(STEPS),
+            sensitivities: SensitivitySolutions::new(STEPS, 27, 7),
+        }
+    }
+
+    fn problems(&self) -> Problems<'_> {
+        let Self { parameters, times, start, .. } = self;
+        Problems { parameters, t: Column::Each(times), inputs: &[], modes: Modes::Signs(&[Column::Shared(1.0)]), start }
+    }
+
+    fn solve(&mut self) {
+        let mut solutions = std::mem::replace(&mut self.solutions, Solutions::new(0));
+        batch::solve(self.four_bar, Depth::Acceleration, &self.problems(), &mut solutions, &always)
+            .expect("nine columns");
+        self.solutions = solutions;
+        black_box(&self.solutions);
+    }
+
+    fn derive(&mut self, measures: &[Measure]) {
+        let mut out = std::mem::replace(&mut self.sensitivities, SensitivitySolutions::new(0, 0, 0));
+        let by = [0, 1, 2, 3, 4, 5, 6];
+        batch::sensitivities(self.four_bar, &self.problems(), &self.solutions, measures, &by, &mut out, &always)
+            .expect("closed forms");
+        self.sensitivities = out;
+        black_box(&self.sensitivities);
+    }
+}
+
 fn main() {
     let four_bar = FourBar::default();
     let numbers = four_bar.parameters::<f64>();
@@ -67,6 +113,9 @@ fn main() {
     let wanted: Vec<Measure> =
         ["rocker.phi", "coupler.x"].iter().filter_map(|name| Measure::named(FourBar::model(), name)).collect();
     let weights: Vec<f64> = (0..wanted.len() * STEPS).map(|k| 0.5 + (k % 7) as f64).collect();
+    let everything: Vec<Measure> = Measure::all(FourBar::model()).into_iter().skip(1).take(27).collect();
+    let mut batch = Batch::new(&four_bar, &times, &turn[0].q);
+    let mut alone = Batch::new(&four_bar, &times, &turn[0].q);
     compare(
         "q, q̇, q̈ of the four-bar and their derivatives by seven parameters",
         STEPS,
@@ -74,6 +123,14 @@ fn main() {
             Contender { name: "the plan", work: Box::new(|| plain.turn()) },
             Contender { name: "with tangents by seven parameters", work: Box::new(|| seven.turn()) },
             Contender { name: "with tangents in eight lanes", work: Box::new(|| eight.turn()) },
+            Contender { name: "batch::solve", work: Box::new(move || alone.solve()) },
+            Contender {
+                name: "batch::solve and batch::sensitivities, all of q, q̇, q̈ by all seven",
+                work: Box::new(move || {
+                    batch.solve();
+                    batch.derive(&everything);
+                }),
+            },
             Contender {
                 name: "Solver::gradient of one objective by all seven",
                 work: Box::new(|| {

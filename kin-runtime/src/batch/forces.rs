@@ -2,12 +2,12 @@
 
 use super::BatchError;
 use super::column::{Arguments, Configurations};
-use super::run::{CHUNK, Progress, Shape, blocks, drive};
+use super::run::{CHUNK, Progress, Shape, drive};
 use super::solution::{Problems, Solutions, SolvedBlock};
 use crate::mechanism::Mechanism;
 use crate::model::ForceModel;
-use crate::scalar::lanes::{Lanes, Octet, Pack};
-use crate::workspace::Array;
+use crate::scalar::Scalar;
+use crate::scalar::lanes::{Octet, Pack};
 use alloc::vec::Vec;
 use core::marker::PhantomData;
 use core::ops::ControlFlow;
@@ -15,14 +15,14 @@ use core::ops::ControlFlow;
 /// The forces of a batch: the numbers of [`ForceModel`] for every configuration, 0 if it is not solved.
 pub struct ForceSolutions<M: Mechanism> {
     count: usize,
-    blocks: Vec<Lanes>,
+    blocks: Vec<Octet>,
     mechanism: PhantomData<fn(M)>,
 }
 
 impl<M: Mechanism> ForceSolutions<M> {
     /// Room for `count` configurations.
     pub fn new(count: usize) -> Self {
-        let blocks = alloc::vec![Lanes::default(); blocks(count) * Self::stride()];
+        let blocks = alloc::vec![Octet::default(); count.div_ceil(Octet::COUNT) * Self::stride()];
         Self { count, blocks, mechanism: PhantomData }
     }
 
@@ -46,7 +46,7 @@ impl<M: Mechanism> ForceSolutions<M> {
         let stride = Self::stride();
         assert!(place < stride, "number {place} of {stride}");
         let blocks = self.blocks.chunks_exact(stride.max(1));
-        blocks.flat_map(move |block| Lanes::each(|lane| block[place].lane(lane))).take(self.count)
+        blocks.flat_map(move |block| Octet::each(|lane| block[place].lane(lane))).take(self.count)
     }
 }
 
@@ -115,46 +115,20 @@ pub fn forces<M: Mechanism + Sync>(
     let &Problems { parameters, t, inputs, .. } = problems;
     // q and its rates are those of the solutions.
     let configurations = Configurations { parameters, t, inputs, q: &[], q_dot: &[] };
-    let shape = Shape { count: out.count, width: Lanes::COUNT, stride: model.count, chunk: CHUNK };
-    let scratch = || (Arguments::<M, Lanes>::new(&configurations), Motion::<M>::default());
-    drive(&shape, &mut out.blocks, watch, scratch, |first, (arguments, motion), out| {
+    let shape = Shape { count: out.count, width: Octet::COUNT, stride: model.count, chunk: CHUNK };
+    let arguments = || Arguments::<M, Octet>::new(&configurations);
+    drive(&shape, &mut out.blocks, watch, arguments, |first, arguments, out| {
         let block = arguments.block(first);
         let solved = solutions.block(first / Octet::COUNT);
-        let group = first % Octet::COUNT / Lanes::COUNT;
-        motion.take(&solved, group);
-        let [q, q_dot, q_ddot] = [motion.q.as_ref(), motion.q_dot.as_ref(), motion.q_ddot.as_ref()];
+        let SolvedBlock { q, q_dot, q_ddot, good } = solved;
         let lengths = mechanism.forces_with(block.parameters, &block.at, q, q_dot, q_ddot, &[], out);
         debug_assert!(lengths.is_ok(), "the columns have been counted");
-        let good = solved.good.group(group);
-        for lane in (0..Lanes::COUNT).filter(|lane| good.lane(*lane) == 0.0) {
+        // One comparison for all lanes, since nearly always all are solved.
+        if (*good - Octet::from_f64(1.0)).is_within(0.0) {
+            return;
+        }
+        for lane in (0..Octet::COUNT).filter(|lane| good.lane(*lane) == 0.0) {
             out.iter_mut().for_each(|number| number.set(lane, 0.0));
         }
     })
-}
-
-/// The motion of half a block of solutions. Closed forms of forces have many live values at once: with eight lanes these
-/// would not fit into registers.
-struct Motion<M: Mechanism> {
-    q: M::Coordinates<Lanes>,
-    q_dot: M::Coordinates<Lanes>,
-    q_ddot: M::Coordinates<Lanes>,
-}
-
-impl<M: Mechanism> Default for Motion<M> {
-    fn default() -> Self {
-        let nothing = |_| Lanes::default();
-        Self { q: Array::generate(nothing), q_dot: Array::generate(nothing), q_ddot: Array::generate(nothing) }
-    }
-}
-
-impl<M: Mechanism> Motion<M> {
-    #[inline(always)]
-    fn take(&mut self, solved: &SolvedBlock<'_>, group: usize) {
-        let copy = |to: &mut [Lanes], from: &[Octet]| {
-            to.iter_mut().zip(from).for_each(|(to, from)| *to = from.group(group));
-        };
-        copy(self.q.as_mut(), solved.q);
-        copy(self.q_dot.as_mut(), solved.q_dot);
-        copy(self.q_ddot.as_mut(), solved.q_ddot);
-    }
 }

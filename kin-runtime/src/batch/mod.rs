@@ -49,8 +49,8 @@
 //! # Ok::<(), kin_runtime::batch::BatchError>(())
 //! ```
 //!
-//! [`solve`] gives q, q̇ and q̈ by the plan ([`crate::plan`]), and [`forces()`] the efforts of drivers and reactions of
-//! joints for these. [`sweep`] computes the whole motion of many sets of parameters over one time grid. It passes each
+//! [`solve`] gives q, q̇ and q̈ by the plan ([`crate::plan`]); for these [`forces()`] gives the efforts of drivers and
+//! reactions of joints, and `sensitivities` the derivatives of any quantities by the parameters. [`sweep`] computes the whole motion of many sets of parameters over one time grid. It passes each
 //! instant to a closure and keeps no states, so that millions of motions fit into memory.
 
 mod column;
@@ -61,6 +61,8 @@ mod modes;
 mod motion;
 mod poses;
 mod run;
+#[cfg(feature = "std")]
+mod sensitivities;
 mod solution;
 mod sweep;
 #[cfg(all(test, feature = "std"))]
@@ -73,6 +75,8 @@ pub use evaluation::{Evaluations, evaluate};
 pub use forces::{ForceSolutions, forces};
 pub use modes::Modes;
 pub use run::{Progress, always};
+#[cfg(feature = "std")]
+pub use sensitivities::{SensitivitySolutions, sensitivities};
 pub use solution::{Problems, Solutions, solve};
 pub use sweep::{Moment, Motions, Sweeps, sweep};
 
@@ -87,6 +91,15 @@ pub enum BatchError {
     NoPlan(&'static str),
     /// There are no forces in closed form, with the reason.
     NoForces(&'static str),
+    /// There are no derivatives by parameters in closed form, with the reason.
+    NoSensitivities(&'static str),
+    /// The mechanism has no parameter with this place.
+    UnknownParameter {
+        /// The place.
+        index: usize,
+        /// How many parameters there are.
+        parameters: usize,
+    },
     /// The watch stopped the batch; results are incomplete.
     Stopped(Progress),
 }
@@ -97,6 +110,8 @@ impl core::fmt::Display for BatchError {
             Self::Length(error) => error.fmt(f),
             Self::NoPlan(why) => write!(f, "no plan because {why}"),
             Self::NoForces(why) => write!(f, "no forces because {why}"),
+            Self::NoSensitivities(why) => write!(f, "no sensitivities because {why}"),
+            Self::UnknownParameter { index, parameters } => write!(f, "no parameter {index} among {parameters}"),
             Self::Stopped(progress) => write!(f, "stopped after {progress}"),
         }
     }

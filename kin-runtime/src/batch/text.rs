@@ -1,5 +1,7 @@
 //! How batches print.
 
+#[cfg(feature = "std")]
+use super::SensitivitySolutions;
 use super::{
     Column, Configurations, End, Evaluations, ForceSolutions, Modes, Moment, Motions, Problems, Progress, Solutions,
     Sweeps,
@@ -103,5 +105,12 @@ impl<M: Mechanism> fmt::Display for Evaluations<M> {
 impl<M: Mechanism> fmt::Display for ForceSolutions<M> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str("forces of ").and_then(|()| counted(f, self.count(), "configuration"))
+    }
+}
+
+#[cfg(feature = "std")]
+impl fmt::Display for SensitivitySolutions {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("sensitivities of ").and_then(|()| counted(f, self.count(), "configuration"))
     }
 }

@@ -6,7 +6,8 @@ use crate::measure::Needs;
 use crate::mechanism::Mechanism;
 use crate::planned::Sign;
 use crate::planned::follower::{Control, Follower};
-use crate::sensitivity::{LARGEST, Variation, Varied, Varying, WIDTH, is_integrated, observe};
+use crate::sensitivity::measured::complete;
+use crate::sensitivity::{LARGEST, Variation, Varied, Varying, WIDTH, is_integrated};
 use crate::solver::Solver;
 use crate::workspace::Instant;
 
@@ -115,15 +116,4 @@ impl<'d, M: Mechanism> Follow<'d, M> {
         }
         Ok(())
     }
-}
-
-/// Writes what is needed besides q and its rates.
-fn complete<M: Mechanism>(varying: &mut Varying<'_, M>, varied: &mut Varied, needs: Needs) -> Result<(), SolveError> {
-    if needs.observed {
-        observe(varying, varied)?;
-    }
-    if needs.geometry {
-        varying.write_geometry(&mut varied.geometry)?;
-    }
-    Ok(())
 }

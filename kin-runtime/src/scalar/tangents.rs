@@ -4,6 +4,8 @@ use super::Scalar;
 use crate::text::numbers;
 use core::fmt;
 use core::ops::{Add, Div, Mul, Neg, Sub};
+#[cfg(feature = "simd")]
+use wide::f64x4;
 
 /// A value with its derivatives by `W` parameters.
 ///
@@ -27,6 +29,45 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 pub struct Tangents<const W: usize> {
     value: f64,
     by: [f64; W],
+}
+
+/// An expression of the derivatives of one number, or of two, for every parameter: for four at once, and for the rest one by
+/// one. Compilers do not find the lanes by themselves: they mix derivatives with values.
+macro_rules! for_each_parameter {
+    (|$a:ident| $f:expr, $by:expr) => {{
+        let mut by = $by;
+        #[cfg(feature = "simd")]
+        let (fours, rest) = by.as_chunks_mut::<4>();
+        #[cfg(feature = "simd")]
+        for own in fours {
+            let $a = f64x4::new(*own);
+            *own = ($f).to_array();
+        }
+        #[cfg(not(feature = "simd"))]
+        let rest = &mut by[..];
+        for own in rest {
+            let $a = *own;
+            *own = $f;
+        }
+        by
+    }};
+    (|$a:ident, $b:ident| $f:expr, $by:expr, $others:expr) => {{
+        let (mut by, others) = ($by, $others);
+        #[cfg(feature = "simd")]
+        let ((fours, rest), (other_fours, others)) = (by.as_chunks_mut::<4>(), others.as_chunks::<4>());
+        #[cfg(feature = "simd")]
+        for (own, other) in fours.iter_mut().zip(other_fours) {
+            let ($a, $b) = (f64x4::new(*own), f64x4::new(*other));
+            *own = ($f).to_array();
+        }
+        #[cfg(not(feature = "simd"))]
+        let (rest, others) = (&mut by[..], &others[..]);
+        for (own, other) in rest.iter_mut().zip(others) {
+            let ($a, $b) = (*own, *other);
+            *own = $f;
+        }
+        by
+    }};
 }
 
 impl<const W: usize> Tangents<W> {
@@ -61,26 +102,18 @@ impl<const W: usize> Tangents<W> {
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn chain(self, value: f64, slope: f64) -> Self {
         let by = if slope.is_finite() {
-            self.by.map(|by| slope * by)
+            for_each_parameter!(|by| slope * by, self.by)
         } else {
             self.by.map(|by| if by == 0.0 { 0.0 } else { slope * by })
         };
         Self { value, by }
     }
 
-    /// `f` of the derivatives of both.
-    #[inline(always)]
-    fn pairs(self, other: Self, value: f64, f: impl Fn(f64, f64) -> f64) -> Self {
-        let mut by = self.by;
-        for (own, other) in by.iter_mut().zip(&other.by) {
-            *own = f(*own, *other);
-        }
-        Self { value, by }
-    }
-
     #[inline(always)]
     fn turned(self, (sin, cos): (f64, f64)) -> (Self, Self) {
-        (Self { value: sin, by: self.by.map(|by| cos * by) }, Self { value: cos, by: self.by.map(|by| -sin * by) })
+        let (sin_by, cos_by) =
+            (for_each_parameter!(|by| cos * by, self.by), for_each_parameter!(|by| -sin * by, self.by));
+        (Self { value: sin, by: sin_by }, Self { value: cos, by: cos_by })
     }
 
     /// The angle of the vector (x, y), whose value is known: θ_p = (x y_p − y x_p) / (x² + y²).
@@ -88,7 +121,7 @@ impl<const W: usize> Tangents<W> {
     fn angle((y, x): (Self, Self), value: f64) -> Self {
         let square = x.value * x.value + y.value * y.value;
         let (along, across) = (x.value / square, y.value / square);
-        y.pairs(x, value, |y, x| along * y - across * x)
+        Self { value, by: for_each_parameter!(|y, x| along * y - across * x, y.by, x.by) }
     }
 }
 
@@ -97,13 +130,13 @@ impl<const W: usize> Neg for Tangents<W> {
 
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn neg(self) -> Self {
-        Self { value: -self.value, by: self.by.map(|by| -by) }
+        Self { value: -self.value, by: for_each_parameter!(|by| -by, self.by) }
     }
 }
 
 /// The value of an operation, and the derivative of its result by those of its operands.
 macro_rules! operators {
-    ($($Operator:ident $operator:ident |$a:ident, $b:ident, $c:ident| $slopes:expr;)*) => { $(
+    ($($Operator:ident $operator:ident |$a:ident, $b:ident, $c:ident, $da:ident, $db:ident| $slope:expr;)*) => { $(
         impl<const W: usize> $Operator for Tangents<W> {
             type Output = Self;
 
@@ -112,17 +145,17 @@ macro_rules! operators {
             fn $operator(self, other: Self) -> Self {
                 let ($a, $b) = (self.value, other.value);
                 let $c = $Operator::$operator($a, $b);
-                self.pairs(other, $c, $slopes)
+                Self { value: $c, by: for_each_parameter!(|$da, $db| $slope, self.by, other.by) }
             }
         }
     )* };
 }
 
 operators! {
-    Add add |a, b, c| |da, db| da + db;
-    Sub sub |a, b, c| |da, db| da - db;
-    Mul mul |a, b, c| |da, db| da * b + a * db;
-    Div div |a, b, c| { let inverse = 1.0 / b; move |da, db| (da - c * db) * inverse };
+    Add add |a, b, c, da, db| da + db;
+    Sub sub |a, b, c, da, db| da - db;
+    Mul mul |a, b, c, da, db| da * b + a * db;
+    Div div |a, b, c, da, db| (da - c * db) * (1.0 / b);
 }
 
 /// Functions of one argument: value and slope.

@@ -1,8 +1,8 @@
 //! Derivatives of quantities by name.
 
-use super::Varying;
+use super::{Variation, Varied, Varying, observe};
 use crate::error::SolveError;
-use crate::measure::{Measure, column_values, magnitude_parts};
+use crate::measure::{Measure, Needs, column_values, magnitude_parts};
 use crate::mechanism::Mechanism;
 use crate::solver::Solver;
 use crate::state::State;
@@ -101,4 +101,15 @@ impl<M: Mechanism> Solver<'_, M> {
         }
         Ok(())
     }
+}
+
+/// Writes what quantities need besides q and its rates.
+pub(crate) fn complete(variation: &mut dyn Variation, varied: &mut Varied, needs: Needs) -> Result<(), SolveError> {
+    if needs.observed {
+        observe(variation, varied)?;
+    }
+    if needs.geometry {
+        variation.write_geometry(&mut varied.geometry)?;
+    }
+    Ok(())
 }

@@ -17,7 +17,7 @@
 mod adjoint;
 mod forces;
 mod linear;
-mod measured;
+pub(crate) mod measured;
 mod variation;
 
 use crate::equations::Equations;
@@ -31,14 +31,11 @@ use crate::sensitivities::{Sensitivities, Sensitivity};
 use crate::solver::Solver;
 use crate::state::State;
 use linear::Linear;
-#[cfg(feature = "design")]
-pub(crate) use variation::LARGEST;
 #[cfg(not(feature = "design"))]
 pub(crate) use variation::Number;
 #[cfg(feature = "design")]
 pub use variation::Number;
-pub(crate) use variation::WIDTH;
-pub(crate) use variation::{Variation, Varied, Varying};
+pub(crate) use variation::{LARGEST, Variation, Varied, Varying, WIDTH, modes_at};
 
 /// What the plan's q may miss that of the state by, in the size of its numbers, to be the same configuration.
 const SAME: f64 = 1e-6;
@@ -236,7 +233,8 @@ pub(crate) fn observe(variation: &mut dyn Variation, varied: &mut Varied) -> Res
     let parts = variation.observe(&varied.q, &varied.q_dot)?;
     let pattern = &model.observable_pattern;
     let all = (0..model.observables.len()).map(|k| parts.rates(pattern, k, &varied.q_dot, &varied.q_ddot));
-    varied.observed = all.collect();
+    varied.observed.clear();
+    varied.observed.extend(all);
     Ok(())
 }
 

@@ -87,6 +87,18 @@ impl<'m, M: Mechanism> Varying<'m, M> {
         }
     }
 
+    /// Varies these parameters, of which there are as many as are taken together, around values of all of them.
+    pub(crate) fn vary_around(&mut self, values: &[f64], at: &Instant<'_>, parameters: &[usize]) {
+        self.t = Number::from_f64(at.t);
+        self.inputs = M::Inputs::generate(|k| at.inputs.get(k).copied().unwrap_or_default().map(Number::from_f64));
+        self.parameters = M::Parameters::generate(|k| Number::from_f64(values.get(k).copied().unwrap_or_default()));
+        for (place, &parameter) in parameters.iter().take(WIDTH).enumerate() {
+            if let Some(number) = self.parameters.as_mut().get_mut(parameter) {
+                *number = Number::variable(number.value(), place);
+            }
+        }
+    }
+
     /// q and as many of its rates as `depth` says by the plan, in these modes, from a q nearby: where a step iterates, from
     /// the solution itself.
     pub(crate) fn solve_from(
@@ -118,8 +130,17 @@ impl<'m, M: Mechanism> Varying<'m, M> {
 
 /// The signs of the modes of a state; none where a group is so near to its limit that they are not decided.
 pub(super) fn modes_of<M: Mechanism>(mechanism: &M, state: &State) -> Result<Option<Modes<M>>, LengthError> {
-    let parameters = mechanism.parameters::<f64>();
-    let closures = Closures::at(mechanism, parameters.as_ref(), &state.instant(), &state.q)?;
+    modes_at(mechanism, mechanism.parameters::<f64>().as_ref(), &state.instant(), &state.q)
+}
+
+/// As [`modes_of`], with these parameters.
+pub(crate) fn modes_at<M: Mechanism>(
+    mechanism: &M,
+    parameters: &[f64],
+    at: &Instant<'_>,
+    q: &[f64],
+) -> Result<Option<Modes<M>>, LengthError> {
+    let closures = Closures::at(mechanism, parameters, at, q)?;
     let decided = closures.as_ref().iter().all(|closure| closure.abs() > UNDECIDED);
     Ok(decided.then(|| closures.modes()))
 }
@@ -134,14 +155,7 @@ impl<M: Mechanism> Variation for Varying<'_, M> {
     }
 
     fn begin(&mut self, at: &Instant<'_>, parameters: &[usize]) {
-        self.t = Number::from_f64(at.t);
-        self.inputs = M::Inputs::generate(|k| at.inputs.get(k).copied().unwrap_or_default().map(Number::from_f64));
-        self.parameters = self.mechanism.parameters();
-        for (place, &parameter) in parameters.iter().take(WIDTH).enumerate() {
-            if let Some(number) = self.parameters.as_mut().get_mut(parameter) {
-                *number = Number::variable(number.value(), place);
-            }
-        }
+        self.vary_around(self.mechanism.parameters::<f64>().as_ref(), at, parameters);
     }
 
     fn solve(&mut self, state: &State, varied: &mut Varied) -> Result<bool, LengthError> {

@@ -50,7 +50,7 @@ fn derived<M: Kinematics>() -> Vec<Measure> {
 }
 
 /// The derivatives equal the finite differences of solutions with the parameter changed.
-fn are_derivatives<M: Kinematics + Default>(from: f64, to: f64) {
+fn are_derivatives<M: Kinematics + Default + Sync>(from: f64, to: f64) {
     let mechanism = M::default();
     let parameters = mechanism.parameters::<f64>().as_ref().to_vec();
     let mut differences = Differences::new();
@@ -68,6 +68,7 @@ fn are_derivatives<M: Kinematics + Default>(from: f64, to: f64) {
         let (derived, all) = (derived::<M>(), (0..parameters.len()).collect::<Vec<usize>>());
         let derived_by = mechanism.solver().measure_sensitivities(state, &derived, &all).unwrap();
         backwards_is_forwards(&mechanism, state);
+        crate::batches::are_those_of_the_state(&mechanism, state);
         for (index, &value) in parameters.iter().enumerate() {
             let (by, by_rows) = (&found.by[index], &by_rows.by[index]);
             let step = STEP * value.abs().max(0.05);

@@ -1,0 +1,298 @@
+//! Derivatives by parameters of many solved configurations.
+
+use super::BatchError;
+use super::run::{CHUNK, Progress, Shape, drive};
+use super::solution::{Problems, Solutions};
+use crate::measure::{Measure, Needs, Source};
+use crate::mechanism::{LengthError, Mechanism};
+use crate::model::Model;
+use crate::plan::Depth;
+use crate::scalar::Scalar;
+use crate::scalar::lanes::{Octet, Pack};
+use crate::sensitivity::measured::complete;
+use crate::sensitivity::{LARGEST, Number, Variation, Varied, Varying, WIDTH, is_integrated, modes_at};
+use crate::signal::{Instant, Signal};
+use core::ops::ControlFlow;
+
+/// Values and derivatives of quantities for every configuration of a batch.
+pub struct SensitivitySolutions {
+    count: usize,
+    measures: usize,
+    parameters: usize,
+    /// For every configuration: 1 if it has an answer, then each quantity with its derivatives, which fill whole lanes.
+    numbers: Vec<f64>,
+}
+
+impl SensitivitySolutions {
+    /// Room for `count` configurations, so many quantities, and their derivatives by so many parameters.
+    pub fn new(count: usize, measures: usize, parameters: usize) -> Self {
+        let mut out = Self { count, measures, parameters, numbers: Vec::new() };
+        out.numbers.resize(count * out.stride(), 0.0);
+        out
+    }
+
+    /// Numbers of a configuration.
+    fn stride(&self) -> usize {
+        1 + self.measures * self.width()
+    }
+
+    /// Numbers of a quantity.
+    fn width(&self) -> usize {
+        1 + self.parameters.next_multiple_of(WIDTH)
+    }
+
+    /// How many configurations there are.
+    pub fn count(&self) -> usize {
+        self.count
+    }
+
+    /// Whether each configuration has an answer. It has none if [`solve`](super::solve) had none, and so near to a limit
+    /// that derivatives are not finite or its mode is not decided.
+    pub fn solved(&self) -> impl Iterator<Item = bool> {
+        self.column(0).map(|solved| solved > 0.0)
+    }
+
+    /// A quantity, by its place in the list: a number for every configuration, 0 without an answer.
+    ///
+    /// # Panics
+    /// If there is no such quantity.
+    pub fn value(&self, measure: usize) -> impl Iterator<Item = f64> {
+        self.column(self.place(measure))
+    }
+
+    /// The derivative of a quantity by a parameter, by their places in their lists. NaN where the quantity has none: a
+    /// transmission angle whose arms are on one line, the length of a force that is zero.
+    ///
+    /// # Panics
+    /// If there is no such quantity or parameter.
+    pub fn by(&self, measure: usize, parameter: usize) -> impl Iterator<Item = f64> {
+        assert!(parameter < self.parameters, "parameter {parameter} of {}", self.parameters);
+        self.column(self.place(measure) + 1 + parameter)
+    }
+
+    fn place(&self, measure: usize) -> usize {
+        assert!(measure < self.measures, "quantity {measure} of {}", self.measures);
+        1 + measure * self.width()
+    }
+
+    fn column(&self, place: usize) -> impl Iterator<Item = f64> {
+        self.numbers.iter().skip(place).step_by(self.stride()).copied()
+    }
+
+    /// Checks that there is room for these lists.
+    fn check(&self, measures: usize, parameters: usize) -> Result<(), LengthError> {
+        let lists = [
+            ("the list of quantities", self.measures, measures),
+            ("the list of parameters", self.parameters, parameters),
+        ];
+        let wrong = lists.into_iter().find(|(_, expected, found)| expected != found);
+        wrong.map_or(Ok(()), |(what, expected, found)| Err(LengthError { what, expected, found }))
+    }
+}
+
+/// Values of quantities, and their exact derivatives by parameters (places in
+/// [`Model::parameters`](crate::model::Model::parameters)), for configurations that [`solve`](super::solve) has solved, for
+/// the same problems. Instants, inputs and assembly modes are held, as by
+/// [`Solver::measure_sensitivities`](crate::Solver::measure_sensitivities).
+///
+/// Eight parameters are taken at once: the plan runs once for them over numbers that carry eight derivatives. `watch` gets
+/// the progress and may stop the batch.
+///
+/// ```
+/// use kin_runtime::batch::{Column, Modes, Problems, SensitivitySolutions, Solutions, always, sensitivities, solve};
+/// use kin_runtime::plan::Depth;
+/// use kin_runtime::{Measure, Mechanism, mechanism};
+///
+/// /// A crank whose end is at (l cos φ, l sin φ).
+/// #[mechanism]
+/// #[bodies(crank)]
+/// #[point(tip = crank @ (l, 0))]
+/// #[revolute(pin: ground @ (0, 0), crank @ (0, 0))]
+/// #[driver(drive: crank.phi = t)]
+/// struct Crank {
+///     #[param(0.2)]
+///     l: f64,
+/// }
+///
+/// let times = [0.1, 0.4, 0.7];
+/// let start = [Column::Shared(0.0); 3];
+/// let (parameters, modes) = ([Column::Shared(0.2)], Modes::OfStart);
+/// let problems = Problems { parameters: &parameters, t: Column::Each(&times), inputs: &[], modes, start: &start };
+/// let mut solutions = Solutions::<Crank>::new(3);
+/// solve(&Crank::default(), Depth::Acceleration, &problems, &mut solutions, &always)?;
+/// let height: Vec<Measure> = Measure::named(Crank::model(), "tip.y").into_iter().collect();
+/// let mut out = SensitivitySolutions::new(3, 1, 1);
+/// sensitivities(&Crank::default(), &problems, &solutions, &height, &[0], &mut out, &always)?;
+/// for (by, t) in out.by(0, 0).zip(times) {
+///     assert!((by - t.sin()).abs() < 1e-15);
+/// }
+/// # Ok::<(), kin_runtime::batch::BatchError>(())
+/// ```
+///
+/// # Errors
+/// [`NoSensitivities`](BatchError::NoSensitivities) where redundant rows or rows of velocity level leave no closed form, for
+/// a mechanism of more than 160 coordinates, and for a quantity without [`source`](Measure::source);
+/// [`UnknownParameter`](BatchError::UnknownParameter); if a list or a column has the wrong length, and if `watch` stops the
+/// batch.
+pub fn sensitivities<M: Mechanism + Sync>(
+    mechanism: &M,
+    problems: &Problems<'_>,
+    solutions: &Solutions<M>,
+    measures: &[Measure],
+    parameters: &[usize],
+    out: &mut SensitivitySolutions,
+    watch: &(dyn Fn(Progress) -> ControlFlow<()> + Sync),
+) -> Result<(), BatchError> {
+    let model = M::model();
+    check(model)?;
+    problems.check::<M>(out.count)?;
+    solutions.check(out.count)?;
+    out.check(measures.len(), parameters.len())?;
+    if let Some(&index) = parameters.iter().find(|&&index| index >= M::PARAMETERS) {
+        return Err(BatchError::UnknownParameter { index, parameters: M::PARAMETERS });
+    }
+    let sources: Option<Vec<Source>> = measures.iter().map(|measure| measure.source(model)).collect();
+    let sources = sources.ok_or(BatchError::NoSensitivities("a velocity ratio or a force has no closed form"))?;
+    let list = List { measures, sources, parameters };
+    let shape = Shape { count: out.count, width: 1, stride: out.stride(), chunk: CHUNK };
+    let scratch = || Scratch::<M>::new(mechanism);
+    drive(&shape, &mut out.numbers, watch, scratch, |place, scratch, out| {
+        let block = solutions.block(place / Octet::COUNT);
+        let lane = place % Octet::COUNT;
+        let good = block.good.lane(lane) > 0.0;
+        scratch.q.iter_mut().zip(block.q).for_each(|(q, solved)| *q = solved.lane(lane));
+        if !good || scratch.derive(mechanism, problems, place, &list, out).is_none() {
+            out.fill(0.0);
+        }
+    })
+}
+
+/// Refuses what the plan over numbers with derivatives does not solve.
+fn check(model: &'static Model) -> Result<(), BatchError> {
+    if let Some(why) = model.plan.absent {
+        return Err(BatchError::NoPlan(why));
+    }
+    if model.plan.watched().next().is_some() {
+        let why = "redundant rows may hold for these parameters only; `Solver::measure_sensitivities` solves all rows";
+        return Err(BatchError::NoSensitivities(why));
+    }
+    if is_integrated(model) {
+        return Err(BatchError::NoSensitivities("rows of velocity level make the position an outcome of the motion"));
+    }
+    if model.coordinates.len() > LARGEST {
+        return Err(BatchError::NoSensitivities("there are more than 160 coordinates"));
+    }
+    Ok(())
+}
+
+/// What is asked for.
+struct List<'a> {
+    measures: &'a [Measure],
+    sources: Vec<Source>,
+    parameters: &'a [usize],
+}
+
+/// The buffers of one thread.
+struct Scratch<'m, M: Mechanism> {
+    varying: Varying<'m, M>,
+    varied: Varied,
+    forces: Vec<Number>,
+    parameters: Vec<f64>,
+    inputs: Vec<Signal>,
+    q: Vec<f64>,
+}
+
+impl<'m, M: Mechanism> Scratch<'m, M> {
+    fn new(mechanism: &'m M) -> Self {
+        let forces = M::model().forces.map_or(0, |forces| forces.count);
+        Self {
+            varying: Varying::new(mechanism),
+            varied: Varied::default(),
+            forces: vec![Number::from_f64(0.0); forces],
+            parameters: vec![0.0; M::PARAMETERS],
+            inputs: Vec::new(),
+            q: vec![0.0; M::COORDINATES],
+        }
+    }
+
+    /// Writes the numbers of the configuration at `place`, whose coordinates are in `q`; none where it has no answer.
+    fn derive(
+        &mut self,
+        mechanism: &M,
+        problems: &Problems<'_>,
+        place: usize,
+        list: &List<'_>,
+        out: &mut [f64],
+    ) -> Option<()> {
+        let Self { varying, varied, forces, parameters, inputs, q } = self;
+        parameters.iter_mut().zip(problems.parameters).for_each(|(number, column)| *number = column.at(place));
+        inputs.clear();
+        inputs.extend(problems.inputs.iter().map(|input| input.map(|column| column.at(place))));
+        let at = Instant { t: problems.t.at(place), inputs };
+        let modes = modes_at(mechanism, parameters, &at, q).ok()??;
+        let has_forces = list.measures.iter().any(|measure| measure.force().is_some());
+        let mut needs = Needs { depth: Depth::Position, observed: false, geometry: false };
+        for measure in list.measures {
+            needs = needs.and(measure.needs());
+        }
+        if has_forces {
+            needs.depth = Depth::Acceleration;
+        }
+        let (solved, numbers) = out.split_first_mut()?;
+        let width = 1 + list.parameters.len().next_multiple_of(WIDTH);
+        // Once without parameters for the values alone.
+        let chunks = list.parameters.chunks(WIDTH).chain(list.parameters.is_empty().then_some(list.parameters));
+        for (first, chunk) in chunks.enumerate().map(|(k, chunk)| (k * WIDTH, chunk)) {
+            varying.vary_around(parameters, &at, chunk);
+            varying.solve_from(modes.of_closures(), q, needs.depth, varied).ok()?;
+            if ![&varied.q, &varied.q_dot, &varied.q_ddot].into_iter().all(|list| all_finite(list)) {
+                return None;
+            }
+            complete(varying, varied, needs).ok()?;
+            if has_forces {
+                varying.forces(varied, &[], forces).ok()?;
+            }
+            for ((measure, source), out) in list.measures.iter().zip(&list.sources).zip(numbers.chunks_mut(width)) {
+                let own;
+                let number = match *source {
+                    Source::Coordinate { place, order } => {
+                        [&varied.q, &varied.q_dot, &varied.q_ddot].get(order)?.get(place)?
+                    }
+                    Source::Force(place) => forces.get(place)?,
+                    _ => {
+                        own = match *source {
+                            Source::Time => Number::from_f64(at.t),
+                            Source::Input { place, order } => {
+                                let input = at.inputs.get(place)?;
+                                Number::from_f64(*[input.value, input.rate, input.acceleration].get(order)?)
+                            }
+                            Source::ForceLength(place) => {
+                                let (x, y) = (*forces.get(place)?, *forces.get(place + 1)?);
+                                (x * x + y * y).sqrt()
+                            }
+                            _ => measure.varied(M::model(), varied)?,
+                        };
+                        &own
+                    }
+                };
+                out[0] = number.value();
+                if let Some(out) = out.get_mut(1 + first..1 + first + WIDTH) {
+                    out.copy_from_slice(&number.by());
+                }
+            }
+        }
+        *solved = 1.0;
+        Some(())
+    }
+}
+
+/// Whether all values and derivatives are finite: 0 times anything else is NaN. Lanes are added apart, so that the compiler
+/// takes them together.
+fn all_finite(numbers: &[Number]) -> bool {
+    let (mut sum, mut by) = (0.0, [0.0; WIDTH]);
+    for number in numbers {
+        sum += number.value() * 0.0;
+        by.iter_mut().zip(number.by()).for_each(|(sum, by)| *sum += by * 0.0);
+    }
+    sum == 0.0 && by == [0.0; WIDTH]
+}
