@@ -1,8 +1,12 @@
 //! Derivatives of quantities by name.
 
-use super::{Variation, Varied, Varying, observe};
+use super::Varying;
+#[cfg(any(feature = "simd", feature = "design"))]
+use super::{Variation, Varied, observe};
 use crate::error::SolveError;
-use crate::measure::{Measure, Needs, column_values, magnitude_parts};
+#[cfg(any(feature = "simd", feature = "design"))]
+use crate::measure::Needs;
+use crate::measure::{Measure, column_values, magnitude_parts};
 use crate::mechanism::Mechanism;
 use crate::solver::Solver;
 use crate::state::State;
@@ -104,6 +108,7 @@ impl<M: Mechanism> Solver<'_, M> {
 }
 
 /// Writes what quantities need besides q and its rates.
+#[cfg(any(feature = "simd", feature = "design"))]
 pub(crate) fn complete(variation: &mut dyn Variation, varied: &mut Varied, needs: Needs) -> Result<(), SolveError> {
     if needs.observed {
         observe(variation, varied)?;

@@ -31,11 +31,15 @@ use crate::sensitivities::{Sensitivities, Sensitivity};
 use crate::solver::Solver;
 use crate::state::State;
 use linear::Linear;
+#[cfg(any(feature = "simd", feature = "design"))]
+pub(crate) use variation::LARGEST;
 #[cfg(not(feature = "design"))]
 pub(crate) use variation::Number;
 #[cfg(feature = "design")]
 pub use variation::Number;
-pub(crate) use variation::{LARGEST, Variation, Varied, Varying, WIDTH, modes_at};
+#[cfg(feature = "simd")]
+pub(crate) use variation::modes_at;
+pub(crate) use variation::{Variation, Varied, Varying, WIDTH};
 
 /// What the plan's q may miss that of the state by, in the size of its numbers, to be the same configuration.
 const SAME: f64 = 1e-6;
