@@ -9,4 +9,5 @@ mod command;
 mod examples;
 mod guide;
 mod laws;
+mod printed;
 mod published;

@@ -17,25 +17,25 @@ use std::f64::consts::{FRAC_PI_4, PI, TAU};
 #[derive(Debug)]
 pub(crate) struct FourBar {
     #[param(4.0)]
-    r1: f64,
+    pub(crate) r1: f64,
     #[param(1.0)]
-    r2: f64,
+    pub(crate) r2: f64,
     #[param(3.0)]
-    r3: f64,
+    pub(crate) r3: f64,
     #[param(3.0)]
-    r4: f64,
+    pub(crate) r4: f64,
     #[param(1.0)]
-    rcx: f64,
+    pub(crate) rcx: f64,
     #[param(1.0)]
-    rcy: f64,
+    pub(crate) rcy: f64,
     #[param(0.0)]
-    x0: f64,
+    pub(crate) x0: f64,
     #[param(0.0)]
-    y0: f64,
+    pub(crate) y0: f64,
     #[param(0.0)]
-    theta0: f64,
+    pub(crate) theta0: f64,
     #[param(0.0)]
-    start: f64,
+    pub(crate) start: f64,
 }
 
 /// A four-bar whose rocker follows a function of its crank.
@@ -65,7 +65,7 @@ struct Generator {
 /// The lengths in the order of Grashof's condition.
 pub(crate) const LENGTHS: [&str; 4] = ["r1", "r2", "r3", "r4"];
 
-fn rows(problem: usize) -> Vec<Vec<f64>> {
+pub(crate) fn rows(problem: usize) -> Vec<Vec<f64>> {
     let path = format!("{}/data/synthesis/targets_{problem}.csv", env!("CARGO_MANIFEST_DIR"));
     let text = std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{path}: {error}"));
     text.lines().skip(1).map(|line| line.split(',').map(|number| number.parse().unwrap()).collect()).collect()
@@ -80,7 +80,7 @@ fn places(problem: usize) -> Vec<[f64; 2]> {
 }
 
 /// The only mode of a mechanism.
-fn mode<M: Mechanism>() -> &'static str {
+pub(crate) fn mode<M: Mechanism>() -> &'static str {
     M::model().plan.modes[0].name
 }
 
