@@ -1,12 +1,12 @@
 //! The rows of all joints put together: Φ, Φ_q, Φ_t and γ of the mechanism as matrices.
 
-use super::content::Sheet;
+use super::content::{Rows, Sheet};
 use super::lines::Line;
 use super::shown::{Row, Shown, symbol};
 use super::steps::bracketed;
 use crate::notation::{Formula, Notation};
 
-/// Most coordinates and most rows of a mechanism whose matrices are written.
+/// Most coordinates and most rows of a mechanism whose matrices are written beside its joints.
 const MOST: usize = 24;
 /// Width, in columns of plain text, of an entry of Φ_q and of an entry of a column vector.
 const ENTRY: [usize; 2] = [24, 72];
@@ -24,11 +24,16 @@ pub(super) struct Assembled {
 }
 
 impl Sheet {
-    /// The matrices of the whole mechanism; none if joints are left out, or if they would be too large to be read.
+    /// The matrices of the whole mechanism; none if joints are left out, or if they are
+    /// written beside the joints and would be too large to be read.
     pub(super) fn assembled(&self, notation: Notation) -> Option<Assembled> {
         let rows: Vec<&Row> = self.joints.iter().flat_map(|joint| &joint.rows).collect();
-        let small = rows.len() <= MOST && self.coordinates.len() <= MOST;
-        if !self.whole || rows.is_empty() || !small {
+        let wanted = match self.rows {
+            Rows::ByJoint => false,
+            Rows::Both => rows.len() <= MOST && self.coordinates.len() <= MOST,
+            Rows::Together => true,
+        };
+        if !wanted || rows.is_empty() {
             return None;
         }
         let mut long = Vec::new();

@@ -16,14 +16,33 @@ pub struct Sheet {
     pub coordinates: Vec<String>,
     /// Joints, constraints and drivers.
     pub joints: Vec<Joint>,
-    /// True if all rows are present, so that the matrices of the mechanism can be written.
-    pub whole: bool,
+    /// How the rows of the joints are written.
+    pub rows: Rows,
     /// The steps of the solution plan.
     pub steps: Vec<Step>,
     /// The reason why there are no steps; empty if it need not be shown.
     pub unsolved: String,
     /// M and Q of a mechanism with masses or loads.
     pub dynamics: Option<Dynamics>,
+}
+
+/// How rows are written.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Rows {
+    /// Joint by joint.
+    #[default]
+    ByJoint,
+    /// Joint by joint, then all together as matrices; for sheets with all joints.
+    Both,
+    /// As matrices only; for sheets with all joints.
+    Together,
+}
+
+impl Sheet {
+    /// The joints that are written one by one.
+    pub(super) fn joints_written(&self) -> &[Joint] {
+        if self.rows == Rows::Together { &[] } else { &self.joints }
+    }
 }
 
 /// M and Q by the names of their coordinates.

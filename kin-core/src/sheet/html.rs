@@ -33,7 +33,7 @@ impl Sheet {
     /// A self-contained page.
     pub fn page(&self) -> String {
         let name = escaped(&self.name);
-        let sections: String = self.joints.iter().map(section).collect();
+        let sections: String = self.joints_written().iter().map(section).collect();
         format!(
             "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
              <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>{name}: equations</title>\n\

@@ -23,7 +23,7 @@ impl Sheet {
 
     /// A fragment for a document: a paragraph for every joint, each with one display.
     pub fn latex_fragment(&self) -> String {
-        let joints: String = self.joints.iter().map(joint).collect();
+        let joints: String = self.joints_written().iter().map(joint).collect();
         joints + &self.latex_assembled() + &self.latex_solution() + &self.latex_dynamics()
     }
 

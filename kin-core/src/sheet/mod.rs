@@ -16,6 +16,6 @@ mod shown;
 mod steps;
 mod text;
 
-pub use content::{Dynamics, Joint, Sheet};
+pub use content::{Dynamics, Joint, Rows, Sheet};
 pub use shown::{Row, Shown};
 pub use steps::{Line, Step};

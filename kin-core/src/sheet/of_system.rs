@@ -1,6 +1,6 @@
 //! A sheet from the expression graph, while the mechanism is compiled.
 
-use super::content::{Dynamics, Joint, Sheet};
+use super::content::{Dynamics, Joint, Rows, Sheet};
 use super::shown::{Row, Shown};
 use super::steps::Step;
 use crate::constraint::{Frame, JointInstance};
@@ -41,7 +41,7 @@ impl Sheet {
             doc: String::new(),
             coordinates,
             joints,
-            whole: false,
+            rows: Rows::ByJoint,
             steps,
             unsolved,
             dynamics,

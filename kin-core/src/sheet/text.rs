@@ -12,7 +12,7 @@ const WIDTH: usize = 100;
 impl Sheet {
     /// The whole sheet.
     pub fn text(&self) -> String {
-        let joints = self.joints.iter().map(joint);
+        let joints = self.joints_written().iter().map(joint);
         let joints: String = joints.collect();
         let [assembled, solution, dynamics] = [self.text_assembled(), self.text_solution(), self.text_dynamics()];
         format!("{}\n{joints}{assembled}{solution}{dynamics}", self.name)

@@ -19,7 +19,7 @@ use crate::error::SolveError;
 use crate::forces::Forces;
 use crate::present::certificate::{self, Certified};
 use crate::present::json::to_json;
-use crate::present::number::{magnitude, plain};
+use crate::present::number::{magnitude, rounded};
 use crate::present::text::{Facts, count};
 use crate::state::State;
 
@@ -116,7 +116,7 @@ pub(super) fn run(args: &CheckArgs, engine: &mut dyn Engine, session: &mut Sessi
         Form::Json => to_json(&Findings { passed: findings.passed && solved.is_ok(), ..findings.clone() })
             .map_err(Failure::Output)?,
         _ => {
-            let heading = format!("{}, check at t = {}\n\n", engine.model().name, plain(t));
+            let heading = format!("{}, check at t = {}\n\n", engine.model().name, rounded(t));
             let verdict = if solved.is_ok() && findings.passed { "passed" } else { "FAILED" };
             format!("{heading}{}\n  {verdict}\n", facts(&findings).render())
         }

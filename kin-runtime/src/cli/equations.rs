@@ -13,7 +13,7 @@ pub(super) struct EquationsArgs {
     /// Joints, constraints and drivers [default: all]
     #[arg(value_name = "JOINT")]
     joints: Vec<String>,
-    /// rows (of Φ) or solution (steps of the plan) [default: both]
+    /// rows (of Φ), matrices or solution (steps of the plan) [default: all]
     #[arg(long, value_name = "PART", value_enum, hide_possible_values = true)]
     part: Option<Chosen>,
     #[command(flatten)]
@@ -26,6 +26,7 @@ pub(super) const HELP: Help = Help {
         vec![
             Some(("equations".to_owned(), "")),
             Some((format!("equations {}", names.joints.join(" ")), "of some joints only")),
+            Some(("equations --part matrices".to_owned(), "Φ, Φ_q, Φ_t and γ of the whole mechanism")),
             Some(("equations --part solution".to_owned(), "how they are solved, step by step")),
             Some((document("motion.tex"), "a LaTeX document that compiles as it is")),
             Some((document("equations.html"), "for a browser, without network access")),
@@ -35,9 +36,11 @@ pub(super) const HELP: Help = Help {
     details: "\
 Each joint begins with its own equation, in vectors: r is the origin of a body, A its rotation,
 s′ a point in its frame, index 0 the ground. Then follow its rows of Φ as they were derived, their
-partial derivatives that are not 0, and γ. The solution plan comes after them: the formulas of each
-step for q, q̇ and q̈, in which coordinates of earlier steps are known. σ is the sign of an assembly
-mode; of the values of an angle that differ by 2π the one nearest to the last position is taken.
+partial derivatives that are not 0, and γ. After the joints stand Φ, Φ_q, Φ_t and γ of the whole
+mechanism as matrices, up to 24 coordinates; --part matrices writes them at any size.
+The solution plan comes last: the formulas of each step for q, q̇ and q̈, in which coordinates of
+earlier steps are known. σ is the sign of an assembly mode; of the values of an angle that differ
+by 2π the one nearest to the last position is taken.
 A mechanism with masses or loads has M and Q of M q̈ + Φ_qᵀ λ = Q at the end.",
 };
 
@@ -45,6 +48,7 @@ A mechanism with masses or loads has M and Q of M q̈ + Φ_qᵀ λ = Q at the en
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 enum Chosen {
     Rows,
+    Matrices,
     Solution,
 }
 
@@ -59,12 +63,16 @@ pub(super) fn run(args: &EquationsArgs, engine: &mut dyn Engine, session: &mut S
     let output = ledger.take(session.destination(&args.output, "equations"));
     let find = |name: &String| super::names::find("JOINT", super::names::Kind::Joint, name, &names);
     let chosen: Vec<usize> = args.joints.iter().filter_map(|name| ledger.take(find(name))).collect();
+    if args.part == Some(Chosen::Matrices) && !args.joints.is_empty() {
+        ledger.take::<()>(Err(Failure::option("--part matrices", "they are of all joints; leave out JOINT")));
+    }
     let output = ledger.close(output)?;
     // A .tex file is a complete document; other output is a fragment to be included in one.
     let document = output.ending == Some(Form::Latex);
     let part = match args.part {
-        None => Part::Both,
+        None => Part::All,
         Some(Chosen::Rows) => Part::Rows,
+        Some(Chosen::Matrices) => Part::Matrices,
         Some(Chosen::Solution) => Part::Solution,
     };
     let sheet = equations::sheet(model, &chosen, part);

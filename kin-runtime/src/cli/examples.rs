@@ -46,6 +46,8 @@ pub(super) struct Names {
     /// The first named point of a mechanism that t alone drives.
     #[cfg_attr(not(feature = "design"), allow(dead_code, reason = "examples of `design` alone have one"))]
     pub(super) point: Option<&'static str>,
+    /// A quantity, and its velocity ratio to the first driver or input.
+    pub(super) ratio: Option<String>,
     /// The first transmission angle.
     pub(super) transmission: Option<String>,
     pub(super) joints: Vec<&'static str>,
@@ -96,6 +98,7 @@ impl Names {
             coordinate: undriven(model),
             path: path(model),
             point: model.points.first().map(|point| point.name).filter(|_| model.inputs.is_empty()),
+            ratio: ratio(model),
             transmission: Measure::transmission_angles(model).first().map(|measure| measure.name().to_owned()),
             drawn: !model.bodies.is_empty() || !model.points.is_empty(),
             conditions: !model.conditions.is_empty(),
@@ -152,6 +155,14 @@ fn undriven(model: &Model) -> Option<&'static str> {
     let mut free = model.coordinates.iter().enumerate().filter(|(place, _)| !simply_driven(*place)).rev();
     let last = free.clone().next();
     free.find(|(_, c)| angle(c.kind)).or(last).map(|(_, c)| c.name).or(model.coordinates.first().map(|c| c.name))
+}
+
+/// `tip.x tip.x/drive`, or the same of a coordinate that no driver prescribes directly.
+fn ratio(model: &'static Model) -> Option<String> {
+    let point = model.points.first().map(|point| format!("{}.x", point.name));
+    let name = point.or_else(|| undriven(model).map(str::to_owned))?;
+    let ratio = format!("{name}/{}", Measure::drivers(model).first()?);
+    Measure::named(model, &ratio).map(|_| format!("{} {}", quoted(name), quoted(ratio)))
 }
 
 fn path(model: &Model) -> Option<&'static str> {

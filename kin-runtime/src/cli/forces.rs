@@ -53,7 +53,7 @@ pub(super) fn pulls(contact: &Reaction, forces: &Forces) -> String {
     let unit =
         forces.model.forces.and_then(|info| info.units.force).map_or_else(String::new, |unit| format!(" {unit}"));
     let normal = contact.normal.map_or_else(String::new, rounded);
-    let (name, t) = (contact.name, plain(forces.t));
+    let (name, t) = (contact.name, rounded(forces.t));
     format!(
         "`{name}` would have to pull at t = {t}: normal force {normal}{unit}; a contact that only presses has lifted off"
     )
@@ -98,7 +98,7 @@ pub(super) fn run(args: &ForcesArgs, engine: &mut dyn Engine, session: &mut Sess
                 values.into_iter().map(|v| if v.is_finite() { plain(v) } else { String::new() }).collect();
             format!("t,{}\n{},{}\n", names.join(","), plain(t), values.join(","))
         }
-        _ => format!("{}, forces at t = {}\n{}", engine.model().name, plain(t), text(&forces)),
+        _ => format!("{}, forces at t = {}\n{}", engine.model().name, rounded(t), text(&forces)),
     };
     session.deliver(&output, &text)
 }

@@ -10,7 +10,7 @@ use super::solved::analysis;
 use super::task::{At, AtArgs};
 use crate::present::assemblies;
 use crate::present::json::to_json;
-use crate::present::number::plain;
+use crate::present::number::rounded;
 
 /// Every way in which it closes at one instant, each with a proof
 #[derive(Clone, Debug, clap::Args)]
@@ -45,7 +45,7 @@ pub(super) fn run(args: &ModesArgs, engine: &mut dyn Engine, session: &mut Sessi
     let all = engine.assemblies(&setup, t).map_err(|error| analysis(engine, &error))?;
     let text = match output.form {
         Form::Json => to_json(&assemblies::records(&all)).map_err(Failure::Output)?,
-        _ => format!("{} at t = {}\n{}", engine.model().name, plain(t), assemblies::text(engine.model(), &all)),
+        _ => format!("{} at t = {}\n{}", engine.model().name, rounded(t), assemblies::text(engine.model(), &all)),
     };
     session.deliver(&output, &text)?;
     if all.is_complete() {

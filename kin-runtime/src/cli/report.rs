@@ -14,7 +14,7 @@ use super::solve::{body, record};
 use super::solved::{note_freedom, note_modes, note_start, solve};
 use super::task::{At, AtArgs};
 use crate::present::json::to_json;
-use crate::present::number::plain;
+use crate::present::number::rounded;
 use crate::present::record::StateRecord;
 use crate::present::structure::{Known, StructureRecord};
 use crate::present::text;
@@ -108,7 +108,7 @@ pub(super) fn run(args: &ReportArgs, engine: &mut dyn Engine, session: &mut Sess
         _ => format!(
             "{}\nAt t = {}{}\n{}{}{}\nChecks\n{}",
             info::text(engine, Some(known)),
-            plain(t),
+            rounded(t),
             if solved.degrees { ", angles in degrees" } else { "" },
             body(model, &solved),
             text::ratios(model, &solved.ratios),

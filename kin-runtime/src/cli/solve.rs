@@ -1,12 +1,13 @@
 //! `solve`: position, velocity and acceleration at one instant.
 
-use super::engine::Engine;
+use super::columns::quantities;
+use super::engine::{Engine, Setup};
 use super::examples::{Help, Names};
 use super::failure::{Failure, Ledger};
 use super::options::{AngleArgs, FreedomArgs, SetupArgs};
-use super::output::{Form, OutputArgs};
+use super::output::{Destination, Form, OutputArgs};
 use super::session::Session;
-use super::solved::{Solved, analysis, note_freedom, note_modes, note_start, solve};
+use super::solved::{Solved, analysis, driven_state, note_freedom, note_modes, note_start, solve};
 use super::task::{At, AtArgs};
 use crate::measure::Measure;
 use crate::model::Model;
@@ -15,14 +16,19 @@ use crate::present::condition;
 use crate::present::forces;
 use crate::present::grid::CsvRows;
 use crate::present::json::to_json;
-use crate::present::number::plain;
+use crate::present::number::rounded;
 use crate::present::plan::{self, ModeRecord};
-use crate::present::record::{Parameters, StateRecord};
+use crate::present::record::{Parameters, QuantitiesRecord, StateRecord};
+use crate::present::table::Table;
 use crate::present::text;
+use crate::present::units::Units;
 
 /// Position, velocity and acceleration at one instant
 #[derive(Clone, Debug, clap::Args)]
 pub(super) struct SolveArgs {
+    /// Quantities by name instead of everything: tip.x, tip.x/drive, B.transmission
+    #[arg(value_name = "WHAT", conflicts_with_all = ["forces", "certify"])]
+    what: Vec<String>,
     #[command(flatten)]
     at: AtArgs,
     #[command(flatten)]
@@ -44,6 +50,7 @@ pub(super) const HELP: Help = Help {
         let [certified, ..] = names.proven;
         vec![
             names.analysis(&format!("solve --at {}", names.at), ""),
+            names.with("solve", &names.ratio, "a quantity, and its velocity ratio to a driver or an input"),
             names.with("solve --set", &names.set_two.clone().or(names.set.clone()), "with other dimensions"),
             names.with("solve --guess", &names.guess, "another start of the assembly"),
             names.with("solve --mode", &names.mode, "in an assembly mode, whatever the guess"),
@@ -54,6 +61,8 @@ pub(super) const HELP: Help = Help {
     },
     details: "\
 csv has one row: t, then every coordinate, its rate (NAME_dot) and acceleration (NAME_ddot).
+WHAT names the quantities of `sweep`. A velocity ratio NAME/DRIVER or NAME/INPUT is a derivative:
+the ratios of a point to all inputs are its Jacobian.
 A certificate is a proof by interval arithmetic: a box with exactly one solution, and an interval
 for every coordinate, rate and acceleration. Where there is none, it says why and the status is 1.",
 };
@@ -61,7 +70,15 @@ for every coordinate, rate and acceleration. Where there is none, it says why an
 pub(super) fn run(args: &SolveArgs, engine: &mut dyn Engine, session: &mut Session<'_>) -> Result<(), Failure> {
     let mut ledger = Ledger::default();
     let at = args.at.read(&mut ledger, ("solve", &args.output), SetupArgs::apply_complete, engine, session);
-    let At { t, setup, output } = ledger.close(at)?;
+    let number = args.what.iter().find(|name| name.parse::<f64>().is_ok());
+    let wanted = ledger.take(match number {
+        Some(t) => Err(Failure::option("WHAT", format!("`{t}` is no quantity. An instant is written --at {t}"))),
+        None => quantities(engine.model(), &args.what),
+    });
+    let (At { t, setup, output }, wanted) = ledger.close(at.zip(wanted))?;
+    if !wanted.is_empty() {
+        return named(args, (t, &setup, &wanted), &output, &*engine, session);
+    }
     let mut solved = solve(engine, &setup, t, args.freedom.least_norm)?;
     let forces = args.forces.then(|| engine.forces(&setup, &solved.state, args.freedom.least_norm)).transpose();
     solved.motion.forces = forces.map_err(|error| analysis(engine, &error))?;
@@ -74,19 +91,14 @@ pub(super) fn run(args: &SolveArgs, engine: &mut dyn Engine, session: &mut Sessi
     let text = match output.form {
         Form::Json => json(engine, &solved)?,
         Form::Csv => {
-            let mut bytes = Vec::new();
             let columns = Measure::standard(model, false);
             let values = columns.iter().filter_map(|measure| measure.of_state(&solved.state));
-            let row = |rows: &mut CsvRows<&mut Vec<u8>>| rows.row(values).and_then(|()| rows.flush());
-            let names = columns.iter().map(Measure::name);
-            let written = CsvRows::new(names, &mut bytes).and_then(|mut rows| row(&mut rows));
-            written.map_err(|error| Failure::Output(format!("cannot write csv: {error}")))?;
-            String::from_utf8_lossy(&bytes).into_owned()
+            csv(columns.iter().map(Measure::name), values)?
         }
         _ => format!(
             "{} at t = {}{}\n{}{}",
             model.name,
-            plain(t),
+            rounded(t),
             if solved.degrees { ", angles in degrees" } else { "" },
             body(model, &solved),
             text::quality(&solved.state, &solved.mobility)
@@ -99,15 +111,61 @@ pub(super) fn run(args: &SolveArgs, engine: &mut dyn Engine, session: &mut Sessi
     }
 }
 
+/// The quantities that were asked for by name.
+fn named(
+    args: &SolveArgs,
+    (t, setup, wanted): (f64, &Setup, &[Measure]),
+    output: &Destination<'_>,
+    engine: &dyn Engine,
+    session: &mut Session<'_>,
+) -> Result<(), Failure> {
+    let (model, degrees) = (engine.model(), args.angles.degrees);
+    let (state, mobility) = driven_state(engine, setup, t, args.freedom.least_norm)?;
+    let mut values = engine.measure(setup, &state, wanted).map_err(|error| analysis(engine, &error))?;
+    if degrees {
+        values.iter_mut().zip(wanted).for_each(|(value, measure)| *value *= measure.in_degrees());
+    }
+    note_freedom(session, state.degrees_of_freedom_left);
+    note_start(session, &mobility);
+    note_modes(session, engine, setup, t);
+    let units = Units::of(model).in_degrees(degrees);
+    let names = wanted.iter().map(Measure::name);
+    let text = match output.form {
+        Form::Json => {
+            let parameters = Parameters::new(model, &engine.parameters());
+            to_json(&QuantitiesRecord::new(model, parameters, units, (t, wanted, &values))).map_err(Failure::Output)?
+        }
+        Form::Csv => csv(std::iter::once("t").chain(names), std::iter::once(t).chain(values))?,
+        _ => {
+            let table = Table::new()
+                .words("quantity", names)
+                .right("value", values.iter().copied().map(rounded))
+                .words("unit", wanted.iter().map(|measure| units.of_measure(measure).unwrap_or_default()));
+            text::section(&format!("{} at t = {}", model.name, rounded(t)), &table).trim_start().to_owned()
+        }
+    };
+    session.deliver(output, &text)
+}
+
+/// A header and one row.
+fn csv<'n>(names: impl Iterator<Item = &'n str>, values: impl Iterator<Item = f64>) -> Result<String, Failure> {
+    let mut bytes = Vec::new();
+    let row = |rows: &mut CsvRows<&mut Vec<u8>>| rows.row(values).and_then(|()| rows.flush());
+    let written = CsvRows::new(names, &mut bytes).and_then(|mut rows| row(&mut rows));
+    written.map_err(|error| Failure::Output(format!("cannot write csv: {error}")))?;
+    Ok(String::from_utf8_lossy(&bytes).into_owned())
+}
+
 /// All tables of a solved instant.
 pub(super) fn body(model: &'static Model, solved: &Solved) -> String {
+    let units = Units::of(model).in_degrees(solved.degrees);
     [
-        text::coordinates(model, &solved.state),
-        text::inputs(model, &solved.state),
-        text::bodies(model, &solved.motion),
-        text::points(model, &solved.motion),
-        text::defines(model, &solved.motion),
-        text::joints(model, &solved.motion),
+        text::coordinates(model, units, &solved.state),
+        text::inputs(model, units, &solved.state),
+        text::bodies(model, units, &solved.motion),
+        text::points(model, units, &solved.motion),
+        text::defines(model, units, &solved.motion),
+        text::joints(model, units, &solved.motion),
         condition::values(model, &solved.motion),
         solved.motion.forces.as_ref().map(forces::text).unwrap_or_default(),
         text::transmission(&solved.angles, solved.degrees),

@@ -122,11 +122,16 @@ impl Condition {
         }
     }
 
-    /// What it is called.
+    /// What it is called; the bounds of an angle are in degrees.
     pub(crate) fn name(&self) -> String {
         match self {
             Self::Sum { name, .. } => name.clone(),
             Self::Margins { least, .. } => format!("turns with margins above {least}"),
+            Self::Range { name, of: Quantity::Named(of) | Quantity::Angle(of), low, high, .. } if of.is_angle() => {
+                // Without the digits that the conversion from degrees to radians has changed.
+                let [low, high] = [low, high].map(|bound| (bound.to_degrees() * 1e9).round() / 1e9);
+                format!("{name} in {low}°..{high}°")
+            }
             Self::Range { name, low, high, .. } => format!("{name} in {low}..{high}"),
         }
     }

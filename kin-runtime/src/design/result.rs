@@ -11,7 +11,7 @@ use core::fmt;
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Slack {
-    /// The condition.
+    /// The condition; the bounds of an angle are in degrees.
     pub condition: String,
     /// By how much it is kept, in its own size: 0 at its limit, of the order of 1 far from it. Sums of parameters are
     /// measured by their bounds, ranges by their width.

@@ -78,8 +78,8 @@ impl<M: Mechanism> Planned<'_, M> {
         Ok(seen.map(|k| along::<M>(k, observations.phi_q(), rest.as_ref()) + observations.phi_t()[k]))
     }
 
-    /// Writes the numbers of all forces at the last accepted state, [`ForceModel::count`] of them; `None` for a
-    /// mechanism without masses and loads.
+    /// Writes the numbers of all forces at the last accepted state, [`ForceModel::count`] of them; `None`, and nothing
+    /// written, for a mechanism without masses and loads, and where λ has no closed form ([`ForceModel::solved`]).
     ///
     /// # Errors
     /// [`PlanError::Length`] where `forces` has another length.

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::number::{plain, rounded};
+use super::number::rounded;
 use super::table::Table;
 use super::text::section;
 use crate::model::Model;
@@ -82,6 +82,6 @@ pub(crate) fn text(model: &Model, [from, to]: [f64; 2], all: &Ranges) -> String 
         (true, true) => "\nIt closes nowhere.\n",
         (true, false) => "\nIt is nowhere proven to close, and undecided near the limits below.\n",
     };
-    let heading = format!("{} from t = {} to t = {}\n{nothing}", model.name, plain(from), plain(to));
+    let heading = format!("{} from t = {} to t = {}\n{nothing}", model.name, rounded(from), rounded(to));
     [heading, section("Ranges", &ranges), section("Limits", &limits)].concat()
 }

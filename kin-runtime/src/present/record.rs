@@ -242,11 +242,7 @@ impl Serialize for States<'_> {
         (self.walk)(&mut |row| {
             let written = match self.quantities.is_empty() {
                 true => list.serialize_element(&SweepState::new(self.model, row.state, row.motion)),
-                false => {
-                    let names = self.quantities.iter().map(Measure::name);
-                    let quantities: Named<f64, &str> = names.zip(row.values.iter().copied()).collect();
-                    list.serialize_element(&QuantitiesState { t: row.state.t, quantities })
-                }
+                false => list.serialize_element(&QuantitiesState::new(row.state.t, self.quantities, row.values)),
             };
             match written {
                 Ok(()) => ControlFlow::Continue(()),
@@ -261,11 +257,39 @@ impl Serialize for States<'_> {
     }
 }
 
-/// One instant of a sweep of quantities that were asked for by name.
+/// One instant of quantities that were asked for by name.
 #[derive(Clone, Debug, Serialize)]
 struct QuantitiesState<'a> {
     t: f64,
     quantities: Named<f64, &'a str>,
+}
+
+impl<'a> QuantitiesState<'a> {
+    fn new(t: f64, measures: &'a [Measure], values: &[f64]) -> Self {
+        Self { t, quantities: measures.iter().map(Measure::name).zip(values.iter().copied()).collect() }
+    }
+}
+
+/// Quantities that were asked for by name, at one instant.
+#[derive(Clone, Debug, Serialize)]
+pub(crate) struct QuantitiesRecord<'a> {
+    #[serde(flatten)]
+    state: QuantitiesState<'a>,
+    mechanism: &'static str,
+    parameters: Parameters,
+    units: UnitsRecord,
+}
+
+impl<'a> QuantitiesRecord<'a> {
+    pub(crate) fn new(
+        model: &Model,
+        parameters: Parameters,
+        units: Units,
+        (t, measures, values): (f64, &'a [Measure], &[f64]),
+    ) -> Self {
+        let state = QuantitiesState::new(t, measures, values);
+        Self { state, mechanism: model.name, parameters, units: units.record() }
+    }
 }
 
 /// One instant of a sweep.

@@ -4,6 +4,8 @@
 
 use super::number::{magnitude, plain, rounded};
 use super::table::{Table, width, wrapped};
+use super::units::Units;
+use crate::measure::Dimension;
 use crate::mobility::Mobility;
 use crate::model::{Frame, JointInfo, Model};
 use crate::motion::Motion;
@@ -141,21 +143,24 @@ pub(crate) fn coordinate_names(model: &Model, places: &[usize]) -> Vec<&'static 
     places.iter().filter_map(|&k| model.coordinates.get(k)).map(|c| c.name).collect()
 }
 
-/// q, q̇, q̈.
-pub(crate) fn coordinates(model: &Model, state: &State) -> String {
+/// q, q̇, q̈; the unit is that of q, as rates and accelerations are per unit of time.
+pub(crate) fn coordinates(model: &Model, units: Units, state: &State) -> String {
     let table = Table::new()
         .words("coordinate", model.coordinates.iter().map(|c| c.name))
         .numbers("q", state.q.iter().copied())
         .numbers("q̇", state.q_dot.iter().copied())
-        .numbers("q̈", state.q_ddot.iter().copied());
+        .numbers("q̈", state.q_ddot.iter().copied())
+        .words("unit", model.coordinates.iter().map(|c| units.of_name(c.name)));
     section("Generalized coordinates", &table)
 }
 
 /// Poses of bodies that do not own all three coordinates; the others stand among the coordinates.
-pub(crate) fn bodies(model: &Model, motion: &Motion) -> String {
+pub(crate) fn bodies(model: &Model, units: Units, motion: &Motion) -> String {
     let chosen: Vec<_> =
         model.bodies.iter().zip(&motion.bodies).filter(|(b, _)| b.coordinates.iter().any(Option::is_none)).collect();
     let column = |f: fn(&crate::motion::BodyMotion) -> f64| chosen.iter().map(move |(_, m)| f(m));
+    let both = [Dimension::Length, Dimension::Angle].map(|dimension| units.of_dimension(dimension));
+    let both = both.iter().filter(|unit| !unit.is_empty()).map(String::as_str).collect::<Vec<_>>().join(", ");
     let positions = Table::new()
         .words("body", chosen.iter().map(|(b, _)| b.name))
         .numbers("x", column(|m| m.x))
@@ -163,7 +168,8 @@ pub(crate) fn bodies(model: &Model, motion: &Motion) -> String {
         .numbers("φ", column(|m| m.phi))
         .numbers("ẋ", column(|m| m.x_dot))
         .numbers("ẏ", column(|m| m.y_dot))
-        .numbers("φ̇", column(|m| m.phi_dot));
+        .numbers("φ̇", column(|m| m.phi_dot))
+        .words("unit", chosen.iter().map(|_| both.as_str()));
     let accelerations = Table::new()
         .words("body", chosen.iter().map(|(b, _)| b.name))
         .numbers("ẍ", column(|m| m.x_ddot))
@@ -178,7 +184,7 @@ pub(crate) fn bodies(model: &Model, motion: &Motion) -> String {
 }
 
 /// Named points.
-pub(crate) fn points(model: &Model, motion: &Motion) -> String {
+pub(crate) fn points(model: &Model, units: Units, motion: &Motion) -> String {
     let column = |f: fn(&crate::motion::PointMotion) -> f64| motion.points.iter().map(f);
     let table = Table::new()
         .words("point", model.points.iter().map(|p| p.name))
@@ -187,28 +193,24 @@ pub(crate) fn points(model: &Model, motion: &Motion) -> String {
         .numbers("ẋ", column(|m| m.v[0]))
         .numbers("ẏ", column(|m| m.v[1]))
         .numbers("ẍ", column(|m| m.a[0]))
-        .numbers("ÿ", column(|m| m.a[1]));
+        .numbers("ÿ", column(|m| m.a[1]))
+        .words("unit", motion.points.iter().map(|_| units.of_dimension(Dimension::Length)));
     section("Points", &table)
 }
 
-/// The units of quantities by name; rates and accelerations are per unit of time.
-fn units_of<'n>(model: &Model, names: impl Iterator<Item = &'n str>) -> impl Iterator<Item = &'static str> {
-    names.map(|name| model.units.of(name).unwrap_or_default())
-}
-
 /// Named expressions.
-pub(crate) fn defines(model: &Model, motion: &Motion) -> String {
+pub(crate) fn defines(model: &Model, units: Units, motion: &Motion) -> String {
     let table = Table::new()
         .words("define", model.defines.iter().map(|d| d.name))
         .numbers("value", motion.defines.iter().map(|r| r.value))
         .numbers("rate", motion.defines.iter().map(|r| r.rate))
         .numbers("acceleration", motion.defines.iter().map(|r| r.acceleration))
-        .words("unit", units_of(model, model.defines.iter().map(|d| d.name)));
+        .words("unit", model.defines.iter().map(|d| units.of_name(d.name)));
     section("Defines", &table)
 }
 
 /// Quantities of joints.
-pub(crate) fn joints(model: &Model, motion: &Motion) -> String {
+pub(crate) fn joints(model: &Model, units: Units, motion: &Motion) -> String {
     let lines: Vec<_> = model
         .joints
         .iter()
@@ -220,18 +222,19 @@ pub(crate) fn joints(model: &Model, motion: &Motion) -> String {
         .words("quantity", lines.iter().map(|l| l.1))
         .numbers("value", lines.iter().map(|l| l.2.value))
         .numbers("rate", lines.iter().map(|l| l.2.rate))
-        .numbers("acceleration", lines.iter().map(|l| l.2.acceleration));
+        .numbers("acceleration", lines.iter().map(|l| l.2.acceleration))
+        .words("unit", lines.iter().map(|l| units.of_name(&format!("{}.{}", l.0, l.1))));
     section("Joint quantities", &table)
 }
 
 /// The inputs with their values, rates and accelerations.
-pub(crate) fn inputs(model: &Model, state: &State) -> String {
+pub(crate) fn inputs(model: &Model, units: Units, state: &State) -> String {
     let table = Table::new()
         .words("input", model.inputs.iter().copied())
         .numbers("value", state.inputs.iter().map(|u| u.value))
         .numbers("rate", state.inputs.iter().map(|u| u.rate))
         .numbers("acceleration", state.inputs.iter().map(|u| u.acceleration))
-        .words("unit", units_of(model, model.inputs.iter().copied()));
+        .words("unit", model.inputs.iter().map(|name| units.of_name(name)));
     section("Inputs", &table)
 }
 

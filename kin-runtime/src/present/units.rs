@@ -51,6 +51,16 @@ impl Units {
         Dimension::named(&self.units, name)
     }
 
+    /// The unit of a value of this dimension; empty if it is not known.
+    pub(crate) fn of_dimension(&self, dimension: Dimension) -> String {
+        dimension.unit(&self.units, 0, self.degrees).unwrap_or_default()
+    }
+
+    /// The unit of a quantity by its name; empty if it is not known.
+    pub(crate) fn of_name(&self, name: &str) -> String {
+        self.of_dimension(self.dimension(name))
+    }
+
     /// The unit of a quantity.
     pub(crate) fn of_measure(&self, measure: &Measure) -> Option<String> {
         measure.unit_in(&self.units, self.degrees).filter(|unit| !unit.is_empty())

@@ -12,8 +12,8 @@ use kin_runtime::cli::run_from;
 use kin_runtime::function::FromFn;
 use kin_runtime::mechanism;
 use kin_tests::mechanisms::{
-    CamTable, FiveBarLeg, FourbarEnds, FourbarLectureMid, InfeasibleFourbar, RedundantParallelogram,
-    SingularSliderCrank, StrokeLimits, UnderdrivenFivebar,
+    CamTable, Chain10, FiveBarLeg, FourbarEnds, FourbarLectureMid, InfeasibleFourbar, MeasuredExcavator,
+    RedundantParallelogram, SingularSliderCrank, StrokeLimits, UnderdrivenFivebar,
 };
 
 /// A follower whose lift returns a wrong second derivative.
@@ -85,14 +85,35 @@ struct DeadCentre;
 #[derive(Default)]
 struct Eccentric;
 
+/// A slider-crank with units, driven by a measured angle.
+#[mechanism]
+#[bodies(crank, rod)]
+#[body(slider, y = 0, phi = 0)]
+#[input(turn, unit = "rad", default = 0.5)]
+#[revolute(O: ground @ (0, 0), crank @ (0, 0))]
+#[revolute(A: crank @ (r, 0), rod @ (0, 0))]
+#[revolute(B: rod @ (l, 0), slider @ (0, 0))]
+#[driver(drive: crank.phi = turn)]
+#[define(lean = rod.phi - crank.phi)]
+#[point(middle = rod @ (l/2, 0))]
+#[guess(rod.phi = -0.1, slider.x = r + l)]
+struct WithUnits {
+    #[param(0.2, unit = "m")]
+    r: f64,
+    #[param(0.7, unit = "m")]
+    l: f64,
+}
+
 fn main() -> ExitCode {
     let mut args: Vec<OsString> = std::env::args_os().collect();
     let name = if args.len() > 1 { args.remove(1) } else { OsString::new() };
     match name.to_str() {
         Some("cam") => run_from::<CamTable>(args),
+        Some("chain") => run_from::<Chain10>(args),
         Some("wrong_cam") => run_from::<WrongCam>(args),
         Some("dead_centre") => run_from::<DeadCentre>(args),
         Some("eccentric") => run_from::<Eccentric>(args),
+        Some("excavator") => run_from::<MeasuredExcavator>(args),
         Some("fourbar") => run_from::<FourbarLectureMid>(args),
         Some("ends") => run_from::<FourbarEnds>(args),
         Some("leg") => run_from::<FiveBarLeg>(args),
@@ -103,9 +124,10 @@ fn main() -> ExitCode {
         Some("singular") => run_from::<SingularSliderCrank>(args),
         Some("teeth") => run_from::<Teeth>(args),
         Some("underdriven") => run_from::<UnderdrivenFivebar>(args),
+        Some("with_units") => run_from::<WithUnits>(args),
         _ => {
             eprintln!(
-                "error: the first argument is cam, wrong_cam, dead_centre, eccentric, fourbar, ends, infeasible, leg, limits, loaded, redundant, singular, teeth or underdriven"
+                "error: the first argument is cam, chain, wrong_cam, dead_centre, eccentric, excavator, fourbar, ends, infeasible, leg, limits, loaded, redundant, singular, teeth, underdriven or with_units"
             );
             ExitCode::from(2)
         }

@@ -11,6 +11,7 @@ mod help;
 #[cfg(target_os = "linux")]
 mod interrupt;
 mod matrices;
+mod quantities;
 mod terminal;
 mod unclosed;
 mod unwatched;

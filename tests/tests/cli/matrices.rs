@@ -1,6 +1,6 @@
 //! The rows of all joints together: Φ, Φ_q, Φ_t and γ as matrices.
 
-use super::good;
+use super::{failed, good};
 
 /// The entries of a matrix in the text, row by row.
 fn entries(text: &str, name: &str) -> Vec<Vec<String>> {
@@ -36,4 +36,29 @@ fn matrices_are_in_every_form_and_only_of_the_whole() {
     for part in ["fourbar equations A", "fourbar equations --part solution"] {
         assert!(!good(part).contains("All rows together"), "{part}");
     }
+}
+
+#[test]
+fn matrices_alone_are_those_of_the_whole_sheet() {
+    let (alone, all) = (good("fourbar equations --part matrices"), good("fourbar equations"));
+    for name in ["Φ", "Φ_q", "Φ_t", "γ"] {
+        assert!(!entries(&alone, name).is_empty(), "{name}");
+        assert_eq!(entries(&alone, name), entries(&all, name), "{name}");
+    }
+    assert!(all.contains("\nA  revolute") && !alone.contains("\nA  revolute"), "{alone}");
+    assert!(all.contains("\nSolution\n") && !alone.contains("\nSolution\n"), "{alone}");
+    for form in ["html", "latex"] {
+        let [alone, rows] =
+            ["matrices", "rows"].map(|part| good(&format!("fourbar equations --part {part} --format {form}")));
+        assert!(alone.contains("All rows together") && alone.len() < rows.len(), "{form}");
+    }
+    failed("fourbar equations A --part matrices", 2, &["--part matrices", "all joints"]);
+}
+
+/// Beside its joints the chain's 30 coordinates would be too many.
+#[test]
+fn matrices_are_written_at_any_size_when_they_are_wanted() {
+    assert!(!good("chain equations").contains("All rows together"));
+    let phi_q = entries(&good("chain equations --part matrices"), "Φ_q");
+    assert_eq!((phi_q.len(), phi_q[0].len()), (30, 30));
 }

@@ -127,4 +127,7 @@ fn the_commands_of_the_guide_work() {
     assert!(read("kin-runtime/src/guide/writing.md").contains(mechanism), "the press of the guide is another one");
     let pages = ["studies", "writing"].map(|chapter| format!("kin-runtime/src/guide/{chapter}.md"));
     all_work("guide", &pages, "press", 7);
+    for chapter in ["lecture", "controller"] {
+        all_work(chapter, &[format!("kin-runtime/src/guide/{chapter}.md")], "", 1);
+    }
 }

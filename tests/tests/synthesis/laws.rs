@@ -49,6 +49,8 @@ fn conditions_are_kept_between_instants() {
         worst = worst.min(angle).min(std::f64::consts::PI - angle);
     }
     assert!(low >= -3.0 && high <= 4.0 && worst >= least, "{low} {high} {worst}: {found}");
+    // Bounds of angles are told in degrees.
+    assert!(found.slacks.iter().any(|slack| slack.condition == "B.transmission in 35°..145°"), "{found}");
     // The slack that is told is the least between instants.
     let told = found.slacks.iter().find(|slack| slack.condition.starts_with("P.x")).unwrap();
     let exact = ((low + 3.0) / 7.0).min((4.0 - high) / 7.0);

@@ -15,7 +15,7 @@ use crate::cli::task::{At, AtArgs};
 use crate::cli::tolerance::tolerances;
 use crate::cli::values::Moment;
 use crate::present::json::to_json;
-use crate::present::number::plain;
+use crate::present::number::{plain, rounded};
 use crate::present::sensitivities::{deviations, quantities, text, tolerance_text};
 use crate::sensitivities::{Deviation, Sensitivities};
 use std::collections::BTreeMap;
@@ -112,7 +112,7 @@ pub(in crate::cli) fn run(
         _ => format!(
             "{}, sensitivities at t = {}\n{}{}",
             model.name,
-            plain(t),
+            rounded(t),
             text(&found, &values),
             tolerance_text(&deviations)
         ),

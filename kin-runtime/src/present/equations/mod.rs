@@ -5,16 +5,18 @@
 //! them.
 
 use crate::model::{EquationText, Frame, JointInfo, Level, LineText, Model, Role, StepText};
-use kin_core::sheet::{Dynamics, Joint, Line, Row, Sheet, Shown, Step};
+use kin_core::sheet::{Dynamics, Joint, Line, Row, Rows, Sheet, Shown, Step};
 use kin_core::vectors::NamedJoint;
 
 /// The part of a sheet that is asked for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Part {
-    /// Joints and steps.
-    Both,
-    /// Joints.
+    /// Joints, matrices and steps.
+    All,
+    /// Joints and matrices.
     Rows,
+    /// Φ, Φ_q, Φ_t and γ of all joints together.
+    Matrices,
     /// Steps of the plan.
     Solution,
 }
@@ -26,12 +28,17 @@ pub(crate) fn sheet(model: &Model, chosen: &[usize], part: Part) -> Sheet {
     let joints = all.filter(|(place, _)| part != Part::Solution && (chosen.is_empty() || chosen.contains(place)));
     let takes_part = |step: &&StepText| {
         let own = model.plan.steps.get(step.step).map_or(&[][..], |step| step.joints);
-        part != Part::Rows && (chosen.is_empty() || own.iter().any(|joint| chosen.contains(joint)))
+        matches!(part, Part::All | Part::Solution)
+            && (chosen.is_empty() || own.iter().any(|joint| chosen.contains(joint)))
     };
-    let unsolved = if part == Part::Rows { None } else { model.plan.absent };
-    let whole = chosen.is_empty() && part != Part::Solution;
+    let unsolved = model.plan.absent.filter(|_| matches!(part, Part::All | Part::Solution));
+    let rows = match part {
+        Part::Matrices => Rows::Together,
+        Part::All | Part::Rows if chosen.is_empty() => Rows::Both,
+        _ => Rows::ByJoint,
+    };
     let coordinates: Vec<String> = model.coordinates.iter().map(|coordinate| coordinate.name.to_owned()).collect();
-    let dynamics = model.forces.filter(|forces| whole && !forces.generalized.is_empty()).map(|forces| {
+    let dynamics = model.forces.filter(|forces| rows == Rows::Both && !forces.generalized.is_empty()).map(|forces| {
         Dynamics::new(&coordinates, forces.mass_matrix.iter().copied(), forces.generalized.iter().copied())
     });
     Sheet {
@@ -39,7 +46,7 @@ pub(crate) fn sheet(model: &Model, chosen: &[usize], part: Part) -> Sheet {
         doc: model.doc.to_owned(),
         coordinates,
         joints: joints.map(|(_, of)| joint(model, of)).collect(),
-        whole,
+        rows,
         steps: model.solution.iter().filter(takes_part).map(step).collect(),
         unsolved: unsolved.unwrap_or_default().to_owned(),
         dynamics,

@@ -259,6 +259,12 @@ impl Measure {
         self.order == 0 && self.per.is_none() && !matches!(self.of, Of::Force(_))
     }
 
+    /// Whether it is an angle, not a rate or a ratio of one.
+    #[cfg(feature = "design")]
+    pub(crate) fn is_angle(&self) -> bool {
+        self.dimension == Dimension::Angle && self.order == 0 && self.per.is_none()
+    }
+
     /// Whether it is a transmission angle.
     #[cfg(feature = "cli")]
     pub(crate) const fn is_transmission(&self) -> bool {

@@ -1,0 +1,81 @@
+//! Quantities of one instant by name, and the units beside the numbers of the tables.
+
+use serde_json::Value;
+
+use super::{failed, good, json};
+
+/// The numbers of a CSV with one row, with their names.
+fn row(line: &str) -> Vec<(String, f64)> {
+    let text = good(line);
+    let [names, values] = [0, 1].map(|k| text.lines().nth(k).expect("two lines").split(','));
+    names.map(str::to_owned).zip(values.map(|value| value.parse().expect("a number"))).collect()
+}
+
+/// The Jacobian of the excavator's tip is a list of velocity ratios, and the tip's velocity is their sum times the
+/// rates of the cylinders.
+#[test]
+fn the_jacobian_of_a_point_is_told_at_one_instant() {
+    let inputs = "boom_length=1.42,0.1 --input stick_length=1.94,-0.07 --input bucket_length=1.17,0.03";
+    let ratios = "tip.x/boom_length tip.x/stick_length tip.x/bucket_length";
+    let found = row(&format!("excavator solve {ratios} tip.x_dot --input {inputs} --format csv"));
+    let names: Vec<&str> = found.iter().map(|(name, _)| name.as_str()).collect();
+    assert_eq!(names.join(" "), format!("t {ratios} tip.x_dot"));
+    let sum: f64 = found[1..4].iter().zip([0.1, -0.07, 0.03]).map(|((_, ratio), rate)| ratio * rate).sum();
+    assert!(found[1..4].iter().all(|(_, ratio)| ratio.abs() > 1e-3), "{found:?}");
+    assert!((sum - found[4].1).abs() < 1e-12, "{sum} instead of {}", found[4].1);
+}
+
+#[test]
+fn quantities_of_an_instant_are_those_of_a_sweep() {
+    let what = "rocker.phi rocker.phi/drive B.transmission";
+    let swept = row(&format!("fourbar sweep {what} --times 0.3,0.4 --degrees --format csv"));
+    let solved = row(&format!("fourbar solve {what} --at 0.3 --degrees --format csv"));
+    for ((name, a), (_, b)) in swept.iter().zip(&solved) {
+        assert!((a - b).abs() < 1e-9, "{name}: {a} and {b}");
+    }
+    let record = json(&format!("fourbar solve {what} --at 0.3 --degrees --format json"));
+    let number = |value: &Value| value.as_f64().expect("a number");
+    assert!((number(&record["quantities"]["rocker.phi/drive"]) - solved[2].1).abs() < 1e-12, "{record}");
+    assert_eq!((number(&record["t"]), &record["units"]["angle"]), (0.3, &Value::from("deg")));
+
+    let text = good(&format!("fourbar solve {what} --at 0.3"));
+    assert!(text.lines().next().is_some_and(|line| line.ends_with("at t = 0.3")), "{text}");
+    let line = text.lines().find(|line| line.contains("B.transmission")).expect("a line");
+    assert!(line.ends_with("rad"), "{line}");
+    failed("fourbar solve rocker.psi", 2, &["WHAT", "no quantity named `rocker.psi`", "quantities: t, crank.x"]);
+    failed("fourbar solve rocker.phi --forces", 2, &["cannot be used with"]);
+}
+
+/// Every table with lengths or angles says their units, and those of degrees where angles are in degrees.
+#[test]
+fn tables_have_units() {
+    for (options, angle) in [("", "rad"), (" --degrees", "°")] {
+        let text = good(&format!("with_units solve{options}"));
+        let both = format!("m, {angle}");
+        let expected = [
+            ("rod.x", "m"),
+            ("rod.phi", angle),
+            ("slider", both.as_str()),
+            ("middle", "m"),
+            ("turn", angle),
+            ("lean", angle),
+            ("B", angle),
+        ];
+        for (first, unit) in expected {
+            let line = text.lines().find(|line| line.split_whitespace().next() == Some(first)).expect(first);
+            assert!(line.ends_with(&format!("  {unit}")), "{line}");
+        }
+    }
+    // Lengths without a unit have none.
+    let text = good("loaded solve");
+    let line = text.lines().find(|line| line.trim_start().starts_with("beam.x")).expect("a coordinate");
+    assert!(line.ends_with(char::is_numeric), "{line}");
+}
+
+#[test]
+fn times_in_sentences_are_rounded() {
+    for command in ["solve --at pi/2", "--at pi/2", "check --at pi/2", "modes --at pi/2", "sensitivities --at pi/2"] {
+        let text = good(&format!("fourbar {command}"));
+        assert!(text.contains("t = 1.570796\n") || text.contains("t = 1.570796,"), "{command}: {text}");
+    }
+}
