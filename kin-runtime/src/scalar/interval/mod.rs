@@ -185,6 +185,14 @@ impl Mul for Interval {
             return Self { lower: product_down(x, y), upper: product_up(x, y) };
         }
         let pairs = [(self.lower, b.lower), (self.lower, b.upper), (self.upper, b.lower), (self.upper, b.upper)];
+        // Neighbours have the order of the products, so that those of the least and the most are enough, unless one of these
+        // is 0, which may be exact.
+        let [p, q, r, s] = pairs.map(|(x, y)| x * y);
+        let (least, most) = (p.min(q).min(r.min(s)), p.max(q).max(r.max(s)));
+        if least.is_normal() && most.is_normal() {
+            return Self { lower: least.next_down(), upper: most.next_up() };
+        }
+        let pairs = [(self.lower, b.lower), (self.lower, b.upper), (self.upper, b.lower), (self.upper, b.upper)];
         Self {
             lower: pairs.iter().fold(f64::INFINITY, |least, &(x, y)| least.min(product_down(x, y))),
             upper: pairs.iter().fold(f64::NEG_INFINITY, |most, &(x, y)| most.max(product_up(x, y))),
