@@ -210,6 +210,27 @@ fn extremes_of_transmission_angles_vary_with_the_dimensions() {
     assert!(text.contains("first instant") && text.contains("last instant"), "{text}");
 }
 
+/// A limit that is near the start on one side is reached however few steps there are.
+#[test]
+fn few_steps_reach_both_limits() {
+    // At 45° the crank is a little before the angle at which coupler and rocker are stretched.
+    for speed in ["2", "-2"] {
+        let line = format!("fourbar sweep crank.phi --set l1=1.0141,w={speed} --from limit --to limit --format csv");
+        let ends = |steps: usize| {
+            let (csv, notes) = good(&format!("{line} --steps {steps}"));
+            assert!(notes.contains("it begins at t = ") && notes.contains("it ends at t = "), "{steps}: {notes}");
+            let (_, rows) = rows(&csv);
+            (rows[0][1], rows[rows.len() - 1][1])
+        };
+        let (first, last) = ends(60);
+        assert!((first - last).abs() > 1.0, "{first} {last}");
+        for steps in [1, 2, 3, 5, 7] {
+            let few = ends(steps);
+            assert!((few.0 - first).abs() < 1e-9 && (few.1 - last).abs() < 1e-9, "{steps}: {few:?}");
+        }
+    }
+}
+
 #[test]
 fn a_motion_goes_as_far_as_the_mechanism() {
     // A crank that is longer than the ground: the angle at which coupler and rocker lie on one line.

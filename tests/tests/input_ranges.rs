@@ -144,3 +144,29 @@ fn several_broken_sensors_do_not_hide_one_another() {
     assert_eq!((why.range.input, why.value), ("stick_length", 0.2));
     assert!((why.range.greatest - (1.6_f64.hypot(0.6) + 0.6_f64.hypot(0.15))).abs() < 1e-9, "{why}");
 }
+
+/// A boom on a cylinder, in millimetres.
+#[mechanism]
+#[bodies(boom)]
+#[input(cylinder, default = 900)]
+#[revolute(foot: ground @ (0, 0), boom @ (0, 0))]
+#[distance(ram: ground @ (500, -200), boom @ (1000, 100), length = cylinder)]
+#[guess(boom.phi = 0.7)]
+struct InMillimetres;
+
+/// The size of an input does not matter: the range is told however far away a value is.
+#[test]
+fn ranges_are_told_in_any_unit() {
+    let (a, b) = (500.0_f64.hypot(200.0), 1000.0_f64.hypot(100.0));
+    for value in [1.0, 2000.0, 9000.0, 20_000.0, 1e7] {
+        let inputs = [Signal::constant(value)];
+        let at = Instant { t: 0.0, inputs: &inputs };
+        let why = InMillimetres.solver().out_of_range(&at).unwrap_or_else(|| panic!("{value}"));
+        let range = why.range;
+        assert!(
+            !range.contains(value) && range.contains(b - a + 1e-6) && range.contains(b + a - 1e-6),
+            "{value}: {why}"
+        );
+        assert!(!range.contains(b - a - 1e-3) && !range.contains(b + a + 1e-3), "{value}: {why}");
+    }
+}

@@ -17,7 +17,7 @@ use nalgebra::{DMatrix, DVector};
 
 /// Most iterations.
 const ITERATIONS: usize = 60;
-/// W: the weight of an input, relative to a coordinate.
+/// W: the weight of an input, relative to a coordinate and to the size of the input or of the mechanism.
 const WEIGHT: f64 = 100.0;
 /// Largest change of an angle in an iteration.
 const TURN: f64 = 0.5;
@@ -35,6 +35,9 @@ pub(crate) fn fit_inputs(
     equations.scale = Scale::around(equations, &q);
     let (n, rows) = (q.len(), equations.rows());
     let all: Vec<usize> = (0..rows).collect();
+    // In millimetres an input moves as far as in metres.
+    let size = equations.scale.columns.iter().fold(1.0, |size: f64, &column| size.max(column));
+    let weights: Vec<f64> = places.iter().map(|&k| WEIGHT * equations.inputs[k].value.abs().max(size)).collect();
     for _ in 0..ITERATIONS {
         equations.evaluate(Subset { phi: true, ..Subset::VELOCITY }, &q, None)?;
         let right = DVector::from_fn(rows, |row, _| -equations.scale.rows[row] * equations.phi[row]);
@@ -50,7 +53,7 @@ pub(crate) fn fit_inputs(
                 Ok(equations.phi_t.clone())
             })?;
             for row in 0..rows {
-                matrix[(row, n + k)] = WEIGHT * equations.scale.rows[row] * phi_u[row];
+                matrix[(row, n + k)] = weights[k] * equations.scale.rows[row] * phi_u[row];
             }
         }
         let Ok(step) = matrix.svd(true, true).solve(&right, 1e-12) else { return Ok(false) };
@@ -58,7 +61,7 @@ pub(crate) fn fit_inputs(
         let share = if most > TURN { TURN / most } else { 1.0 };
         q.iter_mut().enumerate().for_each(|(k, q)| *q += share * equations.scale.columns[k] * step[k]);
         for (k, &place) in places.iter().enumerate() {
-            equations.inputs[place].value += share * WEIGHT * step[n + k];
+            equations.inputs[place].value += share * weights[k] * step[n + k];
         }
     }
     Ok(false)

@@ -6,11 +6,10 @@ use super::solution::{Problems, Solutions};
 use crate::measure::{Measure, Needs, Source};
 use crate::mechanism::{LengthError, Mechanism};
 use crate::model::Model;
-use crate::plan::Depth;
 use crate::scalar::Scalar;
 use crate::scalar::lanes::{Octet, Pack};
 use crate::sensitivity::measured::complete;
-use crate::sensitivity::{LARGEST, Number, Variation, Varied, Varying, WIDTH, is_integrated, modes_at};
+use crate::sensitivity::{LARGEST, Number, Varied, Varying, WIDTH, is_integrated, modes_at};
 use crate::signal::{Instant, Signal};
 use core::ops::ControlFlow;
 
@@ -152,7 +151,12 @@ pub fn sensitivities<M: Mechanism + Sync>(
         return Err(BatchError::UnknownParameter { index, parameters: M::PARAMETERS });
     }
     let sources: Option<Vec<Source>> = measures.iter().map(|measure| measure.source(model)).collect();
-    let sources = sources.ok_or(BatchError::NoSensitivities("a velocity ratio or a force has no closed form"))?;
+    let sources = sources.ok_or_else(|| {
+        BatchError::NoSensitivities(match measures.iter().any(Measure::is_ratio) {
+            true => "velocity ratios have no derivatives by parameters here",
+            false => "one of the forces has no closed form",
+        })
+    })?;
     let list = List { measures, sources, parameters };
     let shape = Shape { count: out.count, width: 1, stride: out.stride(), chunk: CHUNK };
     let scratch = || Scratch::<M>::new(mechanism);
@@ -196,7 +200,6 @@ struct List<'a> {
 struct Scratch<'m, M: Mechanism> {
     varying: Varying<'m, M>,
     varied: Varied,
-    forces: Vec<Number>,
     parameters: Vec<f64>,
     inputs: Vec<Signal>,
     q: Vec<f64>,
@@ -204,11 +207,9 @@ struct Scratch<'m, M: Mechanism> {
 
 impl<'m, M: Mechanism> Scratch<'m, M> {
     fn new(mechanism: &'m M) -> Self {
-        let forces = M::model().forces.map_or(0, |forces| forces.count);
         Self {
             varying: Varying::new(mechanism),
             varied: Varied::default(),
-            forces: vec![Number::from_f64(0.0); forces],
             parameters: vec![0.0; M::PARAMETERS],
             inputs: Vec::new(),
             q: vec![0.0; M::COORDINATES],
@@ -224,20 +225,13 @@ impl<'m, M: Mechanism> Scratch<'m, M> {
         list: &List<'_>,
         out: &mut [f64],
     ) -> Option<()> {
-        let Self { varying, varied, forces, parameters, inputs, q } = self;
+        let Self { varying, varied, parameters, inputs, q } = self;
         parameters.iter_mut().zip(problems.parameters).for_each(|(number, column)| *number = column.at(place));
         inputs.clear();
         inputs.extend(problems.inputs.iter().map(|input| input.map(|column| column.at(place))));
         let at = Instant { t: problems.t.at(place), inputs };
         let modes = modes_at(mechanism, parameters, &at, q).ok()??;
-        let has_forces = list.measures.iter().any(|measure| measure.force().is_some());
-        let mut needs = Needs { depth: Depth::Position, observed: false, geometry: false };
-        for measure in list.measures {
-            needs = needs.and(measure.needs());
-        }
-        if has_forces {
-            needs.depth = Depth::Acceleration;
-        }
+        let needs = list.measures.iter().fold(Needs::LEAST, |needs, measure| needs.and(measure.needs()));
         let (solved, numbers) = out.split_first_mut()?;
         let width = 1 + list.parameters.len().next_multiple_of(WIDTH);
         // Once without parameters for the values alone.
@@ -249,26 +243,19 @@ impl<'m, M: Mechanism> Scratch<'m, M> {
                 return None;
             }
             complete(varying, varied, needs).ok()?;
-            if has_forces {
-                varying.forces(varied, &[], forces).ok()?;
-            }
             for ((measure, source), out) in list.measures.iter().zip(&list.sources).zip(numbers.chunks_mut(width)) {
                 let own;
                 let number = match *source {
                     Source::Coordinate { place, order } => {
                         [&varied.q, &varied.q_dot, &varied.q_ddot].get(order)?.get(place)?
                     }
-                    Source::Force(place) => forces.get(place)?,
+                    Source::Force(place) => varied.forces.get(place)?,
                     _ => {
                         own = match *source {
                             Source::Time => Number::from_f64(at.t),
                             Source::Input { place, order } => {
                                 let input = at.inputs.get(place)?;
                                 Number::from_f64(*[input.value, input.rate, input.acceleration].get(order)?)
-                            }
-                            Source::ForceLength(place) => {
-                                let (x, y) = (*forces.get(place)?, *forces.get(place + 1)?);
-                                (x * x + y * y).sqrt()
                             }
                             _ => measure.varied(M::model(), varied)?,
                         };

@@ -27,7 +27,9 @@ pub struct Problems<'a> {
     pub inputs: &'a [Signal<Column<'a>>],
     /// The assembly modes.
     pub modes: Modes<'a>,
-    /// n columns: angles of the result are within half a turn of these, and iterations start from them.
+    /// n columns: angles of the result are within half a turn of these, and iterations start from them. With
+    /// [`Modes::OfStart`] they say which closures are meant, so that they have to be a configuration that closes, or one
+    /// nearby: the q of a state, for example.
     pub start: &'a [Column<'a>],
 }
 

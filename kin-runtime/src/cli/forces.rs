@@ -91,7 +91,7 @@ pub(super) fn run(args: &ForcesArgs, engine: &mut dyn Engine, session: &mut Sess
     let text = match output.form {
         Form::Json => to_json(&forces).map_err(Failure::Output)?,
         Form::Csv => {
-            let names: Vec<String> = columns(engine.model()).into_iter().map(|(name, _)| name).collect();
+            let names: Vec<String> = columns(engine.model()).into_iter().map(|(name, ..)| name).collect();
             let mut values = Vec::new();
             column_values(engine.model(), Some(&forces), &mut values);
             let values: Vec<String> =

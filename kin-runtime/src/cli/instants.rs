@@ -299,10 +299,18 @@ fn as_far(
     // The motion is followed from the start in both directions: the start is one of the instants, in place of one that
     // differs from it by rounding.
     let same = |t: f64| (t - start).abs() <= 1e-9 * (to - from).abs();
-    let behind = times.iter().position(|t| *t >= start || same(*t)).unwrap_or(times.len());
+    let mut behind = times.iter().position(|t| *t >= start || same(*t)).unwrap_or(times.len());
     match times.get_mut(behind).filter(|t| same(**t)) {
         Some(t) => *t = start,
         None => times.insert(behind, start),
+    }
+    // However few steps there are, the motion goes on towards a limit on either side.
+    if out.limits[0].is_some() && behind == 0 && from < start {
+        times.insert(0, 0.5 * (from + start));
+        behind = 1;
+    }
+    if out.limits[1].is_some() && behind + 1 == times.len() && start < to {
+        times.push(0.5 * (start + to));
     }
     Ok(Instants { times, start: behind, ..out })
 }

@@ -18,9 +18,10 @@ pub(super) fn tolerances(texts: &[String], model: &Model) -> Result<Vec<f64>, Fa
     let mut ledger = Ledger::default();
     let example = format!("{}=0.001", names.first().unwrap_or(&"NAME"));
     for (name, value) in ledger.take(values::assignments(OPTION, &example, texts)).unwrap_or_default() {
-        let place = ledger.take(find_in(model, OPTION, Kind::Parameter, &name, &names));
+        // The unit of what is no parameter is not known.
+        let Some(place) = ledger.take(find_in(model, OPTION, Kind::Parameter, &name, &names)) else { continue };
         let value = values::number(&format!("{OPTION} {name}"), &value, Measured::parameter(model, &name));
-        if let (Some(place), Some(value)) = (place, ledger.take(value)) {
+        if let Some(value) = ledger.take(value) {
             all[place] = value;
         }
     }

@@ -117,9 +117,9 @@ impl<M: Mechanism> Design<M> {
     }
 
     /// A quantity is to have given values at given instants, (t, value). Quantities are those of
-    /// [`Measure`](crate::Measure) but forces and velocity ratios: coordinates (`rocker.phi`), components of points
-    /// (`tip.x`), defines, quantities of joints, transmission angles (`B.transmission`), their rates and accelerations; and
-    /// `x`, `y` and `phi` of every body. Angles of bodies count as equal when they differ by whole turns.
+    /// [`Measure`](crate::Measure) but velocity ratios: coordinates (`rocker.phi`), components of points (`tip.x`), defines,
+    /// quantities of joints, transmission angles (`B.transmission`), their rates and accelerations, forces for which there is a
+    /// closed form (`drive.effort`); and `x`, `y` and `phi` of every body. Angles of bodies count as equal when they differ by whole turns.
     ///
     /// # Errors
     /// [`UnknownQuantity`](DesignError::UnknownQuantity), [`NoDerivatives`](DesignError::NoDerivatives),

@@ -33,7 +33,7 @@ pub enum DesignError {
         /// What was asked for.
         quantity: String,
     },
-    /// A quantity that has no derivatives by parameters: a force, a velocity ratio, an input, or t.
+    /// A quantity that has no derivatives by parameters: a velocity ratio, a force without a closed form, an input, or t.
     NoDerivatives {
         /// The quantity.
         quantity: String,
@@ -103,8 +103,8 @@ impl fmt::Display for DesignError {
             }
             Self::NoDerivatives { quantity } => write!(
                 f,
-                "a design cannot be searched for by `{quantity}`: forces, velocity ratios, inputs and t have no derivatives \
-                 by parameters here"
+                "a design cannot be searched for by `{quantity}`: velocity ratios, forces without a closed form, inputs and t \
+                 have no derivatives by parameters here"
             ),
             Self::NoTransmission { joint, angles } if angles.is_empty() => {
                 write!(f, "`{joint}` has no transmission angle, and neither has any other joint")

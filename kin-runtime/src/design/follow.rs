@@ -106,9 +106,7 @@ impl<'d, M: Mechanism> Follow<'d, M> {
         for (k, state) in trajectory.states.iter().enumerate() {
             let mut first = 0;
             solver.vary(&mut varying, state, self.varying(slopes), &mut |variation, places, varied| {
-                if needs.geometry {
-                    variation.write_geometry(&mut varied.geometry)?;
-                }
+                complete(variation, varied, Needs { observed: false, ..needs })?;
                 see(k, first, varied);
                 first += places.len();
                 Ok(())

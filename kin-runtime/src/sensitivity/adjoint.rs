@@ -6,7 +6,7 @@ use super::{SAME, is_integrated};
 use crate::error::SolveError;
 use crate::measure::{Measure, Needs};
 use crate::mechanism::{LengthError, Mechanism, Observations};
-use crate::plan::{Depth, Plan, Solved};
+use crate::plan::{Plan, Solved};
 use crate::scalar::Scalar;
 use crate::scalar::recorded::{Recorded, accumulate, variables};
 use crate::signal::Signal;
@@ -21,7 +21,7 @@ impl<M: Mechanism> Solver<'_, M> {
     /// `weights` has a number per state and quantity, state by state: the derivatives of an objective by what it is computed
     /// from. The cost per state does not grow with the number of parameters, unlike that of
     /// [`measure_sensitivities`](Self::measure_sensitivities), whose weighted sum it is; where the plan has no answer, and for
-    /// forces, it is computed as that sum. The instants, inputs and assembly modes are held.
+    /// forces without a closed form, it is computed as that sum. The instants, inputs and assembly modes are held.
     ///
     /// ```
     /// use kin_runtime::{Kinematics, Measure, Mechanism, mechanism};
@@ -111,8 +111,7 @@ struct Work<M: Mechanism> {
 
 impl<M: Mechanism> Work<M> {
     fn new(measures: &[Measure]) -> Self {
-        let least = Needs { depth: Depth::Velocity, observed: false, geometry: false };
-        let needs = measures.iter().fold(least, |needs, measure| needs.and(measure.needs()));
+        let needs = measures.iter().fold(Needs::LEAST, |needs, measure| needs.and(measure.needs()));
         Self { needs, varied: Varied::default(), observations: Box::new(M::observations()) }
     }
 
@@ -132,7 +131,7 @@ impl<M: Mechanism> Work<M> {
         let at = Instant { t: number(state.t), inputs: &inputs };
         let start = M::Coordinates::<Recorded>::generate(|k| number(state.q.get(k).copied().unwrap_or(0.0)));
         let signs: Vec<Recorded> = modes.of_closures().iter().map(|&sign| number(sign)).collect();
-        let Varied { q, q_dot, q_ddot, margins, observed, geometry } = &mut self.varied;
+        let Varied { q, q_dot, q_ddot, margins, observed, geometry, forces } = &mut self.varied;
         margins.clear();
         margins.resize(model.plan.margins, number(0.0));
         for list in [&mut *q, &mut *q_dot, &mut *q_ddot] {
@@ -158,6 +157,11 @@ impl<M: Mechanism> Work<M> {
             geometry.clear();
             geometry.resize(model.geometry, number(0.0));
             mechanism.write_geometry(&parameters, &at, geometry)?;
+        }
+        if let (true, Some(info)) = (self.needs.forces, model.forces) {
+            forces.clear();
+            forces.resize(info.count, number(0.0));
+            mechanism.forces_with(&parameters, &at, q, q_dot, q_ddot, &[], forces)?;
         }
         let results = measures.iter().zip(weights).filter(|(measure, weight)| **weight != 0.0 && !measure.is_held());
         let results: Option<Vec<(Recorded, f64)>> =

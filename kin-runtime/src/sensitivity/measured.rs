@@ -1,13 +1,10 @@
 //! Derivatives of quantities by name.
 
-use super::Varying;
-#[cfg(any(feature = "simd", feature = "design"))]
-use super::{Variation, Varied, observe};
+use super::{Number, Variation, Varied, Varying, observe};
 use crate::error::SolveError;
-#[cfg(any(feature = "simd", feature = "design"))]
-use crate::measure::Needs;
-use crate::measure::{Measure, column_values, magnitude_parts};
+use crate::measure::{Measure, Needs, column_values, magnitude_parts};
 use crate::mechanism::Mechanism;
+use crate::scalar::Scalar;
 use crate::solver::Solver;
 use crate::state::State;
 
@@ -60,13 +57,13 @@ impl<M: Mechanism> Solver<'_, M> {
         if let Some(&index) = parameters.iter().find(|&&index| index >= M::PARAMETERS) {
             return Err(SolveError::UnknownParameter { index, parameters: M::PARAMETERS });
         }
+        // Observables are there already, and forces follow by whatever way there is.
         let geometry = measures.iter().any(|measure| measure.needs().geometry);
+        let needs = Needs { geometry, ..Needs::LEAST };
         let mut all = vec![Vec::with_capacity(parameters.len()); measures.len()];
         let mut varying = Varying::new(self.mechanism);
         self.vary(&mut varying, state, parameters, &mut |variation, places, varied| {
-            if geometry {
-                variation.write_geometry(&mut varied.geometry)?;
-            }
+            complete(variation, varied, needs)?;
             for (measure, by) in measures.iter().zip(&mut all) {
                 let held = if measure.is_held() { 0.0 } else { f64::NAN };
                 let number = measure.varied(M::model(), varied);
@@ -107,14 +104,20 @@ impl<M: Mechanism> Solver<'_, M> {
     }
 }
 
-/// Writes what quantities need besides q and its rates.
-#[cfg(any(feature = "simd", feature = "design"))]
+/// Writes what quantities need besides q and its rates; forces in closed form.
 pub(crate) fn complete(variation: &mut dyn Variation, varied: &mut Varied, needs: Needs) -> Result<(), SolveError> {
     if needs.observed {
         observe(variation, varied)?;
     }
     if needs.geometry {
         variation.write_geometry(&mut varied.geometry)?;
+    }
+    if let (true, Some(info)) = (needs.forces, variation.model().forces) {
+        let mut forces = core::mem::take(&mut varied.forces);
+        forces.clear();
+        forces.resize(info.count, Number::from_f64(0.0));
+        variation.forces(varied, &[], &mut forces)?;
+        varied.forces = forces;
     }
     Ok(())
 }

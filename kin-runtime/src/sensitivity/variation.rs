@@ -34,12 +34,14 @@ pub(crate) struct Varied<T = Number> {
     pub(crate) observed: Vec<Signal<T>>,
     /// The numbers of the joints' geometry; empty where nobody needs them.
     pub(crate) geometry: Vec<T>,
+    /// The numbers of forces; empty where nobody needs them.
+    pub(crate) forces: Vec<T>,
 }
 
 impl<T> Default for Varied<T> {
     fn default() -> Self {
-        let [q, q_dot, q_ddot, margins, geometry] = core::array::from_fn(|_| Vec::new());
-        Self { q, q_dot, q_ddot, margins, observed: Vec::new(), geometry }
+        let [q, q_dot, q_ddot, margins, geometry, forces] = core::array::from_fn(|_| Vec::new());
+        Self { q, q_dot, q_ddot, margins, observed: Vec::new(), geometry, forces }
     }
 }
 

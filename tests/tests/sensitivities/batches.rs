@@ -12,7 +12,7 @@ use kin_tests::mechanisms::{FourbarLectureMid, loaded};
 const COUNT: usize = 11;
 
 /// In a batch of equal configurations each has the values and derivatives of its state.
-pub fn are_those_of_the_state<M: Kinematics + Sync>(mechanism: &M, state: &State) {
+pub(crate) fn are_those_of_the_state<M: Kinematics + Sync>(mechanism: &M, state: &State) {
     let model = M::model();
     let solver = mechanism.solver();
     let mut measures = Measure::all(model);

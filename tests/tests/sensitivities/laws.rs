@@ -116,13 +116,7 @@ fn are_derivatives<M: Kinematics + Default + Sync>(from: f64, to: f64) {
 /// The gradient of a weighted sum of quantities is the weighted sum of their derivatives.
 fn backwards_is_forwards<M: Kinematics>(mechanism: &M, state: &State) {
     let (solver, all) = (mechanism.solver(), (0..M::PARAMETERS).collect::<Vec<usize>>());
-    let of_forces = [".effort", ".force", ".moment", ".torque", ".normal", ".tangential", ".generalized", ".tension"];
-    let is_force = |name: &str| {
-        let total = ["shaking.", "energy.", "power."].iter().any(|start| name.starts_with(start));
-        total || of_forces.iter().any(|part| name.contains(part))
-    };
-    let mut measures = Measure::all(M::model());
-    measures.retain(|measure| !is_force(measure.name()));
+    let measures = Measure::all(M::model());
     let by = solver.measure_sensitivities(state, &measures, &all).unwrap();
     let mut random = Random::new(41);
     // What has no derivative has no weight.

@@ -65,7 +65,7 @@ fn drivers_quantities_and_columns_are_taken_by_their_names() {
         std::fs::read_to_string(&out).unwrap()
     };
     let text = found(&["--turns", "drive", "--range", "B.transmission=10deg..170deg"]);
-    assert!(text.contains("turns with margins above 0.01") && text.contains("B.transmission in 0.17"), "{text}");
+    assert!(text.contains("turns with margins above 0.01") && text.contains("B.transmission in 10°..170°"), "{text}");
     assert!(text.contains("mm") && text.contains("40 to 160"), "{text}");
     found(&["--turns"]);
     assert_ne!(ExitCode::SUCCESS, run(&places, &["--turns", "drvie"]));

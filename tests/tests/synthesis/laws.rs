@@ -131,3 +131,32 @@ fn a_mechanism_with_inputs_is_refused_by_name() {
     let design = design.path_at("tip", &[(0.0, [1.0, 1.0])]).unwrap();
     assert_eq!(Err(DesignError::Inputs { inputs: vec!["stroke"] }), design.search(&FEW).map(|_| ()));
 }
+
+/// An arm with a counterweight: at a constant speed the motor holds g (m l − M c) cos φ.
+#[kin_runtime::mechanism]
+#[bodies(arm)]
+#[revolute(O: ground @ (0, 0), arm @ (0, 0))]
+#[point(weight = arm @ (-c, 0))]
+#[driver(motor: arm.phi = t)]
+#[gravity(0, -9.81)]
+#[mass(arm @ (0.5, 0), mass = 1)]
+#[mass(arm @ (-c, 0), mass = 2)]
+struct Balanced {
+    #[param(0.1)]
+    c: f64,
+}
+
+/// A torque is an aim as any other quantity, and a condition.
+#[test]
+fn designs_have_the_torque_that_is_wanted() {
+    let design = || kin_runtime::design::Design::new(&Balanced::default()).free("c", 0.01..=0.6).unwrap();
+    let found =
+        design().function("motor.effort", &[(0.0, 2.0), (1.0, 2.0 * 1_f64.cos())]).unwrap().search(&FEW).unwrap();
+    let exact = (0.5 - 2.0 / 9.81) / 2.0;
+    assert!((found.mechanism.c - exact).abs() < 1e-9, "{found}");
+    // The weight is to be near the pin, and the motor holds 1 at most.
+    let near = design().function("weight.x", &[(0.0, 0.0)]).unwrap();
+    let found = near.range("motor.effort", -1.0..=1.0, std::f64::consts::TAU, 9).unwrap().search(&FEW).unwrap();
+    let least = (0.5 - 1.0 / 9.81) / 2.0;
+    assert!(found.mechanism.c >= least && found.mechanism.c < least + 1e-3, "{found} {least}");
+}

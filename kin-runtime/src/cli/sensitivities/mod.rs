@@ -14,6 +14,7 @@ use crate::cli::solved::{analysis, driven_state, note_modes};
 use crate::cli::task::{At, AtArgs};
 use crate::cli::tolerance::tolerances;
 use crate::cli::values::Moment;
+use crate::measure::Measure;
 use crate::present::json::to_json;
 use crate::present::number::{plain, rounded};
 use crate::present::sensitivities::{deviations, quantities, text, tolerance_text};
@@ -89,7 +90,7 @@ pub(in crate::cli) fn run(
         true => ledger.take(args.grid.asked(motion::STEPS, engine.model())),
         false => at.as_ref().map(|at| Asked::Times(vec![Moment::At(at.t)])),
     };
-    let measures = ledger.take(named(engine.model(), &args.what));
+    let measures = ledger.take(named(engine.model(), &args.what).and_then(differentiable));
     let tolerances = ledger.take(tolerances(&args.tolerance, engine.model()));
     let ((At { t, setup, output }, tolerances), (asked, measures)) =
         ledger.close(at.zip(tolerances).zip(asked.zip(measures)))?;
@@ -118,6 +119,17 @@ pub(in crate::cli) fn run(
         ),
     };
     session.deliver(&output, &text)
+}
+
+/// The quantities, if all of them have derivatives by the dimensions.
+fn differentiable(measures: Vec<Measure>) -> Result<Vec<Measure>, Failure> {
+    match measures.iter().find(|measure| measure.is_ratio()) {
+        None => Ok(measures),
+        Some(ratio) => {
+            let what = format!("`{}` is a velocity ratio, which has no derivatives by dimensions here", ratio.name());
+            Err(Failure::option("WHAT", what))
+        }
+    }
 }
 
 /// A row per quantity, a column per parameter.

@@ -4,22 +4,15 @@ use super::{Dimension, Source};
 use crate::forces::Forces;
 use crate::model::{ForceModel, ForceUnits, Frame, Model};
 
-/// The names and dimensions of the columns of forces; none for a mechanism without masses and loads.
-pub(crate) fn columns(model: &Model) -> Vec<(String, Dimension)> {
+/// The columns of forces: the name, the dimension and where the number comes from, none where no closed form gives it. Empty
+/// for a mechanism without masses and loads.
+pub(crate) fn columns(model: &Model) -> Vec<(String, Dimension, Option<Source>)> {
     let Some(info) = model.forces else { return Vec::new() };
     let mut columns = Vec::new();
-    visit(model, info, None, &mut |name, unit, _, _| {
-        columns.push((name, unit.map_or(Dimension::Unknown, Dimension::In)))
+    visit(model, info, None, &mut |name, unit, source, _| {
+        columns.push((name, unit.map_or(Dimension::Unknown, Dimension::In), source.filter(|_| info.solved)));
     });
     columns
-}
-
-/// Where the numbers of [`columns`] come from; none for those that no closed form gives.
-pub(super) fn sources(model: &Model) -> Vec<Option<Source>> {
-    let Some(info) = model.forces else { return Vec::new() };
-    let mut sources = Vec::new();
-    visit(model, info, None, &mut |_, _, source, _| sources.push(source.filter(|_| info.solved)));
-    sources
 }
 
 /// The numbers of [`columns`]; NaN for what is undetermined.

@@ -83,8 +83,8 @@ enum Of {
     /// A define or a quantity of a joint, by its observable.
     Observable(usize),
     Input(usize),
-    /// A column of forces.
-    Force(usize),
+    /// A column of forces, and where its number comes from.
+    Force(usize, Option<Source>),
     Transmission(Pair),
 }
 
@@ -182,7 +182,7 @@ impl Measure {
             }
         }
         let forces = force::columns(model).into_iter().enumerate();
-        out.extend(forces.map(|(k, (name, dimension))| Self::new(name, Of::Force(k), dimension)));
+        out.extend(forces.map(|(k, (name, dimension, source))| Self::new(name, Of::Force(k, source), dimension)));
         out
     }
 
@@ -210,13 +210,18 @@ impl Measure {
         match self.of {
             Of::Coordinate(_) | Of::Point(..) | Of::Observable(_) => self.order == 0 && self.per.is_none(),
             Of::Speed(_) => self.per.is_none(),
-            Of::Time | Of::Input(_) | Of::Force(_) | Of::Transmission(_) => false,
+            Of::Time | Of::Input(_) | Of::Force(..) | Of::Transmission(_) => false,
         }
+    }
+
+    /// Whether it is a velocity ratio.
+    pub(crate) const fn is_ratio(&self) -> bool {
+        self.per.is_some()
     }
 
     /// Its place among the columns of forces.
     pub(crate) const fn force(&self) -> Option<usize> {
-        if let (Of::Force(place), None) = (self.of, self.per) { Some(place) } else { None }
+        if let (Of::Force(place, _), None) = (self.of, self.per) { Some(place) } else { None }
     }
 
     /// Whether it is held while parameters vary: t and the inputs.
@@ -256,7 +261,7 @@ impl Measure {
     /// Whether it depends on the position only, so that it has a value at a limit, where rates do not exist.
     #[cfg(feature = "cli")]
     pub(crate) const fn is_place(&self) -> bool {
-        self.order == 0 && self.per.is_none() && !matches!(self.of, Of::Force(_))
+        self.order == 0 && self.per.is_none() && !matches!(self.of, Of::Force(..))
     }
 
     /// Whether it is an angle, not a rate or a ratio of one.
@@ -283,7 +288,7 @@ impl Measure {
             Of::Observable(_) => {
                 measure.order == 0 && measure.dimension != Dimension::Angle || measure.is_define(model)
             }
-            Of::Force(_) => measure.name.ends_with(".effort"),
+            Of::Force(..) => measure.name.ends_with(".effort"),
             Of::Time | Of::Input(_) => false,
         };
         let all = Self::all(model).into_iter();

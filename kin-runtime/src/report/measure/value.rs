@@ -28,7 +28,7 @@ impl Measure {
             Of::Speed(place) => Some(Source::Speed(model.points[place].observables)),
             Of::Observable(row) => Some(Source::Observable { row, order }),
             Of::Input(place) => Some(Source::Input { place, order }),
-            Of::Force(column) => force::sources(model).get(column).copied().flatten(),
+            Of::Force(_, source) => source,
             Of::Transmission(pair) => Some(Source::Transmission(pair.places)),
         }
     }
@@ -46,7 +46,7 @@ impl Measure {
             }
             Of::Speed(place) => state.points.get(place).map(|point| point.v[0].hypot(point.v[1])),
             Of::Input(place) => Some(state.inputs.get(place).map_or(f64::NAN, |input| of_order(*input, self.order))),
-            Of::Observable(_) | Of::Force(_) | Of::Transmission(_) => None,
+            Of::Observable(_) | Of::Force(..) | Of::Transmission(_) => None,
         }
     }
 }
@@ -74,7 +74,7 @@ pub(crate) fn values(
     let has = |of: fn(&Of) -> bool| measures.iter().any(|measure| measure.per.is_none() && of(&measure.of));
     let observed = has(|of| matches!(of, Of::Observable(_)));
     let motion = observed.then(|| motion(equations, state)).transpose()?;
-    let loads: Option<Forces> = match has(|of| matches!(of, Of::Force(_))) {
+    let loads: Option<Forces> = match has(|of| matches!(of, Of::Force(..))) {
         true => forces(equations, state, Sharing::Undetermined).ok(),
         false => None,
     };
@@ -100,7 +100,7 @@ pub(crate) fn values(
         (Of::Observable(place), _) => {
             motion.as_ref().map_or(f64::NAN, |motion| of_order(of_observable(motion, place), measure.order))
         }
-        (Of::Force(place), _) => of_forces.get(place).copied().unwrap_or(f64::NAN),
+        (Of::Force(place, _), _) => of_forces.get(place).copied().unwrap_or(f64::NAN),
         _ => measure.of_state(state).unwrap_or(f64::NAN),
     };
     Ok(measures.iter().map(value).collect())
@@ -142,6 +142,6 @@ fn of_ratio(equations: &Equations<'_>, of: Of, ratio: &Ratio) -> f64 {
             x.hypot(y)
         }
         Of::Observable(place) => seen(place),
-        Of::Time | Of::Input(_) | Of::Force(_) | Of::Transmission(_) => f64::NAN,
+        Of::Time | Of::Input(_) | Of::Force(..) | Of::Transmission(_) => f64::NAN,
     }
 }

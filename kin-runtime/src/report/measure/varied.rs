@@ -1,6 +1,6 @@
 //! The values of quantities over numbers that carry derivatives by parameters.
 
-use super::{Measure, Of};
+use super::{Measure, Of, Source};
 use crate::model::{Frame, Geometry, Model};
 use crate::plan::Depth;
 use crate::scalar::Scalar;
@@ -17,12 +17,13 @@ pub(crate) struct Needs {
     pub(crate) observed: bool,
     /// Whether the geometry of joints is needed.
     pub(crate) geometry: bool,
+    /// Whether forces are needed.
+    pub(crate) forces: bool,
 }
 
 impl Needs {
     /// q, q̇ and the margins of the plan.
-    #[cfg(feature = "design")]
-    pub(crate) const LEAST: Self = Self { depth: Depth::Velocity, observed: false, geometry: false };
+    pub(crate) const LEAST: Self = Self { depth: Depth::Velocity, observed: false, geometry: false, forces: false };
 
     /// What both need.
     pub(crate) fn and(self, other: Self) -> Self {
@@ -30,14 +31,16 @@ impl Needs {
             depth: self.depth.max(other.depth),
             observed: self.observed || other.observed,
             geometry: self.geometry || other.geometry,
+            forces: self.forces || other.forces,
         }
     }
 }
 
 impl Measure {
-    /// Whether [`varied`](Self::varied) has it: forces and velocity ratios are not, and neither is what is held.
+    /// Whether [`varied`](Self::varied) has it: velocity ratios and forces without a closed form have no derivatives there,
+    /// and neither has what is held.
     pub(crate) const fn has_derivatives(&self) -> bool {
-        self.per.is_none() && !matches!(self.of, Of::Time | Of::Input(_) | Of::Force(_))
+        self.per.is_none() && !matches!(self.of, Of::Time | Of::Input(_) | Of::Force(_, None))
     }
 
     /// Its rate; none of what has no rate, or of an acceleration.
@@ -49,10 +52,11 @@ impl Measure {
 
     /// What its value needs.
     pub(crate) fn needs(&self) -> Needs {
-        let depth = if self.order > 1 { Depth::Acceleration } else { Depth::Velocity };
+        let forces = matches!(self.of, Of::Force(..));
+        let depth = if forces || self.order > 1 { Depth::Acceleration } else { Depth::Velocity };
         let transmission = matches!(self.of, Of::Transmission(_));
         let observed = transmission || matches!(self.of, Of::Point(..) | Of::Speed(_) | Of::Observable(_));
-        Needs { depth, observed, geometry: transmission }
+        Needs { depth, observed, geometry: transmission, forces }
     }
 
     /// Its value with derivatives; none where it [has none](Self::has_derivatives), or what it needs is not there.
@@ -72,7 +76,12 @@ impl Measure {
             }
             Of::Observable(place) => observed(place).and_then(order),
             Of::Transmission(pair) => transmission(model, &pair, varied),
-            Of::Time | Of::Input(_) | Of::Force(_) => None,
+            Of::Force(_, Some(Source::Force(place))) => varied.forces.get(place).copied(),
+            Of::Force(_, Some(Source::ForceLength(place))) => {
+                let (x, y) = (*varied.forces.get(place)?, *varied.forces.get(place + 1)?);
+                Some((x * x + y * y).sqrt())
+            }
+            Of::Time | Of::Input(_) | Of::Force(..) => None,
         }
     }
 }
