@@ -47,8 +47,8 @@ pub(crate) fn are_those_of_the_state<M: Kinematics + Sync>(mechanism: &M, state:
             assert!(same, "{}, {} {what}: {found} instead of {exact}", model.name, measure.name());
         };
         out.value(k).for_each(|found| close(found, values[k], &"itself"));
-        for p in 0..all.len() {
-            out.by(k, p).for_each(|found| close(found, by[k][p], &model.parameters[p].name));
+        for (&p, &exact) in all.iter().zip(&by[k]) {
+            out.by(k, p).for_each(|found| close(found, exact, &model.parameters[p].name));
         }
     }
 }
