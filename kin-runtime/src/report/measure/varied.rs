@@ -40,7 +40,7 @@ impl Measure {
     /// Whether [`varied`](Self::varied) has it: velocity ratios and forces without a closed form have no derivatives there,
     /// and neither has what is held.
     pub(crate) const fn has_derivatives(&self) -> bool {
-        self.per.is_none() && !matches!(self.of, Of::Time | Of::Input(_) | Of::Force(_, None))
+        !self.is_ratio() && !matches!(self.of, Of::Time | Of::Input(_) | Of::Force(_, None))
     }
 
     /// Its rate; none of what has no rate, or of an acceleration.
