@@ -43,6 +43,9 @@ pub(super) struct DesignArgs {
     /// A quantity over time: NAME=FILE, csv with the columns t,value
     #[arg(long, value_name = "NAME=FILE")]
     function: Vec<String>,
+    /// A quantity whose greatest absolute value over a turn is to be as small as it can be
+    #[arg(long, value_name = "NAME")]
+    peak: Vec<String>,
     /// It moves on through all of a turn [of this driver], away from dead centres by 1 % of the links
     #[arg(long, value_name = "DRIVER", num_args = 0..=1, default_missing_value = "")]
     turns: Option<String>,
@@ -106,6 +109,8 @@ struct Record<'a> {
 #[derive(serde::Serialize)]
 struct Numbers<'a> {
     error: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    least: Option<f64>,
     times: &'a [Vec<f64>],
     slacks: &'a [crate::design::Slack],
     starts: usize,
@@ -141,10 +146,11 @@ pub(super) fn run(args: &DesignArgs, engine: &mut dyn Engine, session: &mut Sess
     let model = engine.model();
     let text = match output.form {
         Form::Json => {
-            let Designed { error, times, slacks, starts, assembled, finished, met, errors, stopped, .. } = &found;
-            let (error, starts, assembled) = (*error, *starts, *assembled);
+            let Designed { error, least, times, slacks, starts, assembled, finished, met, errors, stopped, .. } =
+                &found;
+            let (error, least, starts, assembled) = (*error, *least, *starts, *assembled);
             let (finished, met, stopped) = (*finished, *met, *stopped);
-            let result = Numbers { error, times, slacks, starts, assembled, finished, met, errors, stopped };
+            let result = Numbers { error, least, times, slacks, starts, assembled, finished, met, errors, stopped };
             let modes = found.modes.iter().map(|(name, sign)| (*name, sign.to_string())).collect();
             let parameters = found.parameters.iter().copied().collect();
             to_json(&Record { mechanism: model.name, parameters, modes, result: &result }).map_err(Failure::Output)?
@@ -248,6 +254,7 @@ fn wishes(args: &DesignArgs, engine: &dyn Engine) -> Result<Vec<Wish>, Failure> 
             }
         }
     }
+    all.extend(args.peak.iter().cloned().map(Wish::Peak));
     if let Some(driver) = &args.turns {
         all.push(Wish::Turns);
         if !driver.is_empty() {

@@ -20,6 +20,7 @@ pub(super) enum Wish {
     Turns,
     Range(String, f64, f64),
     Transmission(String, f64),
+    Peak(String),
 }
 
 impl Wish {
@@ -54,6 +55,11 @@ impl Wishes {
             }
             Wish::Turns => design.turns(period, INSTANTS, MARGIN),
             Wish::Transmission(joint, least) => design.transmission(joint, *least, period, INSTANTS),
+            Wish::Peak(name) => {
+                let times: Vec<f64> = (0..INSTANTS).map(|k| period * k as f64 / (INSTANTS - 1) as f64).collect();
+                let greatest = |at: &[Vec<f64>]| at.iter().flatten().map(|value| value.abs()).fold(0.0, f64::max);
+                design.least(&[name], &times, greatest)
+            }
             Wish::Range(name, low, high) => design.range(name, *low..=*high, period, INSTANTS),
         })
     }

@@ -191,6 +191,53 @@ impl<M: Mechanism> Design<M> {
         Ok(self)
     }
 
+    /// A number of your own is to be as small as it can be: a function of quantities over a motion that is no sum of squares,
+    /// such as the greatest torque.
+    ///
+    /// `least` is given the quantities at every instant, in the order of their names. The search then does without
+    /// derivatives: it looks around every start as widely as the design may vary, and then more and more closely.
+    ///
+    /// ```
+    /// use kin_runtime::design::{Design, Search};
+    /// use kin_runtime::mechanism;
+    ///
+    /// /// An arm with a counterweight.
+    /// #[mechanism]
+    /// #[bodies(arm)]
+    /// #[revolute(O: ground @ (0, 0), arm @ (0, 0))]
+    /// #[driver(motor: arm.phi = t)]
+    /// #[gravity(0, -9.81)]
+    /// #[mass(arm @ (0.5, 0), mass = 1)]
+    /// #[mass(arm @ (-c, 0), mass = 2)]
+    /// struct Arm {
+    ///     #[param(0.1)]
+    ///     c: f64,
+    /// }
+    ///
+    /// # fn main() -> Result<(), kin_runtime::design::DesignError> {
+    /// let greatest = |at: &[Vec<f64>]| at.iter().map(|torque| torque[0].abs()).fold(0.0, f64::max);
+    /// let found = Design::new(&Arm::default())
+    ///     .free("c", 0.01..=0.6)?
+    ///     .least(&["motor.effort"], &[0.0, 0.5, 1.0, 1.5], greatest)?
+    ///     .search(&Search { starts: 2, ..Search::default() })?;
+    /// assert!((found.mechanism.c - 0.25).abs() < 1e-6);
+    /// # Ok(())
+    /// # }
+    /// ```
+    ///
+    /// # Errors
+    /// As [`residuals`](Self::residuals).
+    pub fn least(
+        mut self,
+        quantities: &[&str],
+        times: &[f64],
+        least: impl Fn(&[Vec<f64>]) -> f64 + Send + Sync + 'static,
+    ) -> Result<Self, DesignError> {
+        let of = quantities.iter().map(|name| Quantity::named::<M>(name)).collect::<Result<_, _>>()?;
+        self.objectives.push(Objective::least(of, times, Arc::new(least))?);
+        Ok(self)
+    }
+
     /// A sum of multiples of parameters is to be no less than this: Σ factor · parameter ≥ least.
     ///
     /// # Errors

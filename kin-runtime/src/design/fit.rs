@@ -32,16 +32,20 @@ pub(crate) struct Effort {
     pub(crate) change: f64,
     /// Variables, at most, for the trust-region-reflective method.
     pub(crate) reflective: usize,
+    /// Where something is to be least that is no sum of squares: how far around the start designs are tried at first.
+    pub(crate) spread: f64,
 }
 
 /// To see which of several random designs is worth a descent.
-pub(crate) const GLANCE: Effort = Effort { shares: &[1e-2], steps: 12, change: 1e-3, reflective: 0 };
+pub(crate) const GLANCE: Effort = Effort { shares: &[1e-2], steps: 12, change: 1e-3, reflective: 0, spread: 0.1 };
 /// To see which start is worth more.
-pub(crate) const FIRST: Effort = Effort { shares: &[1e-2, 1e-6], steps: 60, change: 1e-4, reflective: 0 };
+pub(crate) const FIRST: Effort = Effort { shares: &[1e-2, 1e-6], steps: 60, change: 1e-4, reflective: 0, spread: 0.1 };
 /// To see which of the best is the best.
-pub(crate) const SECOND: Effort = Effort { shares: &[1e-6, 1e-10], steps: 120, change: 1e-8, reflective: 0 };
+pub(crate) const SECOND: Effort =
+    Effort { shares: &[1e-6, 1e-10], steps: 120, change: 1e-8, reflective: 0, spread: 0.03 };
 /// To the end.
-pub(crate) const LAST: Effort = Effort { shares: &[1e-6, 1e-10, 0.0], steps: 480, change: 1e-12, reflective: 12 };
+pub(crate) const LAST: Effort =
+    Effort { shares: &[1e-6, 1e-10, 0.0], steps: 480, change: 1e-12, reflective: 12, spread: 0.003 };
 
 /// The least squares problem of one branch.
 struct Fit<'d, M: Mechanism> {
@@ -58,16 +62,16 @@ struct Fit<'d, M: Mechanism> {
 #[derive(Clone, Debug)]
 pub(crate) struct End {
     pub(crate) variables: Vec<f64>,
-    /// The sum of squared misses.
+    /// The sum of squared misses, and of what is to be least.
     pub(crate) error: f64,
     pub(crate) branch: Branch,
 }
 
-/// The sum of squared misses of a design that keeps all conditions.
+/// The sum of squared misses of a design that keeps all conditions, and of what is to be least.
 pub(crate) fn error<M: Mechanism>(design: &Design<M>, variables: &[f64], branch: &Branch) -> Option<f64> {
     let evaluated = design.evaluate(variables, branch, false).ok()?;
     let kept = evaluated.slacks.iter().all(|slack| slack.value > 0.0);
-    let error: f64 = evaluated.misses.iter().map(|row| row.value * row.value).sum();
+    let error = evaluated.misses.iter().map(|row| row.value * row.value).sum::<f64>() + evaluated.least;
     (kept && error.is_finite()).then_some(error)
 }
 

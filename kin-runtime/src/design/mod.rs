@@ -48,6 +48,7 @@ mod follow;
 mod motion;
 mod objective;
 mod result;
+mod roam;
 mod search;
 mod text;
 mod variables;

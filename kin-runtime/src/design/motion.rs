@@ -3,7 +3,7 @@
 use super::builder::Design;
 use super::condition::Condition;
 use super::follow::{Branch, Follow};
-use super::objective::{Objective, Quantity, Wanted};
+use super::objective::{Least, Objective, Quantity, Wanted};
 use super::variables::{Instants, instants};
 use crate::error::SolveError;
 use crate::measure::Needs;
@@ -23,6 +23,8 @@ pub(crate) struct Row {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Evaluated {
     pub(crate) misses: Vec<Row>,
+    /// The sum of what is to be least.
+    pub(crate) least: f64,
     /// Positive where a condition holds; of the order of 1 far from its limit.
     pub(crate) slacks: Vec<Row>,
     /// For every slack, its condition.
@@ -40,6 +42,11 @@ impl<M: Mechanism> Design<M> {
     /// The largest of the values that are wanted.
     pub(crate) fn size(&self) -> f64 {
         self.objectives.iter().flat_map(Objective::weighted).map(f64::abs).fold(0.0, f64::max)
+    }
+
+    /// Whether something is to be least that is no sum of squares.
+    pub(crate) fn is_least(&self) -> bool {
+        self.objectives.iter().any(|objective| matches!(objective.wanted, Wanted::Least(_)))
     }
 
     /// The mechanism with which the search begins.
@@ -93,7 +100,10 @@ impl<M: Mechanism> Design<M> {
                 }
             }
             first += objective.variables();
-            rows.objective(objective, &instants, &mut evaluated.misses)?;
+            match &objective.wanted {
+                Wanted::Least(of) => evaluated.least += rows.least(objective, &instants, of)?,
+                _ => rows.objective(objective, &instants, &mut evaluated.misses)?,
+            }
             evaluated.times.push(instants.times);
         }
         for (place, condition) in self.conditions.iter().enumerate() {
@@ -181,7 +191,18 @@ impl<M: Mechanism> Rows<'_, '_, M> {
                 }
                 Ok(())
             }
+            Wanted::Least(_) => Ok(()),
         }
+    }
+
+    /// A number that is to be least.
+    fn least(&self, objective: &Objective, at: &Instants, of: &Least) -> Result<f64, SolveError> {
+        let mut seen = vec![Vec::new(); at.times.len()];
+        self.follow.each(&at.times, false, objective.needs(), &mut |instant, _, varied| {
+            let values = objective.of.iter().map(|quantity| quantity.varied(M::model(), varied));
+            seen[instant] = values.map(|number| number.map_or(f64::NAN, Number::value)).collect();
+        })?;
+        Ok(of(&seen))
     }
 
     /// Quantities that are to have values.

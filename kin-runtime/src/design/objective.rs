@@ -109,6 +109,9 @@ pub(crate) struct FreeInstants {
 /// A function of quantities at all instants, which gives numbers that are to be 0.
 pub(crate) type Residuals = Arc<dyn Fn(&[Vec<Number>]) -> Vec<Number> + Send + Sync>;
 
+/// A function of quantities at all instants, which gives a number that is to be least.
+pub(crate) type Least = Arc<dyn Fn(&[Vec<f64>]) -> f64 + Send + Sync>;
+
 /// What quantities are to be.
 #[derive(Clone)]
 pub(crate) enum Wanted {
@@ -116,6 +119,8 @@ pub(crate) enum Wanted {
     Values(Vec<Vec<f64>>, Vec<f64>),
     /// Such that these are 0.
     Zeros(Residuals),
+    /// Such that this is least.
+    Least(Least),
 }
 
 /// Quantities at instants.
@@ -156,6 +161,10 @@ impl Objective {
         Self { of, wanted: Wanted::Zeros(residuals), times: times.to_vec(), free: None }.checked()
     }
 
+    pub(crate) fn least(of: Vec<Quantity>, times: &[f64], least: Least) -> Result<Self, DesignError> {
+        Self { of, wanted: Wanted::Least(least), times: times.to_vec(), free: None }.checked()
+    }
+
     fn checked(self) -> Result<Self, DesignError> {
         if !self.times.iter().all(|t| t.is_finite()) {
             return Err(DesignError::NotFinite { what: "the instants" });
@@ -174,7 +183,7 @@ impl Objective {
     pub(crate) fn instants(&self) -> usize {
         match &self.wanted {
             Wanted::Values(values, _) => values.len(),
-            Wanted::Zeros(_) => self.times.len(),
+            Wanted::Zeros(_) | Wanted::Least(_) => self.times.len(),
         }
     }
 
@@ -187,7 +196,7 @@ impl Objective {
     pub(crate) fn weighted(&self) -> impl Iterator<Item = f64> + '_ {
         let (values, weights) = match &self.wanted {
             Wanted::Values(values, weights) => (&values[..], &weights[..]),
-            Wanted::Zeros(_) => (&[][..], &[][..]),
+            Wanted::Zeros(_) | Wanted::Least(_) => (&[][..], &[][..]),
         };
         values.iter().flat_map(move |values| values.iter().zip(weights).map(|(value, weight)| value * weight))
     }

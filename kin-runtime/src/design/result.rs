@@ -29,8 +29,11 @@ pub struct Designed<M> {
     pub mechanism: M,
     /// Its free parameters, and those that are equal to them.
     pub parameters: Vec<(&'static str, f64)>,
-    /// The sum of squared misses: of distances for a path, of differences for a function.
+    /// The sum of squared misses: of distances for a path, of differences for a function. Where something was to be least, its
+    /// value is added.
     pub error: f64,
+    /// What was to be least ([`Design::least`](super::Design::least)); none where all that is wanted are sums of squares.
+    pub least: Option<f64>,
     /// The instants of every objective, in their order.
     pub times: Vec<Vec<f64>>,
     /// The assembly modes.
@@ -60,6 +63,7 @@ impl<M> Designed<M> {
             mechanism: f(self.mechanism),
             parameters: self.parameters,
             error: self.error,
+            least: self.least,
             times: self.times,
             modes: self.modes,
             slacks: self.slacks,
@@ -77,10 +81,12 @@ impl<M> Designed<M> {
 impl<M> fmt::Display for Designed<M> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { error, starts, assembled, finished, met, .. } = self;
-        write!(
-            f,
-            "sum of squares {error:e}: met by {met} of the {finished} best of {assembled} starts ({starts} asked for)"
-        )?;
+        match self.least {
+            None => write!(f, "sum of squares {error:e}")?,
+            Some(least) if least == *error => write!(f, "least {least:e}")?,
+            Some(least) => write!(f, "least {least:e} beside a sum of squares of {:e}", error - least)?,
+        }
+        write!(f, ": met by {met} of the {finished} best of {assembled} starts ({starts} asked for)")?;
         self.parameters.iter().try_for_each(|(name, value)| write!(f, "\n{name} = {value}"))?;
         self.modes.iter().try_for_each(|(name, sign)| write!(f, "\nmode {name}: {sign}"))?;
         self.slacks.iter().try_for_each(|slack| write!(f, "\n{slack}"))

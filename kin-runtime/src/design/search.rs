@@ -5,6 +5,7 @@ use super::error::DesignError;
 use super::fit::{Effort, End, FIRST, GLANCE, LAST, NOTHING, SECOND, descend, error};
 use super::follow::Branch;
 use super::result::{Designed, Slack};
+use super::roam::roam;
 use super::variables::FIRST as PERIODS;
 use crate::error::SolveError;
 use crate::mechanism::Mechanism;
@@ -104,7 +105,10 @@ impl<M: Mechanism> Design<M> {
                 let mut designed = self.designed(best, slacks);
                 designed.errors = found.iter().map(|end| end.error).collect();
                 let nothing = NOTHING * self.wanted();
-                let same = |error: &&f64| **error <= (1.0 + SAME) * best.error.max(nothing);
+                let same = |error: &&f64| match self.is_least() {
+                    true => **error - best.error <= SAME * best.error.abs(),
+                    false => **error <= (1.0 + SAME) * best.error.max(nothing),
+                };
                 designed.met = designed.errors.iter().filter(same).count();
                 (designed.starts, designed.assembled, designed.finished) = (search.starts, ends.len(), found.len());
                 designed.stopped = stopped;
@@ -167,8 +171,8 @@ impl<M: Mechanism> Design<M> {
             }
         }
         found.sort_by(|a, b| a.error.total_cmp(&b.error));
-        let improved = found.into_iter().take(TRIED).map(|end| descend(self, end, GLANCE));
-        improved.min_by(|a, b| a.error.total_cmp(&b.error))
+        let tried = found.into_iter().take(TRIED).map(|end| improved(self, end, GLANCE));
+        tried.min_by(|a, b| a.error.total_cmp(&b.error))
     }
 
     /// Why a random design does not assemble, if that is why.
@@ -190,6 +194,7 @@ impl<M: Mechanism> Design<M> {
         Designed {
             parameters: places.map(|place| (model.parameters[place].name, values.as_ref()[place])).collect(),
             error: end.error,
+            least: self.is_least().then_some(evaluated.least),
             times: evaluated.times,
             modes: end.branch.modes.iter().map(|&(place, sign)| (model.plan.modes[place].name, sign)).collect(),
             slacks,
@@ -202,6 +207,11 @@ impl<M: Mechanism> Design<M> {
             mechanism,
         }
     }
+}
+
+/// A design after a descent.
+fn improved<M: Mechanism>(design: &Design<M>, start: End, effort: Effort) -> End {
+    if design.is_least() { roam(design, start, effort) } else { descend(design, start, effort) }
 }
 
 /// The descents of a search.
@@ -231,19 +241,19 @@ impl<M: Mechanism> Descents<'_, M> {
                 if stopped.load(Ordering::Relaxed) {
                     return None;
                 }
-                let end = design.drawn(number, search.seed, self.modes).map(|start| descend(design, start, FIRST));
+                let end = design.drawn(number, search.seed, self.modes).map(|start| improved(design, start, FIRST));
                 count();
                 end
             };
             *ends = (0..starts).into_par_iter().filter_map(first).collect();
             ends.sort_by(|a, b| a.error.total_cmp(&b.error));
         }
-        let improved = |ends: &[End], effort: Effort| -> Vec<End> {
+        let further = |ends: &[End], effort: Effort| -> Vec<End> {
             let one = |end: &End| {
                 if stopped.load(Ordering::Relaxed) {
                     return end.clone();
                 }
-                let end = descend(design, end.clone(), effort);
+                let end = improved(design, end.clone(), effort);
                 count();
                 end
             };
@@ -251,8 +261,8 @@ impl<M: Mechanism> Descents<'_, M> {
             found.sort_by(|a, b| a.error.total_cmp(&b.error));
             found
         };
-        let mut found = improved(&ends[..taken(ends.len())], SECOND);
+        let mut found = further(&ends[..taken(ends.len())], SECOND);
         found.truncate(FINISHED);
-        improved(&found, LAST)
+        further(&found, LAST)
     }
 }

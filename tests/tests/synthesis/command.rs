@@ -37,3 +37,38 @@ fn a_design_is_found_and_read_again() {
     assert_ne!(ExitCode::SUCCESS, run(&args(&missing)));
     std::fs::remove_dir_all(&folder).unwrap();
 }
+
+#[path = "../../../examples/pump_jack.rs"]
+#[allow(dead_code, unreachable_pub, reason = "a program of its own")]
+mod pump_jack;
+
+/// The counterweight with which the pump jack needs the smallest motor.
+#[test]
+fn the_greatest_torque_is_made_least() {
+    use kin_runtime::{Kinematics, Mechanism};
+    use pump_jack::PumpJack;
+
+    let file = std::env::temp_dir().join(format!("kin-peak-{}.json", std::process::id()));
+    let out = file.to_string_lossy().into_owned();
+    let args = ["pump_jack", "design", "--peak", "motor.effort", "--free", "counterweight=500..9000"];
+    let args = [&args[..], &["--starts", "1", "--out", &out]].concat();
+    assert_eq!(ExitCode::SUCCESS, run_from::<PumpJack>(args.into_iter().map(str::to_owned)));
+    let found: Value = serde_json::from_str(&std::fs::read_to_string(&file).unwrap()).unwrap();
+    std::fs::remove_file(&file).unwrap();
+    // The same by trying all of them.
+    let turn = std::f64::consts::TAU / PumpJack::default().omega;
+    let times: Vec<f64> = (0..37).map(|k| turn * f64::from(k) / 36.0).collect();
+    let greatest = |counterweight: f64| {
+        let pump = PumpJack { counterweight, ..PumpJack::default() };
+        let solver = pump.solver();
+        let states = solver.sweep(&times).unwrap().states;
+        let torque = |state| solver.forces(state).unwrap().effort("motor").unwrap().abs();
+        states.iter().map(torque).fold(0.0, f64::max)
+    };
+    let best = (50..=900).map(|k| greatest(10.0 * f64::from(k))).fold(f64::INFINITY, f64::min);
+    let least = found["least"].as_f64().unwrap();
+    assert!(least <= best && least > 0.98 * best, "{least} instead of {best}: {found}");
+    let counterweight = found["parameters"]["counterweight"].as_f64().unwrap();
+    assert!((greatest(counterweight) - least).abs() < 1e-6 * least, "{counterweight}");
+    assert!(PumpJack::model().forces.is_some());
+}

@@ -141,6 +141,7 @@ fn a_mechanism_with_inputs_is_refused_by_name() {
 #[gravity(0, -9.81)]
 #[mass(arm @ (0.5, 0), mass = 1)]
 #[mass(arm @ (-c, 0), mass = 2)]
+#[derive(Clone, Debug, PartialEq)]
 struct Balanced {
     #[param(0.1)]
     c: f64,
@@ -159,4 +160,31 @@ fn designs_have_the_torque_that_is_wanted() {
     let found = near.range("motor.effort", -1.0..=1.0, std::f64::consts::TAU, 9).unwrap().search(&FEW).unwrap();
     let least = (0.5 - 1.0 / 9.81) / 2.0;
     assert!(found.mechanism.c >= least && found.mechanism.c < least + 1e-3, "{found} {least}");
+}
+
+/// What is to be least need not be a sum of squares: the greatest torque, and a hollow that is the deepest of many.
+#[test]
+fn the_least_is_found_without_derivatives() {
+    let design = || kin_runtime::design::Design::new(&Balanced::default()).free("c", 0.01..=0.6).unwrap();
+    let times: Vec<f64> = (0..5).map(|k| 0.7 * f64::from(k)).collect();
+    let greatest = |at: &[Vec<f64>]| at.iter().map(|torque| torque[0].abs()).fold(0.0, f64::max);
+    let search = Search { starts: 8, seed: 3, watch: None };
+    let found = design().least(&["motor.effort"], &times, greatest).unwrap().search(&FEW).unwrap();
+    assert!((found.mechanism.c - 0.25).abs() < 1e-6, "{found}");
+    assert_eq!(found.least, Some(found.error));
+    // c² + sin² 20 (c − 0.3): hollows near 0, 0.143, 0.3, 0.457, of which the first that the bounds leave is the deepest.
+    let depth = |c: f64| c * c + (20.0 * (c - 0.3)).sin().powi(2);
+    let wavy = move |at: &[Vec<f64>]| depth(-at[0][0]);
+    let wide = kin_runtime::design::Design::new(&Balanced::default()).free("c", 0.05..=0.6).unwrap();
+    let found = wide.least(&["weight.x"], &[0.0], wavy).unwrap().search(&search).unwrap();
+    let grid = (0..=55_000).map(|k| 0.05 + 1e-5 * f64::from(k)).map(depth).fold(f64::INFINITY, f64::min);
+    assert!(found.error <= grid + 1e-9 && found.error >= grid - 1e-6, "{found} instead of {grid}");
+    // A condition holds, and the least is at its limit.
+    let held = || {
+        let least = design().least(&["motor.effort"], &times, greatest).unwrap();
+        least.range("weight.x", -0.2..=0.2, std::f64::consts::TAU, 5).unwrap().search(&FEW).unwrap()
+    };
+    let found = held();
+    assert!(found.mechanism.c < 0.2 && found.mechanism.c > 0.2 - 1e-4, "{found}");
+    assert_eq!(found, held(), "a seed repeats");
 }

@@ -1,0 +1,63 @@
+//! A descent where something is to be least that is no sum of squares: the evolution strategy with covariance matrix
+//! adaptation of N. Hansen (The CMA Evolution Strategy: A Tutorial, 2016), as the crate `basin` has it.
+//!
+//! It needs no derivatives, so that the greatest of several numbers may be what is to be least, and it looks around so widely
+//! that it leaves a hollow that is not the deepest. A design that breaks a condition or does not assemble is worse than the
+//! start.
+
+use super::builder::Design;
+use super::fit::{Effort, End, error};
+use super::follow::Branch;
+use crate::mechanism::Mechanism;
+use basin::{
+    BoundedCmaEs, BoxBounds, ConstraintDescription, ConstraintSet, Constraints, CostFunction, DenseMatrix, Executor,
+};
+use core::convert::Infallible;
+
+/// The distribution of designs is no wider than this when a descent is at its end.
+const NARROW: f64 = 1e-9;
+
+/// What is to be least, over the variables.
+struct Landscape<'d, M: Mechanism> {
+    design: &'d Design<M>,
+    branch: &'d Branch,
+    lower: Vec<f64>,
+    upper: Vec<f64>,
+    /// What a design counts that breaks a condition.
+    worst: f64,
+}
+
+/// Goes downhill from a design that keeps all conditions.
+pub(super) fn roam<M: Mechanism>(design: &Design<M>, start: End, effort: Effort) -> End {
+    let count = start.variables.len();
+    let worst = start.error + 10.0 * start.error.abs().max(f64::MIN_POSITIVE);
+    let (lower, upper) = (vec![0.0; count], vec![1.0; count]);
+    let landscape = Landscape { design, branch: &start.branch, lower, upper, worst };
+    // The same start has the same descent.
+    let solver = BoundedCmaEs::<Vec<f64>, DenseMatrix>::new(start.error.to_bits(), effort.spread)
+        .with_absolute_distribution_size_tolerance(NARROW);
+    let run = Executor::from_start(landscape, solver, start.variables.clone()).max_iter(effort.steps).run();
+    let Ok(variables) = run.map(|result| result.best_param().clone()) else { return start };
+    match error(design, &variables, &start.branch) {
+        Some(error) if error < start.error => End { variables, error, branch: start.branch },
+        _ => start,
+    }
+}
+
+impl<M: Mechanism> Constraints for Landscape<'_, M> {
+    type Set = ConstraintSet<BoxBounds<Vec<f64>>>;
+
+    fn constraints(&self) -> <Self::Set as ConstraintDescription>::Borrowed<'_> {
+        ConstraintSet::new().with_bounds(BoxBounds::new(Some(&self.lower), Some(&self.upper)))
+    }
+}
+
+impl<M: Mechanism> CostFunction for Landscape<'_, M> {
+    type Param = Vec<f64>;
+    type Output = f64;
+    type Error = Infallible;
+
+    fn cost(&self, variables: &Vec<f64>) -> Result<f64, Infallible> {
+        Ok(error(self.design, variables, self.branch).unwrap_or(self.worst))
+    }
+}
