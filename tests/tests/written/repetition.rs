@@ -1,5 +1,7 @@
 //! Families of parts: a scissor lift with twenty stages and a chain of thirty links, each in a dozen lines.
 
+#![allow(unreachable_pub, reason = "public as in a library of a user")]
+
 use kin_runtime::{Instant, Kinematics, Mechanism, mechanism};
 
 /// A scissor lift with twenty stages.

@@ -1,5 +1,7 @@
 //! Supplied functions: every type that the field of a function can have.
 
+#![allow(unreachable_pub, reason = "public as in a library of a user")]
+
 use kin_runtime::function::{CubicSpline, FromFn, MotionLaw, Polynomial, Sequence};
 use kin_runtime::{Instant, Kinematics, Mechanism, ScalarFunction, SolveError, mechanism};
 use std::rc::Rc;

@@ -1,0 +1,14 @@
+//! What follows a motion: trackers, plans, inputs, batches and limits.
+
+mod batch;
+mod controller;
+mod input_ranges;
+mod inputs;
+mod limits;
+mod orientations;
+mod plan_check;
+mod planned;
+mod ratios;
+mod redundant;
+mod tracker;
+mod transmission;
