@@ -1,5 +1,5 @@
 //! Files of the three crates import downwards only: no file uses one that uses it, directly or along a chain. Where two
-//! files need one another, what both need belongs into a third below them.
+//! files need one another, what both need belongs into a third below them. Pages have every heading once.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
@@ -196,4 +196,34 @@ fn no_folder_of_a_crate_is_a_flat_pile() {
         let flat = entries.filter(|entry| entry.as_ref().is_ok_and(|entry| entry.path().is_file())).count();
         assert!(flat <= 12, "{name}: {flat} files lie flat in src");
     }
+}
+
+/// The pages of the guide and of the vocabulary begin with a sentence that says what they are about, and have every heading
+/// once: what was pasted twice, or cut in the middle, has not.
+#[test]
+fn no_page_has_a_heading_twice() {
+    let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("../kin-runtime/src");
+    let mut seen = 0;
+    for folder in ["guide", "vocabulary"] {
+        for entry in std::fs::read_dir(source.join(folder)).expect("a folder") {
+            let page = entry.expect("an entry").path();
+            if page.extension().is_none_or(|end| end != "md") {
+                continue;
+            }
+            let text = std::fs::read_to_string(&page).expect("a page");
+            let mut headings = BTreeSet::new();
+            let mut in_code = false;
+            for line in text.lines() {
+                in_code ^= line.trim_start().starts_with("```");
+                if !in_code && line.starts_with('#') {
+                    assert!(headings.insert(line), "{}: {line} stands there twice", page.display());
+                }
+            }
+            assert!(!in_code, "{}: a block of code has no end", page.display());
+            let contents = text.lines().filter(|line| line.starts_with("[Contents]")).count();
+            assert!(contents == 0 || contents == 2, "{}: {contents} lines lead to the contents", page.display());
+            seen += 1;
+        }
+    }
+    assert!(seen >= 30, "only {seen} pages");
 }

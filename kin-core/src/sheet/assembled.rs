@@ -24,8 +24,8 @@ pub(super) struct Assembled {
 }
 
 impl Sheet {
-    /// The matrices of the whole mechanism; none if joints are left out, or if they are
-    /// written beside the joints and would be too large to be read.
+    /// The matrices of the whole mechanism; none if joints are left out, or if they are written beside the joints and would be
+    /// too large to be read.
     pub(super) fn assembled(&self, notation: Notation) -> Option<Assembled> {
         let rows: Vec<&Row> = self.joints.iter().flat_map(|joint| &joint.rows).collect();
         let wanted = match self.rows {

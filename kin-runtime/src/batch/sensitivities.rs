@@ -9,7 +9,7 @@ use crate::model::Model;
 use crate::scalar::Scalar;
 use crate::scalar::lanes::{Octet, Pack};
 use crate::sensitivity::measured::complete;
-use crate::sensitivity::{LARGEST, Number, Varied, Varying, WIDTH, is_integrated, modes_at};
+use crate::sensitivity::{LARGEST, Number, Varied, Varying, WIDTH, is_integrated, is_same, modes_at};
 use crate::signal::{Instant, Signal};
 use core::ops::ControlFlow;
 
@@ -45,8 +45,8 @@ impl SensitivitySolutions {
         self.count
     }
 
-    /// Whether each configuration has an answer. It has none if [`solve`](super::solve) had none, and so near to a limit
-    /// that derivatives are not finite or its mode is not decided.
+    /// Whether each configuration has an answer. It has none if [`solve`](super::solve) had none or solved another problem, and
+    /// so near to a limit that derivatives are not finite or its mode is not decided.
     pub fn solved(&self) -> impl Iterator<Item = bool> {
         self.column(0).map(|solved| solved > 0.0)
     }
@@ -239,11 +239,13 @@ impl<'m, M: Mechanism> Scratch<'m, M> {
         for (first, chunk) in chunks.enumerate().map(|(k, chunk)| (k * WIDTH, chunk)) {
             varying.vary_around(parameters, &at, chunk);
             varying.solve_from(modes.of_closures(), q, needs.depth, varied).ok()?;
-            if ![&varied.q, &varied.q_dot, &varied.q_ddot].into_iter().all(|list| all_finite(list)) {
+            let finite = [&varied.q, &varied.q_dot, &varied.q_ddot].into_iter().all(|list| all_finite(list));
+            if !(finite && is_same(&varied.q, q)) {
                 return None;
             }
             complete(varying, varied, needs).ok()?;
             for ((measure, source), out) in list.measures.iter().zip(&list.sources).zip(numbers.chunks_mut(width)) {
+                // Numbers with derivatives are large: what is there already is not copied.
                 let own;
                 let number = match *source {
                     Source::Coordinate { place, order } => {

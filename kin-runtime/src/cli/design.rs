@@ -11,7 +11,7 @@ use super::places::{PLACES, columns};
 use super::session::Session;
 use super::trial::quoted;
 use super::values;
-use super::wishes::{Wish, Wishes};
+use super::wishes::{INSTANTS, Wish, Wishes};
 use crate::design::{DesignError, Designed, Direction, Search, Shortest};
 use crate::measure::Measure;
 use crate::model::Model;
@@ -142,6 +142,10 @@ pub(super) fn run(args: &DesignArgs, engine: &mut dyn Engine, session: &mut Sess
     }
     if found.met == 1 && found.finished > 1 {
         session.note("note: only one start met this design: more starts may find a better one");
+    }
+    for name in &args.peak {
+        let which = format!("between {INSTANTS} instants of a turn");
+        session.note(&format!("note: what {name} is {which} is not looked at: see extremes {name} with this design"));
     }
     let model = engine.model();
     let text = match output.form {

@@ -4,7 +4,7 @@ use crate::design::{Design, DesignError, Direction, Shortest};
 use crate::mechanism::Mechanism;
 
 /// Instants of a turn at which a search looks at conditions; the result is looked at between them, too.
-const INSTANTS: usize = 37;
+pub(super) const INSTANTS: usize = 37;
 /// The least margin of a mechanism that turns: a dyad's height over its links, for example.
 const MARGIN: f64 = 1e-2;
 

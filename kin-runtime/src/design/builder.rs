@@ -195,7 +195,8 @@ impl<M: Mechanism> Design<M> {
     /// such as the greatest torque.
     ///
     /// `least` is given the quantities at every instant, in the order of their names. The search then does without
-    /// derivatives: it looks around every start as widely as the design may vary, and then more and more closely.
+    /// derivatives: it tries designs around every start, widely at first and ever more closely. What happens between the
+    /// instants is not looked at.
     ///
     /// ```
     /// use kin_runtime::design::{Design, Search};

@@ -43,12 +43,12 @@
 mod builder;
 mod condition;
 mod error;
+mod evolution;
 mod fit;
 mod follow;
 mod motion;
 mod objective;
 mod result;
-mod roam;
 mod search;
 mod text;
 mod variables;

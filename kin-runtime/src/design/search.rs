@@ -2,10 +2,10 @@
 
 use super::builder::Design;
 use super::error::DesignError;
+use super::evolution::evolve;
 use super::fit::{Effort, End, FIRST, GLANCE, LAST, NOTHING, SECOND, descend, error};
 use super::follow::Branch;
 use super::result::{Designed, Slack};
-use super::roam::roam;
 use super::variables::FIRST as PERIODS;
 use crate::error::SolveError;
 use crate::mechanism::Mechanism;
@@ -211,7 +211,7 @@ impl<M: Mechanism> Design<M> {
 
 /// A design after a descent.
 fn improved<M: Mechanism>(design: &Design<M>, start: End, effort: Effort) -> End {
-    if design.is_least() { roam(design, start, effort) } else { descend(design, start, effort) }
+    if design.is_least() { evolve(design, start, effort) } else { descend(design, start, effort) }
 }
 
 /// The descents of a search.

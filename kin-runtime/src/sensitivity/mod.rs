@@ -217,10 +217,7 @@ fn planned(
         }
         let good = varied.margins.iter().all(|margin| margin.value() > Plan::SMALLEST_MARGIN);
         let same = |found: &[Number], exact: &[f64]| {
-            let size = exact.iter().fold(1.0, |size: f64, x| size.max(x.abs()));
-            found.iter().zip(exact).all(|(found, exact)| {
-                (found.value() - exact).abs() <= SAME * size && found.by().iter().all(|by| by.is_finite())
-            })
+            is_same(found, exact) && found.iter().all(|found| found.by().iter().all(|by| by.is_finite()))
         };
         let found = [&varied.q, &varied.q_dot, &varied.q_ddot];
         if !(good && found.into_iter().zip(lists).all(|(found, exact)| same(found, exact))) {
@@ -229,6 +226,12 @@ fn planned(
         all.push(varied);
     }
     Ok(true)
+}
+
+/// Whether numbers with derivatives are those of a state.
+pub(crate) fn is_same(found: &[Number], exact: &[f64]) -> bool {
+    let size = exact.iter().fold(1.0, |size: f64, x| size.max(x.abs()));
+    found.iter().zip(exact).all(|(found, exact)| (found.value() - exact).abs() <= SAME * size)
 }
 
 /// Writes the observables.

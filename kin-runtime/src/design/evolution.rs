@@ -1,9 +1,9 @@
 //! A descent where something is to be least that is no sum of squares: the evolution strategy with covariance matrix
 //! adaptation of N. Hansen (The CMA Evolution Strategy: A Tutorial, 2016), as the crate `basin` has it.
 //!
-//! It needs no derivatives, so that the greatest of several numbers may be what is to be least, and it looks around so widely
-//! that it leaves a hollow that is not the deepest. A design that breaks a condition or does not assemble is worse than the
-//! start.
+//! It needs no derivatives, so that the greatest of several numbers may be what is to be least. Every generation draws designs
+//! around the best of the one before, widely at first and ever more closely, so that a descent can leave a local minimum. A
+//! design that breaks a condition or does not assemble counts as worse than the start.
 
 use super::builder::Design;
 use super::fit::{Effort, End, error};
@@ -27,10 +27,11 @@ struct Landscape<'d, M: Mechanism> {
     worst: f64,
 }
 
-/// Goes downhill from a design that keeps all conditions.
-pub(super) fn roam<M: Mechanism>(design: &Design<M>, start: End, effort: Effort) -> End {
+/// Improves a design that keeps all conditions, generation by generation; the start where none is better.
+pub(super) fn evolve<M: Mechanism>(design: &Design<M>, start: End, effort: Effort) -> End {
     let count = start.variables.len();
-    let worst = start.error + 10.0 * start.error.abs().max(f64::MIN_POSITIVE);
+    let size = if start.error == 0.0 { 1.0 } else { start.error.abs() };
+    let worst = start.error + 10.0 * size;
     let (lower, upper) = (vec![0.0; count], vec![1.0; count]);
     let landscape = Landscape { design, branch: &start.branch, lower, upper, worst };
     // The same start has the same descent.
