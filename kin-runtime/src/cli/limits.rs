@@ -39,10 +39,10 @@ pub(super) const HELP: Help = Help {
     },
     details: "\
 Ranges are proven: the plan is evaluated over intervals of t, and where all of its margins are
-positive the mechanism closes on all of it. Ranges that meet at a dead centre are one circuit:
-there the motion can go from one mode into the other. json has the limits, one per driver that can
-go no further. The status is 1 where a limit is not proven. Groups that close by iteration have no
-ranges; `sweep --along-arc` finds the dead centres of one of their motions.",
+positive the mechanism closes on all of it. Where groups close by iteration, all dead centres are
+searched for, which takes seconds. Ranges that meet at a dead centre are one circuit: there the
+motion can go from one mode into the other. json has the limits, one per driver that can go no
+further. The status is 1 where a limit is not proven.",
 };
 
 pub(super) fn run(args: &LimitsArgs, engine: &mut dyn Engine, session: &mut Session<'_>) -> Result<(), Failure> {

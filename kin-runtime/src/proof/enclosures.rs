@@ -17,8 +17,11 @@ pub(crate) struct Evaluated<'a> {
     pub(crate) gamma: &'a [Interval],
 }
 
-/// The rows of a mechanism over boxes, at one instant.
+/// The rows of a mechanism over boxes, at one instant or over an interval of t.
 pub(crate) trait Enclosures {
+    /// Goes to an interval of t; inputs go on from the instant of the beginning with constant acceleration.
+    fn set_time(&mut self, t: Interval);
+
     /// Evaluates a subset over the box q and, for γ, q̇.
     fn evaluate(&mut self, subset: Subset, q: &[Interval], q_dot: &[Interval]) -> Result<Evaluated<'_>, LengthError>;
 }
@@ -27,6 +30,8 @@ pub(crate) trait Enclosures {
 pub(crate) struct OverBoxes<'m, M: Mechanism> {
     mechanism: &'m M,
     parameters: M::Parameters<Interval>,
+    /// The instant of the beginning.
+    start: (Interval, M::Inputs<Interval>),
     t: Interval,
     inputs: M::Inputs<Interval>,
     workspace: Workspace<M, Interval>,
@@ -36,17 +41,20 @@ impl<'m, M: Mechanism> OverBoxes<'m, M> {
     /// At an instant with as many inputs as the mechanism has.
     pub(crate) fn new(mechanism: &'m M, at: &Instant<'_>) -> Self {
         let input = |k: usize| at.inputs.get(k).copied().unwrap_or_default();
-        Self {
-            mechanism,
-            parameters: mechanism.parameters(),
-            t: Interval::from(at.t),
-            inputs: M::Inputs::<Interval>::generate(|k| input(k).map(<Interval as Scalar>::from_f64)),
-            workspace: M::workspace(),
-        }
+        let inputs = M::Inputs::<Interval>::generate(|k| input(k).map(<Interval as Scalar>::from_f64));
+        let t = Interval::from(at.t);
+        Self { mechanism, parameters: mechanism.parameters(), start: (t, inputs), t, inputs, workspace: M::workspace() }
     }
 }
 
 impl<M: Mechanism> Enclosures for OverBoxes<'_, M> {
+    fn set_time(&mut self, t: Interval) {
+        let (start, inputs) = &self.start;
+        let since = t - *start;
+        self.t = t;
+        self.inputs = M::Inputs::<Interval>::generate(|k| inputs.as_ref()[k].after(since));
+    }
+
     fn evaluate(&mut self, subset: Subset, q: &[Interval], q_dot: &[Interval]) -> Result<Evaluated<'_>, LengthError> {
         let inputs: &[Signal<Interval>] = self.inputs.as_ref();
         let at = Instant { t: self.t, inputs };

@@ -1,7 +1,8 @@
 //! Certificates: position by Krawczyk's operator, velocity and acceleration by enclosures of linear systems.
 
-use super::contraction::{Preconditioner, Rest};
+use super::contraction::Preconditioner;
 use super::enclosures::Enclosures;
+use super::located::Trial;
 use crate::certificate::{Certificate, Uncertified};
 use crate::model::{Component, CoordinateKind, Level, Model};
 use crate::scalar::Interval;
@@ -14,9 +15,6 @@ const BOXES: [f64; 4] = [1e-6, 1e-8, 1e-10, 1e-12];
 const WRONG: f64 = 1e-6;
 /// With an inverse condition number below this, a large correction is reported as a singular configuration.
 const SINGULAR: f64 = 1e-6;
-/// The largest β with which a box is certified; it is less than 1 to leave room for rounding.
-const CONTRACTING: f64 = 0.99;
-
 /// A square system: as many rows as coordinates.
 pub(crate) struct Square {
     model: &'static Model,
@@ -73,6 +71,11 @@ impl Square {
         self.model.coordinates.len()
     }
 
+    /// The names of the redundant rows that are left out.
+    pub(crate) fn left_out(&self) -> &[&'static str] {
+        &self.left_out
+    }
+
     /// (row, column) of the entries of Φ_q.
     pub(super) fn entries(&self) -> &[(usize, usize)] {
         &self.entries
@@ -101,6 +104,11 @@ impl Square {
                 Err(Uncertified::Unbounded { row: self.model.rows.get(row).map_or("", |row| row.name) })
             }
         }
+    }
+
+    /// The numbers of the rows that are not left out, and 0 for prescribed coordinates.
+    pub(super) fn kept(&self, values: &[Interval]) -> Result<Vec<Interval>, Uncertified> {
+        self.rows(values, |_| Interval::from(0.0))
     }
 
     /// The numbers of the rows that are not left out, and those of prescribed coordinates.
@@ -180,7 +188,12 @@ pub(crate) fn certify(
         true => Uncertified::Singular { nearness },
         false => wrong,
     })?;
-    let located = locate(square, system, inverse, &newton, q, &sizes, nearness)?;
+    let mut over = |q: &[Interval]| {
+        let evaluated = system.evaluate(Subset::JACOBIAN, q, &still).map_err(malformed)?;
+        square.matrix(evaluated.phi_q)
+    };
+    let trial = Trial { boxes: &BOXES, entries: &square.entries, centre: q, sizes: &sizes, newton: &newton };
+    let located = trial.locate(inverse, &mut over)?.ok_or(Uncertified::Singular { nearness })?;
 
     // The linear equations A q̇ = −Φ_t and A q̈ = γ for all matrices over the enclosure.
     let over = system.evaluate(Subset::VELOCITY, &located.q, &still).map_err(malformed)?;
@@ -195,81 +208,8 @@ pub(crate) fn certify(
     let accelerations = located.solve(&square.residual(gamma, &matrix, q_ddot));
     square.judge("q̈", &accelerations, &sizes, WRONG * (1.0 + size_of(q_ddot, &sizes)))?;
     let accelerations = q_ddot.iter().zip(accelerations).map(|(&x, d)| Interval::from(x) + d).collect();
-    let unique = q.iter().zip(&located.radii).map(|(&x, &radius)| inner(x, radius)).collect();
+    let unique = located.unique(q);
     Ok(Certificate { q: located.q, q_dot: rates, q_ddot: accelerations, unique, left_out: square.left_out.clone() })
-}
-
-/// A box with one solution.
-struct Located {
-    inverse: Preconditioner,
-    rest: Rest,
-    /// The radii ρ of the box.
-    radii: Vec<f64>,
-    /// |I − C A| ρ ≤ β ρ everywhere in the box, with β < 1.
-    beta: f64,
-    /// Bounds of the solution.
-    q: Vec<Interval>,
-}
-
-/// Krawczyk's test, with smaller and smaller boxes; `newton` is C Φ at q.
-fn locate(
-    square: &Square,
-    system: &mut dyn Enclosures,
-    inverse: Preconditioner,
-    newton: &[Interval],
-    q: &[f64],
-    sizes: &[f64],
-    nearness: f64,
-) -> Result<Located, Uncertified> {
-    let n = q.len();
-    let still = vec![Interval::from(0.0); n];
-    let mut refused = Uncertified::Singular { nearness };
-    for relative in BOXES {
-        // Larger than the correction, so that the solution can lie inside.
-        let radius = |(size, y): (&f64, &Interval)| (relative * size).max(4.0 * y.magnitude());
-        let radii: Vec<f64> = sizes.iter().zip(newton).map(radius).collect();
-        let over: Vec<Interval> = q.iter().zip(&radii).map(|(&x, &radius)| Interval::around(x, radius)).collect();
-        let evaluated = system.evaluate(Subset::JACOBIAN, &over, &still).map_err(|_| Uncertified::Malformed)?;
-        let matrix = match square.matrix(evaluated.phi_q) {
-            Ok(matrix) => matrix,
-            Err(unbounded) => {
-                refused = unbounded;
-                continue;
-            }
-        };
-        let rest = inverse.rest(&square.entries, &matrix);
-        let of_box = rest.times(&radii);
-        let beta = (0..n).fold(0.0, |most: f64, i| most.max((of_box[i] / radii[i]).next_up()));
-        let nearer: Vec<f64> = (0..n).map(|i| (newton[i].magnitude() + of_box[i]).next_up()).collect();
-        let inside = (0..n).all(|i| nearer[i] < radii[i]) && beta <= CONTRACTING;
-        if inside {
-            // The solution is at most `nearer` away from q, which gives a still smaller distance from q − C Φ.
-            let left = rest.times(&nearer);
-            let around = |i: usize| Interval::from(q[i]) - newton[i] + Interval::new(-left[i], left[i]);
-            let q = (0..n).map(|i| around(i).intersection(over[i]).unwrap_or(over[i])).collect();
-            return Ok(Located { inverse, rest, radii, beta, q });
-        }
-        refused = Uncertified::Singular { nearness };
-    }
-    Err(refused)
-}
-
-impl Located {
-    /// d with A d = b for all matrices of the box: |d| ≤ |C b| + |I − C A| |d|, and so |d| ≤ max |C b|_i / ρ_i / (1 − β) ρ.
-    fn solve(&self, b: &[Interval]) -> Vec<Interval> {
-        let first = self.inverse.times(b);
-        let relative = first.iter().zip(&self.radii).map(|(d, radius)| (d.magnitude() / radius).next_up());
-        let factor = (relative.fold(0.0, f64::max) / (1.0 - self.beta).next_down()).next_up();
-        let bound: Vec<f64> = self.radii.iter().map(|radius| (factor * radius).next_up()).collect();
-        let rest = self.rest.times(&bound);
-        first.into_iter().zip(rest).map(|(d, rest)| d + Interval::new(-rest, rest)).collect()
-    }
-}
-
-/// The interval with this centre and radius, rounded inwards; only `centre` if nothing else remains.
-fn inner(centre: f64, radius: f64) -> Interval {
-    let (lower, upper) = ((centre - radius).next_up(), (centre + radius).next_down());
-    Interval::new(lower.min(centre), upper.max(centre))
 }
 
 /// The largest number relative to the sizes.

@@ -14,9 +14,13 @@
 //! Φ_q is then regular everywhere in X, and the linear equations for q̇ and q̈ have one solution, which is enclosed in
 //! the same way.
 
+mod closure_equations;
 mod contraction;
 mod enclosures;
+mod fold;
+mod folds;
 mod krawczyk;
+mod located;
 mod reduced;
 mod scan;
 mod search;
@@ -24,6 +28,7 @@ mod signs;
 mod winding;
 
 pub(crate) use enclosures::{Enclosures, OverBoxes};
+pub(crate) use folds::{Fold, folds};
 pub(crate) use krawczyk::{Square, certify};
 pub(crate) use scan::{Seen, Stretch, refined, stretches};
 pub(crate) use search::{Outcome, search};

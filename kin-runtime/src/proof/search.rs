@@ -1,17 +1,16 @@
 //! All solutions in a region, by branch and prune.
 //!
-//! A box of the remaining coordinates ([`Reduced`]) is dropped if an equation has no zero in it, and made smaller by
+//! A box of the coordinates u of [`ClosureEquations`] is dropped if an equation has no zero in it, and made smaller by
 //! the interval Newton method of E. R. Hansen and S. Sengupta (Bounding solutions of systems of equations using
 //! interval analysis, BIT 21 (1981)); what remains is cut in two. No solution is ever lost. For a small box, the
 //! certificate of the solution in it proves that there is no other in a region that contains the box.
 
+use super::closure_equations::{Closure, ClosureEquations};
 use super::contraction::Preconditioner;
 use super::enclosures::Enclosures;
 use super::krawczyk::Square;
-use super::reduced::Reduced;
 use crate::certificate::{Certificate, Uncertified};
 use crate::scalar::Interval;
-use crate::workspace::Subset;
 
 /// Most boxes that are examined.
 const MOST: usize = 400_000;
@@ -48,13 +47,11 @@ pub(crate) fn search(
     region: &[Interval],
     prove: &mut dyn FnMut(&[f64]) -> Result<Certified, Uncertified>,
 ) -> Result<Outcome, Uncertified> {
-    let reduced = Reduced::new(square);
-    let known = vec![None; reduced.left.len()];
-    let mut search = Search { square, system, reduced, known, unknown: Vec::new(), rows: Vec::new() };
-    search.know(region);
-    let start: Vec<Interval> = search.unknown.iter().map(|&k| region[search.reduced.left[k]]).collect();
-    let places = search.unknown.iter().map(|&k| search.reduced.left[k]);
-    let searched = places.zip(start.iter().copied()).collect();
+    let equations = ClosureEquations::new(square, system, region);
+    let places: Vec<usize> = equations.places().collect();
+    let start: Vec<Interval> = places.iter().map(|&k| region[k]).collect();
+    let searched = places.into_iter().zip(start.iter().copied()).collect();
+    let mut search = Search { equations };
     let mut outcome = Outcome { searched, ..Outcome::default() };
     let (mut boxes, mut seen) = (vec![start], 0);
     while let Some(now) = boxes.pop() {
@@ -72,69 +69,10 @@ pub(crate) fn search(
 
 /// The state of a search.
 struct Search<'s> {
-    square: &'s Square,
-    system: &'s mut dyn Enclosures,
-    reduced: Reduced,
-    /// An interval for every remaining coordinate that a single equation determines; none for the others.
-    known: Vec<Option<Interval>>,
-    /// The indices of the others among the remaining coordinates.
-    unknown: Vec<usize>,
-    /// The equations that determine them.
-    rows: Vec<usize>,
+    equations: ClosureEquations<'s>,
 }
 
 impl Search<'_> {
-    /// All coordinates, with 0 for the eliminated ones.
-    fn coordinates(&self, unknown: &[Interval]) -> Vec<Interval> {
-        let mut q = vec![Interval::from(0.0); self.square.coordinates()];
-        for (&column, known) in self.reduced.left.iter().zip(&self.known) {
-            q[column] = known.unwrap_or(Interval::from(0.0));
-        }
-        for (&k, &x) in self.unknown.iter().zip(unknown) {
-            q[self.reduced.left[k]] = x;
-        }
-        q
-    }
-
-    /// Values of the equations, and their derivatives by all remaining coordinates.
-    fn evaluate(&mut self, q: &[Interval], subset: Subset) -> Result<(Vec<Interval>, Vec<Vec<Interval>>), Uncertified> {
-        let still = vec![Interval::from(0.0); q.len()];
-        let evaluated = self.system.evaluate(subset, q, &still).map_err(|_| Uncertified::Malformed)?;
-        let values = self.reduced.values(&self.square.phi(evaluated.phi, q)?);
-        if !subset.phi_q {
-            return Ok((values, Vec::new()));
-        }
-        let entries = self.square.matrix(evaluated.phi_q)?;
-        Ok((values, self.reduced.jacobian(self.square, &entries)))
-    }
-
-    /// Finds coordinates that single equations determine one after another: driven angles, and angles that gears couple
-    /// with them.
-    fn know(&mut self, region: &[Interval]) {
-        let m = self.reduced.left.len();
-        (self.unknown, self.rows) = ((0..m).collect(), (0..m).collect());
-        // Over a very large region, only constant factors are single numbers.
-        let everywhere: Vec<Interval> = region.iter().map(|x| x.hull(Interval::new(-1e6, 1e6))).collect();
-        let Ok((_, jacobian)) = self.evaluate(&everywhere, Subset::POSITION) else { return };
-        let number = |entry: &Interval| entry.lower() == entry.upper();
-        loop {
-            let open = |known: &[Option<Interval>], row: &[Interval]| {
-                let mut left = (0..m).filter(|&k| row[k] != Interval::from(0.0) && known[k].is_none());
-                match (left.next(), left.next()) {
-                    (Some(k), None) if number(&row[k]) && row.iter().all(number) => Some(k),
-                    _ => None,
-                }
-            };
-            let found = self.rows.iter().find_map(|&i| Some((i, open(&self.known, &jacobian[i])?)));
-            let Some((i, k)) = found else { break };
-            let q = self.coordinates(&[]);
-            let Ok((values, _)) = self.evaluate(&q, Subset::PHI) else { break };
-            self.known[k] = Some(-values[i] / jacobian[i][k]);
-            self.rows.retain(|&row| row != i);
-        }
-        self.unknown.retain(|&k| self.known[k].is_none());
-    }
-
     /// Examines a box: it is empty, divided, has a certified solution, or stays undecided.
     fn look(
         &mut self,
@@ -171,21 +109,15 @@ impl Search<'_> {
 
     /// One step of the interval Newton method; the sums of the derivatives' sizes by every coordinate are left in `smear`.
     fn shrink(&mut self, now: &mut [Interval], smear: &mut Vec<f64>) -> Shrunk {
-        let over = self.coordinates(now);
         // A box without an enclosure can still be divided.
-        let Ok((values, jacobian)) = self.evaluate(&over, Subset::POSITION) else { return Shrunk::Unknown };
-        if values.iter().any(|value| value.is_defined() && !value.contains(0.0)) {
+        let Ok(Closure { f_u: a, excluded, .. }) = self.equations.closure(now, false) else { return Shrunk::Unknown };
+        if excluded {
             return Shrunk::Empty;
         }
-        let (rows, count) = (&self.rows, self.unknown.len());
-        *smear = self.unknown.iter().map(|&k| rows.iter().map(|&i| jacobian[i][k].magnitude()).sum()).collect();
+        let count = self.equations.count();
+        *smear = (0..count).map(|k| a.iter().map(|row| row[k].magnitude()).sum()).collect();
         let centre: Vec<Interval> = now.iter().map(|x| Interval::from(x.midpoint())).collect();
-        let at_centre = self.coordinates(&centre);
-        let Ok((values, _)) = self.evaluate(&at_centre, Subset::PHI) else { return Shrunk::Unknown };
-        let rows = &self.rows;
-        let f: Vec<Interval> = rows.iter().map(|&i| values[i]).collect();
-        let a: Vec<Vec<Interval>> =
-            rows.iter().map(|&i| self.unknown.iter().map(|&k| jacobian[i][k]).collect()).collect();
+        let Ok(f) = self.equations.values(&centre) else { return Shrunk::Unknown };
         let away: Vec<Interval> = now.iter().zip(&centre).map(|(&x, &c)| x - c).collect();
         let sum = |terms: &mut dyn Iterator<Item = Interval>| terms.fold(Interval::from(0.0), |sum, term| sum + term);
         if f.iter().zip(&a).any(|(&f, row)| !(f + sum(&mut row.iter().zip(&away).map(|(&a, &x)| a * x))).contains(0.0))
@@ -221,7 +153,7 @@ impl Search<'_> {
         outcome: &mut Outcome,
         prove: &mut dyn FnMut(&[f64]) -> Result<Certified, Uncertified>,
     ) -> bool {
-        let Some(full) = self.complete(now) else { return false };
+        let Some(full) = self.equations.complete(now) else { return false };
         let within = |certificate: &Certificate, all: &[Interval]| {
             certificate
                 .unique
@@ -241,16 +173,6 @@ impl Search<'_> {
             outcome.found.push(certified);
         }
         alone
-    }
-
-    /// All coordinates over a box, the eliminated ones included.
-    fn complete(&mut self, now: &[Interval]) -> Option<Vec<Interval>> {
-        let mut q = self.coordinates(now);
-        let still = vec![Interval::from(0.0); q.len()];
-        let evaluated = self.system.evaluate(Subset::PHI, &q, &still).ok()?;
-        let rows = self.square.phi(evaluated.phi, &q).ok()?;
-        self.reduced.complete(&rows, &mut q);
-        Some(q)
     }
 }
 

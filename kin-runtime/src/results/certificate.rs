@@ -90,23 +90,14 @@ pub enum Uncertified {
         /// Its error, in its unit.
         by: f64,
     },
-    /// A group of the plan closes by iteration, so that it cannot be enclosed along t. A sweep along the arc
-    /// ([`Solver::sweep_along_arc`](crate::Solver::sweep_along_arc)) finds the dead centres of one motion.
-    NoClosedForm {
-        /// The joints of the first such group.
-        joints: Vec<&'static str>,
-    },
     /// The plan leaves out a redundant row, which holds only for some dimensions and modes. No enclosure along t can prove
     /// that it holds.
     Redundant {
         /// The first such row.
         row: &'static str,
     },
-    /// There is no plan to enclose.
-    NoPlan {
-        /// The reason.
-        why: &'static str,
-    },
+    /// Coordinates are prescribed at one instant, and nothing says how they go on along t.
+    Prescribed,
     /// There are too many assembly modes to go through all of their combinations.
     TooManyModes {
         /// How many there are.
@@ -140,19 +131,11 @@ impl fmt::Display for Uncertified {
                 write!(f, "{what} is no solution: {coordinate} is off by ")?;
                 number(f, by)
             }
-            Self::NoClosedForm { joints } => {
-                f.write_str("the group of ")?;
-                separated(f, joints, |f, joint| f.write_str(joint))?;
-                f.write_str(
-                    " closes by iteration, which has no enclosure along t; a sweep along the arc finds the dead centres of \
-                     one motion",
-                )
-            }
             Self::Redundant { row } => write!(
                 f,
                 "row {row} is redundant, and it cannot be proven along t that it holds; `sweep` checks it at every instant"
             ),
-            Self::NoPlan { why } => write!(f, "there is no plan, because {why}"),
+            Self::Prescribed => f.write_str("coordinates are prescribed, and nothing says how they go on along t"),
             Self::TooManyModes { modes, most } => {
                 write!(f, "there are {modes} assembly modes, and the combinations of at most {most} are gone through")
             }

@@ -14,6 +14,8 @@ pub struct Range {
     pub from: f64,
     /// The last t.
     pub to: f64,
+    /// q in its middle, n numbers: several ranges can have the same modes where groups close by iteration.
+    pub q: Vec<f64>,
     /// The circuit it belongs to, counted from 0. Ranges that meet at a dead centre are one circuit: the mechanism can
     /// pass from one mode into the other there without being taken apart.
     pub circuit: usize,
@@ -80,8 +82,11 @@ fn named(modes: &[(&'static str, Sign)]) -> String {
 /// `A-B-C=+ from t = -1.0948 to t = 1.0948, circuit 0`.
 impl fmt::Display for Range {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { from, to, circuit, .. } = self;
-        write!(f, "{} from t = {} to t = {}, circuit {circuit}", self.name(), rounded(*from), rounded(*to))
+        let Self { modes, from, to, circuit, .. } = self;
+        if !modes.is_empty() {
+            write!(f, "{} ", self.name())?;
+        }
+        write!(f, "from t = {} to t = {}, circuit {circuit}", rounded(*from), rounded(*to))
     }
 }
 
@@ -93,7 +98,10 @@ impl fmt::Display for RangeLimit {
             None => f.write_str("limit of ")?,
         }
         separated(f, &self.joints, |f, joint| f.write_str(joint))?;
-        write!(f, " at t = {}, {}", rounded(self.t.midpoint()), self.name())?;
+        write!(f, " at t = {}", rounded(self.t.midpoint()))?;
+        if !self.modes.is_empty() {
+            write!(f, ", {}", self.name())?;
+        }
         f.write_str(if self.proven { "" } else { ", not proven" })
     }
 }

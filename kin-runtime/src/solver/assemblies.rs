@@ -52,10 +52,6 @@ impl<M: Mechanism> Solver<'_, M> {
     pub fn assemblies(&self, at: &Instant<'_>) -> Result<Assemblies, SolveError> {
         let guess: Vec<f64> = self.checked_guess()?.into_iter().map(|guess| guess.unwrap_or(0.0)).collect();
         let length = self.analyse(at, |equations| Ok(Scale::around(equations, &guess).length))?;
-        let plan = &M::model().plan;
-        let closed = plan.exists()
-            && self.given.is_empty()
-            && !plan.steps.iter().any(|step| matches!(step.kind, StepKind::Newton(_)));
         let refuse = |why| SolveError::NotCertified { t: at.t, why };
         // Fails if degrees of freedom are open: then there is no list of closures.
         let square = self.square(at, &guess).map_err(refuse)?;
@@ -66,7 +62,7 @@ impl<M: Mechanism> Solver<'_, M> {
             q_ddot,
             certificate,
         };
-        if closed {
+        if self.is_closed_form() {
             let (solutions, undecided) = combinations(M::model(), &mut |signs| self.close(at, signs, &guess));
             let certified = solutions.into_iter().map(|lists| {
                 let certificate = self.certify_lists(at, &lists);
@@ -74,7 +70,7 @@ impl<M: Mechanism> Solver<'_, M> {
             });
             return Ok(Assemblies { found: certified.collect(), undecided, searched: Vec::new() });
         }
-        let region: Vec<Interval> = guess.iter().enumerate().map(|(k, &x)| region::<M>(k, x, length)).collect();
+        let region = region::<M>(&guess, length);
         let mut system = Box::new(OverBoxes::new(self.mechanism, at));
         let prove = &mut |q: &[f64]| {
             let lists = self.analysed(at, q).ok_or(Uncertified::Malformed)?;
@@ -84,7 +80,7 @@ impl<M: Mechanism> Solver<'_, M> {
         let Outcome { mut found, undecided, unfinished, searched } =
             search(&square, &mut *system, &region, prove).map_err(refuse)?;
         found.sort_by(|([a, ..], _), ([b, ..], _)| b.partial_cmp(a).unwrap_or(std::cmp::Ordering::Equal));
-        found.dedup_by(|(a, _), (b, _)| is_same_pose::<M>(&a[0], &b[0], length));
+        found.dedup_by(|(a, _), (b, _)| difference::<M>(&a[0], &b[0], length) <= 1e-9);
         let name = |k: usize| M::model().coordinates[k].name;
         let searched: Vec<(&'static str, Interval)> = searched.into_iter().map(|(k, x)| (name(k), x)).collect();
         let left = |region: Vec<Interval>| Undecided::Region {
@@ -94,6 +90,13 @@ impl<M: Mechanism> Solver<'_, M> {
         let undecided = undecided.collect();
         let found = found.into_iter().map(|(lists, certificate)| assembly(lists, Ok(certificate))).collect();
         Ok(Assemblies { found, undecided, searched })
+    }
+
+    /// Whether the plan solves every group in closed form.
+    pub(super) fn is_closed_form(&self) -> bool {
+        let plan = &M::model().plan;
+        let is_iterated = plan.steps.iter().any(|step| matches!(step.kind, StepKind::Newton(_)));
+        plan.exists() && self.given.is_empty() && !is_iterated
     }
 
     /// The plan with these signs.
@@ -147,23 +150,26 @@ impl<M: Mechanism> Solver<'_, M> {
 }
 
 /// True for a coordinate that is a length: the x or y of a body.
-fn is_length<M: Mechanism>(k: usize) -> bool {
+pub(super) fn is_length<M: Mechanism>(k: usize) -> bool {
     matches!(M::model().coordinates[k].kind, CoordinateKind::Pose { component: Component::X | Component::Y, .. })
 }
 
-/// Where a coordinate is searched around its guess.
-fn region<M: Mechanism>(k: usize, guess: f64, length: f64) -> Interval {
-    match is_length::<M>(k) {
+/// Where coordinates are searched around their guesses.
+pub(super) fn region<M: Mechanism>(guess: &[f64], length: f64) -> Vec<Interval> {
+    let around = |(k, &guess): (usize, &f64)| match is_length::<M>(k) {
         true => Interval::around(guess, REACH * length),
         false => Interval::around(guess, std::f64::consts::PI.next_up()),
-    }
+    };
+    guess.iter().enumerate().map(around).collect()
 }
 
-/// True where configurations differ by whole turns of angles alone.
-fn is_same_pose<M: Mechanism>(a: &[f64], b: &[f64], length: f64) -> bool {
-    a.iter().zip(b).enumerate().all(|(k, (a, b))| {
+/// The largest difference of two configurations, relative to a radian and to the size of the mechanism, whole turns of angles
+/// left out.
+pub(super) fn difference<M: Mechanism>(a: &[f64], b: &[f64], length: f64) -> f64 {
+    let of = |(k, (a, b)): (usize, (&f64, &f64))| {
         let is_angle = matches!(M::model().coordinates[k].kind, CoordinateKind::Pose { component: Component::Phi, .. });
         let turns = if is_angle { ((a - b) / std::f64::consts::TAU).round() * std::f64::consts::TAU } else { 0.0 };
-        (a - b - turns).abs() <= 1e-9 * if is_length::<M>(k) { length } else { 1.0 }
-    })
+        (a - b - turns).abs() / if is_length::<M>(k) { length } else { 1.0 }
+    };
+    a.iter().zip(b).enumerate().map(of).fold(0.0, f64::max)
 }

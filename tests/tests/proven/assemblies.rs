@@ -69,24 +69,24 @@ fn dyads_close_in_all_combinations_of_their_signs() {
 }
 
 /// The forward position problem of a 3-RRR robot: the crank angles are given, and the platform closes three loops at
-/// once.
+/// once. One crank turns with t.
 #[mechanism]
 #[bodies(platform, crank[3], rod[3])]
 #[revolute(motor[i in 0..3]: ground @ (base*cos(2*pi*i/3 - 5*pi/6), base*sin(2*pi*i/3 - 5*pi/6)), crank[i] @ (0, 0))]
 #[revolute(elbow[i in 0..3]: crank[i] @ (l, 0), rod[i] @ (0, 0))]
 #[revolute(wrist[i in 0..3]: rod[i] @ (l, 0), platform @ (size*cos(2*pi*i/3 - 5*pi/6), size*sin(2*pi*i/3 - 5*pi/6)))]
-#[driver(a: crank[0].phi = angle[0])]
+#[driver(a: crank[0].phi = angle[0] + t)]
 #[driver(b: crank[1].phi = angle[1])]
 #[driver(c: crank[2].phi = angle[2])]
-struct Forward {
+pub(crate) struct Forward {
     #[param(0.5)]
-    base: f64,
+    pub(crate) base: f64,
     #[param(0.25)]
-    size: f64,
+    pub(crate) size: f64,
     #[param(0.3)]
-    l: f64,
+    pub(crate) l: f64,
     #[param([0.9, 3.1, -1.2])]
-    angle: [f64; 3],
+    pub(crate) angle: [f64; 3],
 }
 
 impl Forward {
@@ -94,7 +94,7 @@ impl Forward {
     /// platform's position p satisfies |p + s_i(φ) − E_i|² = l². The differences of two of these equations are linear
     /// in p; their solution, inserted in one equation, leaves a function of φ alone, whose sign changes are counted and
     /// bisected.
-    fn platform_angles(&self) -> Vec<f64> {
+    pub(crate) fn platform_angles(&self) -> Vec<f64> {
         let direction = |i: usize| 2.0 * PI * i as f64 / 3.0 - 5.0 * PI / 6.0;
         let miss = |phi: f64| {
             let away = [0, 1, 2].map(|i| {

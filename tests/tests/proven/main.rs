@@ -4,4 +4,5 @@ mod arcs;
 mod assemblies;
 mod certificates;
 mod ranges;
+mod searched_ranges;
 mod three_loops;

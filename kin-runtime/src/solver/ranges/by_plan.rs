@@ -1,10 +1,8 @@
-//! How far a mechanism moves.
+//! Ranges of motion where every group has a closed form: the plan over intervals of t.
 
-use super::Solver;
-use crate::certificate::Uncertified;
-use crate::error::SolveError;
+use super::{Solver, driven};
 use crate::mechanism::Mechanism;
-use crate::plan::{Depth, Plan, Solved, StepKind};
+use crate::plan::{Depth, Plan, Solved};
 use crate::planned::{Limit, LimitKind, Sign, Step};
 use crate::proof::{Seen, Stretch, Winding, refined, stretches};
 use crate::ranges::{Range, RangeLimit, Ranges};
@@ -15,63 +13,21 @@ use crate::workspace::{Array, Instant, Signal};
 const NARROWEST: [f64; 2] = [1e-8, 1e-12];
 /// Most stretches that are looked at in one combination of modes, and at one limit.
 const MOST: [usize; 2] = [50_000, 4_000];
-/// Most modes whose combinations are gone through.
-const MODES: usize = 12;
 /// How far from a limit the motion towards it begins, relative to the range.
 const BEFORE: f64 = 1e-2;
 
 impl<M: Mechanism> Solver<'_, M> {
-    /// Where the mechanism closes between the time of an instant and another, in every combination of its modes, and the
-    /// limits at which that ends: dead centres, which come with the joints that are in line, and branch points. Inputs go
-    /// on from the instant with constant acceleration ([`Signal::after`]), as those of a sweep from the command line do.
-    ///
-    /// The plan is evaluated over intervals of t. Where all its margins are positive on an interval the mechanism closes on
-    /// all of it, where one is negative it closes nowhere; what is neither is halved. So ranges are proven, and limits are
-    /// enclosed to about ten digits of the way.
-    ///
-    /// ```
-    /// use kin_runtime::planned::LimitKind;
-    /// use kin_runtime::{Instant, Kinematics, mechanism};
-    ///
-    /// /// Crank 0.3, coupler 0.25, rocker 0.2, pivots 0.5 apart: the crank goes as far as cos φ = 0.458333….
-    /// #[mechanism]
-    /// #[bodies(crank, coupler, rocker)]
-    /// #[revolute(O: ground @ (0, 0), crank @ (0, 0))]
-    /// #[revolute(A: crank @ (0.3, 0), coupler @ (0, 0))]
-    /// #[revolute(B: coupler @ (0.25, 0), rocker @ (0.2, 0))]
-    /// #[revolute(C: ground @ (0.5, 0), rocker @ (0, 0))]
-    /// #[driver(drive: crank.phi = t)]
-    /// struct FourBar;
-    ///
-    /// let all = FourBar.solver().ranges(&Instant::at(-0.1), 3.0)?;
-    /// let end = (0.1375_f64 / 0.3).acos();
-    /// assert!(all.is_complete() && all.limits.iter().all(|limit| limit.kind == Some(LimitKind::DeadCentre)));
-    /// assert!(all.limits[0].t.contains(end) && all.limits[0].joints == ["A", "B", "C"]);
-    /// // Two modes, which are one motion: at the dead centre it goes from one into the other.
-    /// assert_eq!((all.ranges.len(), all.circuits), (2, 1));
-    /// # Ok::<(), kin_runtime::SolveError>(())
-    /// ```
-    ///
-    /// # Errors
-    /// [`NotCertified`](SolveError::NotCertified) where no plan in closed form solves the mechanism, with the joints of the
-    /// group that closes by iteration;
-    /// [`NonFinite`](SolveError::NonFinite), [`Length`](SolveError::Length) and
-    /// [`UnknownCoordinate`](SolveError::UnknownCoordinate).
-    pub fn ranges(&self, from: &Instant<'_>, to: f64) -> Result<Ranges, SolveError> {
-        let guess: Vec<f64> = self.checked_guess()?.into_iter().map(|guess| guess.unwrap_or(0.0)).collect();
-        self.analyse(&Instant { t: to, inputs: from.inputs }, |_| Ok(()))?;
-        self.analyse(from, |_| Ok(()))?;
+    /// The ranges in all combinations of modes. The plan is evaluated over intervals of t. Where all its margins are positive
+    /// on an interval the mechanism closes on all of it, where one is negative it closes nowhere; what is neither is halved.
+    pub(super) fn ranges_by_plan(&self, from: &Instant<'_>, to: f64, guess: &[f64]) -> Ranges {
         let plan = &M::model().plan;
-        if let Some(why) = self.not_enclosed() {
-            return Err(SolveError::NotCertified { t: from.t, why });
-        }
         let way = [from.t.min(to), from.t.max(to)];
         let narrowest = NARROWEST.map(|narrowest| narrowest * (way[1] - way[0]));
         let mut all = Collected { ranges: Vec::new(), limits: Vec::new() };
         for code in 0..1_usize << plan.modes.len() {
             let signs: Vec<f64> =
                 (0..plan.modes.len()).map(|place| if code >> place & 1 == 0 { 1.0 } else { -1.0 }).collect();
-            let look = &mut |a: f64, b: f64| self.look([a, b], from, &signs, &guess);
+            let look = &mut |a: f64, b: f64| self.look([a, b], from, &signs, guess);
             let found = stretches(way, narrowest[0], MOST[0], look);
             let found = refined(&found, narrowest, MOST[1], look);
             for (place, stretch) in found.iter().enumerate() {
@@ -85,29 +41,13 @@ impl<M: Mechanism> Solver<'_, M> {
                 }
             }
         }
-        Ok(all.finish::<M>())
-    }
-
-    /// Why the plan cannot be enclosed along t in all combinations of its modes.
-    fn not_enclosed(&self) -> Option<Uncertified> {
-        let model = M::model();
-        let plan = &model.plan;
-        if let Some(why) = plan.absent.or((!self.given.is_empty()).then_some("coordinates are prescribed")) {
-            return Some(Uncertified::NoPlan { why });
-        }
-        if let Some(place) = plan.steps.iter().position(|step| matches!(step.kind, StepKind::Newton(_))) {
-            let joints = Step::new(model, place).map_or_else(Vec::new, |step| step.joints().collect());
-            return Some(Uncertified::NoClosedForm { joints });
-        }
-        if let Some(row) = plan.watched().next() {
-            return Some(Uncertified::Redundant { row: model.rows.get(row).map_or("", |row| row.name) });
-        }
-        let modes = plan.modes.len();
-        (modes > MODES).then_some(Uncertified::TooManyModes { modes, most: MODES })
+        let middle =
+            |signs: &[f64], range: &Stretch| self.near_by_plan(0.5 * range.from + 0.5 * range.to, from, signs, guess);
+        all.finish::<M>(&middle)
     }
 
     /// What the plan says of an interval of t, in the modes with these signs. Inputs go on from the instant `start`.
-    pub(super) fn look(&self, way: [f64; 2], start: &Instant<'_>, signs: &[f64], guess: &[f64]) -> Seen {
+    pub(in crate::solver) fn look(&self, way: [f64; 2], start: &Instant<'_>, signs: &[f64], guess: &[f64]) -> Seen {
         let Some([_, margins]) = self.enclosed(way, start, signs, guess) else { return Seen::Unknown(0) };
         let first = margins.iter().position(|margin| margin.lower() <= Plan::SMALLEST_MARGIN || !margin.is_defined());
         match first {
@@ -118,7 +58,7 @@ impl<M: Mechanism> Solver<'_, M> {
     }
 
     /// q and the margins over an interval of t, by the plan with these signs.
-    pub(super) fn enclosed(
+    pub(in crate::solver) fn enclosed(
         &self,
         [from, to]: [f64; 2],
         start: &Instant<'_>,
@@ -194,20 +134,14 @@ impl<M: Mechanism> Solver<'_, M> {
 
     /// The limit that ends a motion in these modes, and the configuration there.
     fn approached(&self, start: &Instant<'_>, signs: &[f64], way: [f64; 2]) -> (Option<Limit>, Vec<f64>) {
-        let later = |t: f64, out: &mut [Signal]| {
-            out.iter_mut().zip(start.inputs).for_each(|(out, u)| *out = u.after(t - start.t));
-        };
         let modes = signs.iter().enumerate().filter_map(|(place, &sign)| Some((place, Sign::of(sign)?)));
-        let guesses = self.guesses.iter();
-        let solver = Solver::new(self.mechanism).with_options(self.options).with_inputs(&later);
-        let solver = guesses.fold(solver, |solver, &(place, guess)| solver.with_guess(place, guess));
-        let solver = modes.fold(solver, |solver, (place, sign)| solver.with_mode(place, sign));
-        match solver.sweep(&way) {
+        let ended = self.moved(start, way, |solver| {
+            let solver = self.guesses.iter().fold(solver, |solver, &(place, guess)| solver.with_guess(place, guess));
+            modes.fold(solver, |solver, (place, sign)| solver.with_mode(place, sign))
+        });
+        match ended {
             Ok(_) => (None, Vec::new()),
-            Err(error) => {
-                let q = error.q_at_limit().map(<[f64]>::to_vec).unwrap_or_default();
-                (error.source.limit().copied(), q)
-            }
+            Err(end) => (end.limit, end.q),
         }
     }
 }
@@ -229,8 +163,8 @@ struct Collected {
 }
 
 impl Collected {
-    /// In the order of t, with circuits.
-    fn finish<M: Mechanism>(mut self) -> Ranges {
+    /// In the order of t, with circuits; `middle` gives q in the middle of a range.
+    fn finish<M: Mechanism>(mut self, middle: &dyn Fn(&[f64], &Stretch) -> Vec<f64>) -> Ranges {
         let plan = &M::model().plan;
         self.ranges.sort_by(|(_, a), (_, b)| a.from.total_cmp(&b.from));
         self.limits.sort_by(|a, b| a.stretch.from.total_cmp(&b.stretch.from));
@@ -249,6 +183,7 @@ impl Collected {
             modes: modes(signs),
             from: stretch.from,
             to: stretch.to,
+            q: middle(signs, stretch),
             circuit: number(*circuit),
         };
         let ranges = self.ranges.iter().zip(&circuit).map(range).collect();
@@ -297,13 +232,4 @@ impl Collected {
         }
         first
     }
-}
-
-/// The value of the one coordinate that a driver drives.
-fn driven<M: Mechanism>(name: &str, q: &[f64]) -> Option<f64> {
-    let model = M::model();
-    let row = model.rows.iter().position(|row| model.joints.get(row.joint).is_some_and(|joint| joint.name == name))?;
-    let mut entries = model.constraint_pattern.entries.iter().filter(|(of, _)| *of == row);
-    let (Some(&(_, column)), None) = (entries.next(), entries.next()) else { return None };
-    q.get(column).copied()
 }

@@ -1,0 +1,215 @@
+//! The equations that are left when everything that follows by sums and single rows is taken out of a mechanism.
+
+use super::enclosures::Enclosures;
+use super::krawczyk::Square;
+use super::reduced::Reduced;
+use crate::certificate::Uncertified;
+use crate::scalar::Interval;
+use crate::workspace::Subset;
+
+const ZERO: Interval = Interval::new(0.0, 0.0);
+
+/// f(u, t) = 0: the closure equations f of the coordinates u that no single row determines.
+///
+/// [`Reduced`] takes out the x and y of bodies. Of the coordinates that remain, *known* ones follow one after another from
+/// equations with constant factors: driven angles, and angles that gears couple with them.
+pub(super) struct ClosureEquations<'s> {
+    square: &'s Square,
+    system: &'s mut dyn Enclosures,
+    reduced: Reduced,
+    /// Known coordinates among the remaining ones in the order in which they follow, each with its equation, and the factors
+    /// of that equation by all remaining coordinates.
+    determined: Vec<(usize, usize, Vec<Interval>)>,
+    /// The intervals of known coordinates, and those of their rates.
+    known: Vec<Option<Interval>>,
+    /// The indices of u among the remaining coordinates.
+    unknown: Vec<usize>,
+    /// The equations f among those of [`Reduced`].
+    rows: Vec<usize>,
+}
+
+/// f, its derivatives by u, and the one by t.
+pub(super) struct Closure {
+    pub(super) f: Vec<Interval>,
+    /// By u, row by row.
+    pub(super) f_u: Vec<Vec<Interval>>,
+    /// By t, known coordinates moving with it; empty unless asked for.
+    pub(super) f_t: Vec<Interval>,
+    /// Whether an equation, those of known coordinates included, has no zero.
+    pub(super) excluded: bool,
+}
+
+impl<'s> ClosureEquations<'s> {
+    /// The equations over a region, which has an interval for every coordinate of the mechanism.
+    pub(super) fn new(square: &'s Square, system: &'s mut dyn Enclosures, region: &[Interval]) -> Self {
+        let reduced = Reduced::new(square);
+        let m = reduced.left.len();
+        let (known, unknown, rows) = (vec![None; m], (0..m).collect(), (0..m).collect());
+        let mut equations = Self { square, system, reduced, determined: Vec::new(), known, unknown, rows };
+        equations.determine(region);
+        equations
+    }
+
+    /// Finds the known coordinates.
+    fn determine(&mut self, region: &[Interval]) {
+        let m = self.reduced.left.len();
+        // Over a very large region, only constant factors are single numbers.
+        let everywhere: Vec<Interval> = region.iter().map(|x| x.hull(Interval::new(-1e6, 1e6))).collect();
+        let Ok(Values { phi_q: mut jacobian, .. }) = self.evaluate(&everywhere, Subset::JACOBIAN) else { return };
+        let number = |entry: &Interval| entry.lower() == entry.upper();
+        let mut is_known = vec![false; m];
+        loop {
+            let open = |row: &[Interval]| {
+                let mut left = (0..m).filter(|&k| row[k] != ZERO && !is_known[k]);
+                match (left.next(), left.next()) {
+                    (Some(k), None) if row.iter().all(number) => Some(k),
+                    _ => None,
+                }
+            };
+            let Some((i, k)) = self.rows.iter().find_map(|&i| Some((i, open(&jacobian[i])?))) else { break };
+            is_known[k] = true;
+            self.determined.push((k, i, std::mem::take(&mut jacobian[i])));
+            self.rows.retain(|&row| row != i);
+        }
+        self.unknown.retain(|&k| !is_known[k]);
+        self.follow();
+    }
+
+    /// Sets the instant, by its t, and computes the known coordinates there.
+    pub(super) fn at(&mut self, t: Interval) {
+        self.system.set_time(t);
+        self.follow();
+    }
+
+    /// Computes the known coordinates: their equations are linear in them, and have no others.
+    fn follow(&mut self) {
+        self.known.fill(None);
+        let q = self.coordinates(&[]);
+        let Ok(Values { phi: values, .. }) = self.evaluate(&q, Subset::PHI) else { return };
+        for (k, row, factors) in &self.determined {
+            self.known[*k] = Some(-self.with_known(values[*row], factors, &self.known) / factors[*k]);
+        }
+    }
+
+    /// `value` + Σ factor · number over the coordinates that have a number.
+    fn with_known(&self, value: Interval, factors: &[Interval], numbers: &[Option<Interval>]) -> Interval {
+        let terms = factors.iter().zip(numbers).filter_map(|(&factor, number)| Some(factor * (*number)?));
+        terms.fold(value, |sum, term| sum + term)
+    }
+
+    /// How many numbers u has.
+    pub(super) fn count(&self) -> usize {
+        self.unknown.len()
+    }
+
+    /// The coordinates u by their places in q.
+    pub(super) fn places(&self) -> impl Iterator<Item = usize> + '_ {
+        self.unknown.iter().map(|&k| self.reduced.left[k])
+    }
+
+    /// f and its derivatives over a box, the one by t if `with_time`.
+    pub(super) fn closure(&mut self, u: &[Interval], with_time: bool) -> Result<Closure, Uncertified> {
+        let q = self.coordinates(u);
+        let Values { phi: values, phi_q: jacobian, phi_t } =
+            self.evaluate(&q, Subset { phi_t: with_time, ..Subset::POSITION })?;
+        let rates = if with_time { self.rates(&phi_t) } else { Vec::new() };
+        let f_t = self.rows.iter().filter(|_| with_time).map(|&i| self.with_known(phi_t[i], &jacobian[i], &rates));
+        let f_t = f_t.collect();
+        let excluded = values.iter().any(|value| value.is_defined() && !value.contains(0.0));
+        let f = self.rows.iter().map(|&i| values[i]).collect();
+        let f_u = self.rows.iter().map(|&i| self.unknown.iter().map(|&k| jacobian[i][k]).collect()).collect();
+        Ok(Closure { f, f_u, f_t, excluded })
+    }
+
+    /// f over a box.
+    pub(super) fn values(&mut self, u: &[Interval]) -> Result<Vec<Interval>, Uncertified> {
+        let q = self.coordinates(u);
+        let phi = self.evaluate(&q, Subset::PHI)?.phi;
+        Ok(self.rows.iter().map(|&i| phi[i]).collect())
+    }
+
+    /// The rates of known coordinates, given the derivatives of the equations by t.
+    fn rates(&self, phi_t: &[Interval]) -> Vec<Option<Interval>> {
+        let mut rates = vec![None; self.known.len()];
+        for (k, row, factors) in &self.determined {
+            rates[*k] = Some(-self.with_known(phi_t[*row], factors, &rates) / factors[*k]);
+        }
+        rates
+    }
+
+    /// The rates of the known coordinates over a box, among all coordinates of the mechanism.
+    pub(super) fn known_rates(&mut self, u: &[Interval]) -> Result<Vec<Interval>, Uncertified> {
+        let q = self.coordinates(u);
+        let phi_t = self.evaluate(&q, Subset::TIME_DERIVATIVE)?.phi_t;
+        let mut of_all = vec![ZERO; q.len()];
+        for (&column, rate) in self.reduced.left.iter().zip(self.rates(&phi_t)) {
+            of_all[column] = rate.unwrap_or(ZERO);
+        }
+        Ok(of_all)
+    }
+
+    /// −(f_uu w w + 2 f_ut w + f_tt), along rates w of u and `rates` of the known coordinates: γ of the mechanism.
+    pub(super) fn gamma(
+        &mut self,
+        u: &[Interval],
+        rates: &[Interval],
+        w: &[Interval],
+    ) -> Result<Vec<Interval>, Uncertified> {
+        let q = self.coordinates(u);
+        let mut q_dot = rates.to_vec();
+        for (&k, &w) in self.unknown.iter().zip(w) {
+            q_dot[self.reduced.left[k]] = w;
+        }
+        let evaluated = self.system.evaluate(Subset::GAMMA, &q, &q_dot).map_err(|_| Uncertified::Malformed)?;
+        let values = self.reduced.values(&self.square.kept(evaluated.gamma)?);
+        Ok(self.rows.iter().map(|&i| values[i]).collect())
+    }
+
+    /// All coordinates over a box, the eliminated ones included.
+    pub(super) fn complete(&mut self, u: &[Interval]) -> Option<Vec<Interval>> {
+        let mut q = self.coordinates(u);
+        let still = vec![ZERO; q.len()];
+        let evaluated = self.system.evaluate(Subset::PHI, &q, &still).ok()?;
+        let rows = self.square.phi(evaluated.phi, &q).ok()?;
+        self.reduced.complete(&rows, &mut q);
+        Some(q)
+    }
+
+    /// All coordinates, with 0 for the eliminated ones.
+    fn coordinates(&self, u: &[Interval]) -> Vec<Interval> {
+        let mut q = vec![ZERO; self.square.coordinates()];
+        for (&column, known) in self.reduced.left.iter().zip(&self.known) {
+            q[column] = known.unwrap_or(ZERO);
+        }
+        for (&k, &x) in self.unknown.iter().zip(u) {
+            q[self.reduced.left[k]] = x;
+        }
+        q
+    }
+
+    /// The equations over a box of all coordinates; lists that are not in the subset are empty.
+    fn evaluate(&mut self, q: &[Interval], subset: Subset) -> Result<Values, Uncertified> {
+        let still = vec![ZERO; q.len()];
+        let rows = self.system.evaluate(subset, q, &still).map_err(|_| Uncertified::Malformed)?;
+        let (reduced, square) = (&self.reduced, self.square);
+        let mut values = Values::default();
+        if subset.phi {
+            values.phi = reduced.values(&square.phi(rows.phi, q)?);
+        }
+        if subset.phi_q {
+            values.phi_q = reduced.jacobian(square, &square.matrix(rows.phi_q)?);
+        }
+        if subset.phi_t {
+            values.phi_t = reduced.values(&square.kept(rows.phi_t)?);
+        }
+        Ok(values)
+    }
+}
+
+/// The equations of [`Reduced`], and their derivatives by all remaining coordinates and by t.
+#[derive(Default)]
+struct Values {
+    phi: Vec<Interval>,
+    phi_q: Vec<Vec<Interval>>,
+    phi_t: Vec<Interval>,
+}

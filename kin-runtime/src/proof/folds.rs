@@ -1,0 +1,225 @@
+//! All folds over an interval of t, by branch and prune.
+//!
+//! A box of u and t ([`ClosureEquations`]) is dropped if an equation has no zero in it, or if f_u is regular on all of it:
+//! then no closures come together there. Along the curves of closures a box is made smaller by the interval Newton method
+//! in all directions but the one of the curve; what remains is cut in two. For a small box, the proof of the fold in it
+//! ([`Proven`]) covers a region that contains the box.
+
+use super::closure_equations::{Closure, ClosureEquations};
+use super::contraction::Preconditioner;
+use super::enclosures::Enclosures;
+use super::fold::{Proven, null_vector, prove};
+use super::krawczyk::Square;
+use crate::certificate::Uncertified;
+use crate::scalar::Interval;
+
+/// Most boxes that are examined, and most of them that stay undecided: more of these are a curve of singular places.
+const MOST: usize = 200_000;
+const UNDECIDED: usize = 200;
+/// In boxes narrower than this a fold is looked for, and boxes narrower than this are not divided any further.
+const NARROW: f64 = 0.1;
+const NARROWEST: f64 = 1e-8;
+/// How far from the middle of a box its fold may be found, relative to its width.
+const REACH: f64 = 4.0;
+/// After a step that leaves less than this share of a box, another step is taken.
+const WORTHWHILE: f64 = 0.7;
+
+/// A fold: q over the intervals of the proof, and t.
+pub(crate) struct Fold {
+    pub(crate) q: Vec<Interval>,
+    pub(crate) t: Interval,
+}
+
+/// What a search for folds has found.
+#[derive(Default)]
+pub(crate) struct Folds {
+    /// In no order; a fold where an angle is just half a turn from its guess may be there twice.
+    pub(crate) found: Vec<Fold>,
+    /// Intervals of t in which something is undecided, each with about the configuration there.
+    pub(crate) undecided: Vec<Fold>,
+}
+
+/// Searches `region`, which has an interval for every coordinate, over the interval `way` of t.
+///
+/// # Errors
+/// If rows have no enclosure over any interval of t.
+pub(crate) fn folds(
+    square: &Square,
+    system: &mut dyn Enclosures,
+    region: &[Interval],
+    sizes: &[f64],
+    way: Interval,
+) -> Result<Folds, Uncertified> {
+    system.set_time(way);
+    let mut equations = ClosureEquations::new(square, system, region);
+    let places: Vec<usize> = equations.places().collect();
+    let start: Vec<Interval> = places.iter().map(|&k| region[k]).chain([way]).collect();
+    let sizes = places.iter().map(|&k| sizes[k]).chain([way.upper() - way.lower()]).collect();
+    // A supplied function has no enclosure over any interval, however short.
+    let middle: Vec<Interval> = start.iter().map(|x| Interval::from(x.midpoint())).collect();
+    equations.at(Interval::around(way.midpoint(), NARROWEST * (way.upper() - way.lower())));
+    equations.closure(&middle[..places.len()], true)?;
+    let mut search = Search { equations, sizes, proven: Vec::new(), undecided: Vec::new() };
+    let (mut boxes, mut seen) = (vec![start], 0);
+    while let Some(now) = boxes.pop() {
+        seen += 1;
+        if seen > MOST || search.undecided.len() > UNDECIDED {
+            search.undecided.push(now);
+            search.undecided.append(&mut boxes);
+            break;
+        }
+        search.look(now, &mut boxes);
+    }
+    Ok(search.finish(way))
+}
+
+/// The state of a search.
+struct Search<'s> {
+    equations: ClosureEquations<'s>,
+    /// The sizes of u and t, relative to which boxes are narrow.
+    sizes: Vec<f64>,
+    proven: Vec<Proven>,
+    undecided: Vec<Vec<Interval>>,
+}
+
+impl Search<'_> {
+    fn finish(mut self, way: Interval) -> Folds {
+        let mut folds = Folds::default();
+        let m = self.equations.count();
+        for place in self.proven.iter().map(|proven| &proven.place).filter(|place| place[m].intersection(way).is_some())
+        {
+            self.equations.at(place[m]);
+            if let Some(q) = self.equations.complete(&place[..m]) {
+                folds.found.push(Fold { q, t: place[m] });
+            }
+        }
+        for place in &self.undecided {
+            let middle: Vec<Interval> = place.iter().map(|x| Interval::from(x.midpoint())).collect();
+            self.equations.at(middle[m]);
+            let q = self.equations.complete(&middle[..m]).unwrap_or_default();
+            folds.undecided.push(Fold { q, t: place[m] });
+        }
+        folds
+    }
+
+    /// The largest width of a box relative to the sizes.
+    fn width(&self, all: &[Interval]) -> f64 {
+        all.iter().zip(&self.sizes).fold(0.0, |most, (x, size)| ((x.upper() - x.lower()) / size).max(most))
+    }
+
+    /// Examines a box: it has no fold, is divided, has a proven fold, or stays undecided.
+    fn look(&mut self, mut now: Vec<Interval>, boxes: &mut Vec<Vec<Interval>>) {
+        let mut smear = Vec::new();
+        loop {
+            let before = self.width(&now);
+            match self.shrink(&mut now, &mut smear) {
+                Shrunk::Without => return,
+                Shrunk::Unknown => break,
+                Shrunk::To if self.width(&now) > WORTHWHILE * before || self.width(&now) < NARROWEST => break,
+                Shrunk::To => {}
+            }
+        }
+        let width = self.width(&now);
+        if width < NARROW && self.is_covered(&now, width) {
+            return;
+        }
+        if width < NARROWEST {
+            return self.undecided.push(now);
+        }
+        let weight = |k: usize| smear.get(k).copied().unwrap_or(1.0) * (now[k].upper() - now[k].lower());
+        let Some(cut) = (0..now.len()).max_by(|&a, &b| weight(a).total_cmp(&weight(b))) else { return };
+        let middle = now[cut].midpoint();
+        let (mut lower, mut upper) = (now.clone(), now);
+        lower[cut] = Interval::new(lower[cut].lower(), middle);
+        upper[cut] = Interval::new(middle, upper[cut].upper());
+        boxes.extend([lower, upper]);
+    }
+
+    /// True if a proven fold is the only singular place that the box can contain.
+    fn is_covered(&mut self, now: &[Interval], width: f64) -> bool {
+        if self.proven.iter().any(|proven| proven.covers(&mut self.equations, now)) {
+            return true;
+        }
+        let near: Vec<f64> = now.iter().map(|x| x.midpoint()).collect();
+        let Some(proven) = prove(&mut self.equations, &near, REACH * width, &self.sizes) else { return false };
+        let is_covered = proven.covers(&mut self.equations, now);
+        let same = |other: &Proven| other.place.iter().zip(&proven.place).all(|(a, b)| a.intersection(*b).is_some());
+        if !self.proven.iter().any(same) {
+            self.proven.push(proven);
+        }
+        is_covered
+    }
+
+    /// One step of the interval Newton method across the curve of closures; the sums of the derivatives' sizes by u and t are
+    /// left in `smear`.
+    fn shrink(&mut self, now: &mut [Interval], smear: &mut Vec<f64>) -> Shrunk {
+        let m = self.equations.count();
+        self.equations.at(now[m]);
+        // A box without an enclosure can still be divided.
+        let Ok(Closure { mut f_u, f_t, excluded, .. }) = self.equations.closure(&now[..m], true) else {
+            return Shrunk::Unknown;
+        };
+        if excluded || self.is_regular(&f_u) {
+            return Shrunk::Without;
+        }
+        f_u.iter_mut().zip(f_t).for_each(|(row, by_t)| row.push(by_t));
+        let a = f_u;
+        *smear = (0..=m).map(|k| a.iter().map(|row| row[k].magnitude()).sum()).collect();
+        let centre: Vec<Interval> = now.iter().map(|x| Interval::from(x.midpoint())).collect();
+        self.equations.at(centre[m]);
+        let Ok(f) = self.equations.values(&centre[..m]) else { return Shrunk::Unknown };
+        let away: Vec<Interval> = now.iter().zip(&centre).map(|(&x, &c)| x - c).collect();
+        let sum = |terms: &mut dyn Iterator<Item = Interval>| terms.fold(Interval::from(0.0), |sum, term| sum + term);
+        if f.iter().zip(&a).any(|(&f, row)| !(f + sum(&mut row.iter().zip(&away).map(|(&a, &x)| a * x))).contains(0.0))
+        {
+            return Shrunk::Without;
+        }
+        // The direction of the curve, relative to the sizes.
+        let sized: Vec<Vec<Interval>> = a
+            .iter()
+            .map(|row| row.iter().zip(&self.sizes).map(|(&a, &size)| a * Interval::from(size)).collect())
+            .collect();
+        let Some(along) = null_vector(&sized).map(|v| v.iamax()) else { return Shrunk::Unknown };
+        let across: Vec<usize> = (0..=m).filter(|&k| k != along).collect();
+        let entries: Vec<(usize, usize)> = (0..m).flat_map(|i| (0..m).map(move |k| (i, k))).collect();
+        let middle = a.iter().flat_map(|row| across.iter().map(|&k| row[k].midpoint()));
+        let Some(inverse) = Preconditioner::new(m, &entries, middle) else { return Shrunk::Unknown };
+        let f = inverse.times(&f);
+        let columns: Vec<Vec<Interval>> =
+            (0..=m).map(|k| inverse.times(&a.iter().map(|row| row[k]).collect::<Vec<_>>())).collect();
+        for (i, &place) in across.iter().enumerate() {
+            if columns[place][i].contains(0.0) {
+                continue;
+            }
+            let others = &mut (0..=m).filter(|&k| k != place).map(|k| columns[k][i] * (now[k] - centre[k]));
+            let newton = centre[place] - (f[i] + sum(others)) / columns[place][i];
+            match now[place].intersection(newton) {
+                Some(smaller) => now[place] = smaller,
+                None if newton.is_defined() => return Shrunk::Without,
+                None => {}
+            }
+        }
+        Shrunk::To
+    }
+
+    /// True if f_u is regular over a box: then |I − C f_u| < 1 in the maximum norm, relative to the sizes.
+    fn is_regular(&self, f_u: &[Vec<Interval>]) -> bool {
+        let m = f_u.len();
+        let entries: Vec<(usize, usize)> = (0..m).flat_map(|i| (0..m).map(move |k| (i, k))).collect();
+        let values: Vec<Interval> = f_u.iter().flatten().copied().collect();
+        let Some(inverse) = Preconditioner::new(m, &entries, values.iter().map(|a| a.midpoint())) else { return false };
+        let sizes = &self.sizes[..m];
+        let rest = inverse.rest(&entries, &values).times(sizes);
+        rest.iter().zip(sizes).all(|(rest, size)| (rest / size).next_up() < 1.0)
+    }
+}
+
+/// The result of a step on a box.
+enum Shrunk {
+    /// There is no fold in it.
+    Without,
+    /// The step gives no information.
+    Unknown,
+    /// It was intersected with the enclosure of the step.
+    To,
+}

@@ -1,0 +1,284 @@
+//! Ranges of motion where groups close by iteration: all folds are found, and motions lead from one to the next.
+//!
+//! Between two neighbouring folds no closure begins or ends, so that all closures of one t there are all that there are on
+//! the whole way from fold to fold. A sweep connects each of them with one on the other side of a fold, or ends at it.
+
+use super::super::assemblies::{difference, is_length, region};
+use super::{End, Solver, driven};
+use crate::assembly::Assembly;
+use crate::certificate::Uncertified;
+use crate::equations::scale::Scale;
+use crate::error::SolveError;
+use crate::mechanism::Mechanism;
+use crate::planned::{Limit, LimitKind, Sign};
+use crate::proof::{Fold, OverBoxes, folds};
+use crate::ranges::{Range, RangeLimit, Ranges};
+use crate::scalar::Interval;
+use crate::workspace::{Instant, Signal};
+
+/// Configurations that differ by less than this, relative to a radian and to the size of the mechanism, are the same: those of
+/// closures and folds, and those of limits and of what is undecided.
+const SAME: [f64; 2] = [1e-7, 1e-3];
+
+/// A place at which closures come together, or something is undecided.
+struct Place {
+    t: Interval,
+    q: Vec<f64>,
+    proven: bool,
+}
+
+/// A way without a fold, and all closures in its middle.
+struct Gap {
+    from: f64,
+    to: f64,
+    closures: Vec<Assembly>,
+    complete: bool,
+}
+
+/// A closure by the indices of its gap and in the list of this gap.
+type ClosureIndex = (usize, usize);
+
+/// A range as it grows.
+struct Chain {
+    closures: Vec<ClosureIndex>,
+    /// The places at its beginning and at its end.
+    ends: [Option<usize>; 2],
+}
+
+/// A motion that has ended: at a place, if it is known, coming from a closure, and at the limit that the motion has found.
+struct Ended {
+    place: Option<usize>,
+    closure: ClosureIndex,
+    limit: Option<Limit>,
+}
+
+impl<M: Mechanism> Solver<'_, M> {
+    /// The ranges of all closures.
+    pub(super) fn ranges_by_search(&self, start: &Instant<'_>, to: f64, guess: &[f64]) -> Result<Ranges, SolveError> {
+        let refuse = |why| SolveError::NotCertified { t: start.t, why };
+        let length = self.analyse(start, |equations| Ok(Scale::around(equations, guess).length))?;
+        let square = self.square(start, guess).map_err(refuse)?;
+        if let Some(row) = square.left_out().first() {
+            return Err(refuse(Uncertified::Redundant { row }));
+        }
+        let way = Interval::new(start.t.min(to), start.t.max(to));
+        let sizes: Vec<f64> = (0..guess.len()).map(|k| if is_length::<M>(k) { length } else { 1.0 }).collect();
+        let mut system = Box::new(OverBoxes::new(self.mechanism, start));
+        let all = folds(&square, &mut *system, &region::<M>(guess, length), &sizes, way).map_err(refuse)?;
+        let mut places: Vec<Place> = Vec::new();
+        let place =
+            |proven: bool| move |Fold { q, t }: Fold| Place { t, q: q.iter().map(|x| x.midpoint()).collect(), proven };
+        for place in all.found.into_iter().map(place(true)).chain(all.undecided.into_iter().map(place(false))) {
+            // A place is found twice where an angle is half a turn from its guess, and in several boxes if it is undecided.
+            let most = SAME[usize::from(!place.proven)];
+            let same = |other: &&mut Place| {
+                other.t.intersection(place.t).is_some() && difference::<M>(&other.q, &place.q, length) < most
+            };
+            match places.iter_mut().find(same) {
+                Some(other) => (other.t, other.proven) = (other.t.hull(place.t), other.proven && place.proven),
+                None => places.push(place),
+            }
+        }
+        places.sort_by(|a, b| a.t.lower().total_cmp(&b.t.lower()));
+        let gaps = self.gaps(start, way, &places)?;
+        let mut search = Ways { solver: self, start, length, places, gaps, chains: Vec::new(), ended: Vec::new() };
+        search.connect();
+        Ok(search.finish())
+    }
+
+    /// The ways between places, with their closures.
+    fn gaps(&self, start: &Instant<'_>, way: Interval, places: &[Place]) -> Result<Vec<Gap>, SolveError> {
+        let (mut from, mut gaps) = (way.lower(), Vec::new());
+        let ends = places.iter().map(|place| [place.t.lower(), place.t.upper()]);
+        for [to, next] in ends.chain([[way.upper(), way.upper()]]) {
+            let middle = 0.5 * from + 0.5 * to;
+            if from < middle && middle < to {
+                let inputs: Vec<Signal> = start.inputs.iter().map(|u| u.after(middle - start.t)).collect();
+                let all = self.assemblies(&Instant { t: middle, inputs: &inputs })?;
+                gaps.push(Gap { from, to, complete: all.is_complete(), closures: all.found });
+            }
+            from = from.max(next);
+        }
+        Ok(gaps)
+    }
+
+    /// A motion from a configuration.
+    fn moved_from(&self, start: &Instant<'_>, q: &[f64], way: [f64; 2]) -> Result<Vec<f64>, End> {
+        self.moved(start, way, |solver| {
+            q.iter().enumerate().fold(solver, |solver, (place, &x)| solver.with_guess(place, x))
+        })
+    }
+}
+
+impl Gap {
+    fn middle(&self) -> f64 {
+        0.5 * self.from + 0.5 * self.to
+    }
+}
+
+/// All ways, while they are connected to ranges.
+struct Ways<'s, 'm, M: Mechanism> {
+    solver: &'s Solver<'m, M>,
+    start: &'s Instant<'s>,
+    length: f64,
+    places: Vec<Place>,
+    gaps: Vec<Gap>,
+    chains: Vec<Chain>,
+    ended: Vec<Ended>,
+}
+
+impl<M: Mechanism> Ways<'_, '_, M> {
+    /// Connects the closures of neighbouring gaps.
+    fn connect(&mut self) {
+        for gap in 0..self.gaps.len() {
+            let count = self.gaps[gap].closures.len();
+            let mut is_new = vec![true; count];
+            if gap > 0 {
+                for before in 0..self.gaps[gap - 1].closures.len() {
+                    let from = (gap - 1, before);
+                    let chain = self.chains.iter().position(|chain| chain.closures.last() == Some(&from));
+                    let Some(chain) = chain else { continue };
+                    match self.follow(from, gap) {
+                        Ok(Some(next)) => {
+                            self.chains[chain].closures.push((gap, next));
+                            is_new[next] = false;
+                        }
+                        Ok(None) => self.chains[chain].ends[1] = self.ended(from, gap, End::default()),
+                        Err(end) => self.chains[chain].ends[1] = self.ended(from, gap, end),
+                    }
+                }
+            }
+            for closure in (0..count).filter(|&closure| is_new[closure]) {
+                let here = (gap, closure);
+                let begins = gap.checked_sub(1).and_then(|before| {
+                    let end = self.follow(here, before).err().unwrap_or_default();
+                    self.ended(here, before, end)
+                });
+                self.chains.push(Chain { closures: vec![here], ends: [begins, None] });
+            }
+        }
+    }
+
+    /// The closure of another gap to which a motion leads from a closure; none if it is not one of those.
+    fn follow(&self, (gap, closure): ClosureIndex, other: usize) -> Result<Option<usize>, End> {
+        let (from, to) = (&self.gaps[gap], &self.gaps[other]);
+        let q = &from.closures[closure].q;
+        let reached = self.solver.moved_from(self.start, q, [from.middle(), to.middle()])?;
+        let same = |other: &Assembly| difference::<M>(&other.q, &reached, self.length) < SAME[0];
+        Ok(to.closures.iter().position(same))
+    }
+
+    /// Notes that a motion to another gap has ended, and finds where: at the only place between the two, or at the one whose
+    /// configuration is that of the limit.
+    fn ended(&mut self, closure: ClosureIndex, other: usize, end: End) -> Option<usize> {
+        let [a, b] = [closure.0.min(other), closure.0.max(other)];
+        let (from, to) = (self.gaps[a].to, self.gaps[b].from);
+        let between = |place: &usize| self.places[*place].t.lower() >= from && self.places[*place].t.upper() <= to;
+        let near = |place: usize| difference::<M>(&self.places[place].q, &end.q, self.length);
+        let all: Vec<usize> = (0..self.places.len()).filter(between).collect();
+        let place = match all[..] {
+            [only] => Some(only),
+            _ if end.q.is_empty() => None,
+            _ => all.into_iter().min_by(|&a, &b| near(a).total_cmp(&near(b))).filter(|&place| near(place) < SAME[1]),
+        };
+        self.ended.push(Ended { place, closure, limit: end.limit });
+        place
+    }
+
+    /// The ranges in the order of t, with circuits, and the limits.
+    fn finish(self) -> Ranges {
+        let mut circuit: Vec<usize> = (0..self.chains.len()).collect();
+        let mut limits = Vec::new();
+        for (number, place) in self.places.iter().enumerate() {
+            let ends: Vec<&Ended> = self.ended.iter().filter(|ended| ended.place == Some(number)).collect();
+            // Two closures end at a fold, from the same side.
+            let proven = place.proven && matches!(ends[..], [a, b] if a.closure.0 == b.closure.0);
+            if proven {
+                let joined: Vec<usize> = self
+                    .chains
+                    .iter()
+                    .enumerate()
+                    .filter(|(_, chain)| chain.ends.contains(&Some(number)))
+                    .map(|(chain, _)| circuit[chain])
+                    .collect();
+                if let Some(&least) = joined.iter().min() {
+                    circuit.iter_mut().filter(|root| joined.contains(root)).for_each(|root| *root = least);
+                }
+            }
+            let kind = proven.then_some(LimitKind::DeadCentre);
+            if ends.is_empty() {
+                limits.push(self.limit(place.t, &place.q, None, None, kind, false));
+            }
+            for Ended { closure, limit, .. } in ends {
+                limits.push(self.limit(place.t, &place.q, Some(*closure), limit.as_ref(), kind, proven));
+            }
+        }
+        for Ended { closure, limit, .. } in self.ended.iter().filter(|ended| ended.place.is_none()) {
+            let t = limit.as_ref().and_then(Limit::at).unwrap_or(self.gaps[closure.0].middle());
+            limits.push(self.limit(Interval::from(t), &[], Some(*closure), limit.as_ref(), None, false));
+        }
+        for gap in self.gaps.iter().filter(|gap| !gap.complete) {
+            limits.push(self.limit(Interval::new(gap.from, gap.to), &[], None, None, None, false));
+        }
+        limits.sort_by(|a, b| a.t.lower().total_cmp(&b.t.lower()));
+        let mut order: Vec<usize> = (0..self.chains.len()).collect();
+        order.sort_by(|&a, &b| self.way(&self.chains[a])[0].total_cmp(&self.way(&self.chains[b])[0]));
+        let mut numbers: Vec<usize> = Vec::new();
+        let ranges = order.into_iter().map(|k| {
+            let root = circuit[k];
+            let number = numbers.iter().position(|&other| other == root).unwrap_or_else(|| {
+                numbers.push(root);
+                numbers.len() - 1
+            });
+            self.range(&self.chains[k], number)
+        });
+        let ranges = ranges.collect();
+        Ranges { ranges, limits, circuits: numbers.len() }
+    }
+
+    /// Where a range begins and ends.
+    fn way(&self, chain: &Chain) -> [f64; 2] {
+        let gap = |closure: Option<&ClosureIndex>| closure.map(|&(gap, _)| &self.gaps[gap]);
+        let own = |end: usize| chain.ends[end].map(|place| self.places[place].t);
+        let from = own(0).map(|t| t.upper()).or(gap(chain.closures.first()).map(|gap| gap.from));
+        let to = own(1).map(|t| t.lower()).or(gap(chain.closures.last()).map(|gap| gap.to));
+        [from, to].map(|t| t.unwrap_or(self.start.t))
+    }
+
+    fn range(&self, chain: &Chain, circuit: usize) -> Range {
+        let [from, to] = self.way(chain);
+        let middle = 0.5 * from + 0.5 * to;
+        let away = |(gap, _): &&ClosureIndex| (self.gaps[*gap].middle() - middle).abs();
+        let nearest = chain.closures.iter().min_by(|a, b| away(a).total_cmp(&away(b)));
+        let closure = nearest.map(|&(gap, closure)| (&self.gaps[gap], &self.gaps[gap].closures[closure]));
+        let q = closure.map(|(gap, closure)| {
+            let moved = self.solver.moved_from(self.start, &closure.q, [gap.middle(), middle]);
+            moved.unwrap_or_else(|_| closure.q.clone())
+        });
+        let modes = closure.map_or_else(Vec::new, |(_, closure)| closure.modes.clone());
+        Range { modes, from, to, q: q.unwrap_or_default(), circuit }
+    }
+
+    fn limit(
+        &self,
+        t: Interval,
+        q: &[f64],
+        closure: Option<ClosureIndex>,
+        limit: Option<&Limit>,
+        kind: Option<LimitKind>,
+        proven: bool,
+    ) -> RangeLimit {
+        let modes: Vec<(&'static str, Sign)> =
+            closure.map_or_else(Vec::new, |(gap, closure)| self.gaps[gap].closures[closure].modes.clone());
+        let drivers = limit.into_iter().flat_map(Limit::drivers);
+        RangeLimit {
+            t,
+            modes,
+            joints: limit.into_iter().flat_map(Limit::joints).collect(),
+            drivers: drivers.map(|name| (name, driven::<M>(name, q))).collect(),
+            kind: kind.or(limit.and_then(Limit::kind)),
+            q: q.to_vec(),
+            proven,
+        }
+    }
+}

@@ -1,0 +1,120 @@
+//! How far a mechanism moves.
+
+mod by_plan;
+mod by_search;
+
+use super::Solver;
+use crate::certificate::Uncertified;
+use crate::error::SolveError;
+use crate::mechanism::Mechanism;
+use crate::planned::Limit;
+use crate::ranges::Ranges;
+use crate::workspace::{Instant, Signal};
+
+/// Most modes whose combinations are gone through.
+const MODES: usize = 12;
+
+impl<M: Mechanism> Solver<'_, M> {
+    /// Where the mechanism closes between the time of an instant and another, in every combination of its modes, and the
+    /// limits at which that ends: dead centres, which come with the joints that are in line, and branch points. Inputs go
+    /// on from the instant with constant acceleration ([`Signal::after`]), as those of a sweep from the command line do.
+    ///
+    /// Where every group has a closed form, the plan is evaluated over intervals of t. Where all its margins are positive on
+    /// an interval the mechanism closes on all of it, where one is negative it closes nowhere; what is neither is halved. All
+    /// other mechanisms are searched for every t and configuration in which two closures come together: boxes without such a
+    /// place are excluded, and in every other box it is proven to be the only one. In between, no closure begins or ends, and
+    /// those of one t are all there are ([`assemblies`](Self::assemblies)). So ranges are proven, and limits are enclosed to
+    /// about ten digits of the way.
+    ///
+    /// ```
+    /// use kin_runtime::planned::LimitKind;
+    /// use kin_runtime::{Instant, Kinematics, mechanism};
+    ///
+    /// /// Crank 0.3, coupler 0.25, rocker 0.2, pivots 0.5 apart: the crank goes as far as cos φ = 0.458333….
+    /// #[mechanism]
+    /// #[bodies(crank, coupler, rocker)]
+    /// #[revolute(O: ground @ (0, 0), crank @ (0, 0))]
+    /// #[revolute(A: crank @ (0.3, 0), coupler @ (0, 0))]
+    /// #[revolute(B: coupler @ (0.25, 0), rocker @ (0.2, 0))]
+    /// #[revolute(C: ground @ (0.5, 0), rocker @ (0, 0))]
+    /// #[driver(drive: crank.phi = t)]
+    /// struct FourBar;
+    ///
+    /// let all = FourBar.solver().ranges(&Instant::at(-0.1), 3.0)?;
+    /// let end = (0.1375_f64 / 0.3).acos();
+    /// assert!(all.is_complete() && all.limits.iter().all(|limit| limit.kind == Some(LimitKind::DeadCentre)));
+    /// assert!(all.limits[0].t.contains(end) && all.limits[0].joints == ["A", "B", "C"]);
+    /// // Two modes, which are one motion: at the dead centre it goes from one into the other.
+    /// assert_eq!((all.ranges.len(), all.circuits), (2, 1));
+    /// # Ok::<(), kin_runtime::SolveError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`NotCertified`](SolveError::NotCertified) where coordinates are prescribed, rows are redundant or use supplied functions,
+    /// degrees of freedom are open, and where there are too many modes;
+    /// [`NonFinite`](SolveError::NonFinite), [`Length`](SolveError::Length) and
+    /// [`UnknownCoordinate`](SolveError::UnknownCoordinate).
+    pub fn ranges(&self, from: &Instant<'_>, to: f64) -> Result<Ranges, SolveError> {
+        let guess: Vec<f64> = self.checked_guess()?.into_iter().map(|guess| guess.unwrap_or(0.0)).collect();
+        self.analyse(&Instant { t: to, inputs: from.inputs }, |_| Ok(()))?;
+        self.analyse(from, |_| Ok(()))?;
+        if let Some(why) = self.unproven() {
+            return Err(SolveError::NotCertified { t: from.t, why });
+        }
+        match self.is_closed_form() {
+            true => Ok(self.ranges_by_plan(from, to, &guess)),
+            false => self.ranges_by_search(from, to, &guess),
+        }
+    }
+
+    /// Why nothing can be proven along t.
+    fn unproven(&self) -> Option<Uncertified> {
+        let model = M::model();
+        let plan = &model.plan;
+        if !self.given.is_empty() {
+            return Some(Uncertified::Prescribed);
+        }
+        if let Some(row) = plan.watched().next() {
+            return Some(Uncertified::Redundant { row: model.rows.get(row).map_or("", |row| row.name) });
+        }
+        let modes = plan.modes.len();
+        (modes > MODES).then_some(Uncertified::TooManyModes { modes, most: MODES })
+    }
+
+    /// A sweep from one time to another with inputs that go on from the instant `start`: q at its end, or what ended it.
+    fn moved(
+        &self,
+        start: &Instant<'_>,
+        way: [f64; 2],
+        set: impl for<'a> FnOnce(Solver<'a, M>) -> Solver<'a, M>,
+    ) -> Result<Vec<f64>, End> {
+        let later = |t: f64, out: &mut [Signal]| {
+            out.iter_mut().zip(start.inputs).for_each(|(out, u)| *out = u.after(t - start.t));
+        };
+        let solver = Solver::new(self.mechanism).with_options(self.options).with_inputs(&later);
+        match set(solver).sweep(&way) {
+            Ok(trajectory) => Ok(trajectory.states.last().map(|state| state.q.clone()).unwrap_or_default()),
+            Err(error) => {
+                let q = error.q_at_limit().map(<[f64]>::to_vec).unwrap_or_default();
+                Err(End { limit: error.source.limit().copied(), q })
+            }
+        }
+    }
+}
+
+/// What ended a motion.
+#[derive(Default)]
+struct End {
+    limit: Option<Limit>,
+    /// q there; empty where it is not known.
+    q: Vec<f64>,
+}
+
+/// The value of the one coordinate that a driver drives.
+fn driven<M: Mechanism>(name: &str, q: &[f64]) -> Option<f64> {
+    let model = M::model();
+    let row = model.rows.iter().position(|row| model.joints.get(row.joint).is_some_and(|joint| joint.name == name))?;
+    let mut entries = model.constraint_pattern.entries.iter().filter(|(of, _)| *of == row);
+    let (Some(&(_, column)), None) = (entries.next(), entries.next()) else { return None };
+    q.get(column).copied()
+}
