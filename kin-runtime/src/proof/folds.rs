@@ -64,8 +64,11 @@ pub(crate) fn folds(
     while let Some(now) = boxes.pop() {
         seen += 1;
         if seen > MOST || search.undecided.len() > UNDECIDED {
-            search.undecided.push(now);
-            search.undecided.append(&mut boxes);
+            // What is left is one box around all of it.
+            let left = boxes.drain(..).chain(search.undecided.drain(..));
+            let hull =
+                |all: Vec<Interval>, other: Vec<Interval>| all.iter().zip(other).map(|(x, y)| x.hull(y)).collect();
+            search.undecided = vec![left.fold(now, hull)];
             break;
         }
         search.look(now, &mut boxes);
@@ -127,7 +130,9 @@ impl Search<'_> {
             return self.undecided.push(now);
         }
         let weight = |k: usize| smear.get(k).copied().unwrap_or(1.0) * (now[k].upper() - now[k].lower());
-        let Some(cut) = (0..now.len()).max_by(|&a, &b| weight(a).total_cmp(&weight(b))) else { return };
+        // What hardly matters is cut, too, once everything else is narrow.
+        let wide = (0..now.len()).filter(|&k| now[k].upper() - now[k].lower() >= NARROWEST * self.sizes[k]);
+        let Some(cut) = wide.max_by(|&a, &b| weight(a).total_cmp(&weight(b))) else { return };
         let middle = now[cut].midpoint();
         let (mut lower, mut upper) = (now.clone(), now);
         lower[cut] = Interval::new(lower[cut].lower(), middle);

@@ -12,8 +12,9 @@ use super::krawczyk::Square;
 use crate::certificate::{Certificate, Uncertified};
 use crate::scalar::Interval;
 
-/// Most boxes that are examined.
+/// Most boxes that are examined, and most of them that stay undecided: more of these are a curve of solutions.
 const MOST: usize = 400_000;
+const UNDECIDED: usize = 1000;
 /// In boxes narrower than this a certificate is tried.
 const NARROW: f64 = 1e-6;
 /// Boxes narrower than this are not divided any further.
@@ -56,7 +57,7 @@ pub(crate) fn search(
     let (mut boxes, mut seen) = (vec![start], 0);
     while let Some(now) = boxes.pop() {
         seen += 1;
-        if seen > MOST {
+        if seen > MOST || outcome.undecided.len() > UNDECIDED {
             outcome.unfinished = Some(seen);
             outcome.undecided.push(now);
             outcome.undecided.append(&mut boxes);
@@ -99,7 +100,9 @@ impl Search<'_> {
             }
         }
         let weight = |k: usize| smear.get(k).copied().unwrap_or(1.0) * (now[k].upper() - now[k].lower());
-        let Some(cut) = (0..now.len()).max_by(|&a, &b| weight(a).total_cmp(&weight(b))) else { return };
+        // What hardly matters is cut, too, once everything else is narrow.
+        let wide = (0..now.len()).filter(|&k| now[k].upper() - now[k].lower() >= NARROWEST);
+        let Some(cut) = wide.max_by(|&a, &b| weight(a).total_cmp(&weight(b))) else { return };
         let middle = now[cut].midpoint();
         let (mut lower, mut upper) = (now.clone(), now);
         lower[cut] = Interval::new(lower[cut].lower(), middle);

@@ -5,6 +5,9 @@ use crate::scalar::Interval;
 use crate::text::{rounded, separated};
 use core::fmt;
 
+/// The largest radius, relative to 1 + |t|, with which a place is told as one number.
+const ENCLOSED: f64 = 1e-6;
+
 /// An interval of t in which the mechanism closes in one combination of its modes, proven for every t in it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Range {
@@ -94,11 +97,18 @@ impl fmt::Display for Range {
 impl fmt::Display for RangeLimit {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.kind {
-            Some(kind) => write!(f, "{kind} of ")?,
-            None => f.write_str("limit of ")?,
+            Some(kind) => write!(f, "{kind}")?,
+            None => f.write_str("limit")?,
         }
-        separated(f, &self.joints, |f, joint| f.write_str(joint))?;
-        write!(f, " at t = {}", rounded(self.t.midpoint()))?;
+        if !self.joints.is_empty() {
+            f.write_str(" of ")?;
+            separated(f, &self.joints, |f, joint| f.write_str(joint))?;
+        }
+        let Self { t, .. } = self;
+        match t.radius() > ENCLOSED * (1.0 + t.magnitude()) {
+            true => write!(f, " between t = {} and t = {}", rounded(t.lower()), rounded(t.upper()))?,
+            false => write!(f, " at t = {}", rounded(t.midpoint()))?,
+        }
         if !self.modes.is_empty() {
             write!(f, ", {}", self.name())?;
         }
