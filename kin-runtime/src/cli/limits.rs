@@ -10,6 +10,7 @@ use super::session::Session;
 use super::solved::analysis;
 use super::values;
 use crate::present::json::to_json;
+use crate::present::number::rounded;
 use crate::present::ranges;
 
 /// How far it moves in every assembly mode, and the dead centres that end it
@@ -62,6 +63,10 @@ pub(super) fn run(args: &LimitsArgs, engine: &mut dyn Engine, session: &mut Sess
         Form::Json => to_json(&ranges::records(&all)).map_err(Failure::Output)?,
         _ => ranges::text(model, [from, to], &all),
     };
+    for (coordinate, within) in &all.searched {
+        let [from, to] = [within.lower(), within.upper()].map(rounded);
+        session.note(&format!("note: closures are searched with {coordinate} between {from} and {to} only"));
+    }
     session.deliver(&output, &text)?;
     match all.limits.iter().find(|limit| !limit.proven) {
         None => Ok(()),

@@ -121,6 +121,26 @@ impl<'s> ClosureEquations<'s> {
         Ok(Closure { f, f_u, f_t, excluded })
     }
 
+    /// Whether the equations are the same after a whole turn of each number of u: not those of lengths, and not those of
+    /// angles that gears couple in a ratio.
+    pub(super) fn turns(&mut self, u: &[Interval]) -> Vec<bool> {
+        let turn = Interval::new(std::f64::consts::TAU, std::f64::consts::TAU.next_up());
+        let of = |equations: &mut Self, u: &[Interval]| {
+            let q = equations.coordinates(u);
+            equations.evaluate(&q, Subset::PHI).map(|values| values.phi).unwrap_or_default()
+        };
+        let here = of(self, u);
+        let is_same = |k: usize| {
+            let mut turned = u.to_vec();
+            turned[k] = turned[k] + turn;
+            let there = of(self, &turned);
+            !here.is_empty()
+                && here.len() == there.len()
+                && here.iter().zip(there).all(|(a, b)| a.intersection(b).is_some())
+        };
+        (0..u.len()).map(is_same).collect()
+    }
+
     /// f over a box.
     pub(super) fn values(&mut self, u: &[Interval]) -> Result<Vec<Interval>, Uncertified> {
         let q = self.coordinates(u);

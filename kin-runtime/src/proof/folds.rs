@@ -37,6 +37,8 @@ pub(crate) struct Folds {
     pub(crate) found: Vec<Fold>,
     /// Intervals of t in which something is undecided, each with about the configuration there.
     pub(crate) undecided: Vec<Fold>,
+    /// The coordinates, and their intervals, in which the search has an end: all but angles that come round after a turn.
+    pub(crate) bounded: Vec<(usize, Interval)>,
 }
 
 /// Searches `region`, which has an interval for every coordinate, over the interval `way` of t.
@@ -59,6 +61,9 @@ pub(crate) fn folds(
     let middle: Vec<Interval> = start.iter().map(|x| Interval::from(x.midpoint())).collect();
     equations.at(Interval::around(way.midpoint(), NARROWEST * (way.upper() - way.lower())));
     equations.closure(&middle[..places.len()], true)?;
+    equations.at(middle[places.len()]);
+    let turns = equations.turns(&middle[..places.len()]);
+    let bounded = places.iter().zip(turns).filter(|(_, turns)| !turns).map(|(&k, _)| (k, region[k])).collect();
     let mut search = Search { equations, sizes, proven: Vec::new(), undecided: Vec::new() };
     let (mut boxes, mut seen) = (vec![start], 0);
     while let Some(now) = boxes.pop() {
@@ -73,7 +78,7 @@ pub(crate) fn folds(
         }
         search.look(now, &mut boxes);
     }
-    Ok(search.finish(way))
+    Ok(Folds { bounded, ..search.finish(way) })
 }
 
 /// The state of a search.

@@ -54,11 +54,14 @@ pub struct Ranges {
     pub limits: Vec<RangeLimit>,
     /// How many circuits there are.
     pub circuits: usize,
+    /// Coordinates between whose bounds alone closures were searched: lengths that no row determines, and angles that do not
+    /// come round after a turn, because gears couple them in a ratio. Empty where nothing bounds the search.
+    pub searched: Vec<(&'static str, Interval)>,
 }
 
 impl Ranges {
     /// True if every limit is proven. Then the mechanism closes in the ranges and, apart from the intervals of the
-    /// limits, nowhere else.
+    /// limits, nowhere else, within the bounds of `searched`.
     pub fn is_complete(&self) -> bool {
         self.limits.iter().all(|limit| limit.proven)
     }

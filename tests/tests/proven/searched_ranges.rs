@@ -156,6 +156,41 @@ fn what_is_singular_all_the_way_is_not_proven() {
     assert!(!all.is_complete(), "{all}");
 }
 
+/// Two cranks that turn in a ratio of about −2: an angle of theirs does not come round after a turn.
+#[mechanism]
+#[bodies(p, q, r, s)]
+#[revolute(O: ground @ (0, 0), p @ (0, 0))]
+#[revolute(Q: ground @ (0.6, 0), q @ (0, 0))]
+#[revolute(A: p @ (0.25, 0), r @ (0, 0))]
+#[revolute(B: q @ (0.1, 0), s @ (0, 0))]
+#[revolute(C: r @ (0.4, 0), s @ (0.4, 0))]
+#[constraint(ratio: p.phi + 2*q.phi + 0.05*sin(r.phi) = 0.3)]
+#[driver(drive: p.phi + 0.01*sin(s.phi) = t)]
+#[guess(r.phi = 0.8, s.phi = 2)]
+struct Geared;
+
+#[test]
+fn bounds_of_the_search_are_told() {
+    let all = Geared.solver().ranges(&Instant::at(0.0), 9.0).unwrap();
+    let names: Vec<&str> = all.searched.iter().map(|(name, _)| *name).collect();
+    assert_eq!(names, ["p.phi", "q.phi"], "{all}");
+    assert!(all.searched.iter().all(|(_, within)| within.contains(0.0) && within.radius() < 3.2), "{all}");
+    assert!(all.is_complete() && all.ranges.len() == 2 && all.circuits == 1, "{all}");
+    // All angles of three legs come round.
+    assert!(Forward::default().solver().ranges(&Instant::at(0.0), 0.1).unwrap().searched.is_empty());
+}
+
+/// The same cranks, followed until the angle leaves what is searched: what happens there is not claimed.
+#[test]
+fn a_closure_that_leaves_the_search_is_not_proven() {
+    let turned = Geared.solver().with_guess(2, -2.4).with_guess(5, 1.2);
+    let all = turned.ranges(&Instant::at(-4.0), 1.0).unwrap();
+    let (_, within) = all.searched[0];
+    assert!(within.upper() < 0.8 && !all.is_complete(), "{within:?} {all}");
+    let all = turned.ranges(&Instant::at(-4.0), 0.5).unwrap();
+    assert!(all.is_complete(), "{all}");
+}
+
 /// A crank of a group that closes by iteration turns as a supplied function says.
 #[mechanism]
 #[bodies(platform, crank[3], rod[3])]

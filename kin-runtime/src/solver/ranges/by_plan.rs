@@ -201,7 +201,7 @@ impl Collected {
             }
         };
         let limits = self.limits.into_iter().map(limit).collect();
-        Ranges { ranges, limits, circuits: numbers.len() }
+        Ranges { ranges, limits, circuits: numbers.len(), searched: Vec::new() }
     }
 
     /// For every range the first of those that it is connected with: at a proven limit of a group, where both signs of that

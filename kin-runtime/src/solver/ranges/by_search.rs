@@ -20,6 +20,9 @@ use crate::workspace::{Instant, Signal};
 /// closures and folds, and those of limits and of what is undecided.
 const SAME: [f64; 2] = [1e-7, 1e-3];
 
+/// How far from the ends of a gap its closures are followed, relative to half of the gap.
+const NEAR: f64 = 1e-3;
+
 /// A place at which closures come together, or something is undecided.
 struct Place {
     t: Interval,
@@ -32,6 +35,7 @@ struct Gap {
     from: f64,
     to: f64,
     closures: Vec<Assembly>,
+    /// Whether it is proven that there are no others, and that they go from one end of the gap to the other.
     complete: bool,
 }
 
@@ -81,7 +85,9 @@ impl<M: Mechanism> Solver<'_, M> {
         }
         places.sort_by(|a, b| a.t.lower().total_cmp(&b.t.lower()));
         let gaps = self.gaps(start, way, &places)?;
-        let mut search = Ways { solver: self, start, length, places, gaps, chains: Vec::new(), ended: Vec::new() };
+        let (chains, ended) = (Vec::new(), Vec::new());
+        let mut search = Ways { solver: self, start, length, places, gaps, bounded: all.bounded, chains, ended };
+        search.pass_gaps();
         search.connect();
         Ok(search.finish())
     }
@@ -123,11 +129,26 @@ struct Ways<'s, 'm, M: Mechanism> {
     length: f64,
     places: Vec<Place>,
     gaps: Vec<Gap>,
+    /// Coordinates in which the search has an end, and their intervals.
+    bounded: Vec<(usize, Interval)>,
     chains: Vec<Chain>,
     ended: Vec<Ended>,
 }
 
 impl<M: Mechanism> Ways<'_, '_, M> {
+    /// Follows every closure to both ends of its gap, if the search has an end in some coordinate: beyond it a closure can meet
+    /// another at a place that was not searched.
+    fn pass_gaps(&mut self) {
+        for gap in self.gaps.iter_mut().filter(|_| !self.bounded.is_empty()) {
+            let ends = [gap.from, gap.to].map(|end| end + NEAR * (gap.middle() - end));
+            let is_inside = |q: &Vec<f64>| self.bounded.iter().all(|&(k, region)| region.contains(q[k]));
+            let mut ways = gap.closures.iter().flat_map(|closure| ends.map(|end| (closure, end)));
+            gap.complete &= ways.all(|(closure, end)| {
+                self.solver.moved_from(self.start, &closure.q, [gap.middle(), end]).is_ok_and(|q| is_inside(&q))
+            });
+        }
+    }
+
     /// Connects the closures of neighbouring gaps.
     fn connect(&mut self) {
         for gap in 0..self.gaps.len() {
@@ -233,7 +254,9 @@ impl<M: Mechanism> Ways<'_, '_, M> {
             self.range(&self.chains[k], number)
         });
         let ranges = ranges.collect();
-        Ranges { ranges, limits, circuits: numbers.len() }
+        let name = |&(k, region): &(usize, Interval)| (M::model().coordinates[k].name, region);
+        let searched = self.bounded.iter().map(name).collect();
+        Ranges { ranges, limits, circuits: numbers.len(), searched }
     }
 
     /// Where a range begins and ends.
