@@ -213,3 +213,42 @@ fn a_supplied_function_has_no_enclosure_along_t() {
         other => panic!("{other:?}"),
     }
 }
+
+/// Two angles, each of which solves sin φ + 0.4 cos 2φ = t, the other by a t that is a little larger: both have dead centres at
+/// nearly the same time, with different directions in which closures come together.
+#[mechanism]
+#[bodies(a, b)]
+#[revolute(A: ground @ (0, 0), a @ (0, 0))]
+#[revolute(B: ground @ (1, 0), b @ (0, 0))]
+#[constraint(first: sin(a.phi) + 0.4*cos(2*a.phi) = t)]
+#[constraint(second: sin(b.phi) + 0.4*cos(2*b.phi) = faster*t)]
+struct Twins {
+    #[param(1.0005)]
+    faster: f64,
+}
+
+/// The curve turns back where cos φ (1 − 1.6 sin φ) = 0: at −1.4 and 0.6 once, at 0.7125 twice at the same time.
+#[test]
+fn dead_centres_close_to_one_another_are_told_apart() {
+    let count = |t: f64| {
+        let steps = 100_000;
+        let miss = |k: u32| {
+            let phi = -PI + TAU * f64::from(k) / f64::from(steps);
+            phi.sin() + 0.4 * (2.0 * phi).cos() - t
+        };
+        (0..steps).filter(|&k| miss(k) * miss(k + 1) < 0.0).count()
+    };
+    for faster in [1.0005, 1.01, 1.3] {
+        let (from, to) = (-1.5, 1.0);
+        let all = Twins { faster }.solver().ranges(&Instant::at(from), to).unwrap();
+        agrees(&all, [from, to], |t| count(t) * count(faster * t));
+        // Every dead centre of one angle is there once for each closure of the other, and two ranges end at it.
+        for (end, folds) in [(-1.4, 1), (0.6, 1), (0.7125, 2)] {
+            for (t, others) in [(end, count(faster * end)), (end / faster, count(end / faster))] {
+                let found = all.limits.iter().filter(|limit| (limit.t.midpoint() - t).abs() < 1e-9).count();
+                assert_eq!(found, 2 * folds * others, "{faster}: {t}: {all}");
+            }
+        }
+        assert!(all.searched.is_empty() && all.limits.iter().all(|limit| limit.t.radius() < 1e-9), "{all}");
+    }
+}

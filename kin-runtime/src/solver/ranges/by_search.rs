@@ -23,6 +23,11 @@ const SAME: [f64; 2] = [1e-7, 1e-3];
 /// How far from the ends of a gap its closures are followed, relative to half of the gap.
 const NEAR: f64 = 1e-3;
 
+/// How long before the end of a gap a motion is near its own limit, relative to half of the gap, and how much nearer its
+/// configuration is to that of this limit than to those of others at the same time.
+const SHORTLY: f64 = 1e-6;
+const CLEARLY: f64 = 0.2;
+
 /// A place at which closures come together, or something is undecided.
 struct Place {
     t: Interval,
@@ -195,15 +200,36 @@ impl<M: Mechanism> Ways<'_, '_, M> {
         let [a, b] = [closure.0.min(other), closure.0.max(other)];
         let (from, to) = (self.gaps[a].to, self.gaps[b].from);
         let between = |place: &usize| self.places[*place].t.lower() >= from && self.places[*place].t.upper() <= to;
-        let near = |place: usize| difference::<M>(&self.places[place].q, &end.q, self.length);
         let all: Vec<usize> = (0..self.places.len()).filter(between).collect();
         let place = match all[..] {
             [only] => Some(only),
-            _ if end.q.is_empty() => None,
-            _ => all.into_iter().min_by(|&a, &b| near(a).total_cmp(&near(b))).filter(|&place| near(place) < SAME[1]),
+            _ => self.nearest(&all, &self.before(closure, other, end.q)),
         };
         self.ended.push(Ended { place, closure, limit: end.limit });
         place
+    }
+
+    /// q at the end of a motion, or shortly before it if the motion has not found it.
+    fn before(&self, (gap, closure): ClosureIndex, other: usize, found: Vec<f64>) -> Vec<f64> {
+        if !found.is_empty() {
+            return found;
+        }
+        let is_later = other > gap;
+        let gap = &self.gaps[gap];
+        let end = if is_later { gap.to } else { gap.from };
+        let q = &gap.closures[closure].q;
+        self.solver.moved_from(self.start, q, [gap.middle(), end + SHORTLY * (gap.middle() - end)]).unwrap_or_default()
+    }
+
+    /// The place whose configuration is much nearer than those of the others.
+    fn nearest(&self, among: &[usize], q: &[f64]) -> Option<usize> {
+        let away = |place: usize| difference::<M>(&self.places[place].q, q, self.length);
+        let mut all: Vec<(f64, usize)> = among.iter().map(|&place| (away(place), place)).collect();
+        all.sort_by(|a, b| a.0.total_cmp(&b.0));
+        match all[..] {
+            [(least, place), (next, _), ..] if !q.is_empty() && least < CLEARLY * next => Some(place),
+            _ => None,
+        }
     }
 
     /// The ranges in the order of t, with circuits, and the limits.
