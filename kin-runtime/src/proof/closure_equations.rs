@@ -217,7 +217,7 @@ impl<'s> ClosureEquations<'s> {
             values.phi = reduced.values(&square.phi(rows.phi, q)?);
         }
         if subset.phi_q {
-            values.phi_q = reduced.jacobian(square, &square.matrix(rows.phi_q)?);
+            values.phi_q = reduced.jacobian(&square.matrix(rows.phi_q)?);
         }
         if subset.phi_t {
             values.phi_t = reduced.values(&square.kept(rows.phi_t)?);

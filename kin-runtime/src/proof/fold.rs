@@ -117,10 +117,10 @@ pub(super) fn prove(equations: &mut ClosureEquations<'_>, near: &[f64], reach: f
             }
             continue;
         }
+        let over = &mut |all: &[Interval]| Ok(bordered(equations, all, one)?.1);
         let mut locate = |boxes: &[f64]| {
-            let inverse = Preconditioner::new(n, &entries, matrix.iter().map(|a| a.midpoint()))?;
             let trial = Trial { boxes, entries: &entries, centre: &y, sizes: &sizes, newton: &newton };
-            trial.locate(inverse, &mut |all| Ok(bordered(equations, all, one)?.1)).ok()?
+            trial.locate(&inverse, over).ok()?
         };
         let unique = locate(&LARGE)?.unique(&y);
         let place = locate(&SMALL)?.q[..=m].to_vec();

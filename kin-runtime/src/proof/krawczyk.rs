@@ -181,19 +181,19 @@ pub(crate) fn certify(
     let Some(inverse) = Preconditioner::new(n, &square.entries, middle) else {
         return Err(Uncertified::Singular { nearness: 0.0 });
     };
-    let nearness = inverse.inverse_condition(&square.entries, &matrix, &sizes);
+    let nearness = || inverse.inverse_condition(&square.entries, &matrix, &sizes);
     let newton = inverse.times(&phi);
     // Near a singular configuration a large correction does not show that the state is wrong.
-    square.judge("q", &newton, &sizes, WRONG).map_err(|wrong| match nearness < SINGULAR {
-        true => Uncertified::Singular { nearness },
-        false => wrong,
+    square.judge("q", &newton, &sizes, WRONG).map_err(|wrong| match nearness() {
+        nearness if nearness < SINGULAR => Uncertified::Singular { nearness },
+        _ => wrong,
     })?;
     let mut over = |q: &[Interval]| {
         let evaluated = system.evaluate(Subset::JACOBIAN, q, &still).map_err(malformed)?;
         square.matrix(evaluated.phi_q)
     };
     let trial = Trial { boxes: &BOXES, entries: &square.entries, centre: q, sizes: &sizes, newton: &newton };
-    let located = trial.locate(inverse, &mut over)?.ok_or(Uncertified::Singular { nearness })?;
+    let located = trial.locate(&inverse, &mut over)?.ok_or_else(|| Uncertified::Singular { nearness: nearness() })?;
 
     // The linear equations A q̇ = −Φ_t and A q̈ = γ for all matrices over the enclosure.
     let over = system.evaluate(Subset::VELOCITY, &located.q, &still).map_err(malformed)?;

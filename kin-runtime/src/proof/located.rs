@@ -23,8 +23,8 @@ pub(super) struct Trial<'a> {
 type Over<'a> = dyn FnMut(&[Interval]) -> Result<Vec<Interval>, Uncertified> + 'a;
 
 /// A box with one solution.
-pub(super) struct Located {
-    inverse: Preconditioner,
+pub(super) struct Located<'c> {
+    inverse: &'c Preconditioner,
     rest: Rest,
     /// The radii ρ of the box.
     radii: Vec<f64>,
@@ -40,7 +40,11 @@ impl Trial<'_> {
     ///
     /// # Errors
     /// That of `over`, if it has no answer for the smallest box either.
-    pub(super) fn locate(&self, inverse: Preconditioner, over: &mut Over<'_>) -> Result<Option<Located>, Uncertified> {
+    pub(super) fn locate<'c>(
+        &self,
+        inverse: &'c Preconditioner,
+        over: &mut Over<'_>,
+    ) -> Result<Option<Located<'c>>, Uncertified> {
         let &Trial { boxes, entries, centre, sizes, newton } = self;
         let n = centre.len();
         let mut refused = Ok(None);
@@ -76,7 +80,7 @@ impl Trial<'_> {
     }
 }
 
-impl Located {
+impl Located<'_> {
     /// d with A d = b for all matrices of the box: |d| ≤ |C b| + |I − C A| |d|, and so |d| ≤ max |C b|_i / ρ_i / (1 − β) ρ.
     pub(super) fn solve(&self, b: &[Interval]) -> Vec<Interval> {
         let first = self.inverse.times(b);

@@ -22,6 +22,8 @@ pub(super) struct Reduced {
     taken: Vec<(usize, Sum, f64)>,
     /// The remaining coordinates.
     pub(super) left: Vec<usize>,
+    /// The derivative of every equation by every remaining coordinate: a sum over the entries of the rows.
+    derivatives: Vec<Vec<Sum>>,
 }
 
 impl Reduced {
@@ -59,10 +61,17 @@ impl Reduced {
         }
         let sum =
             |row: usize| (0..n).map(|k| (k, sums[(row, k)])).filter(|(_, factor)| *factor != 0.0).collect::<Sum>();
-        let left = (0..n).filter(|column| taken.iter().all(|(of, _)| of != column)).collect();
-        let equations = free.iter().map(|&row| sum(row)).collect();
+        let left: Vec<usize> = (0..n).filter(|column| taken.iter().all(|(of, _)| of != column)).collect();
+        let equations: Vec<Sum> = free.iter().map(|&row| sum(row)).collect();
+        let derivative = |equation: &Sum, by: usize| -> Sum {
+            let factor = |row: usize| equation.iter().find(|(of, _)| *of == row).map(|(_, factor)| *factor);
+            let entries = square.entries().iter().enumerate().filter(|(_, (_, column))| *column == by);
+            entries.filter_map(|(entry, &(row, _))| Some((entry, factor(row)?))).collect()
+        };
+        let derivatives =
+            equations.iter().map(|equation| left.iter().map(|&by| derivative(equation, by)).collect()).collect();
         let taken = taken.iter().map(|&(column, row)| (column, sum(row), matrix[(row, column)])).collect();
-        Self { equations, taken, left }
+        Self { equations, taken, left, derivatives }
     }
 
     /// The reduced equations' values, given those of the rows.
@@ -72,14 +81,8 @@ impl Reduced {
 
     /// The derivatives of the reduced equations by the remaining coordinates, row by row, given the entries of the
     /// rows.
-    pub(super) fn jacobian(&self, square: &Square, entries: &[Interval]) -> Vec<Vec<Interval>> {
-        let n = square.coordinates();
-        let mut dense = vec![Interval::from(0.0); n * n];
-        for (&(row, column), &entry) in square.entries().iter().zip(entries) {
-            dense[column * n + row] = dense[column * n + row] + entry;
-        }
-        let of = |sum: &Sum| self.left.iter().map(|&column| total(sum, &dense[column * n..][..n])).collect();
-        self.equations.iter().map(of).collect()
+    pub(super) fn jacobian(&self, entries: &[Interval]) -> Vec<Vec<Interval>> {
+        self.derivatives.iter().map(|row| row.iter().map(|sum| total(sum, entries)).collect()).collect()
     }
 
     /// Writes the eliminated coordinates, given the values of the rows with these coordinates at 0.
@@ -90,11 +93,13 @@ impl Reduced {
     }
 }
 
-fn total(sum: &Sum, rows: &[Interval]) -> Interval {
-    let term = |&(row, factor): &(usize, f64)| match factor {
-        1.0 => rows[row],
-        -1.0 => -rows[row],
-        _ => Interval::from(factor) * rows[row],
+fn total(sum: &Sum, numbers: &[Interval]) -> Interval {
+    let term = |&(place, factor): &(usize, f64)| match factor {
+        1.0 => numbers[place],
+        -1.0 => -numbers[place],
+        _ => Interval::from(factor) * numbers[place],
     };
-    sum.iter().map(term).fold(Interval::from(0.0), |sum, term| sum + term)
+    let mut terms = sum.iter().map(term);
+    let first = terms.next().unwrap_or(Interval::new(0.0, 0.0));
+    terms.fold(first, |sum, term| sum + term)
 }

@@ -165,11 +165,12 @@ impl<M: Mechanism> Ways<'_, '_, M> {
                     let chain = self.chains.iter().position(|chain| chain.closures.last() == Some(&from));
                     let Some(chain) = chain else { continue };
                     match self.follow(from, gap) {
-                        Ok(Some(next)) => {
+                        // Two motions never lead to the same closure.
+                        Ok(Some(next)) if is_new[next] => {
                             self.chains[chain].closures.push((gap, next));
                             is_new[next] = false;
                         }
-                        Ok(None) => self.chains[chain].ends[1] = self.ended(from, gap, End::default()),
+                        Ok(_) => self.chains[chain].ends[1] = self.ended(from, gap, End::default()),
                         Err(end) => self.chains[chain].ends[1] = self.ended(from, gap, end),
                     }
                 }
