@@ -19,14 +19,16 @@ pub(crate) struct Printed {
 /// Prints a kernel.
 ///
 /// The function is outside of the implementation, without the generics of the struct. It therefore takes supplied
-/// functions as arguments of generic types.
+/// functions as arguments of generic types. A function that is not inlined is compiled for several instruction sets where
+/// the scalar type gains by it; inlined ones are compiled with their caller.
 pub(crate) fn kernel(lowered: &Lowered, kernel: &Kernel) -> Printed {
     let ident = |name: &str| Ident::new(name, Span::call_site());
     let (name, writes) = (ident(&kernel.name), kernel.writes());
-    let (mut arguments, mut values) = (Vec::new(), Vec::new());
+    let (mut names, mut arguments, mut values) = (Vec::new(), Vec::new(), Vec::new());
     for symbol in kernel.reads() {
         let Some(ty) = type_of(symbol, kernel, &writes) else { continue };
         let argument = ident(argument(symbol));
+        names.push(argument.clone());
         arguments.push(quote! { #argument: #ty });
         values.push(if symbol == Symbol::Time {
             quote! { at.t }
@@ -41,6 +43,7 @@ pub(crate) fn kernel(lowered: &Lowered, kernel: &Kernel) -> Printed {
         let [argument, higher] = function_names(number);
         let [ty, higher_ty] = [format_ident!("__Function{number}"), format_ident!("__Derivatives{number}")];
         arguments.push(quote! { #argument: &#ty, #higher: &#higher_ty });
+        names.extend([argument.clone(), higher.clone()]);
         let Supplied { value, derivatives } = function;
         values.push(quote! { &#value, &#derivatives });
         types.push(quote! { #ty: ::core::ops::Fn(f64) -> [f64; 3] });
@@ -48,25 +51,32 @@ pub(crate) fn kernel(lowered: &Lowered, kernel: &Kernel) -> Printed {
     }
     for (slot, length) in writes {
         let target = ident(target_name(slot));
+        names.push(target.clone());
         arguments.push(quote! { #target: &mut [__T; #length] });
         values.push(quote! { #target });
     }
     if arguments.is_empty() {
         return Printed { item: TokenStream::new(), call: TokenStream::new() };
     }
-    let inline = if kernel.inlined {
-        quote! { #[inline(always)] }
-    } else {
-        quote! { #[inline] }
-    };
     let statements = body(&kernel.code);
-    Printed {
-        item: quote! {
-            #inline
-            fn #name<__T: __kin::Scalar #(, #types)*>(#(#arguments),*) { #statements }
-        },
-        call: quote! { #name(#(#values),*); },
-    }
+    let head = quote! { <__T: __kin::Scalar #(, #types)*>(#(#arguments),*) };
+    let item = if kernel.inlined {
+        quote! {
+            #[inline(always)]
+            fn #name #head { #statements }
+        }
+    } else {
+        // The arguments of a function do not overlap, which the compiler would not know of the captures of a closure.
+        quote! {
+            #[inline]
+            fn #name #head {
+                #[inline(always)]
+                fn body #head { #statements }
+                <__T as __kin::Scalar>::dispatch(#[inline(always)] || body(#(#names),*))
+            }
+        }
+    };
+    Printed { item, call: quote! { #name(#(#values),*); } }
 }
 
 /// The type of the argument from which a symbol is read; `None` where there is no argument.

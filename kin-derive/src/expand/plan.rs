@@ -65,6 +65,13 @@ fn solve(lowered: &Lowered, solution: &SolutionKernels, n: usize, margins: usize
             }
         });
     }
+    statements.extend(quote! { __kin::Ok(()) });
+    let is_inlined = solution.parts.iter().all(|part| part.kernel.inlined);
+    let solved = if is_inlined {
+        quote! { <__T as __kin::Scalar>::dispatch(#[inline(always)] || { #statements }) }
+    } else {
+        statements
+    };
     let (held, lengths) = (solution.held, position_lengths(&Ident::new("__T", Span::call_site()), "start"));
     let methods = quote! {
         #[inline]
@@ -86,8 +93,7 @@ fn solve(lowered: &Lowered, solution: &SolutionKernels, n: usize, margins: usize
             let held: &mut [__T; #held] = &mut [<__T as __kin::Scalar>::from_f64(0.0); #held];
             let unknowns: &mut __Coordinates<__T> = &mut { *start };
             let _ = (p, u, modes, &position, &velocity, &acceleration, &margins, &held, &unknowns);
-            #statements
-            __kin::Ok(())
+            #solved
         }
     };
     Planned { items, methods }

@@ -150,7 +150,7 @@ pub const fn coarseness<T: Scalar>() -> f64 {
 /// compared with the size of all of them together, so that a mechanism of micrometres is solved to the same number of
 /// digits in metres. Returns 1 if it has converged, otherwise 0.
 #[doc(hidden)]
-#[inline]
+#[inline(always)]
 pub fn iterate<T: Scalar, const N: usize, const M: usize>(
     x: &mut [T; N],
     places: [usize; M],

@@ -34,6 +34,12 @@ pub trait Scalar:
     const EPSILON: f64 = f64::EPSILON;
     /// Most corrections of an iteration inside generated code.
     const CORRECTIONS: usize = 12;
+    /// Runs generated code. A type whose operations are faster with instructions that not every processor of the build
+    /// has overrides it: `work` is compiled for several instruction sets, and the best one is chosen at run time.
+    #[inline(always)]
+    fn dispatch<R>(work: impl FnOnce() -> R) -> R {
+        work()
+    }
     /// The constant `value`.
     fn from_f64(value: f64) -> Self;
     /// Sine and cosine together.

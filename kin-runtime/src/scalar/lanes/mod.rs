@@ -246,18 +246,7 @@ impl Scalar for Lanes {
 
     #[inline(always)]
     fn powi(self, n: i32) -> Self {
-        let (mut power, mut square, mut rest) = (Self::from(1.0), self, n.unsigned_abs());
-        loop {
-            if rest & 1 == 1 {
-                power = power * square;
-            }
-            rest >>= 1;
-            if rest == 0 {
-                break;
-            }
-            square = square * square;
-        }
-        if n < 0 { Self::from(1.0) / power } else { power }
+        power(self, n)
     }
 
     #[inline]
@@ -272,10 +261,27 @@ impl Scalar for Lanes {
     }
 }
 
+/// An integer power, by repeated squaring.
+#[inline(always)]
+fn power<T: Scalar>(x: T, n: i32) -> T {
+    let (mut power, mut square, mut rest) = (T::from_f64(1.0), x, n.unsigned_abs());
+    loop {
+        if rest & 1 == 1 {
+            power = power * square;
+        }
+        rest >>= 1;
+        if rest == 0 {
+            break;
+        }
+        square = square * square;
+    }
+    if n < 0 { T::from_f64(1.0) / power } else { power }
+}
+
 /// The other leg of a right triangle with leg x and hypotenuse 1, accurate also where x is nearly 1.
 #[inline(always)]
-fn complement(x: Lanes) -> Lanes {
-    let one = Lanes::from(1.0);
+fn complement<T: Scalar>(x: T) -> T {
+    let one = T::from_f64(1.0);
     ((one - x) * (one + x)).sqrt()
 }
 

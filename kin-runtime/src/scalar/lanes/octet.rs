@@ -1,37 +1,52 @@
-//! Eight numbers as one scalar: two groups of lanes, whose operations are interleaved.
+//! Eight numbers as one scalar, for the blocks of batches.
 //!
-//! A closed form is a long chain of operations, each of which depends on the one before. A processor executes two such
-//! chains side by side in little more time than one, and both fit into its registers.
+//! Operations are written number by number. The compiler combines those of a kernel to vectors of the widest
+//! instruction set that it may use, and keeps enough of them in flight to hide their latency. With the feature
+//! `dispatch` kernels are compiled a second time for AVX2, and the processor decides at run time.
 
-use super::Lanes;
 use super::pack::Pack;
+use super::{Lanes, complement, power};
 use crate::scalar::Scalar;
 use crate::scalar::compare::Compare;
-use crate::scalar::trig::arctangent;
+use crate::scalar::trig;
+use core::f64::consts::TAU;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-/// Eight `f64`, for the blocks of batches.
+/// Eight `f64`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(crate) struct Octet([Lanes; Self::GROUPS]);
+#[repr(align(64))]
+pub(crate) struct Octet([f64; Self::WIDTH]);
 
 impl Octet {
+    /// The number of numbers.
+    const WIDTH: usize = 8;
+
     /// The number of groups of lanes.
-    pub(crate) const GROUPS: usize = 2;
+    pub(crate) const GROUPS: usize = Self::WIDTH / Lanes::COUNT;
 
     /// The group of lanes with this index.
     #[inline(always)]
-    pub(crate) const fn group(self, number: usize) -> Lanes {
-        self.0[number]
+    pub(crate) fn group(self, number: usize) -> Lanes {
+        Lanes::new(core::array::from_fn(|lane| self.0[number * Lanes::COUNT + lane]))
+    }
+
+    // Index loops, here and below, because `map` would move vectors through memory.
+    #[inline(always)]
+    fn map(self, f: impl Fn(f64) -> f64) -> Self {
+        let mut out = self;
+        for k in 0..Self::WIDTH {
+            out.0[k] = f(self.0[k]);
+        }
+        out
     }
 
     #[inline(always)]
-    fn both(self, f: impl Fn(Lanes) -> Lanes) -> Self {
-        Self([f(self.0[0]), f(self.0[1])])
-    }
-
-    #[inline(always)]
-    fn pairs(self, other: Self, f: impl Fn(Lanes, Lanes) -> Lanes) -> Self {
-        Self([f(self.0[0], other.0[0]), f(self.0[1], other.0[1])])
+    fn pairs(self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self {
+        let mut out = self;
+        for k in 0..Self::WIDTH {
+            out.0[k] = f(self.0[k], other.0[k]);
+        }
+        out
     }
 }
 
@@ -53,114 +68,152 @@ impl Neg for Octet {
     type Output = Self;
     #[inline(always)]
     fn neg(self) -> Self {
-        self.both(Neg::neg)
+        self.map(Neg::neg)
     }
 }
 
-/// Implements functions group by group, by the functions of [`Lanes`].
-macro_rules! group_by_group {
+/// Implements functions number by number, by the functions of `f64`.
+macro_rules! one_by_one {
     ($($function:ident)*) => { $(
         #[inline(always)]
         fn $function(self) -> Self {
-            self.both(Scalar::$function)
+            self.map(Scalar::$function)
         }
     )* };
 }
 
 impl Scalar for Octet {
-    group_by_group!(tan asin acos atan sqrt exp ln abs signum);
+    one_by_one!(sqrt exp ln abs signum);
+
+    #[inline(always)]
+    fn dispatch<R>(work: impl FnOnce() -> R) -> R {
+        trig::by_processor(work)
+    }
 
     #[inline(always)]
     fn from_f64(value: f64) -> Self {
-        Self([value.into(); 2])
+        Self([value; Self::WIDTH])
     }
 
     #[inline(always)]
     fn sin_cos(self) -> (Self, Self) {
-        let [a, b] = Lanes::sin_cos_all(self.0);
-        (Self([a.0, b.0]), Self([a.1, b.1]))
+        let [pair] = Self::sin_cos_all([self]);
+        pair
     }
 
-    // Index loops, here and below, because `map` would move vectors through memory.
     #[inline(always)]
     fn sin_cos_all<const N: usize>(angles: [Self; N]) -> [(Self, Self); N] {
+        let mut x = [[0.0; Self::WIDTH]; N];
+        for k in 0..N {
+            x[k] = angles[k].0;
+        }
+        let (sin, cos) = trig::sin_cos_eights(&x);
         let mut out = [(Self::default(), Self::default()); N];
         for k in 0..N {
-            out[k] = angles[k].sin_cos();
+            out[k] = (Self(sin[k]), Self(cos[k]));
         }
         out
     }
 
     #[inline(always)]
-    fn atan2_all<const N: usize>(vectors: [(Self, Self); N]) -> [Self; N] {
-        let mut out = [Self::default(); N];
-        for k in 0..N {
-            out[k] = vectors[k].0.atan2(vectors[k].1);
-        }
-        out
+    fn tan(self) -> Self {
+        let (sin, cos) = self.sin_cos();
+        sin / cos
+    }
+
+    #[inline(always)]
+    fn asin(self) -> Self {
+        self.atan2(complement(self))
+    }
+
+    #[inline(always)]
+    fn acos(self) -> Self {
+        complement(self).atan2(self)
+    }
+
+    #[inline(always)]
+    fn atan(self) -> Self {
+        self.atan2(Self::from_f64(1.0))
     }
 
     #[inline(always)]
     fn atan2(self, x: Self) -> Self {
-        let ([a, b], [c, d]) = (self.0, x.0);
-        let [a, b] = arctangent::atan2_of_two([a.0, b.0], [c.0, d.0]);
-        Self([Lanes(a), Lanes(b)])
+        let [angle] = Self::atan2_all([(self, x)]);
+        angle
+    }
+
+    #[inline(always)]
+    fn atan2_all<const N: usize>(vectors: [(Self, Self); N]) -> [Self; N] {
+        let [mut y, mut x] = [[[0.0; Self::WIDTH]; N]; 2];
+        for k in 0..N {
+            (y[k], x[k]) = (vectors[k].0.0, vectors[k].1.0);
+        }
+        let angles = trig::atan2_eights(&y, &x);
+        let mut out = [Self::default(); N];
+        for k in 0..N {
+            out[k] = Self(angles[k]);
+        }
+        out
     }
 
     #[inline(always)]
     fn nearest(self, reference: Self) -> Self {
-        self.pairs(reference, Scalar::nearest)
+        // Adding and subtracting 1.5·2⁵² rounds to an integer.
+        let round = Self::from_f64(1.5 / f64::EPSILON);
+        let turns = ((reference - self) * Self::from_f64(1.0 / TAU) + round) - round;
+        self + turns * Self::from_f64(TAU)
     }
 
     #[inline(always)]
     fn is_within(self, bound: f64) -> bool {
-        self.0[0].is_within(bound) & self.0[1].is_within(bound)
+        // The loop has no early exit, so that it vectorises.
+        self.0.iter().fold(true, |all, x| all & (x.abs() <= bound))
     }
 
     #[inline(always)]
     fn powi(self, n: i32) -> Self {
-        self.both(|x| x.powi(n))
+        power(self, n)
     }
 
     #[inline]
     fn powf(self, n: f64) -> Self {
-        self.both(|x| x.powf(n))
+        self.map(|x| Scalar::powf(x, n))
     }
 
     #[inline]
     fn lift(self, f: impl Fn(f64) -> [f64; 3]) -> [Self; 3] {
-        let [a, b] = self.0.map(|x| x.lift(&f));
-        core::array::from_fn(|order| Self([a[order], b[order]]))
+        let lifted = self.0.map(f);
+        core::array::from_fn(|order| Self(lifted.map(|derivatives| derivatives[order])))
     }
 }
 
 impl Pack for Octet {
-    const COUNT: usize = Self::GROUPS * Lanes::COUNT;
-    type Each<X: Copy> = [X; Self::GROUPS * Lanes::COUNT];
-    const ALL: [bool; Self::GROUPS * Lanes::COUNT] = [true; Self::GROUPS * Lanes::COUNT];
+    const COUNT: usize = Self::WIDTH;
+    type Each<X: Copy> = [X; Self::WIDTH];
+    const ALL: [bool; Self::WIDTH] = [true; Self::WIDTH];
 
     #[inline(always)]
-    fn each<X: Copy>(of: impl FnMut(usize) -> X) -> [X; Self::GROUPS * Lanes::COUNT] {
+    fn each<X: Copy>(of: impl FnMut(usize) -> X) -> [X; Self::WIDTH] {
         core::array::from_fn(of)
     }
 
     #[inline(always)]
     fn read(numbers: &[f64], mut put: impl FnMut(usize, Self)) -> &[f64] {
         let (blocks, rest) = numbers.as_chunks();
-        for (k, &[a, b, c, d, e, f, g, h]) in blocks.iter().enumerate() {
-            put(k, Self([Lanes::new([a, b, c, d]), Lanes::new([e, f, g, h])]));
+        for (k, block) in blocks.iter().enumerate() {
+            put(k, Self(*block));
         }
         rest
     }
 
     #[inline(always)]
     fn lane(&self, lane: usize) -> f64 {
-        self.0[lane / Lanes::COUNT].lane(lane % Lanes::COUNT)
+        self.0[lane]
     }
 
     #[inline(always)]
     fn set(&mut self, lane: usize, value: f64) {
-        self.0[lane / Lanes::COUNT].set(lane % Lanes::COUNT, value);
+        self.0[lane] = value;
     }
 }
 
@@ -177,6 +230,6 @@ impl Compare for Octet {
 
     #[inline(always)]
     fn direction(self) -> Self {
-        self.both(Compare::direction)
+        self.map(Compare::direction)
     }
 }

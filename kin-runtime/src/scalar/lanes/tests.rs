@@ -205,7 +205,7 @@ fn supplied_functions_see_one_number_at_a_time() {
 }
 
 #[test]
-fn octets_are_two_groups_of_lanes() {
+fn octets_agree_with_lanes() {
     let mut random = Random::new(13);
     let mut special = SPECIAL.into_iter().cycle();
     let mut drawn = |is_special: bool| -> [f64; 8] {
@@ -224,7 +224,9 @@ fn octets_are_two_groups_of_lanes() {
                 let (f, g): (fn(Octet, Octet) -> Octet, fn(Lanes, Lanes) -> Lanes) = ($f, $g);
                 let (found, [a, b], [c, d]) = (f(octet(x), octet(y)), halves(x), halves(y));
                 let expected = [g(a, c), g(b, d)];
-                for lane in 0..8 {
+                // Where one of two numbers is NaN, either may be the smaller one.
+                let unclear = |lane: usize| $what == "least" && (x[lane].is_nan() || y[lane].is_nan());
+                for lane in (0..8).filter(|lane| !unclear(*lane)) {
                     let (found, expected) = (found.lane(lane), expected[lane / 4].lane(lane % 4));
                     assert!(ulps(found, expected) <= $most, "{} of {x:?} and {y:?}: {found} for {expected}", $what);
                 }
@@ -232,13 +234,13 @@ fn octets_are_two_groups_of_lanes() {
         };
         ($($what:literal $most:literal $f:expr);*) => { $(same!($what, $most, $f, $f);)* };
     }
-    // Where the instruction set is chosen at run time, two groups may use another one than a single group.
+    // Where the instruction set is chosen at run time, octets may use another one than lanes.
     same!(
         "sum" 0 |x, y| x + y; "difference" 0 |x, y| x - y; "product" 0 |x, y| x * y; "quotient" 0 |x, y| x / y;
         "opposite" 0 |x, _| -x; "sine" 1 |x, _| x.sin_cos().0; "cosine" 1 |x, _| x.sin_cos().1;
-        "sine of several" 1 |x, y| Scalar::sin_cos_all([y, x])[1].0; "angle" 0 |x, y| x.atan2(y);
-        "angle of several" 0 |x, y| Scalar::atan2_all([(y, x), (x, y), (x, x)])[1]; "nearest" 0 |x, y| x.nearest(y);
-        "tan" 0 |x, _| x.tan(); "asin" 0 |x, _| x.asin(); "acos" 0 |x, _| x.acos(); "atan" 0 |x, _| x.atan();
+        "sine of several" 1 |x, y| Scalar::sin_cos_all([y, x])[1].0; "angle" 2 |x, y| x.atan2(y);
+        "angle of several" 2 |x, y| Scalar::atan2_all([(y, x), (x, y), (x, x)])[1]; "nearest" 0 |x, y| x.nearest(y);
+        "tan" 3 |x, _| x.tan(); "asin" 2 |x, _| x.asin(); "acos" 2 |x, _| x.acos(); "atan" 2 |x, _| x.atan();
         "sqrt" 0 |x, _| x.sqrt(); "exp" 0 |x, _| x.exp(); "ln" 0 |x, _| x.ln(); "abs" 0 |x, _| x.abs();
         "signum" 0 |x, _| x.signum(); "powi" 0 |x, _| x.powi(-3); "powf" 0 |x, _| x.powf(1.5);
         "lift" 0 |x, _| x.lift(|x| [x, x * x, 2.0 * x])[1]; "least" 0 |x, y| x.least(y); "direction" 0 |x, _| x.direction()

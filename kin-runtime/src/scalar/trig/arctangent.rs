@@ -40,7 +40,7 @@ const LONG: f64 = f64::MAX / 8.0;
 
 /// atan2(y, x) of the lanes, in [−π, π], and whether a vector was too long for the result to be valid.
 #[inline(always)]
-fn angle<V: Compared>(y: V, x: V) -> (V, bool) {
+pub(super) fn angle<V: Compared>(y: V, x: V) -> (V, bool) {
     let k = V::splat;
     let (across, up) = (x.magnitude(), y.magnitude());
     let steep = up.above(across);
@@ -140,14 +140,19 @@ fn one_by_one<const N: usize>(vectors: [(f64, f64); N]) -> [f64; N] {
 }
 
 /// Computes the angles of long and infinite vectors by the standard library; the other lanes keep their angles.
+fn of_long(y: f64x4, x: f64x4, angle: f64x4) -> f64x4 {
+    let mut angles = angle.to_array();
+    beyond(&y.to_array(), &x.to_array(), &mut angles);
+    f64x4::new(angles)
+}
+
+/// Computes the angles of long and infinite vectors by the standard library; the others keep their angles.
 #[cold]
 #[inline(never)]
-fn of_long(y: f64x4, x: f64x4, angle: f64x4) -> f64x4 {
-    let (y, x, mut angle) = (y.to_array(), x.to_array(), angle.to_array());
-    for lane in 0..angle.len() {
-        if y[lane].abs() > LONG || x[lane].abs() > LONG {
-            angle[lane] = standard::atan2(y[lane], x[lane]);
+pub(super) fn beyond(y: &[f64], x: &[f64], angles: &mut [f64]) {
+    for ((y, x), angle) in y.iter().zip(x).zip(angles) {
+        if y.abs() > LONG || x.abs() > LONG {
+            *angle = standard::atan2(*y, *x);
         }
     }
-    f64x4::new(angle)
 }

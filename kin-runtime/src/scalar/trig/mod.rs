@@ -1,17 +1,21 @@
 //! Sines and cosines of several angles at once in SIMD lanes, and the angles of several vectors.
 //!
 //! [`cody_waite`] contains the arithmetic for angles up to [`RANGE`]; larger angles are computed by the standard
-//! library. With the feature `dispatch`, and unless the build has AVX2 anyway, several vectors of lanes, and more than
-//! two angles in `f64`, use the instruction set that `dispatched` finds at run time. For fewer angles the function call
-//! would cost more than it saves.
+//! library. With the feature `dispatch`, and unless the build has AVX2 anyway, several vectors of lanes, blocks of eight
+//! numbers ([`eights`]), and more than two angles in `f64`, use the instruction set that `dispatched` finds at run time.
+//! For fewer angles the function call would cost more than it saves.
 
 pub(crate) mod arctangent;
 mod cody_waite;
 #[cfg(all(feature = "dispatch", target_arch = "x86_64"))]
 mod dispatched;
+#[cfg(feature = "alloc")]
+mod eights;
 mod vector;
 
 pub(crate) use arctangent::atan2_all;
+#[cfg(feature = "alloc")]
+pub(crate) use eights::{atan2_eights, by_processor, sin_cos_eights};
 
 use crate::scalar::standard;
 use cody_waite::{RANGE, sin_cos};
@@ -27,8 +31,9 @@ pub(crate) fn sin_cos_lanes<const N: usize>(x: [f64x4; N]) -> [(f64x4, f64x4); N
     let (mut out, far) = of_this_build(&x);
     if far {
         for k in 0..N {
-            let (s, c) = beyond(x[k].to_array(), out[k].0.to_array(), out[k].1.to_array());
-            out[k] = (f64x4::new(s), f64x4::new(c));
+            let (mut sin, mut cos) = (out[k].0.to_array(), out[k].1.to_array());
+            beyond(&x[k].to_array(), &mut sin, &mut cos);
+            out[k] = (f64x4::new(sin), f64x4::new(cos));
         }
     }
     out
@@ -68,14 +73,15 @@ fn of_this_processor<const N: usize>(x: &[f64x4; N]) -> ([(f64x4, f64x4); N], bo
     (core::array::from_fn(|k| (f64x4::new(sin[k]), f64x4::new(cos[k]))), far)
 }
 
-/// Computes the lanes beyond the range by the standard library; the other lanes keep their results.
+/// Computes the angles beyond the range by the standard library; the others keep their results.
 #[cold]
 #[inline(never)]
-fn beyond(x: [f64; 4], mut sin: [f64; 4], mut cos: [f64; 4]) -> ([f64; 4], [f64; 4]) {
-    for (lane, x) in x.into_iter().enumerate().filter(|(_, x)| x.abs() > RANGE) {
-        (sin[lane], cos[lane]) = standard::sin_cos(x);
+fn beyond(x: &[f64], sin: &mut [f64], cos: &mut [f64]) {
+    for ((x, sin), cos) in x.iter().zip(sin).zip(cos) {
+        if x.abs() > RANGE {
+            (*sin, *cos) = standard::sin_cos(*x);
+        }
     }
-    (sin, cos)
 }
 
 /// Sine and cosine of one angle.
@@ -301,7 +307,7 @@ mod tests {
         let mut all = vec![sin_cos_lanes(x), of_this_build(&x).0];
         #[cfg(all(feature = "dispatch", target_arch = "x86_64"))]
         {
-            let ways = [dispatched::best::<2>, dispatched::each::<true, 2>, dispatched::each::<false, 2>];
+            let ways = [dispatched::best::<4, 2>, dispatched::each::<true, 4, 2>, dispatched::each::<false, 4, 2>];
             all.push(of_this_processor(&x).0);
             all.extend(ways.map(|way| {
                 let [mut sin, mut cos] = [[[0.0; 4]; 2]; 2];
