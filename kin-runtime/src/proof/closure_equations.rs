@@ -1,18 +1,25 @@
 //! The equations that are left when everything that follows by sums and single rows is taken out of a mechanism.
 
+use super::eliminated::{self, EliminatedAngle};
 use super::enclosures::Enclosures;
 use super::krawczyk::Square;
 use super::reduced::Reduced;
 use crate::certificate::Uncertified;
 use crate::scalar::Interval;
 use crate::workspace::Subset;
+use core::f64::consts::FRAC_PI_2;
 
 const ZERO: Interval = Interval::new(0.0, 0.0);
+/// Derivatives are constant if their bounds are this close, relative to their size.
+const CONSTANT: f64 = 1e-12;
+/// Angles at which derivatives are compared.
+const ANGLES: [f64; 5] = [0.7, 1.9, 2.6, 4.1, 5.3];
 
 /// f(u, t) = 0: the closure equations f of the coordinates u that no single row determines.
 ///
 /// [`Reduced`] takes out the x and y of bodies. Of the coordinates that remain, *known* ones follow one after another from
-/// equations with constant factors: driven angles, and angles that gears couple with them.
+/// equations with constant factors: driven angles, and angles that gears couple with them. Angles of pinned bodies that occur
+/// in one loop only are [eliminated](EliminatedAngle).
 pub(super) struct ClosureEquations<'s> {
     square: &'s Square,
     system: &'s mut dyn Enclosures,
@@ -22,9 +29,11 @@ pub(super) struct ClosureEquations<'s> {
     determined: Vec<(usize, usize, Vec<Interval>)>,
     /// The intervals of known coordinates, and those of their rates.
     known: Vec<Option<Interval>>,
+    /// Eliminated angles, each with the middle of its interval.
+    eliminated: Vec<(EliminatedAngle, f64)>,
     /// The indices of u among the remaining coordinates.
     unknown: Vec<usize>,
-    /// The equations f among those of [`Reduced`].
+    /// The equations f among those of [`Reduced`]; the ones of eliminated angles come after them.
     rows: Vec<usize>,
 }
 
@@ -37,6 +46,15 @@ pub(super) struct Closure {
     pub(super) f_t: Vec<Interval>,
     /// Whether an equation, those of known coordinates included, has no zero.
     pub(super) excluded: bool,
+    /// g of every eliminated angle, and its derivatives.
+    vectors: Vec<Vector>,
+}
+
+/// g of an eliminated angle, its derivatives by u, and the one by t; 0 unless asked for.
+struct Vector {
+    g: [Interval; 2],
+    by_u: Vec<[Interval; 2]>,
+    by_t: [Interval; 2],
 }
 
 impl<'s> ClosureEquations<'s> {
@@ -45,16 +63,17 @@ impl<'s> ClosureEquations<'s> {
         let reduced = Reduced::new(square);
         let m = reduced.left.len();
         let (known, unknown, rows) = (vec![None; m], (0..m).collect(), (0..m).collect());
-        let mut equations = Self { square, system, reduced, determined: Vec::new(), known, unknown, rows };
+        let (determined, eliminated) = (Vec::new(), Vec::new());
+        let mut equations = Self { square, system, reduced, determined, known, eliminated, unknown, rows };
         equations.determine(region);
+        equations.eliminate(region);
         equations
     }
 
     /// Finds the known coordinates.
     fn determine(&mut self, region: &[Interval]) {
         let m = self.reduced.left.len();
-        // Over a very large region, only constant factors are single numbers.
-        let everywhere: Vec<Interval> = region.iter().map(|x| x.hull(Interval::new(-1e6, 1e6))).collect();
+        let everywhere = everywhere(region);
         let Ok(Values { phi_q: mut jacobian, .. }) = self.evaluate(&everywhere, Subset::JACOBIAN) else { return };
         let number = |entry: &Interval| entry.lower() == entry.upper();
         let mut is_known = vec![false; m];
@@ -73,6 +92,54 @@ impl<'s> ClosureEquations<'s> {
         }
         self.unknown.retain(|&k| !is_known[k]);
         self.follow();
+    }
+
+    /// Eliminates angles that occur in two equations only.
+    fn eliminate(&mut self, region: &[Interval]) {
+        for k in self.unknown.clone() {
+            let column = self.reduced.left[k];
+            let own = self.rows.iter().copied().filter(|&i| self.reduced.depends(i, k)).collect::<Vec<_>>();
+            let &[a, b] = own.as_slice() else { continue };
+            if !self.square.is_pinned_angle(column) || self.unknown.len() == 1 {
+                continue;
+            }
+            let Some(found) = self.eliminated_angle(k, [a, b], region) else { continue };
+            self.eliminated.push((found, region[column].midpoint()));
+            self.unknown.retain(|&unknown| unknown != k);
+            self.rows.retain(|row| ![a, b].contains(row));
+        }
+    }
+
+    /// The angle with these two equations, if their derivatives by it are those of M (cos φ, sin φ) wherever the other
+    /// coordinates are.
+    fn eliminated_angle(&mut self, k: usize, rows: [usize; 2], region: &[Interval]) -> Option<EliminatedAngle> {
+        let column = self.reduced.left[k];
+        let everywhere = everywhere(region);
+        let mut derivatives = |angle: Interval| {
+            let mut q =
+                self.coordinates(&self.unknown.iter().map(|&k| everywhere[self.reduced.left[k]]).collect::<Vec<_>>());
+            q[column] = angle;
+            let jacobian = self.evaluate(&q, Subset::JACOBIAN).ok()?.phi_q;
+            Some(rows.map(|i| jacobian[i][k]))
+        };
+        let quarter = Interval::new(FRAC_PI_2, FRAC_PI_2.next_up());
+        let (at_zero, at_quarter) = (derivatives(ZERO)?, derivatives(quarter)?);
+        let size = at_zero.iter().chain(&at_quarter).fold(0.0, |most: f64, x| most.max(x.magnitude()));
+        let is_narrow = |x: &Interval| x.radius() <= CONSTANT * size;
+        let found = EliminatedAngle::new(k, rows, at_zero, at_quarter)?;
+        // Points of a pin do not depend on the angle of their body, unless somebody writes it.
+        let is_same = ANGLES.into_iter().all(|angle| {
+            let angle = Interval::from(angle);
+            let own = found.derivatives(angle);
+            derivatives(angle)
+                .is_some_and(|all| all.iter().zip(own).all(|(x, own)| is_narrow(x) && x.intersection(own).is_some()))
+        });
+        (is_same && at_zero.iter().chain(&at_quarter).all(is_narrow)).then_some(found)
+    }
+
+    /// The vectors g of eliminated angles, given the values of all equations.
+    fn vectors(&self, values: &[Interval]) -> Vec<[Interval; 2]> {
+        self.eliminated.iter().map(|(angle, _)| angle.vector(angle.rows.map(|i| values[i]))).collect()
     }
 
     /// Sets the instant, by its t, and computes the known coordinates there.
@@ -113,12 +180,25 @@ impl<'s> ClosureEquations<'s> {
         let Values { phi: values, phi_q: jacobian, phi_t } =
             self.evaluate(&q, Subset { phi_t: with_time, ..Subset::POSITION })?;
         let rates = if with_time { self.rates(&phi_t) } else { Vec::new() };
-        let f_t = self.rows.iter().filter(|_| with_time).map(|&i| self.with_known(phi_t[i], &jacobian[i], &rates));
-        let f_t = f_t.collect();
-        let excluded = values.iter().any(|value| value.is_defined() && !value.contains(0.0));
-        let f = self.rows.iter().map(|&i| values[i]).collect();
-        let f_u = self.rows.iter().map(|&i| self.unknown.iter().map(|&k| jacobian[i][k]).collect()).collect();
-        Ok(Closure { f, f_u, f_t, excluded })
+        let by_t = |i: usize| self.with_known(phi_t[i], &jacobian[i], &rates);
+        let vector = |((angle, _), g): (&(EliminatedAngle, f64), [Interval; 2])| Vector {
+            g,
+            by_u: self.unknown.iter().map(|&k| angle.change(angle.rows.map(|i| jacobian[i][k]))).collect(),
+            by_t: if with_time { angle.change(angle.rows.map(by_t)) } else { [ZERO; 2] },
+        };
+        let vectors: Vec<Vector> = self.eliminated.iter().zip(self.vectors(&values)).map(vector).collect();
+        let mut f: Vec<Interval> = self.rows.iter().map(|&i| values[i]).collect();
+        let mut f_u: Vec<Vec<Interval>> =
+            self.rows.iter().map(|&i| self.unknown.iter().map(|&k| jacobian[i][k]).collect()).collect();
+        let mut f_t: Vec<Interval> = self.rows.iter().filter(|_| with_time).map(|&i| by_t(i)).collect();
+        for Vector { g, by_u, by_t } in &vectors {
+            f.push(eliminated::closure(*g));
+            f_u.push(by_u.iter().map(|&dg| eliminated::derivative(*g, dg)).collect());
+            f_t.extend(with_time.then(|| eliminated::derivative(*g, *by_t)));
+        }
+        let known = self.determined.iter().map(|(_, row, _)| values[*row]);
+        let excluded = known.chain(f.iter().copied()).any(|value| value.is_defined() && !value.contains(0.0));
+        Ok(Closure { f, f_u, f_t, excluded, vectors })
     }
 
     /// Whether the equations are the same after a whole turn of each number of u: not those of lengths, and not those of
@@ -145,7 +225,8 @@ impl<'s> ClosureEquations<'s> {
     pub(super) fn values(&mut self, u: &[Interval]) -> Result<Vec<Interval>, Uncertified> {
         let q = self.coordinates(u);
         let phi = self.evaluate(&q, Subset::PHI)?.phi;
-        Ok(self.rows.iter().map(|&i| phi[i]).collect())
+        let angles = self.vectors(&phi).into_iter().map(eliminated::closure);
+        Ok(self.rows.iter().map(|&i| phi[i]).chain(angles).collect())
     }
 
     /// The rates of known coordinates, given the derivatives of the equations by t.
@@ -168,11 +249,12 @@ impl<'s> ClosureEquations<'s> {
         Ok(of_all)
     }
 
-    /// −(f_uu w w + 2 f_ut w + f_tt), along rates w of u and `rates` of the known coordinates: γ of the mechanism.
+    /// −(f_uu w w + 2 f_ut w + f_tt), along rates w of u and `rates` of the known coordinates: γ of the mechanism. `closure`
+    /// is that of the box, by t as well.
     pub(super) fn gamma(
         &mut self,
-        u: &[Interval],
-        rates: &[Interval],
+        closure: &Closure,
+        (u, rates): (&[Interval], &[Interval]),
         w: &[Interval],
     ) -> Result<Vec<Interval>, Uncertified> {
         let q = self.coordinates(u);
@@ -181,13 +263,25 @@ impl<'s> ClosureEquations<'s> {
             q_dot[self.reduced.left[k]] = w;
         }
         let evaluated = self.system.evaluate(Subset::GAMMA, &q, &q_dot).map_err(|_| Uncertified::Malformed)?;
-        let values = self.reduced.values(&self.square.kept(evaluated.gamma)?);
-        Ok(self.rows.iter().map(|&i| values[i]).collect())
+        let gamma = self.reduced.values(&self.square.kept(evaluated.gamma)?);
+        let mut of_all: Vec<Interval> = self.rows.iter().map(|&i| gamma[i]).collect();
+        for ((angle, _), Vector { g, by_u, by_t }) in self.eliminated.iter().zip(&closure.vectors) {
+            let along = |i: usize| by_u.iter().zip(w).fold(by_t[i], |sum, (by, &w)| sum + by[i] * w);
+            let second = angle.change(angle.rows.map(|i| -gamma[i]));
+            of_all.push(-eliminated::second_derivative(*g, [along(0), along(1)], second));
+        }
+        Ok(of_all)
     }
 
     /// All coordinates over a box, the eliminated ones included.
     pub(super) fn complete(&mut self, u: &[Interval]) -> Option<Vec<Interval>> {
         let mut q = self.coordinates(u);
+        if !self.eliminated.is_empty() {
+            let phi = self.evaluate(&q, Subset::PHI).ok()?.phi;
+            for ((angle, near), g) in self.eliminated.iter().zip(self.vectors(&phi)) {
+                q[self.reduced.left[angle.angle]] = EliminatedAngle::direction(g, *near);
+            }
+        }
         let still = vec![ZERO; q.len()];
         let evaluated = self.system.evaluate(Subset::PHI, &q, &still).ok()?;
         let rows = self.square.phi(evaluated.phi, &q).ok()?;
@@ -224,6 +318,11 @@ impl<'s> ClosureEquations<'s> {
         }
         Ok(values)
     }
+}
+
+/// A very large region, over which only constants are single numbers.
+fn everywhere(region: &[Interval]) -> Vec<Interval> {
+    region.iter().map(|x| x.hull(Interval::new(-1e6, 1e6))).collect()
 }
 
 /// The equations of [`Reduced`], and their derivatives by all remaining coordinates and by t.

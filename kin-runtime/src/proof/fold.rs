@@ -59,7 +59,8 @@ fn bordered(equations: &mut ClosureEquations<'_>, y: &[Interval], one: usize) ->
     let rates = equations.known_rates(u)?;
     // −¼ (γ(w) − γ(w′)).
     let mut mixed = |w: &[Interval], other: &[Interval]| -> Result<Vec<Interval>, Uncertified> {
-        let (a, b) = (equations.gamma(u, &rates, w)?, equations.gamma(u, &rates, other)?);
+        let mut gamma = |w: &[Interval]| equations.gamma(&closure, (u, &rates), w);
+        let (a, b) = (gamma(w)?, gamma(other)?);
         Ok(a.into_iter().zip(b).map(|(a, b)| QUARTER * (b - a)).collect())
     };
     let negative = |w: &[Interval]| w.iter().map(|&w| -w).collect::<Vec<_>>();

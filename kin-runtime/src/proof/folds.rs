@@ -17,7 +17,7 @@ use crate::scalar::Interval;
 const MOST: usize = 200_000;
 const UNDECIDED: usize = 200;
 /// In boxes narrower than this a fold is looked for, and boxes narrower than this are not divided any further.
-const NARROW: f64 = 0.1;
+const NARROW: f64 = 0.003;
 const NARROWEST: f64 = 1e-8;
 /// How far from the middle of a box its fold may be found, relative to its width.
 const REACH: f64 = 4.0;

@@ -4,7 +4,7 @@ use super::contraction::Preconditioner;
 use super::enclosures::Enclosures;
 use super::located::Trial;
 use crate::certificate::{Certificate, Uncertified};
-use crate::model::{Component, CoordinateKind, Level, Model};
+use crate::model::{Component, CoordinateKind, JointKind, Level, Model};
 use crate::scalar::Interval;
 use crate::workspace::{Signal, Subset};
 
@@ -86,6 +86,18 @@ impl Square {
         let constants = self.model.constraint_pattern.constants;
         let value = |k: usize| constants.iter().find(|(place, _)| *place == k).map(|(_, value)| *value);
         self.sources.iter().map(move |source| source.map_or(Some(1.0), value))
+    }
+
+    /// True for the angle of a body in whose rows there are only pins.
+    pub(super) fn is_pinned_angle(&self, column: usize) -> bool {
+        let of = |source: &Option<usize>| {
+            let row = self.model.rows.get(self.model.constraint_pattern.entries[(*source)?].0)?;
+            Some(self.model.joints.get(row.joint)?.kind == JointKind::Revolute)
+        };
+        let mut rows = self.entries.iter().zip(&self.sources).filter(|((_, of), _)| *of == column);
+        let kind = self.model.coordinates[column].kind;
+        matches!(kind, CoordinateKind::Pose { component: Component::Phi, .. })
+            && rows.all(|(_, source)| of(source) == Some(true))
     }
 
     /// Φ, prescribed coordinates included.

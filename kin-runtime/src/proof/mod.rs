@@ -16,6 +16,7 @@
 
 mod closure_equations;
 mod contraction;
+mod eliminated;
 mod enclosures;
 mod fold;
 mod folds;

@@ -74,6 +74,11 @@ impl Reduced {
         Self { equations, taken, left, derivatives }
     }
 
+    /// Whether an equation has a derivative by a remaining coordinate, given by its index among them.
+    pub(super) fn depends(&self, equation: usize, coordinate: usize) -> bool {
+        !self.derivatives[equation][coordinate].is_empty()
+    }
+
     /// The reduced equations' values, given those of the rows.
     pub(super) fn values(&self, rows: &[Interval]) -> Vec<Interval> {
         self.equations.iter().map(|sum| total(sum, rows)).collect()
