@@ -108,7 +108,7 @@ pub(super) fn run(args: &AnimateArgs, engine: &mut dyn Engine, session: &mut Ses
     let most = if one { 0 } else { (closures::MOST - 1).min(room) };
     watch.begin("instants", (1 + most) * instants.len());
     let walk = args.motion.walk(engine, (&asked, &setup, &instants), &measures, &watch);
-    let walk = Walk { reported: true, ..walk };
+    let walk = Walk { reported: true, tells_missing: args.forces, ..walk };
     let moved = walk.kept()?;
     note_motion(session, &moved);
     let Moved { trajectory, motions, columns, mut ended, left, .. } = moved;

@@ -5,7 +5,7 @@ use serde::Serialize;
 use super::engine::{Engine, Miss, Setup};
 use super::examples::{Help, Names};
 use super::failure::{Failure, Ledger};
-use super::forces::pulls;
+use super::force_notes::pulls;
 use super::options::{FreedomArgs, SetupArgs};
 use super::output::{Form, OutputArgs};
 use super::session::Session;
@@ -54,8 +54,14 @@ pub(super) struct Findings {
     /// None if the mechanism could not be solved, or inputs have no value.
     closure: Option<Closure>,
     /// The relative difference between the power of drivers, loads and dampers and the rate of the total energy; none
-    /// without masses and loads.
+    /// without masses and loads, and where forces do not exist.
     power: Option<f64>,
+    /// Why forces do not exist although there are masses or loads.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    no_forces: Option<String>,
+    /// Whether that is no error: coordinates are open along which loads act.
+    #[serde(skip)]
+    held: bool,
     /// Contacts whose normal force is negative, in words; they are no error of the solution.
     pulling: Vec<String>,
     /// The proof that the solution exists; none if the mechanism could not be solved.
@@ -121,6 +127,9 @@ pub(super) fn run(args: &CheckArgs, engine: &mut dyn Engine, session: &mut Sessi
             format!("{heading}{}\n  {verdict}\n", facts(&findings).render())
         }
     };
+    if let Some(why) = findings.no_forces.as_ref().filter(|_| !findings.held) {
+        session.note(&format!("note: forces are not checked: {why}"));
+    }
     findings.pulling.iter().for_each(|contact| session.note(&format!("note: {contact}")));
     session.deliver(&output, &text)?;
     solved?;
@@ -163,7 +172,11 @@ pub(super) fn find(
     let close = |m: &Option<Miss>| m.is_none_or(|m| m.error <= CLOSURE_TOLERANCE);
     let closed = closure.as_ref().is_none_or(|c| close(&c.velocity) && close(&c.acceleration));
     let planned = plan.as_ref().is_none_or(|plan| plan.max_error <= CLOSURE_TOLERANCE);
-    let forces = state.and_then(|state| engine.forces(&Setup::default(), state, false).ok());
+    let has_loads = engine.model().forces.is_some();
+    let found = state.filter(|_| has_loads).map(|state| engine.forces(setup, state)).transpose();
+    let held = !matches!(found, Err(SolveError::NotHeld { .. }));
+    let no_forces = found.as_ref().err().map(ToString::to_string);
+    let forces = found.ok().flatten();
     let power = forces.as_ref().map(Forces::power_miss);
     let pulling = forces.as_ref().map(|forces| forces.pulling().map(|contact| pulls(contact, forces)).collect());
     let pulling = pulling.unwrap_or_default();
@@ -171,8 +184,10 @@ pub(super) fn find(
     let certificate = state.map(|state| engine.certify(setup, state));
     // A missing certificate is no failure, unless the reason is that the state is not a solution.
     let solution = !matches!(certificate, Some(Err(Uncertified::NotASolution { .. })));
-    let passed = closed && planned && balanced && solution && cross_check.passes(CLOSED_FORM_TOLERANCE);
-    Ok(Findings { t, mechanism: engine.model().name, passed, cross_check, plan, closure, power, pulling, certificate })
+    let loaded = no_forces.is_none() || !held;
+    let passed = closed && planned && balanced && loaded && solution && cross_check.passes(CLOSED_FORM_TOLERANCE);
+    let mechanism = engine.model().name;
+    Ok(Findings { t, mechanism, passed, cross_check, plan, closure, power, no_forces, held, pulling, certificate })
 }
 
 /// The findings, line by line.
@@ -214,6 +229,9 @@ pub(super) fn facts(findings: &Findings) -> Facts {
     if let Some(power) = findings.power {
         facts.add("forces", "", [""]).add("  power balance", magnitude(power), ["of the rate of the energy"]);
     }
+    if findings.no_forces.is_some() {
+        facts.add("forces", "none", ["not checked"]);
+    }
     facts
 }
 
@@ -239,6 +257,9 @@ fn complaint(findings: &Findings) -> String {
     let check = &findings.cross_check;
     if let Some(Err(wrong @ Uncertified::NotASolution { .. })) = &findings.certificate {
         return format!("not certified: {wrong}");
+    }
+    if let Some(why) = findings.no_forces.as_ref().filter(|_| findings.held) {
+        return format!("there are no forces: {why}");
     }
     if let Some(miss) = findings.power.filter(|miss| *miss > CLOSURE_TOLERANCE) {
         return format!(

@@ -40,6 +40,8 @@ pub(super) struct Setup {
     pub(super) modes: Vec<(usize, Sign)>,
     /// Names of inputs that the user gave no value for.
     pub(super) missing_inputs: Vec<&'static str>,
+    /// Whether forces that redundant rows share are those of least norm.
+    pub(super) least_norm: bool,
 }
 
 impl Setup {
@@ -107,8 +109,8 @@ pub(super) trait Engine {
     fn motion(&self, setup: &Setup, state: &State) -> Result<Motion, SolveError>;
     /// The values of quantities at a state.
     fn measure(&self, setup: &Setup, state: &State, measures: &[Measure]) -> Result<Vec<f64>, SolveError>;
-    /// Forces; with `least_norm` also those of joints that share a load redundantly, as the forces of least norm.
-    fn forces(&self, setup: &Setup, state: &State, least_norm: bool) -> Result<Forces, SolveError>;
+    /// Forces; those of joints that share a load redundantly are of least norm if the setup says so.
+    fn forces(&self, setup: &Setup, state: &State) -> Result<Forces, SolveError>;
     /// The forces of gravity, of applied loads and of springs on the bodies.
     fn loads(&self, setup: &Setup, state: &State) -> Result<Vec<Load>, SolveError>;
     /// Gives the next state of a motion that began at `first` to the watch of contact forces.
@@ -169,7 +171,8 @@ impl<M: Mechanism> Bound<M> {
         let start = Solver::new(&self.mechanism);
         let guessed = setup.guesses.iter().fold(start, |solver, &(place, value)| solver.with_guess(place, value));
         let given = setup.given.iter().fold(guessed, |solver, &(place, signal)| solver.with_given(place, signal));
-        setup.modes.iter().fold(given, |solver, &(place, sign)| solver.with_mode(place, sign))
+        let chosen = setup.modes.iter().fold(given, |solver, &(place, sign)| solver.with_mode(place, sign));
+        if setup.least_norm { chosen.with_forces_of_least_norm() } else { chosen }
     }
 }
 
@@ -242,9 +245,8 @@ impl<M: Mechanism + Default> Engine for Bound<M> {
         self.solver(setup).motion(state)
     }
 
-    fn forces(&self, setup: &Setup, state: &State, least_norm: bool) -> Result<Forces, SolveError> {
-        let solver = self.solver(setup);
-        if least_norm { solver.forces_of_least_norm(state) } else { solver.forces(state) }
+    fn forces(&self, setup: &Setup, state: &State) -> Result<Forces, SolveError> {
+        self.solver(setup).forces(state)
     }
 
     fn loads(&self, setup: &Setup, state: &State) -> Result<Vec<Load>, SolveError> {

@@ -1,8 +1,9 @@
 //! `forces`: what drivers supply and joints carry at one instant.
 
-use super::engine::Engine;
+use super::engine::{Engine, Setup};
 use super::examples::{Help, Names};
 use super::failure::{Failure, Ledger};
+use super::force_notes::pulls;
 use super::options::SetupArgs;
 use super::output::{Form, OutputArgs};
 use super::session::Session;
@@ -10,7 +11,6 @@ use super::solved::{analysis, driven_state, note_freedom, note_modes};
 use super::task::{At, AtArgs};
 use crate::analysis::forces::unbounded;
 use crate::error::SolveError;
-use crate::forces::{Forces, Reaction};
 use crate::measure::{column_values, columns};
 use crate::present::forces::text;
 use crate::present::json::to_json;
@@ -48,21 +48,11 @@ A note reports contacts whose normal force is negative; `sweep` finds when they 
 centre forces do not exist; the error names the joints and drivers whose forces grow without bounds.",
 };
 
-/// `contact would have to pull at t = 0.1: normal force -3.2 N; a contact that only presses has lifted off`.
-pub(super) fn pulls(contact: &Reaction, forces: &Forces) -> String {
-    let unit =
-        forces.model.forces.and_then(|info| info.units.force).map_or_else(String::new, |unit| format!(" {unit}"));
-    let normal = contact.normal.map_or_else(String::new, rounded);
-    let (name, t) = (contact.name, rounded(forces.t));
-    format!(
-        "`{name}` would have to pull at t = {t}: normal force {normal}{unit}; a contact that only presses has lifted off"
-    )
-}
-
 pub(super) fn run(args: &ForcesArgs, engine: &mut dyn Engine, session: &mut Session<'_>) -> Result<(), Failure> {
     let mut ledger = Ledger::default();
     let at = args.at.read(&mut ledger, ("forces", &args.output), SetupArgs::apply_complete, engine, session);
     let At { t, setup, output } = ledger.close(at)?;
+    let setup = Setup { least_norm: args.least_norm, ..setup };
     let (state, _) = driven_state(engine, &setup, t, args.least_norm).map_err(|failure| {
         // In a singular configuration without velocities, the error names the joints whose forces grow near it.
         let singular = engine.state(&setup, t).err().filter(|error| matches!(error, SolveError::Singular { .. }));
@@ -70,7 +60,7 @@ pub(super) fn run(args: &ForcesArgs, engine: &mut dyn Engine, session: &mut Sess
     })?;
     note_freedom(session, state.degrees_of_freedom_left);
     note_modes(session, engine, &setup, t);
-    let forces = engine.forces(&setup, &state, args.least_norm).map_err(|error| analysis(engine, &error))?;
+    let forces = engine.forces(&setup, &state).map_err(|error| analysis(engine, &error))?;
     let undetermined = forces.reactions.iter().any(|reaction| !reaction.determined)
         || forces.efforts.iter().any(|effort| !effort.determined);
     if undetermined {

@@ -48,6 +48,7 @@ mod equations;
 mod examples;
 mod extremes;
 mod failure;
+mod force_notes;
 mod forces;
 mod help;
 mod info;

@@ -4,6 +4,7 @@ use std::ops::ControlFlow;
 
 use super::engine::{Arc, Engine, Setup};
 use super::failure::Failure;
+use super::force_notes::{contact, missing_force};
 use super::instants::{Instants, Stop};
 use super::options::FreedomArgs;
 use super::session::Session;
@@ -56,6 +57,8 @@ pub(super) struct Walk<'a> {
     pub(super) freedom: FreedomArgs,
     /// Whether points, defines and joint quantities are computed as well.
     pub(super) reported: bool,
+    /// Whether a note tells why forces among the quantities have no number.
+    pub(super) tells_missing: bool,
     /// The quantities whose values are wanted.
     pub(super) measures: &'a [Measure],
     /// Whether angles among their values are in degrees.
@@ -69,6 +72,8 @@ type Visit<'v> = &'v mut dyn FnMut(&Row<'_>) -> ControlFlow<()>;
 /// A part of a motion, in one direction of time.
 struct Leg {
     trajectory: Trajectory,
+    /// The first force that has no number.
+    missing: Option<String>,
     ended: Option<Failure>,
     limit: Option<String>,
     left: usize,
@@ -131,6 +136,7 @@ impl Walk<'_> {
         }
         let at_its_end = leg.limit.is_some();
         notes.extend(leg.limit.take());
+        notes.extend(before.as_mut().and_then(|first| first.missing.take()).or(leg.missing.take()));
         if let Some(first) = before {
             notes.extend(first.limit);
             leg.ended = first.ended.or(leg.ended);
@@ -221,6 +227,7 @@ impl Walk<'_> {
         let (mut finished, mut last, mut why) = (0, None, None);
         let (mut contacts, touches) =
             (ContactWatch::default(), engine.model().forces.is_some_and(ForceModel::has_contacts));
+        let mut missing = None;
         let mut step = |state: &State| {
             // A sweep may also reach a position at which the drivers leave degrees of freedom open.
             if state.degrees_of_freedom_left > 0 && !self.freedom.least_norm {
@@ -231,6 +238,9 @@ impl Walk<'_> {
             let row = motion.and_then(|motion| Ok((motion, self.values(state)?)));
             let row = row.map_err(|error| why = Some((state.t, Some(analysis(engine, &error)))));
             let Ok((motion, values)) = row else { return ControlFlow::Break(()) };
+            if self.tells_missing && missing.is_none() {
+                missing = missing_force((engine, self.setup), state, self.measures, &values);
+            }
             visit(&Row { state, motion: motion.as_ref(), values: &values })?;
             if touches {
                 // Contacts are not watched where forces do not exist.
@@ -270,7 +280,7 @@ impl Walk<'_> {
             (ended, _) => (ended, None),
         };
         let left = start.degrees_of_freedom_left;
-        Ok(Leg { trajectory, ended, limit, left, contacts: contacts.changes })
+        Ok(Leg { trajectory, missing, ended, limit, left, contacts: contacts.changes })
     }
 
     /// The motion with its states, with the values of the quantities as columns, and with motions if `reported`.
@@ -330,7 +340,7 @@ pub(super) fn note_motion(session: &mut Session<'_>, moved: &Moved) {
     let trajectory = &moved.trajectory;
     moved.notes.iter().for_each(|note| session.note(note));
     note_events(session, trajectory);
-    moved.contacts.iter().for_each(|change| session.note(&format!("event: {change}")));
+    moved.contacts.iter().for_each(|change| session.note(&contact(change)));
     note_unwatched(session, trajectory);
     note_fallbacks(session, trajectory);
 }

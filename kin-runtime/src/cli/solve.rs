@@ -4,12 +4,13 @@ use super::columns::quantities;
 use super::engine::{Engine, Setup};
 use super::examples::{Help, Names};
 use super::failure::{Failure, Ledger};
+use super::force_notes::missing_force;
 use super::options::{AngleArgs, FreedomArgs, SetupArgs};
 use super::output::{Destination, Form, OutputArgs};
 use super::session::Session;
 use super::solved::{Solved, analysis, driven_state, note_freedom, note_modes, note_start, solve};
 use super::task::{At, AtArgs};
-use crate::measure::Measure;
+use crate::measure::{Measure, column_values};
 use crate::model::Model;
 use crate::present::certificate;
 use crate::present::condition;
@@ -60,7 +61,8 @@ pub(super) const HELP: Help = Help {
         ]
     },
     details: "\
-csv has one row: t, then every coordinate, its rate (NAME_dot) and acceleration (NAME_ddot).
+csv has one row: t, then every coordinate, its rate (NAME_dot) and acceleration (NAME_ddot), and
+with --forces the forces.
 WHAT names the quantities of `sweep`. A velocity ratio NAME/DRIVER or NAME/INPUT is a derivative:
 the ratios of a point to all inputs are its Jacobian.
 A certificate is a proof by interval arithmetic: a box with exactly one solution, and an interval
@@ -76,11 +78,12 @@ pub(super) fn run(args: &SolveArgs, engine: &mut dyn Engine, session: &mut Sessi
         None => quantities(engine.model(), &args.what),
     });
     let (At { t, setup, output }, wanted) = ledger.close(at.zip(wanted))?;
+    let setup = Setup { least_norm: args.freedom.least_norm, ..setup };
     if !wanted.is_empty() {
         return named(args, (t, &setup, &wanted), &output, &*engine, session);
     }
     let mut solved = solve(engine, &setup, t, args.freedom.least_norm)?;
-    let forces = args.forces.then(|| engine.forces(&setup, &solved.state, args.freedom.least_norm)).transpose();
+    let forces = args.forces.then(|| engine.forces(&setup, &solved.state)).transpose();
     solved.motion.forces = forces.map_err(|error| analysis(engine, &error))?;
     solved.certificate = args.certify.then(|| engine.certify(&setup, &solved.state));
     let solved = solved.shown(engine.model(), args.angles.degrees);
@@ -91,9 +94,13 @@ pub(super) fn run(args: &SolveArgs, engine: &mut dyn Engine, session: &mut Sessi
     let text = match output.form {
         Form::Json => json(engine, &solved)?,
         Form::Csv => {
-            let columns = Measure::standard(model, false);
-            let values = columns.iter().filter_map(|measure| measure.of_state(&solved.state));
-            csv(columns.iter().map(Measure::name), values)?
+            let mut measures = Measure::standard(model, false);
+            let mut values: Vec<f64> = measures.iter().filter_map(|m| m.of_state(&solved.state)).collect();
+            if let Some(forces) = &solved.motion.forces {
+                measures.extend(Measure::forces(model));
+                column_values(model, Some(forces), &mut values);
+            }
+            csv(measures.iter().map(Measure::name), values.into_iter())?
         }
         _ => format!(
             "{} at t = {}{}\n{}{}",
@@ -122,6 +129,9 @@ fn named(
     let (model, degrees) = (engine.model(), args.angles.degrees);
     let (state, mobility) = driven_state(engine, setup, t, args.freedom.least_norm)?;
     let mut values = engine.measure(setup, &state, wanted).map_err(|error| analysis(engine, &error))?;
+    if let Some(note) = missing_force((engine, setup), &state, wanted, &values) {
+        session.note(&note);
+    }
     if degrees {
         values.iter_mut().zip(wanted).for_each(|(value, measure)| *value *= measure.in_degrees());
     }

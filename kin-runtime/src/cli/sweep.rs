@@ -181,7 +181,11 @@ impl Motions<'_> {
                 }
                 let before = self.rows.get();
                 let walk = self.args.motion.walk(run.engine, (asked, setup, &instants), &self.measures, run.watch);
-                let moved = each(&Walk { stop_at_events: self.args.stop_at_events, ..walk });
+                let moved = each(&Walk {
+                    stop_at_events: self.args.stop_at_events,
+                    tells_missing: !self.args.what.is_empty(),
+                    ..walk
+                });
                 Outcome { rows: self.rows.get() - before, instants: instants.len(), moved }
             }
         };

@@ -84,6 +84,7 @@ impl MotionArgs {
         let output = ledger.take(session.destination(output, command));
         let setup = ledger.take(self.setup.apply_complete(engine));
         let (asked, output, setup) = zip3(asked, output, setup)?;
+        let setup = Setup { least_norm: self.freedom.least_norm, ..setup };
         Some(Task { asked, setup, output })
     }
 
@@ -103,6 +104,7 @@ impl MotionArgs {
             open_end: asked.is_open(),
             freedom: self.freedom,
             reported: false,
+            tells_missing: false,
             measures,
             degrees: self.angles.degrees,
             watch,

@@ -2,7 +2,7 @@
 
 use super::table::Table;
 use super::text::section;
-use crate::forces::{Forces, Reaction, Wrench};
+use crate::forces::{Effort, Forces, Reaction, Wrench};
 
 /// Tables of efforts, reactions, springs, shaking, energies and powers.
 pub(crate) fn text(forces: &Forces) -> String {
@@ -11,14 +11,27 @@ pub(crate) fn text(forces: &Forces) -> String {
     if !units.is_empty() {
         out += &format!("  {units}\n");
     }
-    if !forces.efforts.is_empty() {
-        let efforts = || forces.efforts.iter();
+    // An input that is what one driver drives has that driver's effort.
+    let is_told = |input: &Effort| {
+        let near = |a: f64, b: f64| (a - b).abs() <= 1e-12 * a.abs();
+        let same = |driver: &Effort| Some(near(driver.effort?, input.effort?) && near(driver.rate, input.rate));
+        forces.efforts.iter().any(|driver| same(driver) == Some(true))
+    };
+    let inputs: Vec<&Effort> = forces.inputs.iter().filter(|input| !is_told(input)).collect();
+    for (what, title, efforts) in [
+        ("driver", "Drivers: what they supply", forces.efforts.iter().collect()),
+        ("input", "Inputs: what of it enters with each", inputs),
+    ] {
+        if efforts.is_empty() {
+            continue;
+        }
+        let efforts = || efforts.iter();
         let table = Table::new()
-            .words("driver", efforts().map(|e| e.name))
+            .words(what, efforts().map(|e| e.name))
             .right("effort", efforts().map(|e| known(e.effort)))
             .numbers("rate", efforts().map(|e| e.rate))
             .right("power", efforts().map(|e| known(e.effort.map(|effort| effort * e.rate))));
-        out += &section("Drivers: what they supply", &table);
+        out += &section(title, &table);
     }
     let held = || forces.reactions.iter().filter(|r| r.on.is_some());
     if held().next().is_some() {
@@ -57,16 +70,22 @@ pub(crate) fn text(forces: &Forces) -> String {
             .numbers("generalized force", free.iter().map(|(_, value)| *value));
         out += &section("Free equations", &table);
     }
-    if !forces.springs.is_empty() {
-        let springs = || forces.springs.iter();
+    for (title, turns, [extent, force]) in [
+        ("Springs", false, ["length", "tension"]),
+        ("Torsion springs: torques on their second bodies", true, ["angle", "torque"]),
+    ] {
+        let springs = || forces.springs.iter().filter(|spring| spring.turns == turns);
+        if springs().next().is_none() {
+            continue;
+        }
         let table = Table::new()
             .words("spring", springs().map(|s| s.name))
-            .numbers("length", springs().map(|s| s.length))
+            .numbers(extent, springs().map(|s| s.length))
             .numbers("rate", springs().map(|s| s.rate))
-            .numbers("tension", springs().map(|s| s.force))
+            .numbers(force, springs().map(|s| s.force))
             .numbers("energy", springs().map(|s| s.energy))
             .numbers("damper power", springs().map(|s| s.damper_power));
-        out += &section("Springs", &table);
+        out += &section(title, &table);
     }
     let Wrench { force: [x, y], moment } = forces.shaking;
     let totals = [

@@ -13,10 +13,11 @@ pub struct Wrench {
     pub moment: f64,
 }
 
-/// What a driver supplies.
+/// What a driver or an input supplies.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Effort {
-    /// The driver; `b.x`, `b.y` or `b.phi` for a held coordinate that moves, the coordinate for one that is given.
+    /// The driver or the input; `b.x`, `b.y` or `b.phi` for a held coordinate that moves, the coordinate for one that is
+    /// given.
     pub name: &'static str,
     /// Torque along an angle, force along a length; positive when it does positive work while the driven quantity
     /// grows. None if redundant rows leave it undetermined, unless forces of least norm are asked for.
@@ -134,6 +135,9 @@ pub struct Forces {
     pub model: &'static crate::model::Model,
     /// Drivers.
     pub efforts: Vec<Effort>,
+    /// Inputs u: λᵀ Φ_u and u̇, so that the product is the power that enters with u. Where a driver moves by `2*u`, its
+    /// effort counts twice. They share in the powers of drivers, so that the two do not add up.
+    pub inputs: Vec<Effort>,
     /// Joints.
     pub reactions: Vec<Reaction>,
     /// Springs.
@@ -163,6 +167,24 @@ pub struct Forces {
 }
 
 impl Forces {
+    /// Whether the force of a joint, by its index, has all of its numbers: it is determined, or of least norm.
+    #[cfg(feature = "serde")]
+    pub(crate) fn has_numbers(&self, joint: usize) -> bool {
+        let Some(name) = self.model.joints.get(joint).map(|joint| joint.name) else { return true };
+        let lacks = |found: &Reaction| {
+            let info = self.model.forces.and_then(|forces| forces.reactions.iter().find(|info| info.name == name));
+            info.is_some_and(|info| {
+                info.has_force && found.force.is_none()
+                    || info.has_moment && found.moment.is_none()
+                    || info.has_normal && found.normal.is_none()
+                    || info.couples.len() > found.couples.len()
+                    || info.generalized > found.generalized.len()
+            })
+        };
+        !self.reactions.iter().any(|found| found.name == name && lacks(found))
+            && !self.efforts.iter().any(|effort| effort.name == name && effort.effort.is_none())
+    }
+
     /// The difference between the power of drivers, applied loads and dampers and the rate of the total energy,
     /// relative to the largest of these.
     pub fn power_miss(&self) -> f64 {
@@ -172,9 +194,9 @@ impl Forces {
         if miss == 0.0 { 0.0 } else { miss / largest }
     }
 
-    /// The effort of a driver.
+    /// The effort of a driver, or of an input.
     pub fn effort(&self, driver: &str) -> Option<f64> {
-        self.efforts.iter().find(|effort| effort.name == driver)?.effort
+        self.efforts.iter().chain(&self.inputs).find(|effort| effort.name == driver)?.effort
     }
 
     /// The reaction of a joint.
@@ -260,6 +282,7 @@ impl fmt::Display for SpringForce {
 impl fmt::Display for Forces {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.efforts.iter().try_for_each(|effort| writeln!(f, "driver {effort}"))?;
+        self.inputs.iter().try_for_each(|effort| writeln!(f, "input {effort}"))?;
         self.reactions.iter().try_for_each(|reaction| writeln!(f, "joint {reaction}"))?;
         self.springs.iter().try_for_each(|spring| writeln!(f, "spring {spring}"))?;
         writeln!(f, "shaking: {}", self.shaking)?;

@@ -17,6 +17,8 @@ impl Serialize for Forces {
 struct ForcesRecord<'a> {
     t: f64,
     efforts: Named<EffortRecord>,
+    #[serde(skip_serializing_if = "Named::is_empty")]
+    inputs: Named<EffortRecord>,
     reactions: Named<ReactionRecord<'a>>,
     #[serde(skip_serializing_if = "Named::is_empty")]
     springs: Named<SpringRecord>,
@@ -119,6 +121,7 @@ impl<'a> ForcesRecord<'a> {
         Self {
             t: forces.t,
             efforts: forces.efforts.iter().map(effort).collect(),
+            inputs: forces.inputs.iter().map(effort).collect(),
             reactions: forces.reactions.iter().map(reaction).collect(),
             springs: forces.springs.iter().map(spring).collect(),
             shaking: forces.shaking,
@@ -131,7 +134,14 @@ impl<'a> ForcesRecord<'a> {
                 energy_rate: forces.energy_rate,
             },
             units: forces.model.forces.map(|info| info.units).filter(|units| *units != ForceUnits::default()),
-            multipliers: forces.model.rows.iter().map(|row| row.name).zip(forces.multipliers.iter().copied()).collect(),
+            multipliers: forces
+                .model
+                .rows
+                .iter()
+                .zip(&forces.multipliers)
+                .filter(|(row, _)| forces.has_numbers(row.joint))
+                .map(|(row, multiplier)| (row.name, *multiplier))
+                .collect(),
         }
     }
 }

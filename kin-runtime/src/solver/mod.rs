@@ -61,13 +61,16 @@ pub struct Solver<'m, M: Mechanism> {
     modes: Vec<(String, Option<usize>, Sign)>,
     pub(crate) inputs: InputFunction<'m>,
     observer: Option<Observer<'m>>,
+    /// What to do about forces that redundant rows leave undetermined.
+    sharing: Sharing,
 }
 
 impl<'m, M: Mechanism> Solver<'m, M> {
     /// A solver with default options and the mechanism's own guesses.
     pub fn new(mechanism: &'m M) -> Self {
         let (guesses, given, modes) = (Vec::new(), Vec::new(), Vec::new());
-        Self { mechanism, options: Options::default(), guesses, given, modes, inputs: None, observer: None }
+        let sharing = Sharing::Undetermined;
+        Self { mechanism, options: Options::default(), guesses, given, modes, inputs: None, observer: None, sharing }
     }
 
     /// Assembles the mechanism from the guesses; coordinates without a guess are found.
@@ -184,7 +187,7 @@ impl<'m, M: Mechanism> Solver<'m, M> {
             let mut motion = motion(equations, state)?;
             // Forces are optional: without them the motion is still valid.
             if equations.model.forces.is_some() {
-                motion.forces = analysis::forces::forces(equations, state, Sharing::Undetermined).ok();
+                motion.forces = analysis::forces::forces(equations, state, self.sharing).ok();
             }
             Ok(motion)
         })
@@ -203,7 +206,7 @@ impl<'m, M: Mechanism> Solver<'m, M> {
                 self.analyse(&state.instant(), |equations| {
                     equations.check("q", &state.q)?;
                     equations.scale = Scale::around(equations, &state.q);
-                    values(equations, state, measures)
+                    values(equations, state, measures, self.sharing)
                 })
             },
             Ok,
@@ -218,7 +221,7 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     /// degrees of freedom are left that loads act along, [`UnboundedForces`](SolveError::UnboundedForces) in a singular
     /// configuration; [`NonFinite`](SolveError::NonFinite) and [`Length`](SolveError::Length).
     pub fn forces(&self, state: &State) -> Result<Forces, SolveError> {
-        self.shared_forces(state, Sharing::Undetermined)
+        self.shared_forces(state, self.sharing)
     }
 
     /// As [`forces`](Self::forces), but if redundant rows share a load, with the possible forces of least norm: the

@@ -1,6 +1,7 @@
 //! Settings of a solver: tolerances, guesses, prescribed coordinates, modes, inputs, observer.
 
 use super::Solver;
+use crate::analysis::forces::Sharing;
 use crate::mechanism::Mechanism;
 use crate::observer::Observer;
 use crate::options::Options;
@@ -60,6 +61,14 @@ impl<'m, M: Mechanism> Solver<'m, M> {
         self
     }
 
+    /// Where redundant rows share a load: takes the possible forces of least norm in [`forces`](Self::forces),
+    /// [`motion`](Self::motion) and [`measure`](Self::measure), as [`forces_of_least_norm`](Self::forces_of_least_norm) does.
+    #[must_use]
+    pub fn with_forces_of_least_norm(mut self) -> Self {
+        self.sharing = Sharing::LeastNorm;
+        self
+    }
+
     /// Sets an observer, which gets the progress of sweeps and checks and may end them with the error
     /// [`Stopped`](crate::SolveError::Stopped); a sweep keeps the instants that are finished.
     #[must_use]
@@ -95,6 +104,7 @@ impl<M: Mechanism> Clone for Solver<'_, M> {
             modes: self.modes.clone(),
             inputs: self.inputs,
             observer: self.observer,
+            sharing: self.sharing,
         }
     }
 }

@@ -57,6 +57,20 @@ struct Teeth {
 #[derive(Default)]
 struct Loaded;
 
+/// An arm of two links that nothing drives, whose load has no value where `a` is negative.
+#[mechanism]
+#[bodies(upper, fore)]
+#[revolute(O: ground @ (0, 0), upper @ (0, 0))]
+#[revolute(E: upper @ (0.3, 0), fore @ (0, 0))]
+#[gravity(0, -10)]
+#[mass(upper @ (0.15, 0), mass = 2, inertia = 0.02)]
+#[mass(fore @ (0.1, 0), mass = 1, inertia = 0.01)]
+#[torque(T: fore = sqrt(a))]
+struct Arm {
+    #[param(0)]
+    a: f64,
+}
+
 /// A slider-crank whose slider is driven, which has a dead centre where the links are in line.
 #[mechanism]
 #[bodies(crank, rod, slider)]
@@ -108,6 +122,7 @@ fn main() -> ExitCode {
     let mut args: Vec<OsString> = std::env::args_os().collect();
     let name = if args.len() > 1 { args.remove(1) } else { OsString::new() };
     match name.to_str() {
+        Some("arm") => run_from::<Arm>(args),
         Some("cam") => run_from::<CamTable>(args),
         Some("chain") => run_from::<Chain10>(args),
         Some("wrong_cam") => run_from::<WrongCam>(args),
@@ -127,7 +142,7 @@ fn main() -> ExitCode {
         Some("with_units") => run_from::<WithUnits>(args),
         _ => {
             eprintln!(
-                "error: the first argument is cam, chain, wrong_cam, dead_centre, eccentric, excavator, fourbar, ends, infeasible, leg, limits, loaded, redundant, singular, teeth, underdriven or with_units"
+                "error: the first argument is arm, cam, chain, wrong_cam, dead_centre, eccentric, excavator, fourbar, ends, infeasible, leg, limits, loaded, redundant, singular, teeth, underdriven or with_units"
             );
             ExitCode::from(2)
         }

@@ -28,6 +28,63 @@ fn what_is_not_determined_is_an_empty_cell_and_no_number() {
     assert!(answer["reactions"]["A"]["force"].is_null(), "{answer}");
 }
 
+/// Forces of least norm where they are asked for, by every command; otherwise a note says why there is no number, and
+/// multipliers do not reveal one.
+#[test]
+fn forces_of_least_norm_are_columns_and_arrows_where_asked_for() {
+    let command = "loaded sweep A.force_x drive.effort --to 0.2 --steps 2 --format csv";
+    let ran = kin(command);
+    let why = "note: `A.force_x` has no number at t = 0: redundant rows share the load";
+    assert!(ran.status == Some(0) && ran.err.contains(why), "{}", ran.err);
+    let shared = kin(&format!("{command} --least-norm"));
+    assert!(shared.status == Some(0) && !shared.err.contains("no number"), "{}", shared.err);
+    let of_sweep: Vec<f64> = shared.out.lines().nth(1).unwrap().split(',').map(|x| x.parse().unwrap()).collect();
+    let forces = |options: &str| -> Value {
+        serde_json::from_str(&kin(&format!("loaded forces --format json {options}")).out).unwrap()
+    };
+    let (shown, hidden) = (forces("--least-norm"), forces(""));
+    assert!((shown["reactions"]["A"]["force"][0].as_f64().unwrap() - of_sweep[1]).abs() < 1e-9, "{shown}");
+    assert!(shown["multipliers"]["A.x"].is_number() && hidden["multipliers"]["A.x"].is_null(), "{hidden}");
+    assert!(hidden["multipliers"]["drive"].is_number(), "{hidden}");
+    let arrows = |options: &str| kin(&format!("loaded animate --forces --format svg --to 0.2 --steps 2 {options}"));
+    let (without, with) = (arrows(""), arrows("--least-norm"));
+    assert!(without.err.contains("has no number at t = 0") && with.err.is_empty(), "{}{}", without.err, with.err);
+    assert!(with.out.len() > without.out.len());
+    assert!(!kin("loaded animate --format svg --to 0.2 --steps 2").err.contains("no number"));
+}
+
+/// What holds an arm is a column over given motions, and `check` compares its power, too.
+#[test]
+fn the_effort_of_a_given_coordinate_is_a_quantity() {
+    let given = "--given upper.phi=0:1 --given fore.phi=0";
+    let out = good(&format!("arm sweep upper.phi.effort fore.phi.effort {given} --to 0.5 --steps 1 --format csv"));
+    let last: Vec<f64> = out.lines().last().unwrap().split(',').map(|x| x.parse().unwrap()).collect();
+    // Weights of 20 at 0.15 and of 10 at 0.3 along the upper arm, and that of the forearm at 0.1; the forearm's centripetal
+    // and other accelerations of the elbow act on it along and across.
+    let (s, c) = 0.5_f64.sin_cos();
+    let elbow = [-0.3 * c, -0.3 * s];
+    let expected = [10.0 * (2.0 * 0.15 + 0.3) * c + 0.3 * (c * elbow[1] - s * elbow[0]), 0.1 * (10.0 + elbow[1])];
+    assert!((last[1] - expected[0]).abs() < 1e-9 && (last[2] - expected[1]).abs() < 1e-9, "{out}: {expected:?}");
+    let ran = kin(&format!("arm sweep E.angle upper.phi.effort {given} --to 0.5 --steps 1 --format svg"));
+    assert_ne!(Some(0), ran.status, "{}", ran.out);
+    let ran = kin("arm sweep upper.phi.effort --least-norm --to 0.1 --steps 1");
+    assert!(ran.err.contains("`upper.phi.effort` has no number at t = 0: at t = 0 loads act along"), "{}", ran.err);
+    let ran = kin("fourbar sweep crank.phi.effort");
+    assert!(ran.status == Some(2) && ran.err.contains("no quantity named `crank.phi.effort`"), "{}", ran.err);
+
+    let check = good(&format!("arm check --configurations 2 {given}"));
+    assert!(check.contains("power balance"), "{check}");
+    let open = kin("arm check --configurations 2");
+    assert!(
+        open.status == Some(0) && open.err.contains("note: forces are not checked: at t = 0 loads act along"),
+        "{}",
+        open.err
+    );
+    let ran = kin(&format!("arm check --configurations 2 --set a=-1 {given}"));
+    assert!(ran.status == Some(1) && ran.err.contains("loads[2] (T) is not a finite number"), "{}", ran.err);
+    assert!(ran.out.contains("FAILED"), "{}", ran.out);
+}
+
 /// Where velocities fail already, `forces` says what that means for forces.
 #[test]
 fn a_dead_centre_names_what_bears_forces_without_bounds() {
@@ -70,4 +127,20 @@ fn equations_have_m_and_q() {
     let latex = good("eccentric equations --format latex");
     assert!(latex.contains(r"M \ddot q + \Phi_q^{\mathsf T} \lambda &= Q"), "{latex}");
     assert!(!good("eccentric equations contact").contains("Forces"));
+}
+
+/// Efforts of inputs are told where they are not those of drivers; tables of one instant have the forces that were asked for.
+#[test]
+fn inputs_have_efforts() {
+    let json: Value = serde_json::from_str(&good("dead_centre forces --input place=0.8 --format json")).unwrap();
+    let effort = json["efforts"]["push"]["effort"].as_f64().unwrap();
+    assert!((json["inputs"]["place"]["effort"].as_f64().unwrap() - effort).abs() < 1e-12, "{json}");
+    assert!(!good("dead_centre forces --input place=0.8").contains("Inputs"));
+    let row = |command: &str| good(command).lines().nth(1).unwrap().to_owned();
+    assert_eq!(row("dead_centre solve place.effort --input place=0.8 --format csv"), format!("0,{effort}"));
+    let table = good("dead_centre solve --forces --input place=0.8 --format csv");
+    let column = table.lines().next().unwrap().split(',').position(|name| name == "push.effort").unwrap();
+    assert_eq!(table.lines().nth(1).unwrap().split(',').nth(column), Some(effort.to_string().as_str()));
+    let ran = kin("loaded solve A.force_x");
+    assert!(ran.err.contains("note: `A.force_x` has no number at t = 0: redundant rows share the load"), "{}", ran.err);
 }

@@ -3,7 +3,7 @@
 
 use crate::bodies::{named, poses};
 use crate::{FiveBarLeg, MeasuredExcavator, Weighted};
-use kin_runtime::{Instant, Signal, State};
+use kin_runtime::{Instant, Kinematics, Measure, Mechanism, Signal, State, mechanism};
 use kin_tests::compare::Differences;
 use kin_tests::mechanisms::signals;
 use kin_tests::stencil::Stencil;
@@ -55,6 +55,9 @@ fn efforts_are_virtual_work<M: Weighted>(drivers: &[&str]) {
             });
             let (effort, needed) = (forces.effort(driver).expect("a driver"), stencil.rate(&samples));
             differences.number(driver, needed, effort, 1e-8 * needed.abs().max(1.0));
+            // The input is what the driver drives.
+            let input = forces.inputs[k].effort.expect("it is determined");
+            differences.number(forces.inputs[k].name, effort, input, 1e-12 * effort.abs());
         }
         assert!(forces.kinetic.abs() < 1e-20, "{forces}");
     }
@@ -69,4 +72,35 @@ fn motors_of_a_leg() {
 #[test]
 fn cylinders_of_an_excavator() {
     efforts_are_virtual_work::<MeasuredExcavator>(&["cyl_boom", "cyl_stick", "cyl_bucket"]);
+}
+
+/// A pendulum whose pivot and whose angle one input moves.
+#[mechanism]
+#[body(pivot, x = 0, phi = 0)]
+#[bodies(arm)]
+#[input(u)]
+#[revolute(O: pivot @ (0, 0), arm @ (0, 0))]
+#[driver(lift: pivot.y = u*u)]
+#[driver(drive: arm.phi = 2*u)]
+#[gravity(0, -9.81)]
+#[mass(arm @ (0.3, 0), mass = 2, inertia = 0.1)]
+struct Lifted;
+
+/// The effort of an input is all that enters with it: where it moves two drivers, the virtual work of both, and
+/// the power in motion.
+#[test]
+fn an_input_bears_what_it_moves() {
+    let solver = Lifted.solver();
+    let [u, g] = [0.4_f64, 9.81];
+    let state = solver.state(&Instant { t: 0.0, inputs: &[Signal::constant(u)] }).unwrap();
+    let forces = solver.forces(&state).unwrap();
+    let expected = 2.0 * g * (2.0 * u + 0.3 * (2.0 * u).cos() * 2.0);
+    assert!((forces.inputs[0].effort.unwrap() - expected).abs() < 1e-12, "{forces}");
+    assert_eq!(forces.effort("u"), forces.inputs[0].effort);
+
+    let state = solver.state(&Instant { t: 0.0, inputs: &[Signal::new(u, 0.7, -0.2)] }).unwrap();
+    let forces = solver.forces(&state).unwrap();
+    let measured = solver.measure(&state, &[Measure::named(Lifted::model(), "u.effort").unwrap()]).unwrap();
+    let power = measured[0] * 0.7;
+    assert!((power - forces.energy_rate).abs() < 1e-12 * power.abs(), "{power}: {forces}");
 }

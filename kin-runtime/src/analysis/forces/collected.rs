@@ -6,7 +6,7 @@ use crate::model::forces::TOTALS;
 use crate::model::{EffortInfo, ForceModel, Model, ReactionInfo};
 use crate::state::State;
 
-/// The numbers as efforts, reactions, springs, energies and powers.
+/// The numbers as efforts, reactions, springs, energies and powers; those of inputs are left out.
 pub(crate) fn collected(model: &'static Model, info: &ForceModel, state: &State, numbers: &Numbers) -> Forces {
     let Numbers { values, determined, given, sharing, .. } = numbers;
     let shown: Vec<bool> = determined.iter().map(|determined| *determined || *sharing == Sharing::LeastNorm).collect();
@@ -28,6 +28,7 @@ pub(crate) fn collected(model: &'static Model, info: &ForceModel, state: &State,
         t: state.t,
         model,
         efforts: info.efforts.iter().map(effort).chain(of_given).collect(),
+        inputs: Vec::new(),
         reactions: info.reactions.iter().map(|reaction| reaction_of(reaction, values, determined, &shown)).collect(),
         springs: info
             .springs

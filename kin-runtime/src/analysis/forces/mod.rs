@@ -13,7 +13,7 @@ use crate::analysis::singular::diagnose;
 use crate::equations::Equations;
 use crate::equations::scale::Scale;
 use crate::error::SolveError;
-use crate::forces::{Forces, Load};
+use crate::forces::{Effort, Forces, Load};
 use crate::linear::Factorization;
 use crate::mobility::mobility;
 use crate::model::forces::TOTALS;
@@ -34,7 +34,22 @@ pub(crate) fn forces(equations: &mut Equations<'_>, state: &State, sharing: Shar
         return Err(SolveError::NoLoads { mechanism: model.name });
     };
     let numbers = numbers(equations, info, state, sharing)?;
-    Ok(collected(model, info, state, &numbers))
+    let inputs = inputs(equations, state, &numbers)?;
+    Ok(Forces { inputs, ..collected(model, info, state, &numbers) })
+}
+
+/// λᵀ Φ_u of every input. Φ_u is in the range of Φ_q wherever the mechanism follows its inputs, so that it does not
+/// depend on how redundant rows share a load.
+fn inputs(equations: &mut Equations<'_>, state: &State, numbers: &Numbers) -> Result<Vec<Effort>, SolveError> {
+    let model = equations.model;
+    let effort = |(k, name): (usize, &&'static str)| {
+        equations.along(Some(k), |equations| equations.evaluate(Subset::VELOCITY, &state.q, None))?;
+        let lambda = &numbers.values[TOTALS..TOTALS + model.rows.len()];
+        let effort = lambda.iter().zip(equations.phi_t.iter()).map(|(lambda, by_input)| lambda * by_input).sum();
+        let rate = state.inputs.get(k).map_or(0.0, |input| input.rate);
+        Ok(Effort { name, effort: Some(effort), rate, determined: true })
+    };
+    model.inputs.iter().enumerate().map(effort).collect()
 }
 
 /// What loads exert on bodies at a state.
@@ -113,7 +128,15 @@ fn by_elimination(
     let n = equations.coordinates();
     let mut r = vec![0.0; n];
     equations.system.generalized_forces(&state.instant(), state, &mut r)?;
-    finite("Q − M q̈", &r, state.t)?;
+    let name = |k: usize| equations.model.coordinates[k].name;
+    if let Some(place) = r.iter().position(|r| !r.is_finite()) {
+        return Err(not_finite(equations, state).unwrap_or(SolveError::NonFinite {
+            what: "Q − M q̈",
+            index: place,
+            name: name(place),
+            t: Some(state.t),
+        }));
+    }
     equations.scale = Scale::around(equations, &state.q);
     equations.evaluate(Subset::VELOCITY, &state.q, None)?;
     let all: Vec<usize> = (0..equations.rows()).collect();
@@ -137,6 +160,17 @@ fn by_elimination(
         (equations.row_name(row), -lambda[row], rate, shared.is_determined(row))
     });
     Ok(Numbers { values, determined, given: given.collect(), sharing, by_plan: false })
+}
+
+/// The first load that is not a finite number.
+fn not_finite(equations: &Equations<'_>, state: &State) -> Option<SolveError> {
+    let all = loads(equations, state).ok()?;
+    let bad = |load: &Load| {
+        let numbers = load.force.into_iter().flatten().flatten().chain(load.couple);
+        numbers.into_iter().any(|x| !x.is_finite())
+    };
+    let (index, load) = all.iter().enumerate().find(|(_, load)| bad(load))?;
+    Some(SolveError::NonFinite { what: "loads", index, name: load.name, t: Some(state.t) })
 }
 
 /// The reason why no multipliers balance r: the configuration is singular, or degrees of freedom are open.

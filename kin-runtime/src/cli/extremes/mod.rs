@@ -13,7 +13,7 @@ use crate::cli::engine::Engine;
 use crate::cli::examples::{Help, Names};
 use crate::cli::failure::{Failure, Ledger};
 use crate::cli::instants::ArcArgs;
-use crate::cli::moving::{Moved, note_motion};
+use crate::cli::moving::{Moved, Walk, note_motion};
 use crate::cli::output::{Form, OutputArgs};
 use crate::cli::session::Session;
 use crate::cli::solved::note_freedom;
@@ -136,7 +136,7 @@ fn one(
         false => time.chain(driven).chain(wanted.iter().cloned()).collect(),
     };
     let walk = args.motion.walk(engine, (&task.asked, &task.setup, &instants), &measures, &watch);
-    let moved = walk.kept()?;
+    let moved = Walk { tells_missing: !wanted.is_empty(), ..walk }.kept()?;
     note_motion(session, &moved);
     let Moved { trajectory, columns, ended, left, .. } = moved;
     note_freedom(session, left);

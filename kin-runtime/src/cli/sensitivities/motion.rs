@@ -63,6 +63,7 @@ impl Course {
         let instants = self.asked.instants(engine, setup)?;
         let watch = session.watch();
         watch.begin("instants", instants.len());
+        let are_named = !self.measures.is_empty();
         let measures = if self.measures.is_empty() { Measure::default_outputs(model) } else { self.measures };
         let walk = Walk {
             engine,
@@ -72,6 +73,7 @@ impl Course {
             open_end: self.asked.is_open(),
             freedom: self.freedom,
             reported: false,
+            tells_missing: are_named,
             measures: &measures,
             degrees: self.degrees,
             watch: &watch,

@@ -27,6 +27,11 @@ pub(crate) fn magnitude_parts(name: &str, place: usize) -> Option<[usize; 2]> {
     name.ends_with(".force").then(|| [place - 2, place - 1])
 }
 
+/// The dimension of the effort along a coordinate, given by its name; none for a mechanism without masses and loads.
+pub(super) fn dimension_of_effort(model: &'static Model) -> impl Fn(&str) -> Option<Dimension> {
+    move |coordinate| Some(unit_of_effort(model, model.forces?, coordinate).map_or(Dimension::Unknown, Dimension::In))
+}
+
 /// The unit of a driver's effort: that of a force where it drives a length, that of a moment where it drives an angle.
 fn unit_of_effort(model: &Model, info: &ForceModel, driver: &str) -> Option<&'static str> {
     let ForceUnits { force, moment, .. } = info.units;

@@ -11,6 +11,8 @@
 //! | `B.angle`, `slide.stroke` | a quantity of a joint ([`JointInfo::quantities`](crate::model::JointInfo::quantities)) |
 //! | `B.transmission` | the transmission angle at a revolute joint ([`transmission`](crate::transmission)), in [0, π]; with several pairs of neighbours `B.transmission_A_D` |
 //! | `drive.effort`, `B.force`, … | what drivers supply and joints carry, where there are masses or loads |
+//! | `boom_length.effort` | the effort of an input: the power that enters with it is effort · rate ([`Forces::inputs`](crate::Forces::inputs)) |
+//! | `crank.phi.effort` | the effort that holds or moves a coordinate that is given ([`Solver::with_given`](crate::Solver::with_given)) |
 //! | `tip.x/drive` | the velocity ratio of coordinates, points, defines and joint quantities to a driver or an input: ∂x/∂f with all other drivers and inputs constant |
 //!
 //! Coordinates, points, defines, joint quantities and inputs have a rate (`tip.x_dot`) and an acceleration (`tip.x_ddot`).
@@ -85,7 +87,16 @@ enum Of {
     Input(usize),
     /// A column of forces, and where its number comes from.
     Force(usize, Option<Source>),
+    /// The effort of an input, or of a coordinate that is given.
+    Effort(Along),
     Transmission(Pair),
+}
+
+/// What an effort that no driver supplies is conjugate to.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Along {
+    Given(usize),
+    Input(usize),
 }
 
 /// A driving row or an input, with the dimension of the driven quantity.
@@ -108,7 +119,7 @@ impl Measure {
     /// The quantity with this name; none if the mechanism has none.
     pub fn named(model: &'static Model, name: &str) -> Option<Self> {
         let found = Self::all(model).into_iter().find(|measure| measure.name == name);
-        found.or_else(|| {
+        found.or_else(|| Self::effort(model, name)).or_else(|| {
             let (of, driver) = name.rsplit_once('/')?;
             let of = Self::named(model, of).filter(Self::has_ratio)?;
             let per = Some(drivers(model).find(|(other, _)| *other == driver)?.1);
@@ -116,8 +127,16 @@ impl Measure {
         })
     }
 
-    /// All quantities but velocity ratios: t, coordinates, points, defines, joint quantities, forces, speeds of points, inputs
-    /// and transmission angles.
+    /// `boom_length.effort`; `crank.phi.effort`, which exists where the coordinate is given.
+    fn effort(model: &'static Model, name: &str) -> Option<Self> {
+        let (of, dimension) = (name.strip_suffix(".effort")?, force::dimension_of_effort(model));
+        let given = || model.coordinates.iter().position(|coordinate| coordinate.name == of).map(Along::Given);
+        let along = model.inputs.iter().position(|input| *input == of).map(Along::Input).or_else(given)?;
+        Some(Self::new(name.to_owned(), Of::Effort(along), dimension(of)?))
+    }
+
+    /// All quantities but velocity ratios and efforts of coordinates that are given: t, coordinates, points, defines, joint
+    /// quantities, forces, speeds of points, inputs and transmission angles.
     pub fn all(model: &'static Model) -> Vec<Self> {
         let mut all = Self::standard(model, true);
         let speed = |(k, point): (usize, &crate::model::PointInfo)| Self {
@@ -127,6 +146,7 @@ impl Measure {
         all.extend(model.points.iter().enumerate().map(speed));
         for (k, name) in model.inputs.iter().enumerate() {
             all.extend(Self::with_rates(name, Of::Input(k), Dimension::named(&model.units, name)));
+            all.extend(Self::effort(model, &format!("{name}.effort")));
         }
         all.extend(Self::transmission_angles(model));
         all
@@ -181,9 +201,14 @@ impl Measure {
                 add(&name, Of::Observable(quantity.observable), dimension);
             }
         }
-        let forces = force::columns(model).into_iter().enumerate();
-        out.extend(forces.map(|(k, (name, dimension, source))| Self::new(name, Of::Force(k, source), dimension)));
+        out.extend(Self::forces(model));
         out
+    }
+
+    /// The columns of forces.
+    pub(crate) fn forces(model: &'static Model) -> impl Iterator<Item = Self> {
+        let columns = force::columns(model).into_iter().enumerate();
+        columns.map(|(k, (name, dimension, source))| Self::new(name, Of::Force(k, source), dimension))
     }
 
     /// The driven quantities, each once: the quantity that the joint of a driver reports, or else the one coordinate in
@@ -210,7 +235,7 @@ impl Measure {
         match self.of {
             Of::Coordinate(_) | Of::Point(..) | Of::Observable(_) => self.order == 0 && self.per.is_none(),
             Of::Speed(_) => self.per.is_none(),
-            Of::Time | Of::Input(_) | Of::Force(..) | Of::Transmission(_) => false,
+            Of::Time | Of::Input(_) | Of::Force(..) | Of::Effort(_) | Of::Transmission(_) => false,
         }
     }
 
@@ -222,6 +247,17 @@ impl Measure {
     /// Its place among the columns of forces.
     pub(crate) const fn force(&self) -> Option<usize> {
         if let (Of::Force(place, _), None) = (self.of, self.per) { Some(place) } else { None }
+    }
+
+    /// Whether it is one of the forces.
+    pub(crate) const fn is_force(&self) -> bool {
+        self.per.is_none() && matches!(self.of, Of::Force(..) | Of::Effort(_))
+    }
+
+    /// Whether it is the effort of a prescribed coordinate.
+    #[cfg(feature = "cli")]
+    pub(crate) const fn is_given_effort(&self) -> bool {
+        matches!(self.of, Of::Effort(Along::Given(_)))
     }
 
     /// Whether it is held while parameters vary: t and the inputs.
@@ -261,7 +297,7 @@ impl Measure {
     /// Whether it depends on the position only, so that it has a value at a limit, where rates do not exist.
     #[cfg(feature = "cli")]
     pub(crate) const fn is_place(&self) -> bool {
-        self.order == 0 && self.per.is_none() && !matches!(self.of, Of::Force(..))
+        self.order == 0 && self.per.is_none() && !self.is_force()
     }
 
     /// Whether it is an angle, not a rate or a ratio of one.
@@ -289,7 +325,7 @@ impl Measure {
                 measure.order == 0 && measure.dimension != Dimension::Angle || measure.is_define(model)
             }
             Of::Force(..) => measure.name.ends_with(".effort"),
-            Of::Time | Of::Input(_) => false,
+            Of::Effort(_) | Of::Time | Of::Input(_) => false,
         };
         let all = Self::all(model).into_iter();
         let (angles, others): (Vec<Self>, Vec<Self>) =

@@ -1,6 +1,6 @@
 //! Where quantities come from, and their values at a solved state.
 
-use super::{Measure, Of, Place, Source, force};
+use super::{Along, Measure, Of, Place, Source, force};
 use crate::analysis::forces::{Sharing, forces};
 use crate::equations::Equations;
 use crate::error::SolveError;
@@ -29,6 +29,7 @@ impl Measure {
             Of::Observable(row) => Some(Source::Observable { row, order }),
             Of::Input(place) => Some(Source::Input { place, order }),
             Of::Force(_, source) => source,
+            Of::Effort(_) => None,
             Of::Transmission(pair) => Some(Source::Transmission(pair.places)),
         }
     }
@@ -46,7 +47,7 @@ impl Measure {
             }
             Of::Speed(place) => state.points.get(place).map(|point| point.v[0].hypot(point.v[1])),
             Of::Input(place) => Some(state.inputs.get(place).map_or(f64::NAN, |input| of_order(*input, self.order))),
-            Of::Observable(_) | Of::Force(..) | Of::Transmission(_) => None,
+            Of::Observable(_) | Of::Force(..) | Of::Effort(_) | Of::Transmission(_) => None,
         }
     }
 }
@@ -70,12 +71,13 @@ pub(crate) fn values(
     equations: &mut Equations<'_>,
     state: &State,
     measures: &[Measure],
+    sharing: Sharing,
 ) -> Result<Vec<f64>, SolveError> {
     let has = |of: fn(&Of) -> bool| measures.iter().any(|measure| measure.per.is_none() && of(&measure.of));
     let observed = has(|of| matches!(of, Of::Observable(_)));
     let motion = observed.then(|| motion(equations, state)).transpose()?;
-    let loads: Option<Forces> = match has(|of| matches!(of, Of::Force(..))) {
-        true => forces(equations, state, Sharing::Undetermined).ok(),
+    let loads: Option<Forces> = match has(|of| matches!(of, Of::Force(..) | Of::Effort(_))) {
+        true => forces(equations, state, sharing).ok(),
         false => None,
     };
     let mut of_forces = Vec::new();
@@ -100,10 +102,24 @@ pub(crate) fn values(
         (Of::Observable(place), _) => {
             motion.as_ref().map_or(f64::NAN, |motion| of_order(of_observable(motion, place), measure.order))
         }
+        (Of::Effort(along), _) => {
+            loads.as_ref().and_then(|forces| effort(equations.model, forces, along)).unwrap_or(f64::NAN)
+        }
         (Of::Force(place, _), _) => of_forces.get(place).copied().unwrap_or(f64::NAN),
         _ => measure.of_state(state).unwrap_or(f64::NAN),
     };
     Ok(measures.iter().map(value).collect())
+}
+
+/// The effort of an input or of a coordinate that is given.
+fn effort(model: &Model, forces: &Forces, along: Along) -> Option<f64> {
+    match along {
+        Along::Input(place) => forces.inputs.get(place)?.effort,
+        Along::Given(place) => {
+            let (name, declared) = (model.coordinates[place].name, model.forces?.efforts.len());
+            forces.efforts.iter().skip(declared).find(|effort| effort.name == name)?.effort
+        }
+    }
 }
 
 /// A define or a quantity of a joint, by its observable.
@@ -142,6 +158,6 @@ fn of_ratio(equations: &Equations<'_>, of: Of, ratio: &Ratio) -> f64 {
             x.hypot(y)
         }
         Of::Observable(place) => seen(place),
-        Of::Time | Of::Input(_) | Of::Force(..) | Of::Transmission(_) => f64::NAN,
+        Of::Time | Of::Input(_) | Of::Force(..) | Of::Effort(_) | Of::Transmission(_) => f64::NAN,
     }
 }

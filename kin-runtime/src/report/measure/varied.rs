@@ -40,7 +40,7 @@ impl Measure {
     /// Whether [`varied`](Self::varied) has it: velocity ratios and forces without a closed form have no derivatives there,
     /// and neither has what is held.
     pub(crate) const fn has_derivatives(&self) -> bool {
-        !self.is_ratio() && !matches!(self.of, Of::Time | Of::Input(_) | Of::Force(_, None))
+        !self.is_ratio() && !matches!(self.of, Of::Time | Of::Input(_) | Of::Effort(_) | Of::Force(_, None))
     }
 
     /// Its rate; none of what has no rate, or of an acceleration.
@@ -52,7 +52,7 @@ impl Measure {
 
     /// What its value needs.
     pub(crate) fn needs(&self) -> Needs {
-        let forces = matches!(self.of, Of::Force(..));
+        let forces = matches!(self.of, Of::Force(..) | Of::Effort(_));
         let depth = if forces || self.order > 1 { Depth::Acceleration } else { Depth::Velocity };
         let transmission = matches!(self.of, Of::Transmission(_));
         let observed = transmission || matches!(self.of, Of::Point(..) | Of::Speed(_) | Of::Observable(_));
@@ -81,7 +81,7 @@ impl Measure {
                 let (x, y) = (*varied.forces.get(place)?, *varied.forces.get(place + 1)?);
                 Some((x * x + y * y).sqrt())
             }
-            Of::Time | Of::Input(_) | Of::Force(..) => None,
+            Of::Time | Of::Input(_) | Of::Effort(_) | Of::Force(..) => None,
         }
     }
 }

@@ -1,0 +1,45 @@
+//! Sentences about forces: contacts that would have to pull or lift off, and why a force has no number.
+
+use super::engine::{Engine, Setup};
+use crate::forces::{ContactChange, Forces, Reaction};
+use crate::measure::Measure;
+use crate::present::number::rounded;
+use crate::state::State;
+
+/// `contact would have to pull at t = 0.1: normal force -3.2 N; a contact that only presses has lifted off`.
+pub(super) fn pulls(contact: &Reaction, forces: &Forces) -> String {
+    let unit =
+        forces.model.forces.and_then(|info| info.units.force).map_or_else(String::new, |unit| format!(" {unit}"));
+    let normal = contact.normal.map_or_else(String::new, rounded);
+    let (name, t) = (contact.name, rounded(forces.t));
+    format!(
+        "`{name}` would have to pull at t = {t}: normal force {normal}{unit}; a contact that only presses has lifted off"
+    )
+}
+
+/// `event: contact lifts off at t = 0.3`.
+pub(super) fn contact(change: &ContactChange) -> String {
+    let what = if change.lifts_off { "lifts off" } else { "presses again" };
+    format!("event: {} {what} at t = {}", change.name, rounded(change.t))
+}
+
+/// A note on the first force among quantities that has no number at a state.
+pub(super) fn missing_force(
+    (engine, setup): (&dyn Engine, &Setup),
+    state: &State,
+    measures: &[Measure],
+    values: &[f64],
+) -> Option<String> {
+    let mut all = measures.iter().zip(values);
+    let (measure, _) = all.find(|(measure, value)| measure.is_force() && value.is_nan())?;
+    let why = match engine.forces(setup, state) {
+        Err(error) => error.to_string(),
+        Ok(_) if measure.is_given_effort() => "only a coordinate that is given (--given) has an effort".to_owned(),
+        Ok(_) => {
+            "redundant rows share the load, and equilibrium alone does not determine how; --least-norm gives the forces \
+             of least norm"
+                .to_owned()
+        }
+    };
+    Some(format!("note: `{}` has no number at t = {}: {why}", measure.name(), rounded(state.t)))
+}
