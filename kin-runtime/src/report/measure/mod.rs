@@ -250,6 +250,7 @@ impl Measure {
     }
 
     /// Whether it is one of the forces.
+    #[cfg(feature = "cli")]
     pub(crate) const fn is_force(&self) -> bool {
         self.per.is_none() && matches!(self.of, Of::Force(..) | Of::Effort(_))
     }
