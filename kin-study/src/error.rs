@@ -28,6 +28,8 @@ pub enum StudyError {
     },
     /// The directory holds another study, or parts that are not expected there.
     Directory(String),
+    /// A scheduler or all of its workers do not answer, or are another program; with its address.
+    Cluster(String),
     /// What the engine said: of a query, or while it computed.
     Engine(Box<DataFusionError>),
 }
@@ -55,7 +57,9 @@ impl fmt::Display for StudyError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Description { line: Some(line), message } => write!(f, "line {line}: {message}"),
-            Self::Description { line: None, message } | Self::Directory(message) => f.write_str(message),
+            Self::Description { line: None, message } | Self::Directory(message) | Self::Cluster(message) => {
+                f.write_str(message)
+            }
             Self::Batch(error) => error.fmt(f),
             Self::File { path, error } => write!(f, "{}: {error}", path.display()),
             Self::Engine(error) => error.strip_backtrace().fmt(f),
@@ -66,7 +70,7 @@ impl fmt::Display for StudyError {
 impl std::error::Error for StudyError {
     fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
         match self {
-            Self::Description { .. } | Self::Directory(_) => None,
+            Self::Description { .. } | Self::Directory(_) | Self::Cluster(_) => None,
             Self::Batch(error) => Some(error),
             Self::File { error, .. } => Some(error),
             Self::Engine(error) => Some(&**error),

@@ -1,6 +1,8 @@
 #![doc = include_str!("../README.md")]
 
 mod cli;
+#[cfg(feature = "cluster")]
+pub mod cluster;
 mod engine;
 mod error;
 mod machine;

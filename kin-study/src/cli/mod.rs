@@ -2,6 +2,7 @@
 
 mod interrupt;
 mod progress;
+mod remote;
 
 use crate::engine::{Limits, Report, Watch, missing, query, query_to_file, run, run_part};
 use crate::error::StudyError;
@@ -12,6 +13,7 @@ use kin_runtime::Mechanism;
 use progress::Progress;
 use std::ffi::OsString;
 use std::io::{self, Write};
+use std::net::IpAddr;
 use std::num::NonZero;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -26,11 +28,42 @@ struct Arguments {
 
 #[derive(Debug, clap::Subcommand)]
 enum Command {
-    /// Run a study on all cores of this machine
+    /// Run a study on all cores of this machine, or on a cluster
     ///
     /// Finished rows are written every few seconds. Ctrl-C ends the run and keeps them; --resume goes on. A second Ctrl-C
     /// ends the program at once. SIGTERM does the same. The exit status is 0 when all rows are done, 130 after a signal.
-    Run(RunArgs),
+    Run {
+        #[command(flatten)]
+        run: RunArgs,
+        #[command(flatten)]
+        cluster: ClusterArgs,
+    },
+    /// Start the scheduler of a cluster; `run --cluster` hands it studies
+    ///
+    /// It has no password and no encryption: whoever reaches its port can use it and its workers.
+    Scheduler {
+        #[command(flatten)]
+        listen: ListenArgs,
+        /// The port; 0 takes any that is free
+        #[arg(long, value_name = "PORT", default_value_t = 50050)]
+        port: u16,
+    },
+    /// Start a worker of a cluster; it ends with Ctrl-C or SIGTERM
+    ///
+    /// It must be the same file as the scheduler and as the program that runs the study, and like these it trusts its network.
+    Worker {
+        /// The scheduler
+        #[arg(long, value_name = "HOST:PORT")]
+        scheduler: String,
+        #[command(flatten)]
+        listen: ListenArgs,
+        /// Its port; it takes the next one, too. 0 takes two that are free
+        #[arg(long, value_name = "PORT", default_value_t = 0)]
+        port: u16,
+        /// Threads; as many as there are processors where nobody says
+        #[arg(long, value_name = "N")]
+        threads: Option<NonZero<usize>>,
+    },
     /// Run one of several parts of a study: for an array of jobs that share a directory
     ///
     /// All jobs say the same N. With --resume a job that was killed may be started again: it goes on behind the last rows
@@ -95,8 +128,31 @@ struct RunArgs {
     threads: Option<NonZero<usize>>,
 }
 
-/// Runs the study program of the mechanism `M` with the arguments of this process: `run`, `chunk`, `missing`, `query` and
-/// `names`.
+#[derive(Debug, clap::Args)]
+struct ClusterArgs {
+    /// Let the workers of this scheduler solve the rows
+    #[arg(long, value_name = "HOST:PORT", conflicts_with_all = ["standalone", "threads"])]
+    cluster: Option<String>,
+    /// Let a cluster within this process solve them, to try what a study does there
+    #[arg(long)]
+    standalone: bool,
+    /// Into how many tasks the work of some seconds is cut; at least as many as the cluster has cores
+    #[arg(long, value_name = "N", default_value = "64")]
+    tasks: NonZero<usize>,
+}
+
+#[derive(Debug, clap::Args)]
+struct ListenArgs {
+    /// The address of the interface to listen on
+    #[arg(long, value_name = "IP", default_value = "127.0.0.1")]
+    bind: IpAddr,
+    /// The name by which other machines reach this one; that address where nobody says
+    #[arg(long, value_name = "HOST")]
+    host: Option<String>,
+}
+
+/// Runs the study program of the mechanism `M` with the arguments of this process: `run`, `chunk`, `missing`, `query`,
+/// `names`, and `scheduler` and `worker`, which need the feature `cluster`.
 ///
 /// The exit status is 0 when everything went well, 2 when arguments or the study make no sense, 1 for all other errors, and
 /// 130 after Ctrl-C or SIGTERM.
@@ -140,7 +196,12 @@ where
     M: Mechanism + Default + Send + Sync + 'static,
 {
     match command {
-        Command::Run(args) => ran(&args, file, run::<M>),
+        Command::Run { run: args, cluster } if cluster.cluster.is_none() && !cluster.standalone => {
+            ran(&args, file, run::<M>)
+        }
+        Command::Run { run: args, cluster } => remote::run_on::<M>(&args, cluster, file),
+        Command::Scheduler { listen, port } => remote::scheduler::<M>(listen, port),
+        Command::Worker { scheduler, listen, port, threads } => remote::worker::<M>(&scheduler, listen, port, threads),
         Command::Chunk { run: args, index, of } => {
             ran(&args, file, |study: &Study, out: &Path, limits, watch: &Watch| {
                 run_part::<M>(study, out, (index, of), limits, watch)

@@ -2,27 +2,29 @@
 
 use super::write::Tally;
 use crate::error::StudyError;
-use crate::rows::{Counts, Prepared};
+use crate::rows::{Counts, Kept, Prepared, context};
 use datafusion::arrow::array::AsArray;
 use datafusion::arrow::datatypes::UInt64Type;
 use datafusion::arrow::record_batch::RecordBatch;
+use datafusion::catalog::TableProvider;
 use std::ops::Range;
+use std::sync::Arc;
 
 /// Numbers about rows.
 #[derive(Clone, Debug)]
-pub(super) struct Summary {
-    pub(super) tally: Tally,
-    pub(super) counts: Counts,
+pub(crate) struct Summary {
+    pub(crate) tally: Tally,
+    pub(crate) counts: Counts,
 }
 
 impl Summary {
     /// Of no rows.
-    pub(super) fn new(prepared: &Prepared) -> Self {
+    pub(crate) fn new(prepared: &Prepared) -> Self {
         Self { tally: Tally::default(), counts: Counts::new(&prepared.bins) }
     }
 
     /// Adds those of other rows.
-    pub(super) fn and(&mut self, other: &Self) {
+    pub(crate) fn and(&mut self, other: &Self) {
         self.tally = self.tally.and(&other.tally);
         self.counts.and(&other.counts);
     }
@@ -30,16 +32,16 @@ impl Summary {
 
 /// What is found in some rows.
 #[derive(Debug)]
-pub(super) struct Found {
+pub(crate) struct Found {
     /// The rows that were gone through.
-    pub(super) rows: Range<u64>,
+    pub(crate) rows: Range<u64>,
     /// Those that are kept.
-    pub(super) batches: Vec<RecordBatch>,
-    pub(super) summary: Summary,
+    pub(crate) batches: Vec<RecordBatch>,
+    pub(crate) summary: Summary,
 }
 
 /// Solves one piece: what may be kept of it, and the numbers about all of its rows.
-pub(super) fn solve(prepared: &Prepared, rows: Range<u64>) -> Result<(RecordBatch, Summary), StudyError> {
+pub(crate) fn solve(prepared: &Prepared, rows: Range<u64>) -> Result<(RecordBatch, Summary), StudyError> {
     let piece = prepared.rows(rows)?;
     let mut summary = Summary::new(prepared);
     let passed = piece.batch.num_rows() as u64;
@@ -48,8 +50,20 @@ pub(super) fn solve(prepared: &Prepared, rows: Range<u64>) -> Result<(RecordBatc
     Ok((prepared.kept.of(piece.batch)?, summary))
 }
 
+/// What a study keeps of a table of rows, in its order.
+pub(crate) async fn merged(
+    prepared: &Prepared,
+    table: Arc<dyn TableProvider>,
+    partitions: usize,
+) -> Result<Vec<RecordBatch>, StudyError> {
+    let context = context(partitions);
+    context.register_table("study", table)?;
+    let batches = context.sql(&prepared.kept.sql("study")).await?.collect().await?;
+    Ok(if matches!(prepared.kept, Kept::All) { in_order(batches) } else { batches })
+}
+
 /// Batches in the order of their first rows.
-pub(super) fn in_order(mut batches: Vec<RecordBatch>) -> Vec<RecordBatch> {
+fn in_order(mut batches: Vec<RecordBatch>) -> Vec<RecordBatch> {
     batches.sort_by_key(|batch| batch.column(0).as_primitive::<UInt64Type>().values().first().copied());
     batches
 }

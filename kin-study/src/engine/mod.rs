@@ -12,3 +12,11 @@ mod write;
 pub use query::{Answer, query, query_to_file};
 pub use run::{Limits, Report, missing, run, run_part};
 pub use watch::Watch;
+
+#[cfg(feature = "cluster")]
+pub(crate) use {
+    found::{Found, Summary, merged, solve},
+    run::{Part, Workers, cover},
+    wave::{TIME, most},
+    write::Tally,
+};

@@ -1,9 +1,10 @@
 //! A study from its first row to its last: waves, a part for each, and what is left after a stop.
 
+use super::found::Found;
 use super::lease::Lease;
 use super::parts::{COUNTS, Parts, ROWS, gaps};
 use super::watch::Watch;
-use super::wave::Wave;
+use super::wave::Threads;
 use super::write::{Tally, tally, write};
 use crate::error::StudyError;
 use crate::rows::{Prepared, counts_schema};
@@ -98,9 +99,30 @@ where
         let message = format!("there is no part {index} of {of}: parts are counted from 0 to {}", of.get() - 1);
         return Err(StudyError::description(message));
     }
+    let prepared = Arc::new(prepared);
     let rows = part(prepared.rows, index, of);
-    let whole = of.get() == 1;
-    cover(Arc::new(prepared), directory, rows, whole, limits, watch)
+    let processors = std::thread::available_parallelism().unwrap_or(NonZero::<usize>::MIN);
+    let threads = limits.threads.unwrap_or(processors).get();
+    let mut workers = Threads::new(&prepared, threads, watch).map_err(|error| StudyError::file(directory, error))?;
+    let part = Part { rows, is_whole: of.get() == 1, resume: limits.resume };
+    cover(&prepared, directory, part, &mut workers, watch)
+}
+
+/// Who goes through rows.
+pub(crate) trait Workers {
+    /// Goes through rows from the first of these on, for some seconds; through none where somebody asks to stop. They count
+    /// as done in the watch.
+    fn wave(&mut self, rows: Range<u64>) -> Result<Found, StudyError>;
+}
+
+/// What a run is to cover.
+#[derive(Clone, Debug)]
+pub(crate) struct Part {
+    pub(crate) rows: Range<u64>,
+    /// Whether these are all rows of the study.
+    pub(crate) is_whole: bool,
+    /// Whether the directory may hold some of them.
+    pub(crate) resume: bool,
 }
 
 /// The parts of `of`, as [`run_part`] counts them, of which rows are missing in a directory: what is to be started again
@@ -134,28 +156,23 @@ fn part(rows: u64, index: u64, of: NonZero<u64>) -> Range<u64> {
 }
 
 /// Covers some rows with parts; not generic over the mechanism.
-fn cover(
-    prepared: Arc<Prepared>,
+pub(crate) fn cover(
+    prepared: &Prepared,
     directory: &Path,
-    rows: Range<u64>,
-    whole: bool,
-    limits: Limits,
+    Part { rows, is_whole, resume }: Part,
+    workers: &mut dyn Workers,
     watch: &Watch,
 ) -> Result<Report, StudyError> {
     let began = Instant::now();
-    let processors = std::thread::available_parallelism().unwrap_or(NonZero::<usize>::MIN);
-    let threads = limits.threads.unwrap_or(processors).get();
-    let runtime = tokio::runtime::Builder::new_multi_thread().worker_threads(threads).build();
-    let runtime = runtime.map_err(|error| StudyError::file(directory, error))?;
     // Jobs of an array share the directory, each with rows of its own.
-    let parts = Parts::open(directory, &prepared, limits.resume || !whole)?;
-    let _lease = Lease::take(directory, &rows, whole)?;
+    let parts = Parts::open(directory, prepared, resume || !is_whole)?;
+    let _lease = Lease::take(directory, &rows, is_whole)?;
     let covered = parts.covered()?;
     let gaps = gaps(rows.clone(), &covered);
     watch.total.store(gaps.iter().map(|gap| gap.end - gap.start).sum(), Ordering::Relaxed);
     let mut own = 0;
     'gaps: for gap in gaps {
-        if !limits.resume && gap != rows {
+        if !resume && gap != rows {
             return Err(StudyError::Directory(format!(
                 "{} holds some of these rows already; go on with --resume, or choose another directory",
                 directory.display()
@@ -163,8 +180,7 @@ fn cover(
         }
         let mut next = gap.start;
         while next < gap.end {
-            let wave = Wave::new(&prepared, next..gap.end, Arc::clone(&watch.stop), Arc::clone(&watch.done));
-            let found = runtime.block_on(wave.run(threads))?;
+            let found = workers.wave(next..gap.end)?;
             if found.rows.is_empty() {
                 break 'gaps;
             }

@@ -3,9 +3,11 @@
 //! Every partition of a streaming table takes the next piece until the wave has enough or somebody asks to stop. Pieces are
 //! taken in order and finished once they are taken, so the rows of a wave are a range without gaps, wherever it ends.
 
-use super::found::{Found, Summary, in_order, solve};
+use super::found::{Found, Summary, merged, solve};
+use super::run::Workers;
+use super::watch::Watch;
 use crate::error::StudyError;
-use crate::rows::{CHUNK, Kept, Prepared, context};
+use crate::rows::{CHUNK, Kept, Prepared};
 use datafusion::arrow::datatypes::SchemaRef;
 use datafusion::arrow::record_batch::RecordBatch;
 use datafusion::catalog::streaming::StreamingTable;
@@ -15,19 +17,50 @@ use datafusion::physical_plan::SendableRecordBatchStream;
 use datafusion::physical_plan::stream::RecordBatchStreamAdapter;
 use datafusion::physical_plan::streaming::PartitionStream;
 use futures::stream;
+use std::io;
 use std::ops::Range;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
 /// After how long a wave takes no more pieces: so much is lost where the machine fails.
-const TIME: Duration = Duration::from_secs(3);
+pub(crate) const TIME: Duration = Duration::from_secs(3);
 /// Numbers that a wave holds in memory at most.
 const NUMBERS: u64 = 1 << 23;
 
+/// Rows that a wave has at most: the best rows of pieces take little, but all rows of a wave must fit into memory.
+pub(crate) fn most(prepared: &Prepared) -> u64 {
+    if matches!(prepared.kept, Kept::All) { NUMBERS / prepared.numbers() } else { u64::MAX }
+}
+
+/// The threads of this process.
+#[derive(Debug)]
+pub(super) struct Threads {
+    prepared: Arc<Prepared>,
+    count: usize,
+    runtime: tokio::runtime::Runtime,
+    watch: Watch,
+}
+
+impl Threads {
+    /// So many threads.
+    pub(super) fn new(prepared: &Arc<Prepared>, count: usize, watch: &Watch) -> io::Result<Self> {
+        let runtime = tokio::runtime::Builder::new_multi_thread().worker_threads(count).build()?;
+        Ok(Self { prepared: Arc::clone(prepared), count, runtime, watch: watch.clone() })
+    }
+}
+
+impl Workers for Threads {
+    fn wave(&mut self, rows: Range<u64>) -> Result<Found, StudyError> {
+        let Watch { stop, done, .. } = &self.watch;
+        let wave = Wave::new(&self.prepared, rows, Arc::clone(stop), Arc::clone(done));
+        self.runtime.block_on(wave.run(self.count))
+    }
+}
+
 /// What the partitions of a wave share.
 #[derive(Debug)]
-pub(super) struct Wave {
+struct Wave {
     prepared: Arc<Prepared>,
     rows: Range<u64>,
     /// The first row of the next piece.
@@ -40,15 +73,8 @@ pub(super) struct Wave {
 
 impl Wave {
     /// A wave from the first of these rows on.
-    pub(super) fn new(
-        prepared: &Arc<Prepared>,
-        rows: Range<u64>,
-        stop: Arc<AtomicBool>,
-        progress: Arc<AtomicU64>,
-    ) -> Self {
-        // The best rows of pieces take little; all rows of a wave must fit into memory.
-        let most = if matches!(prepared.kept, Kept::All) { NUMBERS / prepared.numbers() } else { u64::MAX };
-        let pieces = (most / CHUNK as u64).max(1);
+    fn new(prepared: &Arc<Prepared>, rows: Range<u64>, stop: Arc<AtomicBool>, progress: Arc<AtomicU64>) -> Self {
+        let pieces = (most(prepared) / CHUNK as u64).max(1);
         let end = rows.start.saturating_add(pieces.saturating_mul(CHUNK as u64)).min(rows.end);
         let summary = Mutex::new(Summary::new(prepared));
         Self {
@@ -81,15 +107,12 @@ impl Wave {
     }
 
     /// Runs it over so many partitions.
-    pub(super) async fn run(self, partitions: usize) -> Result<Found, StudyError> {
+    async fn run(self, partitions: usize) -> Result<Found, StudyError> {
         let wave = Arc::new(self);
         let prepared = &wave.prepared;
         let each = |_| Arc::new(Partition(Arc::clone(&wave))) as Arc<dyn PartitionStream>;
         let table = StreamingTable::try_new(Arc::clone(&prepared.schema), (0..partitions).map(each).collect())?;
-        let context = context(partitions);
-        context.register_table("study", Arc::new(table))?;
-        let batches = context.sql(&prepared.kept.sql("study")).await?.collect().await?;
-        let batches = if matches!(prepared.kept, Kept::All) { in_order(batches) } else { batches };
+        let batches = merged(prepared, Arc::new(table), partitions).await?;
         let reached = wave.next.load(Ordering::Relaxed).min(wave.rows.end);
         let summary = wave.summary.lock().unwrap_or_else(PoisonError::into_inner).clone();
         Ok(Found { rows: wave.rows.start..reached, batches, summary })

@@ -15,31 +15,31 @@ use tempfile::NamedTempFile;
 
 /// What became of the rows that a part covers.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) struct Tally {
+pub(crate) struct Tally {
     /// How many there were.
-    pub(super) tried: u64,
+    pub(crate) tried: u64,
     /// How many met the conditions before solving.
-    pub(super) solved: u64,
+    pub(crate) solved: u64,
     /// How many of these could not go through all instants.
-    pub(super) ended: u64,
+    pub(crate) ended: u64,
     /// How many met all conditions.
-    pub(super) passed: u64,
+    pub(crate) passed: u64,
 }
 
 impl Tally {
     /// Its numbers with the names that they have beside rows.
-    pub(super) fn entries(&self) -> [(&'static str, u64); 4] {
+    pub(crate) fn entries(&self) -> [(&'static str, u64); 4] {
         [("kin.tried", self.tried), ("kin.solved", self.solved), ("kin.ended", self.ended), ("kin.passed", self.passed)]
     }
 
     /// The tally of named numbers; what is missing counts as none.
-    pub(super) fn of(number: impl Fn(&str) -> Option<u64>) -> Self {
+    pub(crate) fn of(number: impl Fn(&str) -> Option<u64>) -> Self {
         let [tried, solved, ended, passed] = Self::default().entries().map(|(key, none)| number(key).unwrap_or(none));
         Self { tried, solved, ended, passed }
     }
 
     /// Both together.
-    pub(super) fn and(&self, other: &Self) -> Self {
+    pub(crate) fn and(&self, other: &Self) -> Self {
         Self {
             tried: self.tried + other.tried,
             solved: self.solved + other.solved,

@@ -66,6 +66,20 @@ impl Counts {
         pairs.for_each(|(own, other)| *own += other);
     }
 
+    /// The counts of all bins of one histogram after another.
+    #[cfg(feature = "cluster")]
+    pub(crate) fn numbers(&self) -> impl Iterator<Item = u64> {
+        self.0.iter().flatten().copied()
+    }
+
+    /// The counts with these [`numbers`](Self::numbers).
+    #[cfg(feature = "cluster")]
+    pub(crate) fn of(bins: &[Bins], numbers: impl IntoIterator<Item = u64>) -> Self {
+        let mut counts = Self::new(bins);
+        counts.0.iter_mut().flatten().zip(numbers).for_each(|(own, number)| *own = number);
+        counts
+    }
+
     /// The table of all counts.
     pub(crate) fn table(&self, bins: &[Bins]) -> Result<RecordBatch, ArrowError> {
         let (mut of, mut from, mut to, mut count) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());

@@ -12,6 +12,8 @@ mod four_bar;
 #[path = "../../press.rs"]
 mod press;
 
+#[cfg(all(feature = "cluster", target_os = "linux"))]
+mod clusters;
 mod forces;
 mod paths;
 #[cfg(target_os = "linux")]

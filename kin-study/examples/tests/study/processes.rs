@@ -9,63 +9,67 @@ use std::process::{Child, Command, Output, Stdio};
 use std::time::{Duration, Instant};
 
 /// A study that takes a thread some seconds.
-const LONG: &str = "rows = 1e6\nseed = 3\n[parameters]\nl2 = { from = 0.3, to = 0.5 }\nl3 = { from = 0.2, to = 0.4 }\n\
+pub(crate) const LONG: &str = "rows = 1e6\nseed = 3\n[parameters]\nl2 = { from = 0.3, to = 0.5 }\nl3 = { from = 0.2, to = 0.4 }\n\
     [motion]\nto = 6.28\nsteps = 199\n[scores]\nswing = { range = \"rocker.phi\" }\n\
     [keep]\nbest = 20\nby = \"swing desc\"\n";
 /// One that takes no time, and keeps all of its rows.
-const SHORT: &str = "rows = 20000\n[parameters]\nl2 = { from = 0.3, to = 0.5 }\n[motion]\nto = 1\nsteps = 4\n\
+pub(crate) const SHORT: &str = "rows = 20000\n[parameters]\nl2 = { from = 0.3, to = 0.5 }\n[motion]\nto = 1\nsteps = 4\n\
     [scores]\nswing = { range = \"rocker.phi\" }\n";
 
 /// Where cargo puts the example programs.
-fn program() -> PathBuf {
+pub(crate) fn program() -> PathBuf {
+    example("four_bar")
+}
+
+pub(crate) fn example(name: &str) -> PathBuf {
     let own = std::env::current_exe().expect("a program has a path");
-    let program = own.ancestors().nth(2).expect("it is in deps").join("examples/four_bar");
+    let program = own.ancestors().nth(2).expect("it is in deps").join("examples").join(name);
     assert!(program.exists(), "{} is missing: `cargo test` without `--test` builds it", program.display());
     program
 }
 
 /// A directory with a study, and the command line for its rows.
-struct Place {
+pub(crate) struct Place {
     directory: tempfile::TempDir,
 }
 
 impl Place {
-    fn new(study: &str) -> Self {
+    pub(crate) fn new(study: &str) -> Self {
         let directory = directory();
         fs::write(directory.path().join("study.toml"), study).expect("it can be written");
         Self { directory }
     }
 
-    fn path(&self, name: &str) -> PathBuf {
+    pub(crate) fn path(&self, name: &str) -> PathBuf {
         self.directory.path().join(name)
     }
 
     /// The program with some words of its command line.
-    fn command(&self, words: &str) -> Command {
+    pub(crate) fn command(&self, words: &str) -> Command {
         let mut command = Command::new(program());
         command.args(words.split_whitespace()).current_dir(self.directory.path());
         command.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped());
         command
     }
 
-    fn output(&self, words: &str) -> Output {
+    pub(crate) fn output(&self, words: &str) -> Output {
         self.command(words).output().expect("it starts")
     }
 
     /// What a program says that succeeds: on stdout and on stderr.
-    fn success(&self, words: &str) -> [String; 2] {
+    pub(crate) fn success(&self, words: &str) -> [String; 2] {
         said(words, self.output(words), 0)
     }
 }
 
-fn said(what: &str, output: Output, status: i32) -> [String; 2] {
+pub(crate) fn said(what: &str, output: Output, status: i32) -> [String; 2] {
     let texts = [output.stdout, output.stderr].map(|bytes| String::from_utf8(bytes).expect("it is a text"));
     assert_eq!(output.status.code(), Some(status), "{what}: {texts:?}");
     texts
 }
 
 /// Waits until a program has worked for half a second.
-fn working(child: &Child) {
+pub(crate) fn working(child: &Child) {
     let began = Instant::now();
     loop {
         let stat = fs::read_to_string(format!("/proc/{}/stat", child.id())).expect("the process is there");
@@ -80,19 +84,19 @@ fn working(child: &Child) {
     }
 }
 
-fn signal(child: &Child, name: &str) {
+pub(crate) fn signal(child: &Child, name: &str) {
     let kill = Command::new("kill").args([&format!("-{name}"), &child.id().to_string()]).status();
     assert!(kill.expect("there is a kill").success());
 }
 
 /// The rows that a run has done itself: `…; 4096 in 0.1 s, …`.
-fn own(said: &str) -> u64 {
+pub(crate) fn own(said: &str) -> u64 {
     let rows = said.split_once(" met all conditions; ").and_then(|(_, rest)| rest.split_once(" in "));
     rows.and_then(|(rows, _)| rows.parse().ok()).unwrap_or_else(|| panic!("no rows in {said}"))
 }
 
 /// The files of a directory whose names begin like this.
-fn files(directory: &Path, start: &str) -> usize {
+pub(crate) fn files(directory: &Path, start: &str) -> usize {
     let entries = fs::read_dir(directory).expect("it can be read").flatten();
     entries.filter(|entry| entry.file_name().to_string_lossy().starts_with(start)).count()
 }
@@ -190,4 +194,14 @@ fn a_directory_that_cannot_be_written_is_named() {
     };
     let [_, text] = said("closed", output, 1);
     assert!(text.contains("error: closed/study.txt: ") && text.contains("Permission denied"), "{text}");
+}
+
+#[cfg(not(feature = "cluster"))]
+#[test]
+fn a_program_without_clusters_says_what_it_needs() {
+    let place = Place::new(SHORT);
+    for words in ["scheduler", "worker --scheduler localhost:1", "run study.toml --out out --standalone"] {
+        let [_, text] = said(words, place.output(words), 2);
+        assert!(text.contains("built without clusters: build it with kin-study's feature `cluster`"), "{text}");
+    }
 }
