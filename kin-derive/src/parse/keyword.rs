@@ -92,12 +92,19 @@ const FOREIGN: [&str; 18] = [
 const SYNONYMS: &[(&str, &str)] = &[
     ("actuator", "driver"),
     ("assembly", "guess"),
+    ("cable", "rope"),
+    ("couple", "torque"),
+    ("damper", "spring"),
+    ("dashpot", "spring"),
     ("equation", "constraint"),
     ("hinge", "revolute"),
     ("inequality", "unilateral"),
+    ("inertia", "mass"),
     ("initial_guess", "guess"),
     ("limit", "unilateral"),
     ("links", "bodies"),
+    ("load", "force"),
+    ("moment", "torque"),
     ("motor", "driver"),
     ("parameter", "param"),
     ("pin_joint", "revolute"),
@@ -122,6 +129,8 @@ pub(super) fn near_miss(name: &str) -> Option<(String, bool)> {
     };
     let declares = meant.iter().any(|word| find(word).is_some_and(Keyword::declares));
     let right = match synonym {
+        // A damper has no keyword of its own.
+        Some("spring") => "it is a `spring` with `damping = c`, and without `stiffness`".to_owned(),
         Some(meant) => format!("it is called `{meant}`"),
         None if meant.is_empty() => return None,
         None => format!("did you mean {}?", listed(meant, "or")),

@@ -257,6 +257,8 @@ fn rows_say_how_they_are_written() {
 fn attributes_that_are_nearly_ours() {
     one_error(&pendulum("#[revolut(B: a @ (0, 0), b @ (0, 0))]"), &["no attribute `revolut`", "`revolute`"]);
     one_error(&pendulum("#[drivers(D: crank.phi = t)]"), &["`driver`"]);
+    one_error(&pendulum("#[moment(D: crank = t)]"), &["it is called `torque`"]);
+    one_error(&pendulum("#[damper(D: crank @ (1, 0), ground @ (0, 0))]"), &["a `spring` with `damping = c`"]);
     // A misspelt declaration does not cause a second error for the names that it declares.
     one_error("#[bodys(a, b)] #[revolute(A: a @ (0, 0), b @ (0, 0))] struct S;", &["`bodies` or `body`"]);
     one_error(&pendulum("").replace("#[param(1)]", "#[parm(1)]"), &["did you mean `param`"]);
