@@ -26,7 +26,7 @@ use std::ops::Range;
 use std::path::Path;
 use std::sync::Arc;
 use std::sync::atomic::Ordering;
-use std::time::{Duration, Instant};
+use std::time::{Duration, Instant, SystemTime};
 
 /// The largest message between the members of a cluster, in bytes.
 pub(super) const MESSAGE: u32 = 64 << 20;
@@ -72,7 +72,7 @@ impl Cluster {
 
 /// Runs a whole study on a cluster; its parts go to the directory, which only this process writes.
 ///
-/// A worker that is lost costs the tasks that it was at work on, which others repeat.
+/// A worker that is lost costs what it was at work on and what it has found in these seconds, which others compute again.
 ///
 /// # Errors
 /// As [`run`](crate::run); [`StudyError::Cluster`] where the scheduler or all workers are lost, and where they are another
@@ -123,7 +123,13 @@ fn ran(
     };
     let is_far = matches!(cluster.place, Place::Scheduler(_));
     let (watching, next) = (watch.clone(), tasks * FIRST);
-    let mut remote = Remote { prepared: own, function, text, scheduler, is_far, tasks, runtime, watch: watching, next };
+    // Two machines may give two runs the same process number.
+    let since = SystemTime::UNIX_EPOCH.elapsed().unwrap_or_default();
+    let session = format!("kin-study-{}-{}", std::process::id(), since.as_nanos());
+    #[rustfmt::skip]
+    let mut remote = Remote {
+        prepared: own, function, text, scheduler, session, is_far, tasks, runtime, watch: watching, next,
+    };
     cover(&prepared, directory, part, &mut remote, watch)
 }
 
@@ -134,6 +140,8 @@ struct Remote {
     /// The study.
     text: String,
     scheduler: String,
+    /// The name under which the scheduler knows this run.
+    session: String,
     /// Whether it is another process.
     is_far: bool,
     tasks: u64,
@@ -207,7 +215,7 @@ impl Remote {
         let config = SessionConfig::new_with_ballista();
         let config = config.with_ballista_grpc_client_max_message_size(MESSAGE as usize);
         let codec = config.ballista_physical_extension_codec();
-        let session = format!("kin-study-{}", std::process::id());
+        let session = self.session.clone();
         let (url, settings): (String, BallistaConfig) =
             (format!("http://{}", self.scheduler), config.ballista_config());
         let plan = self.plan(rows).await?;
