@@ -136,9 +136,9 @@ struct ClusterArgs {
     /// Let a cluster within this process solve them, to try what a study does there
     #[arg(long)]
     standalone: bool,
-    /// Into how many tasks the work of some seconds is cut; at least as many as the cluster has cores
-    #[arg(long, value_name = "N", default_value = "64")]
-    tasks: NonZero<usize>,
+    /// Into how many tasks the work of some seconds is cut: at least as many as the cluster has cores, at most 2000 [default: 64]
+    #[arg(long, value_name = "N", requires = "cluster")]
+    tasks: Option<NonZero<usize>>,
 }
 
 #[derive(Debug, clap::Args)]

@@ -8,7 +8,7 @@ pub(super) use without::{run_on, scheduler, worker};
 #[cfg(feature = "cluster")]
 mod with {
     use crate::cli::{ClusterArgs, ListenArgs, RunArgs, ran};
-    use crate::cluster::{self, Cluster, Listen};
+    use crate::cluster::{self, Cluster, Listen, Standing};
     use crate::engine::Limits;
     use crate::error::StudyError;
     use kin_runtime::Mechanism;
@@ -29,7 +29,10 @@ mod with {
             Some(scheduler) => Cluster::at(scheduler),
             None => Cluster::standalone(args.threads.unwrap_or_else(processors)),
         };
-        let place = place.tasks(cluster.tasks);
+        let place = match cluster.tasks {
+            Some(tasks) => place.tasks(tasks),
+            None => place,
+        };
         ran(args, file, |study, out, Limits { resume, .. }, watch| {
             cluster::run_on::<M>(&place, study, out, resume, watch)
         })
@@ -57,8 +60,10 @@ mod with {
     {
         warn(listen.bind);
         let threads = threads.unwrap_or_else(processors);
-        eprintln!("worker for {scheduler}, threads: {threads}");
-        cluster::worker::<M>(scheduler, &at(listen, port), threads)?;
+        cluster::worker::<M>(scheduler, &at(listen, port), threads, |standing| match standing {
+            Standing::Waiting => eprintln!("worker waits for a scheduler at {scheduler}"),
+            Standing::Joining => eprintln!("worker joins {scheduler}, threads: {threads}"),
+        })?;
         Ok(ExitCode::SUCCESS)
     }
 

@@ -3,24 +3,20 @@
 use super::function::Function;
 use super::parcel::unpacked;
 use super::roles::{HEARTBEAT, embedded, ready};
+use super::submission::{foreign, is_foreign, submitted};
 use crate::engine::{Found, Part, Report, Summary, TIME, Watch, Workers, cover, merged, most};
 use crate::error::StudyError;
 use crate::rows::{CHUNK, Prepared, context};
 use crate::study::Study;
-use ballista_core::config::BallistaConfig;
-use ballista_core::execution_plans::execute_physical_plan;
-use ballista_core::extension::SessionConfigExt;
 use datafusion::arrow::array::{AsArray, UInt64Array};
-use datafusion::arrow::datatypes::{DataType, Field, Schema};
+use datafusion::arrow::datatypes::{DataType, Field, Schema, UInt64Type};
 use datafusion::arrow::record_batch::RecordBatch;
 use datafusion::datasource::MemTable;
 use datafusion::error::DataFusionError;
 use datafusion::logical_expr::{ScalarUDF, col, lit};
 use datafusion::physical_plan::ExecutionPlan;
-use datafusion::physical_plan::common::collect;
-use datafusion::prelude::SessionConfig;
-use datafusion_proto::protobuf::PhysicalPlanNode;
 use kin_runtime::Mechanism;
+use std::collections::BTreeMap;
 use std::num::NonZero;
 use std::ops::Range;
 use std::path::Path;
@@ -28,12 +24,17 @@ use std::sync::Arc;
 use std::sync::atomic::Ordering;
 use std::time::{Duration, Instant, SystemTime};
 
-/// The largest message between the members of a cluster, in bytes.
-pub(super) const MESSAGE: u32 = 64 << 20;
 /// Rows of every task in the first wave, which tells how fast the cluster is.
 const FIRST: u64 = 256;
 /// How often a wave is tried while there are workers.
-const TRIES: usize = 8;
+const TRIES: usize = 5;
+/// How long a client waits for a wave beyond what it should take, and for the first wave; twice as long every other time.
+const PATIENCE: Duration = Duration::from_secs(20);
+const UNKNOWN: Duration = Duration::from_secs(120);
+/// How long a client waits for a wave once somebody has asked it to stop.
+const GRACE: Duration = Duration::from_secs(5);
+/// Tasks in a wave at most: each costs the scheduler some milliseconds.
+const TASKS: u64 = 2000;
 /// Numbers in a parcel at most, so that it fits into a message.
 const NUMBERS: u64 = 1 << 20;
 
@@ -63,10 +64,11 @@ impl Cluster {
         Self { place: Place::Here(threads), tasks: 64 }
     }
 
-    /// Into how many tasks every wave is cut, 64 where nobody says. With fewer than the cluster has cores some of them wait.
+    /// Into how many tasks every wave is cut, at most 2000 and 64 where nobody says. With fewer than the cluster has cores some
+    /// of them wait; each costs the scheduler some milliseconds.
     #[must_use]
     pub fn tasks(self, tasks: NonZero<usize>) -> Self {
-        Self { tasks: tasks.get() as u64, ..self }
+        Self { tasks: (tasks.get() as u64).min(TASKS), ..self }
     }
 }
 
@@ -128,7 +130,7 @@ fn ran(
     let session = format!("kin-study-{}-{}", std::process::id(), since.as_nanos());
     #[rustfmt::skip]
     let mut remote = Remote {
-        prepared: own, function, text, scheduler, session, is_far, tasks, runtime, watch: watching, next,
+        prepared: own, function, text, scheduler, session, is_far, tasks, runtime, watch: watching, next, rate: None,
     };
     cover(&prepared, directory, part, &mut remote, watch)
 }
@@ -149,6 +151,8 @@ struct Remote {
     watch: Watch,
     /// How many rows the next wave takes.
     next: u64,
+    /// Rows per second of the last wave.
+    rate: Option<f64>,
 }
 
 impl Workers for Remote {
@@ -161,22 +165,31 @@ impl Workers for Remote {
             return Ok(Found { rows, batches: Vec::new(), summary });
         }
         let began = Instant::now();
+        let Some(answers) = self.answers(&rows)? else {
+            return Ok(Found { rows: rows.start..rows.start, batches: Vec::new(), summary });
+        };
+        // A worker that was taken for lost may answer after all: what comes twice is the same, and counts once.
+        let mut parcels = BTreeMap::new();
+        for answer in &answers {
+            let starts = answer.column(0).as_primitive::<UInt64Type>().values();
+            parcels.extend(starts.iter().zip(answer.column(1).as_binary::<i32>().iter().flatten()));
+        }
         let mut batches = Vec::new();
-        for parcels in self.answers(&rows)? {
-            for parcel in parcels.column(0).as_binary::<i32>().iter().flatten() {
-                let (own, found) = unpacked(parcel, &self.prepared).map_err(DataFusionError::from)?;
-                batches.extend(own);
-                summary.and(&found);
-            }
+        for parcel in parcels.into_values() {
+            let (own, found) = unpacked(parcel, &self.prepared).map_err(DataFusionError::from)?;
+            batches.extend(own);
+            summary.and(&found);
         }
         if summary.tally.tried != count {
             let tried = summary.tally.tried;
-            return Err(StudyError::Cluster(format!("{}: {tried} of {count} rows came back", self.scheduler)));
+            let message = format!("{}: {tried} of {count} rows came back", self.scheduler);
+            return Err(resumable(StudyError::Cluster(message)));
         }
         let table = MemTable::try_new(Arc::clone(&self.prepared.schema), vec![batches])?;
         let batches = self.runtime.block_on(merged(&self.prepared, Arc::new(table), 1))?;
         self.watch.done.fetch_add(count, Ordering::Relaxed);
         let rate = count as f64 / began.elapsed().as_secs_f64().max(1e-3);
+        self.rate = Some(rate);
         let next = (rate * TIME.as_secs_f64()) as u64;
         self.next = next.min(count.saturating_mul(8)).max(self.tasks * FIRST);
         Ok(Found { rows, batches, summary })
@@ -184,44 +197,48 @@ impl Workers for Remote {
 }
 
 impl Remote {
-    /// What the workers find in some rows. A worker that is lost takes with it what it has found, so that all is computed
-    /// again by those that are left.
-    fn answers(&self, rows: &Range<u64>) -> Result<Vec<RecordBatch>, StudyError> {
-        let mut tries = 0;
-        loop {
-            let error = match self.runtime.block_on(self.parcels(rows)) {
+    /// What the workers find in some rows; none if somebody asks to stop and it takes long. A worker that is lost takes with it
+    /// what it has found, so that all is computed again by those that are left.
+    fn answers(&self, rows: &Range<u64>) -> Result<Option<Vec<RecordBatch>>, StudyError> {
+        let count = (rows.end - rows.start) as f64;
+        let mut patience = self.rate.map_or(UNKNOWN, |rate| PATIENCE + Duration::from_secs_f64(4.0 * count / rate));
+        for tried in 1.. {
+            let answer = self.runtime.block_on(async {
+                let plan = self.plan(rows).await?;
+                let answers = submitted(&self.scheduler, &self.session, plan);
+                tokio::select! {
+                    answers = answers => answers.map(Some),
+                    () = self.abandoned() => Ok(None),
+                    () = tokio::time::sleep(patience) => {
+                        let message = format!("no answer in {} s", patience.as_secs());
+                        Err(DataFusionError::Execution(message))
+                    }
+                }
+            });
+            let error = match answer {
                 Ok(answers) => return Ok(answers),
+                Err(error) if is_foreign(&error, self.function.name()) => return Err(foreign(&self.scheduler)),
                 Err(error) => error,
             };
-            tries += 1;
-            let goes_on = || self.is_far && !self.is_foreign(&error) && ready(&self.scheduler, &self.watch).is_ok();
-            if tries == TRIES || self.watch.stop.load(Ordering::Relaxed) || !goes_on() {
-                return Err(self.lost(&error));
+            if self.is_far {
+                ready(&self.scheduler, &self.watch).map_err(resumable)?;
             }
+            if tried == TRIES || !self.is_far {
+                let (scheduler, error) = (&self.scheduler, error.strip_backtrace());
+                return Err(resumable(StudyError::Cluster(format!("{scheduler}: {error}"))));
+            }
+            patience *= 2;
             std::thread::sleep(Duration::from_secs(HEARTBEAT));
         }
+        Ok(None)
     }
 
-    /// Whether an error says that a member of the cluster is another program: a scheduler says which function it does not
-    /// know, and a worker only that it cannot read the task.
-    fn is_foreign(&self, error: &DataFusionError) -> bool {
-        let text = error.strip_backtrace();
-        let is_unknown = text.contains(self.function.name()) && text.contains("no UDF named");
-        is_unknown || text.contains("task could not be prepared or was rejected")
-    }
-
-    /// What the workers find in some rows.
-    async fn parcels(&self, rows: &Range<u64>) -> Result<Vec<RecordBatch>, DataFusionError> {
-        let config = SessionConfig::new_with_ballista();
-        let config = config.with_ballista_grpc_client_max_message_size(MESSAGE as usize);
-        let codec = config.ballista_physical_extension_codec();
-        let session = self.session.clone();
-        let (url, settings): (String, BallistaConfig) =
-            (format!("http://{}", self.scheduler), config.ballista_config());
-        let plan = self.plan(rows).await?;
-        let stream =
-            execute_physical_plan::<PhysicalPlanNode>(url, &settings, plan, codec.as_ref(), session, config).await?;
-        collect(stream).await
+    /// Waits until somebody has asked to stop, and a little longer.
+    async fn abandoned(&self) {
+        while !self.watch.stop.load(Ordering::Relaxed) {
+            tokio::time::sleep(Duration::from_millis(100)).await;
+        }
+        tokio::time::sleep(GRACE).await;
     }
 
     /// A table whose partitions are the tasks, each with a row for every piece, and the function of these.
@@ -238,21 +255,13 @@ impl Remote {
         let tasks = tasks.collect::<Result<Vec<_>, DataFusionError>>()?;
         let table = MemTable::try_new(Arc::clone(&schema), tasks)?;
         let found = self.function.call(vec![lit(self.text.as_str()), col("start"), col("end")]).alias("found");
-        context(1).read_table(Arc::new(table))?.select(vec![found])?.create_physical_plan().await
+        context(1).read_table(Arc::new(table))?.select(vec![col("start"), found])?.create_physical_plan().await
     }
+}
 
-    /// What an error of the engine means here.
-    fn lost(&self, error: &DataFusionError) -> StudyError {
-        let scheduler = &self.scheduler;
-        StudyError::Cluster(if self.is_foreign(error) {
-            format!(
-                "{scheduler}: the scheduler or a worker is another program, or another build of it; start the same file \
-                 everywhere"
-            )
-        } else {
-            format!("{scheduler}: {}", error.strip_backtrace())
-        })
-    }
+/// An error behind which the study goes on.
+fn resumable(error: StudyError) -> StudyError {
+    StudyError::Cluster(format!("{error}\nwhat is done is kept; go on with --resume"))
 }
 
 /// Rows as pieces of at most `largest` rows, and these as so many tasks of about the same size.

@@ -11,6 +11,10 @@ mod client;
 mod function;
 mod parcel;
 mod roles;
+mod submission;
+
+/// The largest message between the members of a cluster, in bytes.
+const MESSAGE: u32 = 64 << 20;
 
 pub use client::{Cluster, run_on};
-pub use roles::{Listen, scheduler, worker};
+pub use roles::{Listen, Standing, scheduler, worker};

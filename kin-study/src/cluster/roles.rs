@@ -1,7 +1,8 @@
 //! Schedulers and workers.
 
-use super::client::MESSAGE;
+use super::MESSAGE;
 use super::function::Function;
+use super::submission::known;
 use crate::engine::Watch;
 use crate::error::StudyError;
 use ballista_core::config::TaskSchedulingPolicy;
@@ -125,20 +126,56 @@ fn schedule(function: &ScalarUDF, listen: &Listen, listens: &mut dyn FnMut(Socke
     })
 }
 
-/// Runs a worker for the scheduler at `host:port` with so many threads, until the process is told to end (Ctrl-C, SIGTERM).
+/// What a worker is doing.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Standing {
+    /// No scheduler answers yet.
+    Waiting,
+    /// The scheduler knows it, or is about to.
+    Joining,
+}
+
+/// Runs a worker for the scheduler at `host:port` with so many threads, until the process is told to end (Ctrl-C, SIGTERM). It
+/// waits for a scheduler that does not answer yet.
 ///
 /// # Errors
-/// Where it cannot listen there, and where the scheduler does not answer.
-pub fn worker<M>(scheduler: &str, listen: &Listen, threads: NonZero<usize>) -> Result<(), StudyError>
+/// Where it cannot listen there, where the scheduler is another program, and where something else answers.
+pub fn worker<M>(
+    scheduler: &str,
+    listen: &Listen,
+    threads: NonZero<usize>,
+    mut stands: impl FnMut(Standing),
+) -> Result<(), StudyError>
 where
     M: Mechanism + Default + Send + Sync + 'static,
 {
-    work(&Function::of::<M>()?, scheduler, listen, threads)
+    work(&Function::of::<M>()?, scheduler, listen, threads, &mut stands)
 }
 
-fn work(function: &ScalarUDF, scheduler: &str, listen: &Listen, threads: NonZero<usize>) -> Result<(), StudyError> {
+fn work(
+    function: &ScalarUDF,
+    scheduler: &str,
+    listen: &Listen,
+    threads: NonZero<usize>,
+    stands: &mut dyn FnMut(Standing),
+) -> Result<(), StudyError> {
     let failed = |error: io::Error| StudyError::Cluster(format!("a worker cannot start: {error}"));
     let (scheduler_host, scheduler_port) = parts(scheduler)?;
+    if listen.port != 0 {
+        TcpListener::bind(SocketAddr::new(listen.bind, listen.port)).map_err(failed)?;
+    }
+    let runtime = tokio::runtime::Builder::new_multi_thread().enable_all().build().map_err(failed)?;
+    for waited in 0.. {
+        match ask(&scheduler_host, scheduler_port) {
+            Ok(_) => break,
+            Err(Silence::Nobody(_)) if waited == 0 => stands(Standing::Waiting),
+            Err(Silence::Nobody(_)) => {}
+            Err(Silence::SomethingElse) => return Err(something_else(scheduler)),
+        }
+        std::thread::sleep(Duration::from_millis(500));
+    }
+    runtime.block_on(known(scheduler, function))?;
+    stands(Standing::Joining);
     let directory = tempfile::Builder::new().prefix("kin-study-worker-").tempdir().map_err(failed)?;
     let [port, grpc_port] = ports(listen).map_err(failed)?;
     let config = ExecutorProcessConfig {
@@ -161,7 +198,6 @@ fn work(function: &ScalarUDF, scheduler: &str, listen: &Listen, threads: NonZero
         override_config_producer: Some(configurations()),
         ..ExecutorProcessConfig::default()
     };
-    let runtime = tokio::runtime::Builder::new_multi_thread().enable_all().build().map_err(failed)?;
     runtime.block_on(start_executor_process(Arc::new(config))).map_err(lost(scheduler))
 }
 
@@ -206,21 +242,13 @@ pub(super) async fn embedded(function: &ScalarUDF, threads: NonZero<usize>) -> R
 pub(super) fn ready(scheduler: &str, watch: &Watch) -> Result<(), StudyError> {
     let (host, port) = parts(scheduler)?;
     let began = Instant::now();
-    let ask = || -> io::Result<bool> {
-        let addresses = (host.as_str(), port).to_socket_addrs()?;
-        let mut last = io::Error::new(io::ErrorKind::NotFound, "no such host");
-        for address in addresses {
-            match TcpStream::connect_timeout(&address, Duration::from_secs(5)) {
-                Ok(stream) => return has_workers(stream, &host),
-                Err(error) => last = error,
-            }
-        }
-        Err(last)
-    };
     loop {
-        match ask() {
+        match ask(&host, port) {
             Ok(true) => return Ok(()),
-            Err(error) => return Err(StudyError::Cluster(format!("no scheduler answers at {scheduler}: {error}"))),
+            Err(Silence::SomethingElse) => return Err(something_else(scheduler)),
+            Err(Silence::Nobody(error)) => {
+                return Err(StudyError::Cluster(format!("no scheduler answers at {scheduler}: {error}")));
+            }
             Ok(false) if began.elapsed() > WAIT || watch.stop.load(Ordering::Relaxed) => {
                 let message = format!("{scheduler} has no workers; start some: `worker --scheduler {scheduler}`");
                 return Err(StudyError::Cluster(message));
@@ -230,11 +258,40 @@ pub(super) fn ready(scheduler: &str, watch: &Watch) -> Result<(), StudyError> {
     }
 }
 
-/// What a scheduler says of itself by HTTP: 200 if it has workers.
-fn has_workers(mut stream: TcpStream, host: &str) -> io::Result<bool> {
-    stream.set_read_timeout(Some(Duration::from_secs(5)))?;
-    write!(stream, "GET /readyz HTTP/1.1\r\nHost: {host}\r\nConnection: close\r\n\r\n")?;
+/// Why no scheduler answers.
+enum Silence {
+    Nobody(io::Error),
+    SomethingElse,
+}
+
+fn something_else(scheduler: &str) -> StudyError {
+    StudyError::Cluster(format!("what answers at {scheduler} is no scheduler"))
+}
+
+/// Whether the scheduler at an address has workers.
+fn ask(host: &str, port: u16) -> Result<bool, Silence> {
+    let mut last = io::Error::new(io::ErrorKind::NotFound, "no such host");
+    for address in (host, port).to_socket_addrs().map_err(Silence::Nobody)? {
+        match TcpStream::connect_timeout(&address, Duration::from_secs(5)) {
+            Ok(stream) => return has_workers(stream, host),
+            Err(error) => last = error,
+        }
+    }
+    Err(Silence::Nobody(last))
+}
+
+/// What a scheduler says of itself by HTTP: 200 if it has workers, 503 if it has none.
+fn has_workers(mut stream: TcpStream, host: &str) -> Result<bool, Silence> {
     let mut line = String::new();
-    BufReader::new(stream).read_line(&mut line)?;
-    Ok(line.split_whitespace().nth(1) == Some("200"))
+    let mut answer = || {
+        stream.set_read_timeout(Some(Duration::from_secs(5)))?;
+        write!(stream, "GET /readyz HTTP/1.1\r\nHost: {host}\r\nConnection: close\r\n\r\n")?;
+        BufReader::new(&stream).read_line(&mut line)
+    };
+    answer().map_err(Silence::Nobody)?;
+    match line.split_whitespace().nth(1) {
+        Some("200") => Ok(true),
+        Some("503") => Ok(false),
+        _ => Err(Silence::SomethingElse),
+    }
 }

@@ -103,7 +103,11 @@ fn without_its_scheduler_a_run_ends_and_keeps_what_is_finished() {
     signal(&lost.0, "KILL");
     let began = Instant::now();
     let [_, text] = said("a lost scheduler", run.wait_with_output().expect("it ends"), 1);
-    assert!(began.elapsed() < Duration::from_secs(60) && text.contains(&format!("error: {address}: ")), "{text}");
+    assert!(
+        began.elapsed() < Duration::from_secs(60) && text.contains(&format!("no scheduler answers at {address}")),
+        "{text}"
+    );
+    assert!(text.contains("what is done is kept; go on with --resume"), "{text}");
     assert!(files(&place.path("broken"), "rows-") > 0);
 
     // Another scheduler goes on, until it is interrupted.
@@ -134,7 +138,40 @@ fn who_is_not_there_and_who_is_another_program_is_named() {
     let (_scheduler, address) = scheduler(&program());
     let [_, text] = run(&address);
     assert!(text.contains(&format!("{address} has no workers; start some: `worker --scheduler {address}`")), "{text}");
-    let _foreign = worker(&example("press"), &address);
+    // A worker and a client that are another program are refused at once.
+    let _own = worker(&program(), &address);
+    let foreign = |words: &str| {
+        let output = Command::new(example("press")).args(words.split(' ')).current_dir(place.path("")).output();
+        let [_, text] = said(words, output.expect("it starts"), 1);
+        assert!(text.contains(&format!("{address}: the scheduler or a worker is another program")), "{text}");
+    };
+    foreign(&format!("worker --scheduler {address}"));
+    let press = Path::new(env!("CARGO_MANIFEST_DIR")).join("press.toml");
+    foreign(&format!("run {} --out press --cluster {address}", press.display()));
+    place.success(&format!("run study.toml --out own --cluster {address}"));
+
+    let other = std::net::TcpListener::bind("127.0.0.1:0").expect("there is a port");
+    let address = other.local_addr().expect("it has one").to_string();
+    std::thread::spawn(move || {
+        for stream in other.incoming().flatten() {
+            let _ = std::io::Write::write_all(&mut &stream, b"HTTP/1.1 404 Not Found\r\n\r\n");
+        }
+    });
     let [_, text] = run(&address);
-    assert!(text.contains("is another program, or another build of it"), "{text}");
+    assert!(text.contains(&format!("what answers at {address} is no scheduler")), "{text}");
+}
+
+#[test]
+fn a_worker_that_is_frozen_is_done_without() {
+    let (_scheduler, address) = scheduler(&program());
+    let (frozen, _left) = (worker(&program(), &address), worker(&program(), &address));
+    let place = Place::new(LONG);
+    place.success("run study.toml --out whole");
+    let run = place.command(&format!("run study.toml --out cluster --cluster {address}")).spawn().expect("it starts");
+    working(&frozen.0);
+    signal(&frozen.0, "STOP");
+    let [_, text] = said("a cluster", run.wait_with_output().expect("it ends"), 0);
+    signal(&frozen.0, "CONT");
+    assert_eq!(own(&text), 1_000_000, "{text}");
+    assert!(table(&place.path("cluster")) == table(&place.path("whole")));
 }
