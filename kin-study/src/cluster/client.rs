@@ -2,7 +2,8 @@
 
 use super::function::Function;
 use super::parcel::unpacked;
-use super::roles::{HEARTBEAT, embedded, ready};
+use super::presence::ready;
+use super::roles::{HEARTBEAT, embedded};
 use super::submission::{foreign, is_foreign, submitted};
 use crate::engine::{Found, Part, Report, Summary, TIME, Watch, Workers, cover, merged, most};
 use crate::error::StudyError;

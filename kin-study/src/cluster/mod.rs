@@ -10,6 +10,7 @@
 mod client;
 mod function;
 mod parcel;
+mod presence;
 mod roles;
 mod submission;
 

@@ -2,8 +2,8 @@
 
 use super::MESSAGE;
 use super::function::Function;
+use super::presence::{Silence, WAIT, ask, parts, something_else};
 use super::submission::known;
-use crate::engine::Watch;
 use crate::error::StudyError;
 use ballista_core::config::TaskSchedulingPolicy;
 use ballista_core::error::BallistaError;
@@ -26,34 +26,41 @@ use datafusion::prelude::SessionConfig;
 use datafusion_proto::protobuf::{LogicalPlanNode, PhysicalPlanNode};
 use kin_runtime::Mechanism;
 use std::fmt::Display;
-use std::io::{self, BufRead, BufReader, Write};
-use std::net::{IpAddr, SocketAddr, TcpListener, TcpStream, ToSocketAddrs};
+use std::io;
+use std::net::{IpAddr, SocketAddr, TcpListener};
 use std::num::NonZero;
 use std::sync::Arc;
-use std::sync::atomic::Ordering;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 /// Between two signs of life of a worker, in seconds.
 pub(super) const HEARTBEAT: u64 = 2;
 /// After how many seconds without one a worker counts as lost.
 const LOST: u64 = 10;
-/// How long a client waits for the first worker.
-const WAIT: Duration = Duration::from_secs(20);
+/// For how many seconds workers keep what clients have fetched or given up.
+const KEPT: u64 = 60;
 
 /// Where a scheduler or a worker listens.
 #[derive(Clone, Debug)]
 pub struct Listen {
     /// The address of the interface; the loopback interface hears this machine alone.
     pub bind: IpAddr,
-    /// The name by which the others reach this machine; the address where there is none.
+    /// The name by which the others reach this machine; the address where there is none. An address that stands for all
+    /// interfaces needs one.
     pub host: Option<String>,
     /// The port; 0 for any that is free.
     pub port: u16,
 }
 
 impl Listen {
-    fn host(&self) -> String {
-        self.host.clone().unwrap_or_else(|| self.bind.to_string())
+    fn host(&self) -> Result<String, StudyError> {
+        match &self.host {
+            Some(host) => Ok(host.clone()),
+            None if self.bind.is_unspecified() => Err(StudyError::description(format!(
+                "{} stands for all interfaces of this machine: say by which name the others reach it, --host HOST",
+                self.bind
+            ))),
+            None => Ok(self.bind.to_string()),
+        }
     }
 }
 
@@ -102,9 +109,11 @@ fn schedule(function: &ScalarUDF, listen: &Listen, listens: &mut dyn FnMut(Socke
     listener.set_nonblocking(true).map_err(failed)?;
     let address = listener.local_addr().map_err(failed)?;
     let config = SchedulerConfig {
-        external_host: listen.host(),
+        external_host: listen.host()?,
         bind_host: listen.bind.to_string(),
         bind_port: address.port(),
+        finished_job_data_clean_up_interval_seconds: KEPT,
+        finished_job_state_clean_up_interval_seconds: 10 * KEPT,
         executor_timeout_seconds: LOST,
         expire_dead_executor_interval_seconds: HEARTBEAT,
         no_executors_grace_period_seconds: LOST,
@@ -160,7 +169,7 @@ fn work(
     stands: &mut dyn FnMut(Standing),
 ) -> Result<(), StudyError> {
     let failed = |error: io::Error| StudyError::Cluster(format!("a worker cannot start: {error}"));
-    let (scheduler_host, scheduler_port) = parts(scheduler)?;
+    let ((scheduler_host, scheduler_port), host) = (parts(scheduler)?, listen.host()?);
     if listen.port != 0 {
         TcpListener::bind(SocketAddr::new(listen.bind, listen.port)).map_err(failed)?;
     }
@@ -180,7 +189,7 @@ fn work(
     let [port, grpc_port] = ports(listen).map_err(failed)?;
     let config = ExecutorProcessConfig {
         bind_host: listen.bind.to_string(),
-        external_host: Some(listen.host()),
+        external_host: Some(host),
         port,
         grpc_port,
         scheduler_host,
@@ -189,8 +198,8 @@ fn work(
         vcores: threads.get(),
         task_scheduling_policy: TaskSchedulingPolicy::PushStaged,
         work_dir: Some(directory.path().to_string_lossy().into_owned()),
-        job_data_ttl_seconds: 600,
-        job_data_clean_up_interval_seconds: 60,
+        job_data_ttl_seconds: 10 * KEPT,
+        job_data_clean_up_interval_seconds: KEPT,
         grpc_max_decoding_message_size: MESSAGE,
         grpc_max_encoding_message_size: MESSAGE,
         executor_heartbeat_interval_seconds: HEARTBEAT,
@@ -209,12 +218,6 @@ fn ports(listen: &Listen) -> io::Result<[u16; 2]> {
     let free = [0; 2].map(|port| TcpListener::bind(SocketAddr::new(listen.bind, port)));
     let [one, other] = free;
     Ok([one?.local_addr()?.port(), other?.local_addr()?.port()])
-}
-
-/// Host and port.
-fn parts(address: &str) -> Result<(String, u16), StudyError> {
-    let found = address.rsplit_once(':').and_then(|(host, port)| Some((host.to_owned(), port.parse().ok()?)));
-    found.ok_or_else(|| StudyError::description(format!("`{address}` is no address of a scheduler: write HOST:PORT")))
 }
 
 /// A scheduler and a worker within this process; where the scheduler listens.
@@ -236,62 +239,4 @@ pub(super) async fn embedded(function: &ScalarUDF, threads: NonZero<usize>) -> R
     );
     worker.await.map_err(&failed)?;
     Ok(scheduler)
-}
-
-/// Waits until a scheduler has workers.
-pub(super) fn ready(scheduler: &str, watch: &Watch) -> Result<(), StudyError> {
-    let (host, port) = parts(scheduler)?;
-    let began = Instant::now();
-    loop {
-        match ask(&host, port) {
-            Ok(true) => return Ok(()),
-            Err(Silence::SomethingElse) => return Err(something_else(scheduler)),
-            Err(Silence::Nobody(error)) => {
-                return Err(StudyError::Cluster(format!("no scheduler answers at {scheduler}: {error}")));
-            }
-            Ok(false) if began.elapsed() > WAIT || watch.stop.load(Ordering::Relaxed) => {
-                let message = format!("{scheduler} has no workers; start some: `worker --scheduler {scheduler}`");
-                return Err(StudyError::Cluster(message));
-            }
-            Ok(false) => std::thread::sleep(Duration::from_millis(200)),
-        }
-    }
-}
-
-/// Why no scheduler answers.
-enum Silence {
-    Nobody(io::Error),
-    SomethingElse,
-}
-
-fn something_else(scheduler: &str) -> StudyError {
-    StudyError::Cluster(format!("what answers at {scheduler} is no scheduler"))
-}
-
-/// Whether the scheduler at an address has workers.
-fn ask(host: &str, port: u16) -> Result<bool, Silence> {
-    let mut last = io::Error::new(io::ErrorKind::NotFound, "no such host");
-    for address in (host, port).to_socket_addrs().map_err(Silence::Nobody)? {
-        match TcpStream::connect_timeout(&address, Duration::from_secs(5)) {
-            Ok(stream) => return has_workers(stream, host),
-            Err(error) => last = error,
-        }
-    }
-    Err(Silence::Nobody(last))
-}
-
-/// What a scheduler says of itself by HTTP: 200 if it has workers, 503 if it has none.
-fn has_workers(mut stream: TcpStream, host: &str) -> Result<bool, Silence> {
-    let mut line = String::new();
-    let mut answer = || {
-        stream.set_read_timeout(Some(Duration::from_secs(5)))?;
-        write!(stream, "GET /readyz HTTP/1.1\r\nHost: {host}\r\nConnection: close\r\n\r\n")?;
-        BufReader::new(&stream).read_line(&mut line)
-    };
-    answer().map_err(Silence::Nobody)?;
-    match line.split_whitespace().nth(1) {
-        Some("200") => Ok(true),
-        Some("503") => Ok(false),
-        _ => Err(Silence::SomethingElse),
-    }
 }

@@ -134,6 +134,8 @@ fn who_is_not_there_and_who_is_another_program_is_named() {
     assert!(text.contains("no scheduler answers at 127.0.0.1:9"), "{text}");
     let [_, text] = said("no port", place.output("run study.toml --out out --cluster somewhere"), 2);
     assert!(text.contains("`somewhere` is no address of a scheduler: write HOST:PORT"), "{text}");
+    let [_, text] = said("no name", place.output("scheduler --bind 0.0.0.0 --port 0"), 2);
+    assert!(text.contains("say by which name the others reach it, --host HOST"), "{text}");
 
     let (_scheduler, address) = scheduler(&program());
     let [_, text] = run(&address);
