@@ -64,6 +64,7 @@ mod with {
             Standing::Waiting => eprintln!("worker waits for a scheduler at {scheduler}"),
             Standing::Joining => eprintln!("worker joins {scheduler}, threads: {threads}"),
         })?;
+        eprintln!("worker ends: it was told to, or {scheduler} has given it up");
         Ok(ExitCode::SUCCESS)
     }
 

@@ -63,7 +63,9 @@ fn has_workers(mut stream: TcpStream, host: &str) -> Result<bool, Silence> {
     let mut line = String::new();
     let mut answer = || {
         stream.set_read_timeout(Some(Duration::from_secs(5)))?;
-        write!(stream, "GET /readyz HTTP/1.1\r\nHost: {host}\r\nConnection: close\r\n\r\n")?;
+        // At once: who is no scheduler may answer and leave after the first part.
+        let question = format!("GET /readyz HTTP/1.1\r\nHost: {host}\r\nConnection: close\r\n\r\n");
+        stream.write_all(question.as_bytes())?;
         BufReader::new(&stream).read_line(&mut line)
     };
     answer().map_err(Silence::Nobody)?;

@@ -4,7 +4,7 @@
 use crate::processes::{LONG, Place, SHORT, example, files, own, program, said, signal, working};
 use crate::table;
 use kin_study::query;
-use std::io::{BufRead, BufReader};
+use std::io::{BufRead, BufReader, Read, Write};
 use std::path::Path;
 use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
@@ -155,8 +155,9 @@ fn who_is_not_there_and_who_is_another_program_is_named() {
     let other = std::net::TcpListener::bind("127.0.0.1:0").expect("there is a port");
     let address = other.local_addr().expect("it has one").to_string();
     std::thread::spawn(move || {
-        for stream in other.incoming().flatten() {
-            let _ = std::io::Write::write_all(&mut &stream, b"HTTP/1.1 404 Not Found\r\n\r\n");
+        for mut stream in other.incoming().flatten() {
+            let _ = stream.read(&mut [0; 1024]);
+            let _ = stream.write_all(b"HTTP/1.1 404 Not Found\r\n\r\n");
         }
     });
     let [_, text] = run(&address);
