@@ -9,11 +9,6 @@ use crate::signal::Signal;
 use crate::state::State;
 use crate::workspace::Instant;
 
-/// True if no coordinate is held or carried and there are no named points: then all poses are coordinates.
-pub(crate) fn shows_coordinates(model: &Model) -> bool {
-    model.points.is_empty() && model.bodies.iter().all(|body| !body.coordinates.contains(&None))
-}
-
 /// Writes the motion of bodies whose poses are coordinates.
 pub(crate) fn write_coordinates(state: &mut State) {
     let State { model, q, q_dot, q_ddot, bodies, points, .. } = state;
@@ -40,7 +35,7 @@ pub(crate) fn write_coordinates(state: &mut State) {
 
 /// Writes the motion of bodies and points, for the q, q̇ and q̈ of the state.
 pub(crate) fn poses(equations: &mut Equations<'_>, state: &mut State) -> Result<(), SolveError> {
-    if shows_coordinates(equations.model) {
+    if equations.poses_are_coordinates {
         write_coordinates(state);
         return Ok(());
     }

@@ -47,6 +47,7 @@ impl<'a> Equations<'a> {
             model,
             options,
             scale: Scale::unit(rows, n),
+            poses_are_coordinates: model.poses_are_coordinates(),
             given: given.iter().map(|&(coordinate, start)| Given { coordinate, start, now: start }).collect(),
             start_time: at.t,
             input_function,

@@ -42,6 +42,8 @@ pub(crate) struct Equations<'a> {
     pub(crate) model: &'static Model,
     pub(crate) options: Options,
     pub(crate) scale: Scale,
+    /// True where the motion of bodies and points can be read off q, q̇ and q̈.
+    pub(crate) poses_are_coordinates: bool,
     given: Vec<Given>,
     start_time: f64,
     input_function: InputFunction<'a>,

@@ -9,7 +9,7 @@ use crate::mechanism::{LengthError, Mechanism, Observations, Workspace};
 use crate::model::{Model, Pattern};
 use crate::plan::{Depth, Solved};
 use crate::planned::PlanError;
-use crate::planned::follower::{Control, Follower};
+use crate::planned::follower::{Control, Follower, Poses};
 use crate::scalar::Scalar;
 use crate::signal::Signal;
 use crate::state::State;
@@ -117,14 +117,16 @@ pub(crate) trait System {
         let _ = (at, q);
         Err(PlanError::NoPlan { why: self.model().plan.absent.unwrap_or("nothing is followed") })
     }
-    /// Moves the follower of the plan to another instant on its branch; the inputs may be given as functions of time.
+    /// Moves the follower of the plan to another instant on its branch and writes q, q̇ and q̈ into the state; the inputs
+    /// may be given as functions of time.
     fn follow(
         &mut self,
         at: &Instant<'_>,
         inputs: InputFunction<'_>,
         control: &Control,
-    ) -> Result<Followed<'_>, PlanError> {
-        let _ = (inputs, control);
+        state: &mut State,
+    ) -> Result<Followed, PlanError> {
+        let _ = (inputs, control, state);
         self.follow_from(at, &[])?;
         Err(PlanError::NoPlan { why: "nothing is followed" })
     }
@@ -132,37 +134,42 @@ pub(crate) trait System {
     fn q_at_limit(&self) -> Option<&[f64]> {
         None
     }
-    /// Passes to `see` the solution that [`follow`](Self::follow) would find at an instant, without moving the
-    /// follower.
+    /// Writes the solution that [`follow`](Self::follow) would find at an instant, without moving the follower.
     fn glance(
         &mut self,
         at: &Instant<'_>,
         inputs: InputFunction<'_>,
         control: &Control,
-        see: &mut dyn FnMut(Followed<'_>),
+        state: &mut State,
     ) -> Result<(), PlanError> {
-        self.follow(at, inputs, control).map(see)
+        self.follow(at, inputs, control, state).map(|_| ())
     }
 }
 
-/// A solution found by the follower of the plan.
+/// What the follower of the plan says of a solution besides its numbers.
 #[derive(Clone, Copy)]
-pub(crate) struct Followed<'f> {
-    pub(crate) q: &'f [f64],
-    pub(crate) q_dot: &'f [f64],
-    pub(crate) q_ddot: &'f [f64],
+pub(crate) struct Followed {
     /// The smallest margin.
     pub(crate) least_margin: f64,
     /// True where the solution is one step away from the previous one.
     pub(crate) in_one_step: bool,
 }
 
-impl<'f, M: Mechanism> From<&'f Follower<M>> for Followed<'f> {
-    fn from(follower: &'f Follower<M>) -> Self {
-        let state = follower.state();
-        let least_margin = state.margins.least();
-        let (q, q_dot, q_ddot) = (state.q.as_ref(), state.q_dot.as_ref(), state.q_ddot.as_ref());
-        Self { q, q_dot, q_ddot, least_margin, in_one_step: follower.in_one_step() }
+impl Followed {
+    /// Writes the numbers of the last accepted state.
+    fn write<M: Mechanism>(follower: &Follower<M>, state: &mut State) -> Self {
+        let Poses { q, q_dot, q_ddot, margins } = follower.state();
+        for (to, from) in [(&mut state.q, q), (&mut state.q_dot, q_dot), (&mut state.q_ddot, q_ddot)] {
+            let from = from.as_ref();
+            // The usual case has a length that the compiler knows.
+            if to.len() == from.len() {
+                to.copy_from_slice(from);
+            } else {
+                to.clear();
+                to.extend_from_slice(from);
+            }
+        }
+        Self { least_margin: margins.least(), in_one_step: follower.in_one_step() }
     }
 }
 
@@ -271,14 +278,15 @@ impl<B: Borrow<M>, M: Mechanism> System for Evaluator<B, M> {
         at: &Instant<'_>,
         inputs: InputFunction<'_>,
         control: &Control,
-    ) -> Result<Followed<'_>, PlanError> {
+        state: &mut State,
+    ) -> Result<Followed, PlanError> {
         let Some(follower) = &mut self.follower else { return Err(PlanError::NoPlan { why: "nothing is followed" }) };
         let mechanism = self.mechanism.borrow();
         match inputs {
             Some(inputs) => follower.update_timed(mechanism, at, inputs, control)?,
             None => follower.update(mechanism, at, control)?,
         }
-        Ok(Followed::from(&**follower))
+        Ok(Followed::write(follower, state))
     }
 
     fn q_at_limit(&self) -> Option<&[f64]> {
@@ -290,12 +298,12 @@ impl<B: Borrow<M>, M: Mechanism> System for Evaluator<B, M> {
         at: &Instant<'_>,
         inputs: InputFunction<'_>,
         control: &Control,
-        see: &mut dyn FnMut(Followed<'_>),
+        state: &mut State,
     ) -> Result<(), PlanError> {
         let kept = self.follower.clone();
-        let found = self.follow(at, inputs, control).map(see);
+        let found = self.follow(at, inputs, control, state);
         self.follower = kept;
-        found
+        found.map(|_| ())
     }
 
     fn write_geometry(&self, at: &Instant<'_>, numbers: &mut [f64]) -> Result<(), LengthError> {

@@ -367,4 +367,10 @@ impl Model {
     pub fn input(&self, name: &str) -> Option<Input> {
         self.inputs.iter().position(|input| *input == name).map(Input)
     }
+
+    /// True if no coordinate is held or carried and there are no named points: then all poses are coordinates.
+    #[cfg(feature = "std")]
+    pub(crate) fn poses_are_coordinates(&self) -> bool {
+        self.points.is_empty() && self.bodies.iter().all(|body| !body.coordinates.contains(&None))
+    }
 }

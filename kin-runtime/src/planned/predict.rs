@@ -42,20 +42,20 @@ pub(crate) fn turned<V: Compare>(a: &[V], b: &[V], weights: &[f64]) -> V {
     largest(weights, a, b, |weight, a, b| V::from_f64(weight) * (a - b).abs())
 }
 
-/// The largest value of a function of corresponding elements of three lists, computed as three maxima in parallel.
+/// The largest value of a function of corresponding elements of three lists, computed as four maxima in parallel.
 #[inline(always)]
 fn largest<V: Compare>(weights: &[f64], x: &[V], y: &[V], of: impl Fn(f64, V, V) -> V) -> V {
-    let mut most = [V::from_f64(0.0); 3];
-    let (weights, weights_rest) = weights.as_chunks::<3>();
-    let ((x, x_rest), (y, y_rest)) = (x.as_chunks::<3>(), y.as_chunks::<3>());
+    let mut most = [V::from_f64(0.0); 4];
+    let (weights, weights_rest) = weights.as_chunks::<4>();
+    let ((x, x_rest), (y, y_rest)) = (x.as_chunks::<4>(), y.as_chunks::<4>());
     for ((weights, x), y) in weights.iter().zip(x).zip(y) {
-        for k in 0..3 {
+        for k in 0..4 {
             most[k] = most[k].greatest(of(weights[k], x[k], y[k]));
         }
     }
     let rest = weights_rest.iter().zip(x_rest).zip(y_rest);
     let rest = rest.fold(most[0], |most, ((weight, x), y)| most.greatest(of(*weight, *x, *y)));
-    rest.greatest(most[1]).greatest(most[2])
+    rest.greatest(most[1]).greatest(most[2].greatest(most[3]))
 }
 
 /// Range of the extrapolation by the quintic, in steps H.
@@ -138,7 +138,7 @@ mod tests {
     /// Every element counts with its own weight, whatever the length of the list.
     #[test]
     fn the_largest_turn_is_found_at_every_place() {
-        for count in 1..=8 {
+        for count in 1..=23 {
             let zeros = vec![0.0; count];
             for place in 0..count {
                 for change in [0.7, -0.7] {

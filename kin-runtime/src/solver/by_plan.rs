@@ -8,7 +8,7 @@
 //! nothing is guessed of a group, the general path is used.
 
 use super::{Position, Solver};
-use crate::analysis::poses::{shows_coordinates, write_coordinates, write_poses};
+use crate::analysis::poses::{write_coordinates, write_poses};
 use crate::equations::contact::has_curves;
 use crate::equations::residual::{Row, Tolerances, closed, closed_position, write_lengths, write_sizes};
 use crate::equations::system::Parts;
@@ -272,7 +272,7 @@ impl<M: Mechanism> Solver<'_, M> {
             condition: None,
             degrees_of_freedom_left: 0,
         };
-        if shows_coordinates(model) {
+        if model.poses_are_coordinates() {
             write_coordinates(&mut state);
         } else {
             let mut observations = M::observations::<f64>();
@@ -290,7 +290,7 @@ impl<M: Mechanism> Solver<'_, M> {
         let mut sizes = M::Rows::<f64>::filled(0.0);
         let tolerance = self.options.tolerance;
         let allowed = write_sizes(model, parts.phi_q, q, lengths.as_ref(), tolerance, sizes.as_mut());
-        closed_position(model, parts.phi, sizes.as_ref(), allowed)
+        closed_position(parts.phi, sizes.as_ref(), allowed)
     }
 
     /// The largest residual if all rows are satisfied, for rates as well; otherwise none.

@@ -242,9 +242,11 @@ impl<M: Mechanism> Follower<M> {
         let tried = &self.states[1 - self.good];
         let away = turned(tried.q.as_ref(), self.predicted.as_ref(), self.weights.as_ref());
         let is_expected = away <= control.correction * turn + NEGLIGIBLE;
-        if !is_expected || !self.keeps_orientations(mechanism, at)? {
+        if !is_expected {
             return Ok(false);
         }
+        // Where every group is out of reach of its limit, no sign can have changed: neither within the step nor between
+        // the solution and its prediction, which are much nearer to one another than both ends of the step.
         let nearest = self.measure();
         let least = f64::min(nearest, self.nearest);
         let far = least >= OUT_OF_REACH * turn && least >= NEAR;

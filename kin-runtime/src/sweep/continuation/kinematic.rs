@@ -62,23 +62,22 @@ fn follow(
 ) -> Result<(), SolveError> {
     let total = times.len();
     let reached = &mut trajectory.reached;
+    // True if the sweep goes on. A stop at the last instant is no error, because all states have been computed.
     let mut show = |equations: &mut Equations<'_>, state: &State, done: usize| {
         *reached = done;
-        let told = equations.observed.finish(state.t, Some(state));
-        match visit(state) {
-            // A stop at the last instant is no error, because all states have been computed.
-            ControlFlow::Break(()) if done < total => Err(SolveError::Stopped { t: state.t, done, total }),
-            _ => told,
-        }
+        let goes_on = equations.observed.finish(state.t, Some(state)).is_ok();
+        (visit(state).is_continue() || done == total) && goes_on
     };
-    let told = show(equations, &state, 1);
+    let stopped_at = |t: f64, done: usize| Err(SolveError::Stopped { t, done, total });
+    let (start, goes_on) = (state.t, show(equations, &state, 1));
     if !equations.model.conditions.is_empty() && !equations.scale.is_known {
         equations.scale = Scale::around(equations, &state.q);
     }
     let mut follower = Follower::new(equations, state, factor)?;
     follower.watch = Watch::start(equations, follower.state())?;
     let mut instants = times.iter().enumerate().skip(1);
-    let result = told.and_then(|()| {
+    let first = if goes_on { Ok(()) } else { stopped_at(start, 1) };
+    let result = first.and_then(|()| {
         instants.try_for_each(|(index, &t)| {
             if trajectory.stopped {
                 return Ok(());
@@ -87,9 +86,13 @@ fn follow(
             follower.advance(equations, t, true)?;
             let event = follower.stopped(equations);
             trajectory.stopped = event.is_some();
-            let told = show(equations, event.unwrap_or(follower.state()), index + 1);
+            let state = event.unwrap_or(follower.state());
             // A sweep that stops at its first event is complete.
-            if trajectory.stopped { Ok(()) } else { told }
+            if show(equations, state, index + 1) || trajectory.stopped {
+                Ok(())
+            } else {
+                stopped_at(state.t, index + 1)
+            }
         })
     });
     trajectory.fallbacks = follower.fallbacks;

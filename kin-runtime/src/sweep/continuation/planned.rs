@@ -99,31 +99,26 @@ impl ByPlan {
     ) -> Result<bool, SolveError> {
         let at = Instant { t: equations.t, inputs: &equations.inputs };
         let inputs = equations.input_function();
-        let mut least = 0.0;
-        self.refused = match equations.system.follow(&at, inputs, &self.control) {
-            Ok(found) => {
-                copy(state, found);
-                least = found.least_margin;
-                self.in_one_step = found.in_one_step;
-                None
+        match equations.system.follow(&at, inputs, &self.control, state) {
+            Ok(Followed { least_margin, in_one_step }) => {
+                self.refused = None;
+                self.in_one_step = in_one_step;
+                let is_good = least_margin > FAR && self.is_closed(equations, state)?;
+                self.stands = is_good || self.complete(equations, Some(before), state)?;
             }
-            Err(error) => Some(error),
-        };
-        if self.refused.is_none() && least > FAR && self.is_closed(equations, state)? {
-            return Ok(true);
+            Err(error) => {
+                self.refused = Some(error);
+                self.stands = false;
+            }
         }
-        if self.refused.is_some() || !self.complete(equations, Some(before), state)? {
-            self.stands = false;
-            return Ok(false);
-        }
-        Ok(true)
+        Ok(self.stands)
     }
 
     /// Writes the state at the instant of `equations` without moving the follower.
     pub(super) fn glance(&mut self, equations: &mut Equations<'_>, state: &mut State) -> Option<()> {
         let at = Instant { t: equations.t, inputs: &equations.inputs };
         let inputs = equations.input_function();
-        equations.system.glance(&at, inputs, &self.control, &mut |found| copy(state, found)).ok()?;
+        equations.system.glance(&at, inputs, &self.control, state).ok()?;
         self.complete(equations, None, state).ok()?.then_some(())
     }
 
@@ -136,7 +131,7 @@ impl ByPlan {
         let at = Instant { t: equations.t, inputs: &equations.inputs };
         equations.system.evaluate(Subset::PHI, &at, &state.q, &state.q_dot)?;
         let phi = equations.system.constraints().phi;
-        let Some(residual) = closed_position(equations.model, phi, &self.sizes, self.allowed) else {
+        let Some(residual) = closed_position(phi, &self.sizes, self.allowed) else {
             return Ok(false);
         };
         self.finish(equations, state, residual)?;
@@ -218,12 +213,5 @@ impl ByPlan {
         to.basis = None;
         to.fallback = None;
         self.solve(equations, before, &mut to.state)
-    }
-}
-
-fn copy(state: &mut State, found: Followed<'_>) {
-    for (to, from) in [(&mut state.q, found.q), (&mut state.q_dot, found.q_dot), (&mut state.q_ddot, found.q_ddot)] {
-        to.clear();
-        to.extend_from_slice(from);
     }
 }
