@@ -161,10 +161,15 @@ impl<'a> Equations<'a> {
     /// Moves to another instant; prescribed coordinates continue with constant acceleration.
     pub(crate) fn set_instant(&mut self, at: &Instant<'_>) -> Result<(), SolveError> {
         self.check_instant(at)?;
+        self.set_checked_instant(at);
+        Ok(())
+    }
+
+    /// As [`set_instant`](Self::set_instant), for an instant that was checked.
+    pub(crate) fn set_checked_instant(&mut self, at: &Instant<'_>) {
         self.set_time(at.t);
         self.inputs.clear();
         self.inputs.extend_from_slice(at.inputs);
-        Ok(())
     }
 
     /// Restarts the prescribed coordinates at time `t`; returns the time of their previous start.

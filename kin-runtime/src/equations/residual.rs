@@ -61,24 +61,25 @@ fn arm(rows: &[Row]) -> f64 {
     if arm > 0.0 && arm.is_finite() { arm } else { 1.0 }
 }
 
-/// Writes Rᵢ for every row; returns the largest residual allowed at q, relative to these sizes. `sizes` has one element
-/// per row.
+/// Writes Rᵢ for every row; returns the largest residual allowed at q, relative to these sizes. `sizes` and the buffer
+/// `angles` have one element per row.
 pub(crate) fn write_sizes(
     model: &Model,
     phi_q: &[f64],
     q: &[f64],
     lengths: &[f64],
     position: f64,
-    sizes: &mut [f64],
+    [sizes, angles]: [&mut [f64]; 2],
 ) -> f64 {
-    // The first pass sums over lengths and finds the largest arm of an angle.
+    // Entries are sorted by rows, so each row is summed before anything is stored.
     sizes.fill(0.0);
+    angles.fill(0.0);
     let entries = model.constraint_pattern.entries;
     let (mut arm, mut row, mut sums) = (0.0, usize::MAX, [0.0; 2]);
-    let mut finish = |row: usize, [angles, lengths]: [f64; 2]| {
-        if let Some(size) = sizes.get_mut(row) {
-            *size = lengths;
-            let own = if lengths > 0.0 { angles / lengths } else { 0.0 };
+    let mut finish = |row: usize, [by_angles, by_lengths]: [f64; 2]| {
+        if let (Some(size), Some(angle)) = (sizes.get_mut(row), angles.get_mut(row)) {
+            (*size, *angle) = (by_lengths, by_angles);
+            let own = if by_lengths > 0.0 { by_angles / by_lengths } else { 0.0 };
             arm = if own > arm { own } else { arm };
         }
     };
@@ -93,10 +94,7 @@ pub(crate) fn write_sizes(
     }
     finish(row, sums);
     let unit = if arm > 0.0 && arm.is_finite() { arm } else { 1.0 };
-    sizes.iter_mut().for_each(|size| *size *= unit);
-    for (&(i, j), a) in entries.iter().zip(phi_q) {
-        sizes[i] += (1.0 - lengths[j]) * a.abs();
-    }
+    sizes.iter_mut().zip(angles).for_each(|(size, angle)| *size = *size * unit + *angle);
     position.max(rounding(largest(q, lengths, 1.0 / unit)))
 }
 

@@ -28,33 +28,34 @@ pub(crate) fn weights(model: &Model, q: &[f64], weights: &mut [f64]) {
 /// Writes the prediction by the parabola; returns the largest rotation, where the larger of both terms counts.
 #[inline(always)]
 pub(crate) fn parabola<V: Compare>(to: &mut [V], [q, q_dot, q_ddot]: [&[V]; 3], weights: &[f64], h: f64) -> V {
-    let (step, half) = (V::from_f64(h), V::from_f64(0.5 * h));
-    for ((to, q), (v, a)) in to.iter_mut().zip(q).zip(q_dot.iter().zip(q_ddot)) {
-        *to = *q + step * (*v + half * *a);
+    let (step, half) = (V::from_f64(h), V::from_f64(0.5 * h * h));
+    // Four maxima in parallel, so that the loop vectorises.
+    let mut most = [V::from_f64(0.0); 4];
+    let rates = q_dot.iter().zip(q_ddot).zip(weights);
+    for (k, ((to, q), ((v, a), weight))) in to.iter_mut().zip(q).zip(rates).enumerate() {
+        let (by_velocity, by_acceleration) = (step * *v, half * *a);
+        *to = *q + (by_velocity + by_acceleration);
+        let turn = V::from_f64(*weight) * by_velocity.abs().greatest(by_acceleration.abs());
+        most[k % 4] = most[k % 4].greatest(turn);
     }
-    let turns = |weight: f64, v: V, a: V| V::from_f64(weight) * v.abs().greatest((half * a).abs());
-    step.abs() * largest(weights, q_dot, q_ddot, turns)
+    most[0].greatest(most[1]).greatest(most[2].greatest(most[3]))
 }
 
 /// The largest rotation between two configurations.
 #[inline(always)]
 pub(crate) fn turned<V: Compare>(a: &[V], b: &[V], weights: &[f64]) -> V {
-    largest(weights, a, b, |weight, a, b| V::from_f64(weight) * (a - b).abs())
-}
-
-/// The largest value of a function of corresponding elements of three lists, computed as four maxima in parallel.
-#[inline(always)]
-fn largest<V: Compare>(weights: &[f64], x: &[V], y: &[V], of: impl Fn(f64, V, V) -> V) -> V {
+    let turn = |a: V, b: V, weight: f64| V::from_f64(weight) * (a - b).abs();
+    // Four maxima in parallel, in chunks: measured to be faster than a remainder of the index here.
     let mut most = [V::from_f64(0.0); 4];
+    let ((a, a_rest), (b, b_rest)) = (a.as_chunks::<4>(), b.as_chunks::<4>());
     let (weights, weights_rest) = weights.as_chunks::<4>();
-    let ((x, x_rest), (y, y_rest)) = (x.as_chunks::<4>(), y.as_chunks::<4>());
-    for ((weights, x), y) in weights.iter().zip(x).zip(y) {
+    for ((a, b), weights) in a.iter().zip(b).zip(weights) {
         for k in 0..4 {
-            most[k] = most[k].greatest(of(weights[k], x[k], y[k]));
+            most[k] = most[k].greatest(turn(a[k], b[k], weights[k]));
         }
     }
-    let rest = weights_rest.iter().zip(x_rest).zip(y_rest);
-    let rest = rest.fold(most[0], |most, ((weight, x), y)| most.greatest(of(*weight, *x, *y)));
+    let rest = a_rest.iter().zip(b_rest).zip(weights_rest);
+    let rest = rest.fold(most[0], |most, ((a, b), weight)| most.greatest(turn(*a, *b, *weight)));
     rest.greatest(most[1]).greatest(most[2].greatest(most[3]))
 }
 

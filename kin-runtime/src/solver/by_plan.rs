@@ -287,9 +287,9 @@ impl<M: Mechanism> Solver<'_, M> {
         let model = M::model();
         let mut lengths = M::Coordinates::<f64>::filled(0.0);
         write_lengths(model, lengths.as_mut());
-        let mut sizes = M::Rows::<f64>::filled(0.0);
-        let tolerance = self.options.tolerance;
-        let allowed = write_sizes(model, parts.phi_q, q, lengths.as_ref(), tolerance, sizes.as_mut());
+        let [mut sizes, mut angles] = [M::Rows::<f64>::filled(0.0); 2];
+        let (tolerance, buffers) = (self.options.tolerance, [sizes.as_mut(), angles.as_mut()]);
+        let allowed = write_sizes(model, parts.phi_q, q, lengths.as_ref(), tolerance, buffers);
         closed_position(parts.phi, sizes.as_ref(), allowed)
     }
 

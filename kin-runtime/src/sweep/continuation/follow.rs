@@ -107,7 +107,8 @@ impl Follower {
         rates(equations, &node.state.q, &basis.factor, q_dot, q_ddot)
     }
 
-    /// Goes to an instant by the plan alone, whatever its input values are; false where the plan has no solution.
+    /// Goes to an instant that was checked, by the plan alone, whatever its input values are; false where the plan has no
+    /// solution.
     pub(crate) fn advance_by_plan(
         &mut self,
         equations: &mut Equations<'_>,
@@ -119,7 +120,7 @@ impl Follower {
             if !plan.stand(equations, &node.state) {
                 return Ok(false);
             }
-            equations.set_instant(at)?;
+            equations.set_checked_instant(at);
             here.basis = None;
             here.fallback = None;
             if plan.solve(equations, &node.state.q, &mut here.state)? {

@@ -194,7 +194,8 @@ impl ByPlan {
             self.sizes.resize(self.rows.len(), 0.0);
             let parts = equations.system.constraints();
             let (position, lengths) = (equations.options.tolerance, &self.lengths);
-            self.allowed = write_sizes(equations.model, parts.phi_q, &state.q, lengths, position, &mut self.sizes);
+            let buffers = [&mut self.sizes[..], &mut vec![0.0; self.rows.len()][..]];
+            self.allowed = write_sizes(equations.model, parts.phi_q, &state.q, lengths, position, buffers);
         }
         self.finish(equations, state, residual)?;
         Ok(true)
