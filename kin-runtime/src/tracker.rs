@@ -128,10 +128,12 @@ impl<'m> Tracker<'m> {
     /// [`InconsistentVelocity`](SolveError::InconsistentVelocity) and
     /// [`InconsistentAcceleration`](SolveError::InconsistentAcceleration) where redundant rows disagree.
     pub fn update(&mut self, at: &Instant<'_>) -> Result<&State, SolveError> {
-        let result = self.advance(at);
-        let limit = result.as_ref().err().and_then(SolveError::limit);
-        self.is_at_limit = limit.is_some_and(|limit| limit.at().is_some());
-        result.map(|()| self.follower.state())
+        if let Err(error) = self.advance(at) {
+            self.is_at_limit = error.limit().is_some_and(|limit| limit.at().is_some());
+            return Err(error);
+        }
+        self.is_at_limit = false;
+        Ok(self.follower.state())
     }
 
     fn advance(&mut self, at: &Instant<'_>) -> Result<(), SolveError> {

@@ -9,27 +9,23 @@ use crate::signal::Signal;
 use crate::state::State;
 use crate::workspace::Instant;
 
-/// Writes the motion of bodies whose poses are coordinates.
+/// Writes the motion of bodies whose poses are coordinates: those of the bodies come first in q, three of each.
 pub(crate) fn write_coordinates(state: &mut State) {
     let State { model, q, q_dot, q_ddot, bodies, points, .. } = state;
     points.clear();
     bodies.clear();
-    bodies.extend(model.bodies.iter().map(|body| {
-        let [x, y, phi] = body.coordinates.map(|place| {
-            let at = |numbers: &[f64]| place.and_then(|k| numbers.get(k).copied()).unwrap_or(0.0);
-            [at(q), at(q_dot), at(q_ddot)]
-        });
-        BodyMotion {
-            x: x[0],
-            y: y[0],
-            phi: phi[0],
-            x_dot: x[1],
-            y_dot: y[1],
-            phi_dot: phi[1],
-            x_ddot: x[2],
-            y_ddot: y[2],
-            phi_ddot: phi[2],
-        }
+    let [q, q_dot, q_ddot] = [q, q_dot, q_ddot].map(|numbers| numbers.as_chunks().0.iter());
+    let poses = q.zip(q_dot).zip(q_ddot).take(model.bodies.len());
+    bodies.extend(poses.map(|((&[x, y, phi], &[x_dot, y_dot, phi_dot]), &[x_ddot, y_ddot, phi_ddot])| BodyMotion {
+        x,
+        y,
+        phi,
+        x_dot,
+        y_dot,
+        phi_dot,
+        x_ddot,
+        y_ddot,
+        phi_ddot,
     }));
 }
 

@@ -67,3 +67,10 @@ fn in_order(mut batches: Vec<RecordBatch>) -> Vec<RecordBatch> {
     batches.sort_by_key(|batch| batch.column(0).as_primitive::<UInt64Type>().values().first().copied());
     batches
 }
+
+/// What goes through the rows of a study: the threads of this process, or the workers of a cluster.
+pub(crate) trait Workers {
+    /// Goes through rows from the first of these on, for some seconds; through none after a request to stop. The rows are
+    /// counted as done in the watch.
+    fn wave(&mut self, rows: Range<u64>) -> Result<Found, StudyError>;
+}

@@ -15,8 +15,8 @@ pub use watch::Watch;
 
 #[cfg(feature = "cluster")]
 pub(crate) use {
-    found::{Found, Summary, merged, solve},
-    run::{Part, Workers, cover},
+    found::{Found, Summary, Workers, merged, solve},
+    run::{Part, cover},
     wave::{TIME, most},
     write::Tally,
 };

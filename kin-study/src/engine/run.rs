@@ -1,6 +1,6 @@
 //! A study from its first row to its last: waves, a part for each, and what is left after a stop.
 
-use super::found::Found;
+use super::found::Workers;
 use super::lease::Lease;
 use super::parts::{COUNTS, Parts, ROWS, gaps};
 use super::watch::Watch;
@@ -106,13 +106,6 @@ where
     let mut workers = Threads::new(&prepared, threads, watch).map_err(|error| StudyError::file(directory, error))?;
     let part = Part { rows, is_whole: of.get() == 1, resume: limits.resume };
     cover(&prepared, directory, part, &mut workers, watch)
-}
-
-/// Who goes through rows.
-pub(crate) trait Workers {
-    /// Goes through rows from the first of these on, for some seconds; through none where somebody asks to stop. They count
-    /// as done in the watch.
-    fn wave(&mut self, rows: Range<u64>) -> Result<Found, StudyError>;
 }
 
 /// What a run is to cover.

@@ -3,8 +3,7 @@
 //! Every partition of a streaming table takes the next piece until the wave has enough or somebody asks to stop. Pieces are
 //! taken in order and finished once they are taken, so the rows of a wave are a range without gaps, wherever it ends.
 
-use super::found::{Found, Summary, merged, solve};
-use super::run::Workers;
+use super::found::{Found, Summary, Workers, merged, solve};
 use super::watch::Watch;
 use crate::error::StudyError;
 use crate::rows::{CHUNK, Kept, Prepared};
