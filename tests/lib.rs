@@ -3,6 +3,7 @@
 
 pub mod case;
 pub mod compare;
+pub mod examples;
 pub mod mechanisms;
 pub mod random;
 pub mod stencil;

@@ -217,3 +217,6 @@ macro_rules! every_mechanism {
         }
     };
 }
+
+mod programs;
+pub use programs::run;

@@ -1,13 +1,10 @@
 //! The listings and outputs in the README and the guide are those of the compiled programs and of the compiler.
 
+use kin_tests::examples::four_bar::FourBar;
 use std::process::ExitCode;
 
 const README: &str = include_str!("../../README.md");
 const START: &str = include_str!("../../kin-runtime/src/guide/start.md");
-
-#[allow(dead_code, unreachable_pub, reason = "a program of its own, read as a module")]
-#[path = "../../examples/four_bar.rs"]
-mod four_bar;
 
 /// The parts of the output that the README shows for its first command, separated where it has `…` for omitted lines.
 fn shown_output() -> Vec<Vec<String>> {
@@ -44,9 +41,7 @@ fn the_readme_fits_on_a_few_screens_and_its_report_on_one() {
 fn the_lectures_four_bar_is_drawn_by_kin() {
     let path = std::env::temp_dir().join(format!("kin-guide-{}.svg", std::process::id()));
     let out = path.display().to_string();
-    let code = kin_runtime::cli::run_from::<four_bar::FourBar>([
-        "four_bar", "animate", "--times", "0", "--names", "--out", &out,
-    ]);
+    let code = kin_runtime::cli::run_from::<FourBar>(["four_bar", "animate", "--times", "0", "--names", "--out", &out]);
     assert_eq!(format!("{code:?}"), format!("{:?}", ExitCode::SUCCESS));
     let drawn = std::fs::read_to_string(&path).unwrap();
     std::fs::remove_file(&path).unwrap();
@@ -97,7 +92,7 @@ fn the_links_of_the_readme_lead_somewhere() {
 fn the_first_command_prints_what_the_readme_shows() {
     let path = std::env::temp_dir().join(format!("kin-readme-{}.txt", std::process::id()));
     let arguments = ["four_bar".into(), "--out".into(), path.clone().into_os_string()];
-    let code = kin_runtime::cli::run_from::<four_bar::FourBar>(arguments);
+    let code = kin_runtime::cli::run_from::<FourBar>(arguments);
     assert_eq!(format!("{code:?}"), format!("{:?}", ExitCode::SUCCESS));
     let printed = std::fs::read_to_string(&path).unwrap();
     std::fs::remove_file(&path).unwrap();
@@ -165,8 +160,8 @@ fn message(text: &str) -> Vec<&str> {
 #[test]
 fn the_errors_of_the_guide_are_those_of_the_compiler() {
     let page = include_str!("../../kin-runtime/src/guide/errors.md");
-    let source = include_str!("../compile_fail/guide.rs");
-    let said = message(include_str!("../compile_fail/guide.stderr")).join("\n");
+    let source = include_str!("../messages/compile_fail/guide.rs");
+    let said = message(include_str!("../messages/compile_fail/guide.stderr")).join("\n");
     let listings = blocks(page, "compile_fail");
     let messages: Vec<&str> = blocks(page, "text").into_iter().filter(|block| block.starts_with("error: ")).collect();
     assert_eq!((listings.len(), messages.len()), (6, 6));

@@ -7,6 +7,7 @@ use super::names::listing;
 use crate::assembly::Assemblies;
 use crate::certificate::{Certificate, Uncertified};
 use crate::cross_check::{CrossCheck, CrossCheckOptions};
+use crate::equations::system::{Evaluator, System};
 use crate::error::SolveError;
 use crate::evaluation::curve::CurvePoint;
 use crate::forces::{Forces, Load};
@@ -346,12 +347,16 @@ impl<M: Mechanism + Default> Engine for Bound<M> {
     }
 
     fn misses(&self, state: &State) -> Result<[Option<Miss>; 2], SolveError> {
-        let mut workspace = M::workspace::<f64>();
-        self.mechanism.evaluate(Subset::ALL, &state.instant(), &state.q, &state.q_dot, &mut workspace)?;
-        let nu: Vec<f64> = workspace.phi_t().iter().map(|v| -v).collect();
-        let velocity = worst_miss(M::model(), workspace.phi_q(), &state.q_dot, &nu);
-        Ok([velocity, worst_miss(M::model(), workspace.phi_q(), &state.q_ddot, workspace.gamma())])
+        misses(&mut Evaluator::<_, M>::new(&self.mechanism), state)
     }
+}
+
+fn misses(system: &mut dyn System, state: &State) -> Result<[Option<Miss>; 2], SolveError> {
+    system.evaluate(Subset::ALL, &state.instant(), &state.q, &state.q_dot)?;
+    let (model, parts) = (system.model(), system.constraints());
+    let nu: Vec<f64> = parts.phi_t.iter().map(|v| -v).collect();
+    let velocity = worst_miss(model, parts.phi_q, &state.q_dot, &nu);
+    Ok([velocity, worst_miss(model, parts.phi_q, &state.q_ddot, parts.gamma)])
 }
 
 /// The worst row of Φ_q x = b, relative to the sizes of the row, x and b.

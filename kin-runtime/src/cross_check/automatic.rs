@@ -1,9 +1,10 @@
 //! Derivatives of the generic Φ by automatic differentiation with dual numbers.
 
+use super::checked::Checked;
 use super::configuration::Configuration;
-use crate::mechanism::{LengthError, Mechanism};
+use crate::mechanism::LengthError;
 use crate::model::Level;
-use crate::workspace::{Array, Instant, Signal};
+use crate::workspace::{Instant, Signal};
 use num_dual::{Dual2_64, Dual64};
 
 /// Φ and its derivatives by dual numbers at one configuration.
@@ -17,42 +18,42 @@ pub(super) struct Automatic {
 
 /// Φ, Φ_q, Φ_t and γ by dual numbers, from the generic Φ alone. Rows of velocity level have B, b and γ from the generic
 /// η in these places.
-pub(super) fn automatic<M: Mechanism>(
-    mechanism: &M,
+pub(super) fn automatic(
+    mechanism: &dyn Checked,
     parameters: &[f64],
     at: &Configuration,
 ) -> Result<Automatic, LengthError> {
-    let n = M::COORDINATES;
-    let (phi, mut phi_q) = (first::<M>(mechanism, parameters, at, None, 0.0)?.0, vec![0.0; M::ROWS * n]);
+    let (s, n) = (mechanism.model().rows.len(), mechanism.model().coordinates.len());
+    let (phi, mut phi_q) = (first(mechanism, parameters, at, None, 0.0)?.0, vec![0.0; s * n]);
     for column in 0..n {
-        let derivative = first::<M>(mechanism, parameters, at, Some(column), 0.0)?.1;
+        let derivative = first(mechanism, parameters, at, Some(column), 0.0)?.1;
         derivative.iter().enumerate().for_each(|(row, value)| phi_q[row * n + column] = *value);
     }
-    let phi_t = first::<M>(mechanism, parameters, at, None, 1.0)?.1;
+    let phi_t = first(mechanism, parameters, at, None, 1.0)?.1;
     let mut all = Automatic { phi, phi_q, phi_t, gamma: second(mechanism, parameters, at)? };
-    velocity_level::<M>(mechanism, parameters, at, &mut all)?;
+    velocity_level(mechanism, parameters, at, &mut all)?;
     Ok(all)
 }
 
 /// B, b and γ of the rows of velocity level from η: B column by column with dual rates, b with all rates zero, and γ as
 /// the negative derivative of s ↦ η(q + s q̇, q̇, t + s) at 0.
-fn velocity_level<M: Mechanism>(
-    mechanism: &M,
+fn velocity_level(
+    mechanism: &dyn Checked,
     parameters: &[f64],
     at: &Configuration,
     all: &mut Automatic,
 ) -> Result<(), LengthError> {
-    let is_rate = |row: &usize| M::model().rows.get(*row).is_some_and(|info| info.level == Level::Velocity);
-    let rows: Vec<usize> = (0..M::ROWS).filter(is_rate).collect();
+    let rows = mechanism.model().rows.iter().enumerate().filter(|(_, info)| info.level == Level::Velocity);
+    let rows: Vec<usize> = rows.map(|(row, _)| row).collect();
     if rows.is_empty() {
         return Ok(());
     }
-    let n = M::COORDINATES;
+    let n = mechanism.model().coordinates.len();
     let rest = vec![Dual64::from_re(0.0); n];
     let rates: Vec<Dual64> = at.q_dot.iter().map(|&v| Dual64::from_re(v)).collect();
-    let here = eta::<M>(mechanism, parameters, at, 0.0, &rates)?;
-    let b = eta::<M>(mechanism, parameters, at, 0.0, &rest)?;
-    let along = eta::<M>(mechanism, parameters, at, 1.0, &rates)?;
+    let here = eta(mechanism, parameters, at, 0.0, &rates)?;
+    let b = eta(mechanism, parameters, at, 0.0, &rest)?;
+    let along = eta(mechanism, parameters, at, 1.0, &rates)?;
     for &row in &rows {
         all.phi[row] = here[row].re;
         all.phi_t[row] = b[row].re;
@@ -61,7 +62,7 @@ fn velocity_level<M: Mechanism>(
     for column in 0..n {
         let mut rates = rates.clone();
         rates[column].eps = 1.0;
-        let derivative = eta::<M>(mechanism, parameters, at, 0.0, &rates)?;
+        let derivative = eta(mechanism, parameters, at, 0.0, &rates)?;
         rows.iter().for_each(|&row| all.phi_q[row * n + column] = derivative[row].eps);
     }
     Ok(())
@@ -69,8 +70,8 @@ fn velocity_level<M: Mechanism>(
 
 /// η with its derivative in the direction of the motion, multiplied by `along`, plus that in the direction of the dual
 /// parts of `rates`.
-fn eta<M: Mechanism>(
-    mechanism: &M,
+fn eta(
+    mechanism: &dyn Checked,
     parameters: &[f64],
     at: &Configuration,
     along: f64,
@@ -80,9 +81,7 @@ fn eta<M: Mechanism>(
     let q: Vec<Dual64> = at.q.iter().zip(&at.q_dot).map(|(&x, &v)| Dual64::new(x, along * v)).collect();
     let inputs: Vec<Signal<Dual64>> = at.inputs.iter().map(|u| moving(u, along)).collect();
     let instant = Instant { t: Dual64::new(at.t, along), inputs: &inputs };
-    let mut eta = M::Rows::<Dual64>::filled(Dual64::from_re(0.0));
-    mechanism.velocity_constraints_with(&parameters, &instant, &q, rates, eta.as_mut())?;
-    Ok(eta.as_ref().to_vec())
+    mechanism.velocity_level(&parameters, &instant, &q, rates)
 }
 
 /// An input whose value and rate change with time; `time` multiplies these derivatives.
@@ -95,8 +94,8 @@ fn moving(u: &Signal, time: f64) -> Signal<Dual64> {
 }
 
 /// Φ and its derivative with respect to one coordinate or, with `time` = 1, to t, where inputs change with their rates.
-fn first<M: Mechanism>(
-    mechanism: &M,
+fn first(
+    mechanism: &dyn Checked,
     parameters: &[f64],
     at: &Configuration,
     column: Option<usize>,
@@ -106,14 +105,12 @@ fn first<M: Mechanism>(
     let q: Vec<Dual64> = at.q.iter().enumerate().map(|(k, &x)| Dual64::new(x, f64::from(column == Some(k)))).collect();
     let inputs: Vec<Signal<Dual64>> = at.inputs.iter().map(|u| moving(u, time)).collect();
     let instant = Instant { t: Dual64::new(at.t, time), inputs: &inputs };
-    let mut phi = M::Rows::<Dual64>::filled(Dual64::from_re(0.0));
-    mechanism.constraints_with(&parameters, &instant, &q, &mut phi)?;
-    let phi = phi.as_ref();
+    let phi = mechanism.first_order(&parameters, &instant, &q)?;
     Ok((phi.iter().map(|p| p.re).collect(), phi.iter().map(|p| p.eps).collect()))
 }
 
 /// γ = −d²/ds² Φ(q + s q̇, t + s) at s = 0, where inputs change as u + s u̇ + ½ s² ü.
-fn second<M: Mechanism>(mechanism: &M, parameters: &[f64], at: &Configuration) -> Result<Vec<f64>, LengthError> {
+fn second(mechanism: &dyn Checked, parameters: &[f64], at: &Configuration) -> Result<Vec<f64>, LengthError> {
     let constant = Dual2_64::from_re;
     let parameters: Vec<Dual2_64> = parameters.iter().map(|&p| constant(p)).collect();
     let q: Vec<Dual2_64> = at.q.iter().zip(&at.q_dot).map(|(&x, &v)| Dual2_64::new(x, v, 0.0)).collect();
@@ -127,7 +124,6 @@ fn second<M: Mechanism>(mechanism: &M, parameters: &[f64], at: &Configuration) -
         })
         .collect();
     let instant = Instant { t: Dual2_64::new(at.t, 1.0, 0.0), inputs: &inputs };
-    let mut phi = M::Rows::<Dual2_64>::filled(constant(0.0));
-    mechanism.constraints_with(&parameters, &instant, &q, &mut phi)?;
-    Ok(phi.as_ref().iter().map(|p| -p.v2).collect())
+    let phi = mechanism.second_order(&parameters, &instant, &q)?;
+    Ok(phi.iter().map(|p| -p.v2).collect())
 }

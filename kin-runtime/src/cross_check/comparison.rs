@@ -1,13 +1,13 @@
 //! Comparison of closed forms with dual numbers, entry by entry.
 
 use super::automatic::{Automatic, automatic};
+use super::checked::Checked;
 use super::configuration::Configuration;
 use super::functions::FunctionChecks;
 use super::result::CrossCheck;
 use crate::error::SolveError;
-use crate::mechanism::Mechanism;
 use crate::model::Model;
-use crate::workspace::{Instant, Subset};
+use crate::workspace::Instant;
 
 /// The errors collected over configurations.
 pub(super) struct Comparison {
@@ -22,9 +22,9 @@ impl Comparison {
     }
 
     /// Compares everything at one configuration.
-    pub(super) fn compare<M: Mechanism>(
+    pub(super) fn compare(
         &mut self,
-        mechanism: &M,
+        mechanism: &dyn Checked,
         parameters: &[f64],
         at: &Configuration,
     ) -> Result<(), SolveError> {
@@ -33,25 +33,20 @@ impl Comparison {
             self.result.skipped += 1;
             return Ok(());
         }
-        let mut workspace = M::workspace::<f64>();
         let instant = Instant { t: at.t, inputs: &at.inputs };
-        mechanism.evaluate_with(parameters, Subset::ALL, &instant, &at.q, &at.q_dot, &mut workspace)?;
-        self.entries(at, &dual, workspace.phi_q(), workspace.phi_t(), workspace.gamma());
+        let [phi_q, phi_t, gamma] = mechanism.closed_forms(parameters, &instant, &at.q, &at.q_dot)?;
+        self.entries(at, &dual, &phi_q, &phi_t, &gamma);
         self.functions(mechanism, parameters, at)
     }
 
     /// Compares the supplied functions at their arguments in one configuration.
-    fn functions<M: Mechanism>(
-        &mut self,
-        mechanism: &M,
-        parameters: &[f64],
-        at: &Configuration,
-    ) -> Result<(), SolveError> {
+    fn functions(&mut self, mechanism: &dyn Checked, parameters: &[f64], at: &Configuration) -> Result<(), SolveError> {
         let mut arguments = vec![0.0; self.model.arguments.len()];
         let instant = Instant { t: at.t, inputs: &at.inputs };
-        mechanism.write_arguments(parameters, &instant, &at.q, &mut arguments)?;
+        mechanism.arguments(parameters, &instant, &at.q, &mut arguments)?;
         for (&function, &x) in self.model.arguments.iter().zip(&arguments) {
-            self.functions.compare(mechanism, function, x);
+            let name = self.model.functions.get(function).copied().unwrap_or_default();
+            self.functions.compare(name, &|x| mechanism.function(function, x), x);
         }
         Ok(())
     }

@@ -7,7 +7,6 @@
 //! spline or a jump of an acceleration lies outside of all sufficiently short intervals on one side at least; and a
 //! wrong derivative disagrees on all of them.
 
-use crate::mechanism::Mechanism;
 use core::fmt;
 
 /// The largest disagreement of a supplied function with its difference quotients.
@@ -57,10 +56,9 @@ pub(super) struct FunctionChecks {
 }
 
 impl FunctionChecks {
-    /// Compares function `index` at `x`.
-    pub(super) fn compare<M: Mechanism>(&mut self, mechanism: &M, index: usize, x: f64) {
-        let name = M::model().functions.get(index).copied().unwrap_or_default();
-        let function = |x: f64| mechanism.evaluate_function(index, x).unwrap_or([f64::NAN; 3]);
+    /// Compares the function of this name at `x`.
+    pub(super) fn compare(&mut self, name: &'static str, function: &dyn Fn(f64) -> Option<[f64; 3]>, x: f64) {
+        let function = |x: f64| function(x).unwrap_or([f64::NAN; 3]);
         let place = self.checks.iter().position(|check| check.function == name).unwrap_or_else(|| {
             self.checks.push(FunctionCheck {
                 function: name,

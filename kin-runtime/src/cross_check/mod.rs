@@ -9,6 +9,7 @@
 //! in the same places: B, b and γ with derivatives of the generic η.
 
 mod automatic;
+mod checked;
 mod comparison;
 mod configuration;
 mod functions;
@@ -16,9 +17,9 @@ mod plan;
 mod result;
 
 use crate::error::SolveError;
-use crate::mechanism::Mechanism;
 use crate::observer::{Observed, Observer};
 use crate::random::Random;
+pub(crate) use checked::Checked;
 use comparison::Comparison;
 pub use configuration::{Configuration, CrossCheckOptions};
 use configuration::{central_inputs, random_configuration};
@@ -32,8 +33,8 @@ const PERTURBATION: f64 = 0.1;
 /// Compares the closed forms of `mechanism` at the configurations that `options` describe.
 ///
 /// Random configurations are drawn around `centre`; `length` is the spread of x and y.
-pub(crate) fn cross_check<M: Mechanism>(
-    mechanism: &M,
+pub(crate) fn cross_check(
+    mechanism: &dyn Checked,
     options: &CrossCheckOptions,
     centre: &[f64],
     length: f64,
@@ -41,22 +42,22 @@ pub(crate) fn cross_check<M: Mechanism>(
 ) -> Result<CrossCheck, SolveError> {
     let mut observed = Observed::new(observer, options.given.len() + options.configurations);
     let mut random = Random::new(options.seed);
-    let exact = mechanism.parameters::<f64>();
-    let mut comparison = Comparison::new(M::model());
+    let (model, exact) = (mechanism.model(), mechanism.own_parameters());
+    let mut comparison = Comparison::new(model);
     for configuration in &options.given {
-        comparison.compare(mechanism, exact.as_ref(), configuration)?;
+        comparison.compare(mechanism, &exact, configuration)?;
         observed.finish(configuration.t, None)?;
     }
-    let inputs = central_inputs(M::model(), options);
+    let inputs = central_inputs(model, options);
     for number in 0..options.configurations {
-        let configuration = random_configuration(M::model(), &mut random, number, (centre, &inputs), length);
-        let mut parameters = exact;
+        let configuration = random_configuration(model, &mut random, number, (centre, &inputs), length);
+        let mut parameters = exact.clone();
         if options.perturb_parameters && number % 2 == 1 {
-            for parameter in parameters.as_mut() {
+            for parameter in &mut parameters {
                 *parameter *= 1.0 + PERTURBATION * random.symmetric();
             }
         }
-        comparison.compare(mechanism, parameters.as_ref(), &configuration)?;
+        comparison.compare(mechanism, &parameters, &configuration)?;
         observed.finish(configuration.t, None)?;
     }
     comparison.finish()

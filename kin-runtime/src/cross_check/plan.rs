@@ -6,9 +6,9 @@
 
 use super::configuration::{Configuration, CrossCheckOptions, central_inputs, random_configuration};
 use super::result::CrossCheck;
+use crate::equations::system::System;
 use crate::error::SolveError;
-use crate::mechanism::Mechanism;
-use crate::model::{Component, CoordinateKind, Model};
+use crate::model::{Component, CoordinateKind};
 use crate::observer::{Observed, Observer};
 use crate::plan::{Depth, Solved};
 use crate::planned::PlanError;
@@ -20,23 +20,24 @@ use crate::workspace::{Instant, Subset};
 /// plan.
 const AWAY: f64 = 1e-3;
 
-/// Checks the plan of `mechanism` at the configurations that `options` describe; `newton` solves by full Newton from a
-/// start.
-pub(crate) fn plan_check<M: Mechanism>(
-    mechanism: &M,
+/// Solves by full Newton from a start.
+type Newton<'n> = dyn Fn(&Instant<'_>, &[f64]) -> Result<State, SolveError> + 'n;
+
+/// Checks the plan of a mechanism at the configurations that `options` describe.
+pub(crate) fn plan_check(
+    system: &mut dyn System,
     options: &CrossCheckOptions,
     centre: &[f64],
     length: f64,
     observer: Option<Observer<'_>>,
-    newton: impl Fn(&Instant<'_>, &[f64]) -> Result<State, SolveError>,
+    newton: &Newton<'_>,
 ) -> Result<CrossCheck, SolveError> {
-    let model = M::model();
+    let model = system.model();
     if let Some(why) = model.plan.absent {
         return Err(SolveError::Plan(PlanError::NoPlan { why }));
     }
     let mut check = CrossCheck::new();
     let mut random = Random::new(options.seed);
-    let parameters = mechanism.parameters::<f64>();
     let own = options.given.len();
     let mut observed = Observed::new(observer, own + options.configurations);
     let inputs = central_inputs(model, options);
@@ -50,13 +51,13 @@ pub(crate) fn plan_check<M: Mechanism>(
             }
         };
         let at = Instant { t: configuration.t, inputs: &configuration.inputs };
-        let Some(planned) = solve(mechanism, parameters.as_ref(), &at, configuration)? else {
+        let Some(planned) = solve(system, &at, configuration)? else {
             check.skipped += 1;
             observed.finish(at.t, None)?;
             continue;
         };
         check.configurations += 1;
-        rows(&mut check, mechanism, &at, &planned)?;
+        rows(&mut check, system, &at, &planned)?;
         if number < own {
             let state = newton(&at, &planned[0])?;
             for (what, found, expected) in
@@ -76,34 +77,34 @@ pub(crate) fn plan_check<M: Mechanism>(
 }
 
 /// q, q̇ and q̈ by the plan; `None` where the plan has no solution or the solution is near a limit.
-fn solve<M: Mechanism>(
-    mechanism: &M,
-    parameters: &[f64],
+fn solve(
+    system: &mut dyn System,
     at: &Instant<'_>,
     configuration: &Configuration,
 ) -> Result<Option<[Vec<f64>; 3]>, SolveError> {
-    let plan = &M::model().plan;
-    let mut modes = vec![0.0; plan.modes.len()];
-    mechanism.closures_with(parameters, at, &configuration.q, &mut modes)?;
+    let (plan, coordinates) = (&system.model().plan, system.model().coordinates.len());
+    let mut modes = vec![0.0; plan.signs()];
+    system.branches(at, &configuration.q, &mut modes)?;
+    modes.truncate(plan.modes.len());
     modes.iter_mut().for_each(|mode| *mode = if *mode < 0.0 { -1.0 } else { 1.0 });
-    let mut found = [vec![0.0; M::COORDINATES], vec![0.0; M::COORDINATES], vec![0.0; M::COORDINATES]];
+    let mut found = [(); 3].map(|()| vec![0.0; coordinates]);
     let mut margins = vec![0.0; plan.margins];
     let [q, q_dot, q_ddot] = &mut found;
     let solved = Solved { q, q_dot, q_ddot, margins: &mut margins };
-    mechanism.solve_with(parameters, at, &modes, &configuration.q, Depth::Acceleration, solved)?;
+    system.solve(at, &modes, &configuration.q, Depth::Acceleration, solved)?;
     Ok(margins.iter().all(|margin| *margin > AWAY).then_some(found))
 }
 
 /// Compares every row of Φ and of the velocity and acceleration equations.
-fn rows<M: Mechanism>(
+fn rows(
     check: &mut CrossCheck,
-    mechanism: &M,
+    system: &mut dyn System,
     at: &Instant<'_>,
     [q, q_dot, q_ddot]: &[Vec<f64>; 3],
 ) -> Result<(), SolveError> {
-    let model: &'static Model = M::model();
-    let mut workspace = M::workspace::<f64>();
-    mechanism.evaluate(Subset::ALL, at, q, q_dot, &mut workspace)?;
+    let model = system.model();
+    system.evaluate(Subset::ALL, at, q, q_dot)?;
+    let parts = system.constraints();
     let largest = |x: &[f64]| x.iter().fold(0.0_f64, |most, v| most.max(v.abs()));
     // The terms of γ are coefficients times two rates, one of which belongs to an angle or a scalar. Where these terms
     // cancel and all accelerations vanish, the rounding error still has the size of the terms.
@@ -112,13 +113,13 @@ fn rows<M: Mechanism>(
         .filter(|(coordinate, _)| !is_length(coordinate.kind))
         .fold(0.0_f64, |most, (_, rate)| most.max(rate.abs()));
     let sizes = [largest(q), largest(q_dot), largest(q_ddot).max(turning * largest(q_dot))];
-    let mut sums = [workspace.phi().to_vec(), workspace.phi_t().to_vec(), workspace.gamma().to_vec()];
+    let mut sums = [parts.phi, parts.phi_t, parts.gamma].map(<[f64]>::to_vec);
     sums[2].iter_mut().for_each(|gamma| *gamma = -*gamma);
     let mut terms = vec![[0.0_f64; 3]; model.rows.len()];
     for (row, terms) in terms.iter_mut().enumerate() {
         *terms = [0.0, sums[1][row].abs(), sums[2][row].abs()];
     }
-    for (&(row, column), &entry) in model.constraint_pattern.entries.iter().zip(workspace.phi_q()) {
+    for (&(row, column), &entry) in model.constraint_pattern.entries.iter().zip(parts.phi_q) {
         sums[1][row] += entry * q_dot[column];
         sums[2][row] += entry * q_ddot[column];
         terms[row].iter_mut().zip(sizes).for_each(|(most, size)| *most = most.max(entry.abs() * size));

@@ -5,10 +5,9 @@
 //! around the best of the one before, widely at first and ever more closely, so that a descent can leave a local minimum. A
 //! design that breaks a condition or does not assemble counts as worse than the start.
 
-use super::builder::Design;
 use super::fit::{Effort, End, error};
 use super::follow::Branch;
-use crate::mechanism::Mechanism;
+use super::problem::Problem;
 use basin::{
     BoundedCmaEs, BoxBounds, ConstraintDescription, ConstraintSet, Constraints, CostFunction, DenseMatrix, Executor,
 };
@@ -18,8 +17,8 @@ use core::convert::Infallible;
 const NARROW: f64 = 1e-9;
 
 /// What is to be least, over the variables.
-struct Landscape<'d, M: Mechanism> {
-    design: &'d Design<M>,
+struct Landscape<'d> {
+    design: &'d dyn Problem,
     branch: &'d Branch,
     lower: Vec<f64>,
     upper: Vec<f64>,
@@ -28,7 +27,7 @@ struct Landscape<'d, M: Mechanism> {
 }
 
 /// Improves a design that keeps all conditions, generation by generation; the start where none is better.
-pub(super) fn evolve<M: Mechanism>(design: &Design<M>, start: End, effort: Effort) -> End {
+pub(super) fn evolve(design: &dyn Problem, start: End, effort: Effort) -> End {
     let count = start.variables.len();
     let size = if start.error == 0.0 { 1.0 } else { start.error.abs() };
     let worst = start.error + 10.0 * size;
@@ -45,7 +44,7 @@ pub(super) fn evolve<M: Mechanism>(design: &Design<M>, start: End, effort: Effor
     }
 }
 
-impl<M: Mechanism> Constraints for Landscape<'_, M> {
+impl Constraints for Landscape<'_> {
     type Set = ConstraintSet<BoxBounds<Vec<f64>>>;
 
     fn constraints(&self) -> <Self::Set as ConstraintDescription>::Borrowed<'_> {
@@ -53,7 +52,7 @@ impl<M: Mechanism> Constraints for Landscape<'_, M> {
     }
 }
 
-impl<M: Mechanism> CostFunction for Landscape<'_, M> {
+impl CostFunction for Landscape<'_> {
     type Param = Vec<f64>;
     type Output = f64;
     type Error = Infallible;

@@ -8,10 +8,9 @@
 //! A slack c adds the residual √τ/c: it keeps c positive at every step and vanishes with τ. Where a slack is not positive or
 //! the mechanism does not assemble, residuals are no numbers, and the trust region shrinks.
 
-use super::builder::Design;
 use super::follow::Branch;
 use super::motion::Evaluated;
-use crate::mechanism::Mechanism;
+use super::problem::Problem;
 use basin::{
     BoundedLevenbergMarquardt, BoxBounds, ConstraintDescription, ConstraintSet, Constraints, CostFunction, DenseMatrix,
     Executor, Jacobian, Residual, TrustRegionReflective,
@@ -48,8 +47,8 @@ pub(crate) const LAST: Effort =
     Effort { shares: &[1e-6, 1e-10, 0.0], steps: 480, change: 1e-12, reflective: 12, spread: 0.003 };
 
 /// The least squares problem of one branch.
-struct Fit<'d, M: Mechanism> {
-    design: &'d Design<M>,
+struct Fit<'d> {
+    design: &'d dyn Problem,
     branch: &'d Branch,
     lower: Vec<f64>,
     upper: Vec<f64>,
@@ -68,7 +67,7 @@ pub(crate) struct End {
 }
 
 /// The sum of squared misses of a design that keeps all conditions, and of what is to be least.
-pub(crate) fn error<M: Mechanism>(design: &Design<M>, variables: &[f64], branch: &Branch) -> Option<f64> {
+pub(crate) fn error(design: &dyn Problem, variables: &[f64], branch: &Branch) -> Option<f64> {
     let evaluated = design.evaluate(variables, branch, false).ok()?;
     let kept = evaluated.slacks.iter().all(|slack| slack.value > 0.0);
     let error = evaluated.misses.iter().map(|row| row.value * row.value).sum::<f64>() + evaluated.least;
@@ -76,7 +75,7 @@ pub(crate) fn error<M: Mechanism>(design: &Design<M>, variables: &[f64], branch:
 }
 
 /// Goes downhill from a design that keeps all conditions.
-pub(crate) fn descend<M: Mechanism>(design: &Design<M>, start: End, effort: Effort) -> End {
+pub(crate) fn descend(design: &dyn Problem, start: End, effort: Effort) -> End {
     let mut end = start;
     let nothing = NOTHING * design.wanted();
     for share in effort.shares {
@@ -114,7 +113,7 @@ pub(crate) fn descend<M: Mechanism>(design: &Design<M>, start: End, effort: Effo
     end
 }
 
-impl<M: Mechanism> Fit<'_, M> {
+impl Fit<'_> {
     /// Misses, then the terms of the conditions; none where a slack is not positive.
     fn evaluated(&self, variables: &[f64], slopes: bool) -> Option<Evaluated> {
         let evaluated = self.design.evaluate(variables, self.branch, slopes).ok()?;
@@ -143,7 +142,7 @@ impl<M: Mechanism> Fit<'_, M> {
     }
 }
 
-impl<M: Mechanism> Constraints for Fit<'_, M> {
+impl Constraints for Fit<'_> {
     type Set = ConstraintSet<BoxBounds<Vec<f64>>>;
 
     fn constraints(&self) -> <Self::Set as ConstraintDescription>::Borrowed<'_> {
@@ -151,7 +150,7 @@ impl<M: Mechanism> Constraints for Fit<'_, M> {
     }
 }
 
-impl<M: Mechanism> CostFunction for Fit<'_, M> {
+impl CostFunction for Fit<'_> {
     type Param = Vec<f64>;
     type Output = f64;
     type Error = Infallible;
@@ -162,7 +161,7 @@ impl<M: Mechanism> CostFunction for Fit<'_, M> {
     }
 }
 
-impl<M: Mechanism> Residual for Fit<'_, M> {
+impl Residual for Fit<'_> {
     type Param = Vec<f64>;
     type Output = Vec<f64>;
     type Error = Infallible;
@@ -172,7 +171,7 @@ impl<M: Mechanism> Residual for Fit<'_, M> {
     }
 }
 
-impl<M: Mechanism> Jacobian for Fit<'_, M> {
+impl Jacobian for Fit<'_> {
     type Jacobian = DenseMatrix;
 
     fn jacobian(&self, variables: &Vec<f64>) -> Result<DenseMatrix, Infallible> {

@@ -4,6 +4,7 @@ use super::builder::Design;
 use crate::error::SolveError;
 use crate::measure::Needs;
 use crate::mechanism::Mechanism;
+use crate::model::Model;
 use crate::planned::Sign;
 use crate::planned::follower::{Control, Follower};
 use crate::sensitivity::measured::complete;
@@ -21,41 +22,39 @@ pub(crate) struct Branch {
     pub(crate) forward: bool,
 }
 
+/// A motion, whatever its mechanism.
+pub(crate) trait Motion {
+    fn model(&self) -> &'static Model;
+    /// For every parameter that varies its variable, and by how much it changes with that.
+    fn moved_by(&self) -> &[(usize, f64)];
+    /// Follows the motion over these instants. Without slopes only the first group of parameters is shown.
+    ///
+    /// # Errors
+    /// Why the mechanism does not move through all of them.
+    fn each(&self, times: &[f64], slopes: bool, needs: Needs, see: &mut See<'_>) -> Result<(), SolveError>;
+}
+
 /// A mechanism that is followed.
 pub(crate) struct Follow<'d, M: Mechanism> {
-    pub(crate) design: &'d Design<M>,
+    design: &'d Design<M>,
     mechanism: &'d M,
     branch: &'d Branch,
     /// Parameters that vary, places in the mechanism.
     places: Vec<usize>,
     /// For every one of them its variable, and by how much it changes with that.
-    pub(crate) moved_by: Vec<(usize, f64)>,
+    moved_by: Vec<(usize, f64)>,
 }
 
-impl<'d, M: Mechanism> Follow<'d, M> {
-    pub(crate) fn new(design: &'d Design<M>, mechanism: &'d M, branch: &'d Branch) -> Self {
-        let free = design.free.iter().enumerate();
-        let all = free.flat_map(|(k, free)| free.places.iter().map(move |&place| (place, (k, free.width()))));
-        let (places, moved_by) = all.unzip();
-        Self { design, mechanism, branch, places, moved_by }
+impl<M: Mechanism> Motion for Follow<'_, M> {
+    fn model(&self) -> &'static Model {
+        M::model()
     }
 
-    /// Into how many groups the parameters that vary are divided.
-    pub(crate) fn chunks(&self) -> usize {
-        self.places.len().div_ceil(WIDTH)
+    fn moved_by(&self) -> &[(usize, f64)] {
+        &self.moved_by
     }
 
-    pub(crate) fn solver(&self) -> Solver<'_, M> {
-        let solver = Solver::new(self.mechanism);
-        let solver = self.design.guesses.iter().fold(solver, |solver, &(place, value)| solver.with_guess(place, value));
-        self.branch.modes.iter().fold(solver, |solver, &(place, sign)| solver.with_mode(place, sign))
-    }
-
-    /// Follows the motion over these instants. Without slopes only the first group of parameters is shown.
-    ///
-    /// # Errors
-    /// Why the mechanism does not move through all of them.
-    pub(crate) fn each(&self, times: &[f64], slopes: bool, needs: Needs, see: &mut See<'_>) -> Result<(), SolveError> {
+    fn each(&self, times: &[f64], slopes: bool, needs: Needs, see: &mut See<'_>) -> Result<(), SolveError> {
         let Some(&first) = times.first() else { return Ok(()) };
         let plan = &M::model().plan;
         let determined = plan.watched().next().is_none() && !is_integrated(M::model());
@@ -67,6 +66,21 @@ impl<'d, M: Mechanism> Follow<'d, M> {
             }
         }
         self.by_sweep(times, slopes, needs, see)
+    }
+}
+
+impl<'d, M: Mechanism> Follow<'d, M> {
+    pub(crate) fn new(design: &'d Design<M>, mechanism: &'d M, branch: &'d Branch) -> Self {
+        let free = design.free.iter().enumerate();
+        let all = free.flat_map(|(k, free)| free.places.iter().map(move |&place| (place, (k, free.width()))));
+        let (places, moved_by) = all.unzip();
+        Self { design, mechanism, branch, places, moved_by }
+    }
+
+    fn solver(&self) -> Solver<'_, M> {
+        let solver = Solver::new(self.mechanism);
+        let solver = self.design.guesses.iter().fold(solver, |solver, &(place, value)| solver.with_guess(place, value));
+        self.branch.modes.iter().fold(solver, |solver, &(place, sign)| solver.with_mode(place, sign))
     }
 
     /// The parameters by which numbers vary.

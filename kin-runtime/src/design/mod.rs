@@ -48,6 +48,7 @@ mod fit;
 mod follow;
 mod motion;
 mod objective;
+mod problem;
 mod result;
 mod search;
 mod text;

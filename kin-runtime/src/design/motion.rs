@@ -2,9 +2,9 @@
 
 use super::builder::Design;
 use super::condition::Condition;
-use super::follow::{Branch, Follow};
+use super::follow::{Branch, Follow, Motion};
 use super::objective::{Least, Objective, Quantity, Wanted};
-use super::variables::{Instants, instants};
+use super::variables::{Free, Instants, instants};
 use crate::error::SolveError;
 use crate::measure::Needs;
 use crate::mechanism::Mechanism;
@@ -34,21 +34,6 @@ pub(crate) struct Evaluated {
 }
 
 impl<M: Mechanism> Design<M> {
-    /// The sum of squares of what is wanted: errors are measured by it.
-    pub(crate) fn wanted(&self) -> f64 {
-        self.objectives.iter().flat_map(Objective::weighted).map(|value| value * value).sum()
-    }
-
-    /// The largest of the values that are wanted.
-    pub(crate) fn size(&self) -> f64 {
-        self.objectives.iter().flat_map(Objective::weighted).map(f64::abs).fold(0.0, f64::max)
-    }
-
-    /// Whether something is to be least that is no sum of squares.
-    pub(crate) fn is_least(&self) -> bool {
-        self.objectives.iter().any(|objective| matches!(objective.wanted, Wanted::Least(_)))
-    }
-
     /// The mechanism with which the search begins.
     pub(crate) fn mechanism(&self) -> M {
         let mut mechanism = (self.make)();
@@ -73,27 +58,47 @@ impl<M: Mechanism> Design<M> {
     ///
     /// # Errors
     /// Why the mechanism does not assemble all the way.
-    pub(crate) fn evaluate(&self, variables: &[f64], branch: &Branch, slopes: bool) -> Result<Evaluated, SolveError> {
+    pub(crate) fn evaluated(&self, variables: &[f64], branch: &Branch, slopes: bool) -> Result<Evaluated, SolveError> {
         let mechanism = self.mechanism_at(variables);
-        let follow = Follow::new(self, &mechanism, branch);
-        let rows = Rows { follow: &follow, slopes, variables: variables.len() };
+        let (follow, parameters) = (Follow::new(self, &mechanism, branch), mechanism.parameters::<f64>());
+        let rows = Rows { follow: &follow, free: &self.free, slopes, variables: variables.len() };
+        rows.evaluated(parameters.as_ref(), &self.objectives, &self.conditions, variables, branch.forward)
+    }
+}
+
+/// Misses and slacks of a mechanism that is followed.
+struct Rows<'f> {
+    follow: &'f dyn Motion,
+    free: &'f [Free],
+    slopes: bool,
+    variables: usize,
+}
+
+impl Rows<'_> {
+    fn evaluated(
+        &self,
+        parameters: &[f64],
+        objectives: &[Objective],
+        conditions: &[Condition],
+        variables: &[f64],
+        forward: bool,
+    ) -> Result<Evaluated, SolveError> {
         let mut evaluated = Evaluated::default();
         let mut first = self.free.len();
-        let parameters = mechanism.parameters::<f64>();
         // Sums of parameters cost nothing: what they rule out is not followed.
-        for (place, condition) in self.conditions.iter().enumerate() {
+        for (place, condition) in conditions.iter().enumerate() {
             if let Condition::Sum { terms, least, .. } = condition {
-                evaluated.slacks.push(rows.sum(parameters.as_ref(), terms, *least));
+                evaluated.slacks.push(self.sum(parameters, terms, *least));
                 evaluated.conditions.push(place);
             }
         }
         if evaluated.slacks.iter().any(|slack| slack.value <= 0.0) {
             return Ok(evaluated);
         }
-        for objective in &self.objectives {
-            let instants = instants(objective, variables, first, branch.forward);
+        for objective in objectives {
+            let instants = instants(objective, variables, first, forward);
             if instants.moved_by.is_some() {
-                evaluated.slacks.push(rows.rest(variables, first, objective.variables()));
+                evaluated.slacks.push(self.rest(variables, first, objective.variables()));
                 evaluated.conditions.push(usize::MAX);
                 if evaluated.slacks.last().is_some_and(|slack| slack.value <= 0.0) {
                     return Ok(evaluated);
@@ -101,34 +106,25 @@ impl<M: Mechanism> Design<M> {
             }
             first += objective.variables();
             match &objective.wanted {
-                Wanted::Least(of) => evaluated.least += rows.least(objective, &instants, of)?,
-                _ => rows.objective(objective, &instants, &mut evaluated.misses)?,
+                Wanted::Least(of) => evaluated.least += self.least(objective, &instants, of)?,
+                _ => self.objective(objective, &instants, &mut evaluated.misses)?,
             }
             evaluated.times.push(instants.times);
         }
-        for (place, condition) in self.conditions.iter().enumerate() {
+        for (place, condition) in conditions.iter().enumerate() {
             let before = evaluated.slacks.len();
             match condition {
                 Condition::Sum { .. } => {}
-                Condition::Margins { times, least } => rows.margins(times, *least, &mut evaluated.slacks)?,
+                Condition::Margins { times, least } => self.margins(times, *least, &mut evaluated.slacks)?,
                 Condition::Range { of, low, high, times, .. } => {
-                    rows.range(times, of, [*low, *high], &mut evaluated.slacks)?;
+                    self.range(times, of, [*low, *high], &mut evaluated.slacks)?;
                 }
             }
             evaluated.conditions.resize(evaluated.conditions.len() + evaluated.slacks.len() - before, place);
         }
         Ok(evaluated)
     }
-}
 
-/// Misses and slacks of a mechanism that is followed.
-struct Rows<'f, 'd, M: Mechanism> {
-    follow: &'f Follow<'d, M>,
-    slopes: bool,
-    variables: usize,
-}
-
-impl<M: Mechanism> Rows<'_, '_, M> {
     /// A row without derivatives.
     fn row(&self, value: f64) -> Row {
         Row { value, by: if self.slopes { vec![0.0; self.variables] } else { Vec::new() } }
@@ -137,7 +133,7 @@ impl<M: Mechanism> Rows<'_, '_, M> {
     /// Adds the derivatives by the parameters from a place among those that vary.
     fn add(&self, row: &mut Row, first: usize, number: Number) {
         if self.slopes {
-            for (by, &(variable, width)) in number.by().iter().zip(&self.follow.moved_by[first..]) {
+            for (by, &(variable, width)) in number.by().iter().zip(&self.follow.moved_by()[first..]) {
                 row.by[variable] += width * by;
             }
         }
@@ -145,9 +141,8 @@ impl<M: Mechanism> Rows<'_, '_, M> {
 
     /// Σ factor · parameter − least, in the size of the parameters' bounds.
     fn sum(&self, parameters: &[f64], terms: &[(usize, f64)], least: f64) -> Row {
-        let design = self.follow.design;
-        let free = |place: usize| design.free.iter().position(|free| free.places.contains(&place));
-        let width = |place: usize| free(place).map_or(0.0, |free| design.free[free].width());
+        let free = |place: usize| self.free.iter().position(|free| free.places.contains(&place));
+        let width = |place: usize| free(place).map_or(0.0, |free| self.free[free].width());
         let size: f64 = terms.iter().map(|(place, factor)| factor.abs() * width(*place)).sum();
         let size = if size > 0.0 { size } else { 1.0 };
         let value = terms.iter().map(|(place, factor)| factor * parameters[*place]).sum::<f64>() - least;
@@ -172,10 +167,10 @@ impl<M: Mechanism> Rows<'_, '_, M> {
         match &objective.wanted {
             Wanted::Values(values, weights) => self.values(objective, at, (values, weights), misses),
             Wanted::Zeros(residuals) => {
-                let chunks = if self.slopes { self.follow.chunks() } else { 1 };
+                let chunks = if self.slopes { self.follow.moved_by().len().div_ceil(WIDTH) } else { 1 };
                 let mut seen = vec![vec![Vec::new(); at.times.len()]; chunks];
                 self.follow.each(&at.times, self.slopes, objective.needs(), &mut |instant, first, varied| {
-                    let of = objective.of.iter().map(|quantity| quantity.varied(M::model(), varied));
+                    let of = objective.of.iter().map(|quantity| quantity.varied(self.follow.model(), varied));
                     seen[first / WIDTH][instant] = of.map(|number| number.unwrap_or(UNKNOWN)).collect();
                 })?;
                 let begin = misses.len();
@@ -199,7 +194,7 @@ impl<M: Mechanism> Rows<'_, '_, M> {
     fn least(&self, objective: &Objective, at: &Instants, of: &Least) -> Result<f64, SolveError> {
         let mut seen = vec![Vec::new(); at.times.len()];
         self.follow.each(&at.times, false, objective.needs(), &mut |instant, _, varied| {
-            let values = objective.of.iter().map(|quantity| quantity.varied(M::model(), varied));
+            let values = objective.of.iter().map(|quantity| quantity.varied(self.follow.model(), varied));
             seen[instant] = values.map(|number| number.map_or(f64::NAN, Number::value)).collect();
         })?;
         Ok(of(&seen))
@@ -216,12 +211,12 @@ impl<M: Mechanism> Rows<'_, '_, M> {
         let (begin, each) = (misses.len(), objective.of.len());
         self.follow.each(&at.times, self.slopes, objective.needs(), &mut |instant, first, varied| {
             for (place, quantity) in objective.of.iter().enumerate() {
-                let number = quantity.varied(M::model(), varied).unwrap_or(UNKNOWN);
+                let number = quantity.varied(self.follow.model(), varied).unwrap_or(UNKNOWN);
                 let weight = weights[place];
                 if first == 0 {
                     let mut row = self.row(weight * quantity.miss(number.value(), values[instant][place]));
                     if let (Some(chain), true) = (at.moved_by, self.slopes) {
-                        let rate = weight * quantity.rate(M::model(), varied);
+                        let rate = weight * quantity.rate(self.follow.model(), varied);
                         chain.moving(instant).for_each(|(variable, factor)| row.by[variable] += rate * factor);
                     }
                     misses.push(row);
@@ -258,7 +253,7 @@ impl<M: Mechanism> Rows<'_, '_, M> {
     }
 
     fn range(&self, times: &[f64], of: &Quantity, ends: [f64; 2], slacks: &mut Vec<Row>) -> Result<(), SolveError> {
-        self.slacks(times, of.needs(), slacks, &|varied, out| range_slacks(M::model(), varied, of, ends, out))
+        self.slacks(times, of.needs(), slacks, &|varied, out| range_slacks(self.follow.model(), varied, of, ends, out))
     }
 }
 

@@ -5,6 +5,7 @@ use super::error::DesignError;
 use super::evolution::evolve;
 use super::fit::{Effort, End, FIRST, GLANCE, LAST, NOTHING, SECOND, descend, error};
 use super::follow::Branch;
+use super::problem::Problem;
 use super::result::{Designed, Slack};
 use super::variables::FIRST as PERIODS;
 use crate::error::SolveError;
@@ -87,6 +88,7 @@ impl<M: Mechanism> Design<M> {
         if !inputs.is_empty() {
             return Err(DesignError::Inputs { inputs: inputs.to_vec() });
         }
+        let problem: &dyn Problem = self;
         let modes = self.all_modes();
         // Conditions are kept at instants; where they are broken between them, they are tightened by as much.
         let mut tightened = self.clone();
@@ -97,15 +99,15 @@ impl<M: Mechanism> Design<M> {
             let stopped = *descents.stopped.get_mut();
             let Some(best) = found.first() else {
                 let drawn = search.starts * DRAWS;
-                return Err(DesignError::NoStart { drawn, why: self.why(&modes, search.seed) });
+                return Err(DesignError::NoStart { drawn, why: problem.why(&modes, search.seed) });
             };
             let slacks = self.verified(&best.variables, &best.branch)?;
             let broken = slacks.iter().any(|slack| slack.slack < 0.0);
             if !broken || stopped {
                 let mut designed = self.designed(best, slacks);
                 designed.errors = found.iter().map(|end| end.error).collect();
-                let nothing = NOTHING * self.wanted();
-                let same = |error: &&f64| match self.is_least() {
+                let nothing = NOTHING * problem.wanted();
+                let same = |error: &&f64| match problem.is_least() {
                     true => **error - best.error <= SAME * best.error.abs(),
                     false => **error <= (1.0 + SAME) * best.error.max(nothing),
                 };
@@ -136,13 +138,39 @@ impl<M: Mechanism> Design<M> {
         (0..modes.len()).map(|place| (place, asked(place).unwrap_or_else(|| guessed(place)))).collect()
     }
 
+    /// What is reported of a design with these slacks.
+    fn designed(&self, end: &End, slacks: Vec<Slack>) -> Designed<M> {
+        let mechanism = self.mechanism_at(&end.variables);
+        let values = mechanism.parameters::<f64>();
+        let model = M::model();
+        let places = self.free.iter().flat_map(|free| free.places.iter().copied());
+        let evaluated = self.evaluated(&end.variables, &end.branch, false).unwrap_or_default();
+        Designed {
+            parameters: places.map(|place| (model.parameters[place].name, values.as_ref()[place])).collect(),
+            error: end.error,
+            least: (self as &dyn Problem).is_least().then_some(evaluated.least),
+            times: evaluated.times,
+            modes: end.branch.modes.iter().map(|&(place, sign)| (model.plan.modes[place].name, sign)).collect(),
+            slacks,
+            starts: 0,
+            assembled: 0,
+            finished: 0,
+            met: 0,
+            errors: Vec::new(),
+            stopped: false,
+            mechanism,
+        }
+    }
+}
+
+impl dyn Problem + '_ {
     /// Random variables.
     fn draw(&self, random: &mut Random, modes: &[(usize, Option<Sign>)]) -> (Vec<f64>, Branch) {
         let mut share = || 0.5 * (random.symmetric() + 1.0);
         // Bounds may be far wider than what is wanted: half of the draws come as near to that as chance has it.
         let (size, near) = (self.size(), (2.0 * share() - 1.0).max(0.0));
-        let mut variables: Vec<f64> = self.free.iter().map(|free| free.drawn(size, near, share())).collect();
-        for objective in self.objectives.iter().filter(|objective| objective.free.is_some()) {
+        let mut variables: Vec<f64> = self.free().iter().map(|free| free.drawn(size, near, share())).collect();
+        for objective in self.objectives().iter().filter(|objective| objective.free.is_some()) {
             let count = objective.instants();
             // The first instant within one period; then equal gaps that leave something of it.
             variables.push((1.0 + share()) / PERIODS);
@@ -183,46 +211,22 @@ impl<M: Mechanism> Design<M> {
             self.evaluate(&variables, &branch, false).err()
         })
     }
-
-    /// What is reported of a design with these slacks.
-    fn designed(&self, end: &End, slacks: Vec<Slack>) -> Designed<M> {
-        let mechanism = self.mechanism_at(&end.variables);
-        let values = mechanism.parameters::<f64>();
-        let model = M::model();
-        let places = self.free.iter().flat_map(|free| free.places.iter().copied());
-        let evaluated = self.evaluate(&end.variables, &end.branch, false).unwrap_or_default();
-        Designed {
-            parameters: places.map(|place| (model.parameters[place].name, values.as_ref()[place])).collect(),
-            error: end.error,
-            least: self.is_least().then_some(evaluated.least),
-            times: evaluated.times,
-            modes: end.branch.modes.iter().map(|&(place, sign)| (model.plan.modes[place].name, sign)).collect(),
-            slacks,
-            starts: 0,
-            assembled: 0,
-            finished: 0,
-            met: 0,
-            errors: Vec::new(),
-            stopped: false,
-            mechanism,
-        }
-    }
 }
 
 /// A design after a descent.
-fn improved<M: Mechanism>(design: &Design<M>, start: End, effort: Effort) -> End {
+fn improved(design: &dyn Problem, start: End, effort: Effort) -> End {
     if design.is_least() { evolve(design, start, effort) } else { descend(design, start, effort) }
 }
 
 /// The descents of a search.
-struct Descents<'s, M: Mechanism> {
-    design: &'s Design<M>,
+struct Descents<'s> {
+    design: &'s dyn Problem,
     search: &'s Search<'s>,
     modes: &'s [(usize, Option<Sign>)],
     stopped: AtomicBool,
 }
 
-impl<M: Mechanism> Descents<'_, M> {
+impl Descents<'_> {
     /// First descents from random designs, where there are none yet, and the best of them taken to the end, in ascending
     /// order of their errors.
     fn run(&self, ends: &mut Vec<End>) -> Vec<End> {

@@ -3,8 +3,7 @@
 use super::builder::Design;
 use super::condition::Condition;
 use super::error::DesignError;
-use super::follow::Branch;
-use super::follow::Follow;
+use super::follow::{Branch, Follow, Motion};
 use super::motion::{margin_slacks, range_slacks};
 use super::result::Slack;
 use crate::error::SolveError;
@@ -27,7 +26,7 @@ impl<M: Mechanism> Design<M> {
     pub(crate) fn verified(&self, variables: &[f64], branch: &Branch) -> Result<Vec<Slack>, DesignError> {
         let mechanism = self.mechanism_at(variables);
         let follow = Follow::new(self, &mechanism, branch);
-        let evaluated = self.evaluate(variables, branch, false).unwrap_or_default();
+        let evaluated = self.evaluated(variables, branch, false).unwrap_or_default();
         let at_instants = |place: usize| {
             let own = evaluated.conditions.iter().zip(&evaluated.slacks).filter(|(other, _)| **other == place);
             own.map(|(_, slack)| slack.value).fold(f64::INFINITY, f64::min)
@@ -54,12 +53,7 @@ impl<M: Mechanism> Design<M> {
 }
 
 /// The least slack from 0 to the end of a period, and where it is.
-fn least<M: Mechanism>(
-    follow: &Follow<'_, M>,
-    period: f64,
-    needs: Needs,
-    of: &Slacks<'_>,
-) -> Result<(f64, f64), SolveError> {
+fn least(follow: &dyn Motion, period: f64, needs: Needs, of: &Slacks<'_>) -> Result<(f64, f64), SolveError> {
     let slacks = |times: &[f64]| -> Result<Vec<Vec<f64>>, SolveError> {
         let (mut all, mut numbers) = (Vec::with_capacity(times.len()), Vec::new());
         follow.each(times, false, needs, &mut |_, _, varied| {

@@ -104,10 +104,9 @@ impl<M: Mechanism> Solver<'_, M> {
             by.extend((0..chunk.len()).map(|lane| reported(model, model.parameters[chunk[lane]].name, lane, varied)));
             margins = varied.margins.iter().map(|margin| margin.value()).collect();
             let Some(info) = model.forces else { return Ok(()) };
-            self.analyse(&state.instant(), |equations| {
-                forces::forces(equations, variation, info, state, varied, &mut by[first..]);
-                Ok(())
-            })
+            let mut equations = self.equations(&state.instant())?;
+            forces::forces(&mut equations, variation, info, state, varied, &mut by[first..]);
+            Ok(())
         })?;
         match by.iter().find(|by| !by.is_finite()) {
             Some(by) => Err(SolveError::NoSensitivity { t: state.t, parameter: by.parameter, row_name: None }),
@@ -125,7 +124,7 @@ impl<M: Mechanism> Solver<'_, M> {
     ) -> Result<(), SolveError> {
         let mut all = Vec::new();
         if !(self.given.is_empty() && planned(self.options.use_plan, variation, state, parameters, &mut all)?) {
-            self.analyse(&state.instant(), |equations| by_rows(equations, variation, state, parameters, &mut all))?;
+            by_rows(&mut self.equations(&state.instant())?, variation, state, parameters, &mut all)?;
         }
         for (chunk, varied) in parameters.chunks(WIDTH).zip(&mut all) {
             variation.begin(&state.instant(), chunk);

@@ -114,7 +114,7 @@ impl<M: Mechanism> Solver<'_, M> {
             return Err(SolveError::NonFinite { what: "inputs", index, name: M::model().inputs[index], t: None });
         }
         let mut orders = HigherOrders::new(self.mechanism, order);
-        self.analyse(&state.instant(), |equations| derivatives(equations, &mut orders, state, order, further))
+        derivatives(&mut self.equations(&state.instant())?, &mut orders, state, order, further)
     }
 }
 

@@ -45,7 +45,7 @@ impl<M: Mechanism> Solver<'_, M> {
     /// enough; [`NonFinite`](SolveError::NonFinite) and [`Length`](SolveError::Length).
     pub fn motion_derivatives(&self, derivatives: &Derivatives) -> Result<MotionDerivatives, SolveError> {
         let observe = || observe(self.mechanism, derivatives);
-        self.analyse(&derivatives.instant(), |equations| motion(equations, &observe, derivatives))
+        motion(&mut self.equations(&derivatives.instant())?, &observe, derivatives)
     }
 }
 

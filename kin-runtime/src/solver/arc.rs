@@ -1,14 +1,13 @@
 //! Sweeps along the arc of the solution curve, through dead centres.
 
 use super::Solver;
-use crate::equations::Equations;
-use crate::equations::system::Evaluator;
+use super::sweep::inputs_at;
 use crate::error::SolveError;
 use crate::mechanism::Mechanism;
 use crate::observer::Observed;
 use crate::sweep::arc::{Window, solution_arc};
 use crate::trajectory::Trajectory;
-use crate::workspace::{Instant, Signal};
+use crate::workspace::Instant;
 
 impl<M: Mechanism> Solver<'_, M> {
     /// The whole motion through the configuration that is assembled at `from`, with time as one more unknown: where the
@@ -53,18 +52,13 @@ impl<M: Mechanism> Solver<'_, M> {
     /// leave degrees of freedom open, rows are of velocity level, or branches cross there; [`Stopped`](SolveError::Stopped) by
     /// an observer.
     pub fn sweep_along_arc(&self, from: f64, to: Option<f64>, steps: usize) -> Result<Trajectory, SolveError> {
-        let mut inputs = Vec::new();
-        if let Some(function) = self.inputs {
-            inputs.resize(M::INPUTS, Signal::default());
-            function(from, &mut inputs);
-        }
+        let inputs = inputs_at(self.inputs, from, M::INPUTS);
         let at = Instant { t: from, inputs: &inputs };
         if let Some(t) = to {
-            self.analyse(&Instant { t, inputs: &inputs }, |_| Ok(()))?;
+            self.equations(&Instant { t, inputs: &inputs })?;
         }
         let q = self.assemble(&at)?;
-        let evaluator = Box::new(Evaluator::<_, M>::new(self.mechanism));
-        let mut equations = Equations::new(evaluator, self.options, &self.given, self.inputs, &at)?;
+        let mut equations = self.equations(&at)?;
         equations.observed = Observed::new(self.observer, steps + 1);
         let (states, arc) = solution_arc(&mut equations, &q, Window { from, to }, steps)?;
         Ok(Trajectory { reached: states.len(), states, arc: Some(arc), ..Trajectory::new(M::model()) })

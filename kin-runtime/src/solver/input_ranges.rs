@@ -26,28 +26,37 @@ impl<M: Mechanism> Solver<'_, M> {
         let guess = self.checked_guess().ok()?;
         let fitted = |places: &[usize], values: &[Signal]| {
             let at = Instant { t: at.t, inputs: values };
-            let found = self.analyse(&at, |equations| {
-                let fits = fit_inputs(equations, &guess, places)?;
-                Ok(fits.then(|| equations.inputs.clone()))
-            });
-            found.ok().flatten()
+            let mut equations = self.equations(&at).ok()?;
+            let fits = fit_inputs(&mut equations, &guess, places).ok()?;
+            fits.then_some(equations.inputs)
         };
-        let mut all: Vec<usize> = (0..M::INPUTS).collect();
-        let at_guess = fitted(&all, at.inputs);
-        // Where several inputs could each be the cause, it is the one that is farthest from what fits the guess.
-        let departure = |k: usize| {
-            let fit = at_guess.as_ref()?.get(k)?.value;
-            Some((at.inputs.get(k)?.value - fit).abs() / fit.abs().max(f64::MIN_POSITIVE))
-        };
-        all.sort_by(|&a, &b| departure(b).unwrap_or(0.0).total_cmp(&departure(a).unwrap_or(0.0)));
-        let first = |others: &[Signal]| {
-            all.iter().find_map(|&k| {
-                let asked = at.inputs.get(k)?.value;
-                let inputs = fitted(&[k], others)?;
-                let range = self.range_of(&Instant { t: at.t, inputs: &inputs }, Input(k)).ok()?;
-                (!range.contains(asked)).then_some(OutOfRange { value: asked, range })
-            })
-        };
-        first(at.inputs).or_else(|| first(at_guess.as_ref()?))
+        let range_of = |inputs: &[Signal], input: Input| self.range_of(&Instant { t: at.t, inputs }, input).ok();
+        out_of_range(at.inputs, M::INPUTS, &fitted, &range_of)
     }
+}
+
+/// Inputs that fit the guess, where those at the places may vary.
+type Fitted<'f> = dyn Fn(&[usize], &[Signal]) -> Option<Vec<Signal>> + 'f;
+
+/// The range of an input beside the others.
+type RangeOf<'f> = dyn Fn(&[Signal], Input) -> Option<InputRange> + 'f;
+
+/// The input that keeps a mechanism from closing.
+fn out_of_range(inputs: &[Signal], count: usize, fitted: &Fitted<'_>, range_of: &RangeOf<'_>) -> Option<OutOfRange> {
+    let mut all: Vec<usize> = (0..count).collect();
+    let at_guess = fitted(&all, inputs);
+    // Where several inputs could each be the cause, it is the one that is farthest from what fits the guess.
+    let departure = |k: usize| {
+        let fit = at_guess.as_ref()?.get(k)?.value;
+        Some((inputs.get(k)?.value - fit).abs() / fit.abs().max(f64::MIN_POSITIVE))
+    };
+    all.sort_by(|&a, &b| departure(b).unwrap_or(0.0).total_cmp(&departure(a).unwrap_or(0.0)));
+    let first = |others: &[Signal]| {
+        all.iter().find_map(|&k| {
+            let asked = inputs.get(k)?.value;
+            let range = range_of(&fitted(&[k], others)?, Input(k))?;
+            (!range.contains(asked)).then_some(OutOfRange { value: asked, range })
+        })
+    };
+    first(inputs).or_else(|| first(at_guess.as_ref()?))
 }

@@ -21,6 +21,7 @@ use crate::modes::{Mode, Wanted, assemble_in, modes};
 use crate::motion::Motion;
 use crate::observer::Observer;
 use crate::options::Options;
+use crate::plan::Plan;
 use crate::planned::{PlanError, Planned, Sign};
 use crate::ratios::{VelocityRatios, velocity_ratios};
 use crate::report::motion::{motion, point_jacobian};
@@ -85,7 +86,7 @@ impl<'m, M: Mechanism> Solver<'m, M> {
         let wanted = self.wanted()?;
         match self.position_by_plan(at) {
             Some(position) => Ok(position.q),
-            None => self.analyse(at, |equations| Ok(assemble_in(equations, &wanted)?.q)),
+            None => Ok(assemble_in(&mut self.equations(at)?, &wanted)?.q),
         }
     }
 
@@ -95,7 +96,7 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     /// [`Plan`](SolveError::Plan) where there is no plan; [`NonFinite`](SolveError::NonFinite) and
     /// [`Length`](SolveError::Length).
     pub fn modes(&self, at: &Instant<'_>, q: &[f64]) -> Result<Vec<Mode>, SolveError> {
-        self.analyse(at, |equations| modes(equations, q))
+        modes(&mut self.equations(at)?, q)
     }
 
     /// Assembles the mechanism from the guesses and returns it as [`Planned`], which follows the plan from there.
@@ -117,7 +118,7 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     pub fn position(&self, at: &Instant<'_>, start: &[f64]) -> Result<Position, SolveError> {
         match self.position_near(at, start) {
             Some(position) => Ok(position),
-            None => self.analyse(at, |equations| position(equations, start)),
+            None => position(&mut self.equations(at)?, start),
         }
     }
 
@@ -128,11 +129,7 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     /// [`InconsistentVelocity`](SolveError::InconsistentVelocity) where redundant rows disagree,
     /// [`GivenConflict`](SolveError::GivenConflict).
     pub fn velocity(&self, at: &Instant<'_>, q: &[f64]) -> Result<Vec<f64>, SolveError> {
-        self.analyse(at, |equations| {
-            equations.check("q", q)?;
-            equations.scale = Scale::around(equations, q);
-            Ok(velocity(equations, q, None)?.0)
-        })
+        velocity_at(&mut self.equations(at)?, q)
     }
 
     /// Acceleration analysis of an assembled configuration with its q̇: q̈ with Φ_q q̈ = γ.
@@ -140,13 +137,7 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     /// # Errors
     /// As [`velocity`](Self::velocity), and [`InconsistentAcceleration`](SolveError::InconsistentAcceleration).
     pub fn acceleration(&self, at: &Instant<'_>, q: &[f64], q_dot: &[f64]) -> Result<Vec<f64>, SolveError> {
-        self.analyse(at, |equations| {
-            equations.check("q", q)?;
-            equations.check("q_dot", q_dot)?;
-            equations.scale = Scale::around(equations, q);
-            let factor = factorize(equations, q, None)?;
-            acceleration(equations, q, q_dot, &factor).map_err(|error| explain(equations, q, &factor, error))
-        })
+        acceleration_at(&mut self.equations(at)?, q, q_dot)
     }
 
     /// Assembly from the guesses, then velocity and acceleration.
@@ -158,10 +149,9 @@ impl<'m, M: Mechanism> Solver<'m, M> {
             return Ok(state);
         }
         let wanted = self.wanted()?;
-        self.analyse(at, |equations| {
-            let position = assemble_in(equations, &wanted)?;
-            Ok(analysis::state(equations, position)?.0)
-        })
+        let equations = &mut self.equations(at)?;
+        let position = assemble_in(equations, &wanted)?;
+        Ok(analysis::state(equations, position)?.0)
     }
 
     /// Position analysis from a complete start, then velocity and acceleration.
@@ -172,10 +162,9 @@ impl<'m, M: Mechanism> Solver<'m, M> {
         if let Some(state) = self.state_near(at, start) {
             return Ok(state);
         }
-        self.analyse(at, |equations| {
-            let position = position(equations, start)?;
-            Ok(analysis::state(equations, position)?.0)
-        })
+        let equations = &mut self.equations(at)?;
+        let position = position(equations, start)?;
+        Ok(analysis::state(equations, position)?.0)
     }
 
     /// Motion of bodies, points, defines and joints.
@@ -183,14 +172,7 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     /// # Errors
     /// [`NonFinite`](SolveError::NonFinite) and [`Length`](SolveError::Length).
     pub fn motion(&self, state: &State) -> Result<Motion, SolveError> {
-        self.analyse(&state.instant(), |equations| {
-            let mut motion = motion(equations, state)?;
-            // Forces are optional: without them the motion is still valid.
-            if equations.model.forces.is_some() {
-                motion.forces = analysis::forces::forces(equations, state, self.sharing).ok();
-            }
-            Ok(motion)
-        })
+        motion_at(&mut self.equations(&state.instant())?, state, self.sharing)
     }
 
     /// The values of quantities at a solved state, in their order, in the units of the mechanism and in radians. A
@@ -200,17 +182,10 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     /// # Errors
     /// [`NonFinite`](SolveError::NonFinite) and [`Length`](SolveError::Length).
     pub fn measure(&self, state: &State, measures: &[Measure]) -> Result<Vec<f64>, SolveError> {
-        let known: Option<Vec<f64>> = measures.iter().map(|measure| measure.of_state(state)).collect();
-        known.map_or_else(
-            || {
-                self.analyse(&state.instant(), |equations| {
-                    equations.check("q", &state.q)?;
-                    equations.scale = Scale::around(equations, &state.q);
-                    values(equations, state, measures, self.sharing)
-                })
-            },
-            Ok,
-        )
+        match known(state, measures) {
+            Some(known) => Ok(known),
+            None => values(around(&mut self.equations(&state.instant())?, state)?, state, measures, self.sharing),
+        }
     }
 
     /// Efforts of drivers, reactions of joints, energies and powers at a solved state, from M q̈ + Φ_qᵀ λ = Q. Forces
@@ -242,11 +217,11 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     /// # Errors
     /// For a mechanism without masses and loads, and when a list has another length.
     pub fn loads(&self, state: &State) -> Result<Vec<Load>, SolveError> {
-        self.analyse(&state.instant(), |equations| analysis::forces::loads(equations, state))
+        analysis::forces::loads(&mut self.equations(&state.instant())?, state)
     }
 
     fn shared_forces(&self, state: &State, sharing: Sharing) -> Result<Forces, SolveError> {
-        self.analyse(&state.instant(), |equations| analysis::forces::forces(equations, state, sharing))
+        analysis::forces::forces(&mut self.equations(&state.instant())?, state, sharing)
     }
 
     /// Estimated condition number of the scaled Φ_q at a state: see [`State::condition`].
@@ -257,11 +232,7 @@ impl<'m, M: Mechanism> Solver<'m, M> {
         if let Some(condition) = state.condition {
             return Ok(condition);
         }
-        self.analyse(&state.instant(), |equations| {
-            equations.check("q", &state.q)?;
-            equations.scale = Scale::around(equations, &state.q);
-            Ok(factorize(equations, &state.q, None)?.condition)
-        })
+        Ok(factorize(around(&mut self.equations(&state.instant())?, state)?, &state.q, None)?.condition)
     }
 
     /// Degrees of freedom, independent coordinates, redundant rows and conditioning at a configuration.
@@ -269,7 +240,7 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     /// # Errors
     /// [`NonFinite`](SolveError::NonFinite) and [`Length`](SolveError::Length).
     pub fn mobility(&self, at: &Instant<'_>, q: &[f64]) -> Result<Mobility, SolveError> {
-        self.analyse(at, |equations| mobility(equations, q))
+        mobility(&mut self.equations(at)?, q)
     }
 
     /// Velocity ratios and second-order ratios per driving row and per input.
@@ -278,11 +249,7 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     /// As [`velocity`](Self::velocity); [`InconsistentVelocity`](SolveError::InconsistentVelocity) also if one driving
     /// row cannot move without another.
     pub fn velocity_ratios(&self, state: &State) -> Result<VelocityRatios, SolveError> {
-        self.analyse(&state.instant(), |equations| {
-            equations.check("q", &state.q)?;
-            equations.scale = Scale::around(equations, &state.q);
-            velocity_ratios(equations, state)
-        })
+        velocity_ratios(around(&mut self.equations(&state.instant())?, state)?, state)
     }
 
     /// ∂r_P/∂q of a named point, 2×n.
@@ -290,7 +257,7 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     /// # Errors
     /// [`NonFinite`](SolveError::NonFinite) and [`Length`](SolveError::Length).
     pub fn point_jacobian(&self, at: &Instant<'_>, q: &[f64], point: Point) -> Result<DMatrix<f64>, SolveError> {
-        self.analyse(at, |equations| point_jacobian(equations, q, point))
+        point_jacobian(&mut self.equations(at)?, q, point)
     }
 
     /// Transmission angles at all revolute joints between two moving bodies.
@@ -298,7 +265,7 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     /// # Errors
     /// [`NonFinite`](SolveError::NonFinite) and [`Length`](SolveError::Length).
     pub fn transmission_angles(&self, at: &Instant<'_>, q: &[f64]) -> Result<Vec<TransmissionAngle>, SolveError> {
-        self.analyse(at, |equations| transmission_angles(equations, q))
+        transmission_angles(&mut self.equations(at)?, q)
     }
 
     /// Compares every entry of Φ_q, Φ_t and γ with dual numbers, at the configurations given and at random ones around
@@ -319,25 +286,17 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     /// [`Plan`](SolveError::Plan) without a plan; as [`state_from`](Self::state_from) for the configurations given.
     pub fn plan_check(&self, options: &CrossCheckOptions) -> Result<CrossCheck, SolveError> {
         let (centre, length) = self.around(options)?;
-        plan_check(self.mechanism, options, &centre, length, self.observer, |at, start| {
-            Self::new(self.mechanism).state_from(at, start)
-        })
+        let mut system = Evaluator::<_, M>::new(self.mechanism);
+        let newton = |at: &Instant<'_>, start: &[f64]| Self::new(self.mechanism).state_from(at, start);
+        plan_check(&mut system, options, &centre, length, self.observer, &newton)
     }
 
     /// The guess as centre of random configurations, and their width in x and y. Checks the configurations of the
     /// caller.
     fn around(&self, options: &CrossCheckOptions) -> Result<(Vec<f64>, f64), SolveError> {
-        let centre: Vec<f64> = self.checked_guess()?.into_iter().map(|g| g.unwrap_or(0.0)).collect();
+        let guess = self.checked_guess()?;
         let inputs = vec![Signal::default(); M::INPUTS];
-        let length = self.analyse(&Instant { t: 0.0, inputs: &inputs }, |equations| {
-            for given in &options.given {
-                finite("t", 0, "t", given.t)?;
-                equations.check("q", &given.q)?;
-                equations.check("q_dot", &given.q_dot)?;
-            }
-            Ok(Scale::around(equations, &centre).length)
-        })?;
-        Ok((centre, length))
+        centre(&mut self.equations(&Instant { t: 0.0, inputs: &inputs })?, options, &guess)
     }
 
     /// The guesses; an error if one of them is for a coordinate that does not exist.
@@ -351,19 +310,7 @@ impl<'m, M: Mechanism> Solver<'m, M> {
 
     /// The guesses, and the indices of the modes that are asked for.
     pub(crate) fn wanted(&self) -> Result<Wanted, SolveError> {
-        let guess = self.checked_guess()?;
-        let place = |(mode, place, sign): &(String, Option<usize>, Sign)| match place {
-            Some(place) => Ok((*place, *sign)),
-            None => {
-                let plan = &M::model().plan;
-                if let Some(why) = plan.absent {
-                    return Err(SolveError::Plan(PlanError::NoPlan { why }));
-                }
-                let modes = plan.modes.iter().map(|mode| mode.name).collect();
-                Err(SolveError::UnknownMode { mode: mode.clone(), modes })
-            }
-        };
-        Ok(Wanted { guess, modes: self.modes.iter().map(place).collect::<Result<_, _>>()? })
+        wanted(&M::model().plan, self.checked_guess()?, &self.modes)
     }
 
     /// Runs an analysis with the equations at `at`.
@@ -372,7 +319,78 @@ impl<'m, M: Mechanism> Solver<'m, M> {
         at: &Instant<'_>,
         analysis: impl FnOnce(&mut Equations<'_>) -> Result<R, SolveError>,
     ) -> Result<R, SolveError> {
-        let evaluator = Box::new(Evaluator::<_, M>::new(self.mechanism));
-        analysis(&mut Equations::new(evaluator, self.options, &self.given, self.inputs, at)?)
+        analysis(&mut self.equations(at)?)
     }
+
+    /// The equations at an instant.
+    pub(crate) fn equations(&self, at: &Instant<'_>) -> Result<Equations<'_>, SolveError> {
+        let evaluator = Box::new(Evaluator::<_, M>::new(self.mechanism));
+        Equations::new(evaluator, self.options, &self.given, self.inputs, at)
+    }
+}
+
+/// The equations, scaled around a state.
+fn around<'e, 'a>(equations: &'e mut Equations<'a>, state: &State) -> Result<&'e mut Equations<'a>, SolveError> {
+    equations.check("q", &state.q)?;
+    equations.scale = Scale::around(equations, &state.q);
+    Ok(equations)
+}
+
+fn velocity_at(equations: &mut Equations<'_>, q: &[f64]) -> Result<Vec<f64>, SolveError> {
+    equations.check("q", q)?;
+    equations.scale = Scale::around(equations, q);
+    Ok(velocity(equations, q, None)?.0)
+}
+
+fn acceleration_at(equations: &mut Equations<'_>, q: &[f64], q_dot: &[f64]) -> Result<Vec<f64>, SolveError> {
+    equations.check("q", q)?;
+    equations.check("q_dot", q_dot)?;
+    equations.scale = Scale::around(equations, q);
+    let factor = factorize(equations, q, None)?;
+    acceleration(equations, q, q_dot, &factor).map_err(|error| explain(equations, q, &factor, error))
+}
+
+fn motion_at(equations: &mut Equations<'_>, state: &State, sharing: Sharing) -> Result<Motion, SolveError> {
+    let mut motion = motion(equations, state)?;
+    // Forces are optional: without them the motion is still valid.
+    if equations.model.forces.is_some() {
+        motion.forces = analysis::forces::forces(equations, state, sharing).ok();
+    }
+    Ok(motion)
+}
+
+/// The values of quantities, if a state alone tells all of them.
+fn known(state: &State, measures: &[Measure]) -> Option<Vec<f64>> {
+    measures.iter().map(|measure| measure.of_state(state)).collect()
+}
+
+/// The centre of random configurations and their width in x and y; checks the configurations of the caller.
+fn centre(
+    equations: &mut Equations<'_>,
+    options: &CrossCheckOptions,
+    guess: &[Option<f64>],
+) -> Result<(Vec<f64>, f64), SolveError> {
+    for given in &options.given {
+        finite("t", 0, "t", given.t)?;
+        equations.check("q", &given.q)?;
+        equations.check("q_dot", &given.q_dot)?;
+    }
+    let centre: Vec<f64> = guess.iter().map(|g| g.unwrap_or(0.0)).collect();
+    let length = Scale::around(equations, &centre).length;
+    Ok((centre, length))
+}
+
+/// The guesses, and the indices of modes that are asked for by name or index.
+fn wanted(plan: &Plan, guess: Vec<Option<f64>>, modes: &[(String, Option<usize>, Sign)]) -> Result<Wanted, SolveError> {
+    let place = |(mode, place, sign): &(String, Option<usize>, Sign)| match place {
+        Some(place) => Ok((*place, *sign)),
+        None => {
+            if let Some(why) = plan.absent {
+                return Err(SolveError::Plan(PlanError::NoPlan { why }));
+            }
+            let modes = plan.modes.iter().map(|mode| mode.name).collect();
+            Err(SolveError::UnknownMode { mode: mode.clone(), modes })
+        }
+    };
+    Ok(Wanted { guess, modes: modes.iter().map(place).collect::<Result<_, _>>()? })
 }

@@ -1,10 +1,10 @@
 //! Sweeps: the motion over a list of instants.
 
-use super::{Position, Solver};
+use super::Solver;
 use crate::analysis;
 use crate::analysis::position::position;
+use crate::course::InputFunction;
 use crate::equations::Equations;
-use crate::equations::system::Evaluator;
 use crate::error::{SolveError, SweepError};
 use crate::linear::Factorization;
 use crate::mechanism::Mechanism;
@@ -24,8 +24,7 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     /// As [`state`](Self::state) for the first instant; then [`Singular`](SolveError::Singular) or
     /// [`StepRefused`](SolveError::StepRefused) where the branch ends, with the states before it.
     pub fn sweep(&self, times: &[f64]) -> Result<Trajectory, SweepError> {
-        let first = |equations: &mut Equations<'_>| assemble_in(equations, &self.wanted()?);
-        self.follow(times, |at| self.state_by_plan(at), first, kinematic)
+        self.follow(times, None, &mut kinematic)
     }
 
     /// As [`sweep`](Self::sweep), but states are passed to `visit` one by one and not kept: the memory of a state is
@@ -65,11 +64,7 @@ impl<'m, M: Mechanism> Solver<'m, M> {
         times: &[f64],
         mut visit: impl FnMut(&State) -> ControlFlow<()>,
     ) -> Result<Trajectory, SweepError> {
-        let first = |equations: &mut Equations<'_>| assemble_in(equations, &self.wanted()?);
-        let each = |equations: &mut Equations<'_>, first: (State, _), times: &[f64]| {
-            kinematic_each(equations, first, times, &mut visit)
-        };
-        self.follow(times, |at| self.state_by_plan(at), first, each)
+        self.follow(times, None, &mut |equations, first, times| kinematic_each(equations, first, times, &mut visit))
     }
 
     /// [`sweep`](Self::sweep) from a complete start, n numbers.
@@ -77,44 +72,60 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     /// # Errors
     /// As [`sweep`](Self::sweep).
     pub fn sweep_from(&self, start: &[f64], times: &[f64]) -> Result<Trajectory, SweepError> {
-        self.follow(times, |at| self.state_near(at, start), |equations| position(equations, start), kinematic)
+        self.follow(times, Some(start), &mut kinematic)
     }
 
-    /// A sweep from the state that the plan finds or, where it finds none, from the position that `first` finds.
+    /// A sweep from a complete start or from the guesses; `onwards` goes on from the first state.
     fn follow(
         &self,
         times: &[f64],
-        by_plan: impl FnOnce(&Instant<'_>) -> Option<State>,
-        first: impl FnOnce(&mut Equations<'_>) -> Result<Position, SolveError>,
-        onwards: impl FnOnce(&mut Equations<'_>, (State, Option<Factorization>), &[f64]) -> Result<Trajectory, SweepError>,
+        start: Option<&[f64]>,
+        onwards: &mut Onwards<'_>,
     ) -> Result<Trajectory, SweepError> {
-        let nothing = || Trajectory::new(M::model());
-        let Some(&t) = times.first() else { return Ok(nothing()) };
-        let mut inputs = Vec::new();
-        if let Some(function) = self.inputs {
-            inputs.resize(M::INPUTS, Signal::default());
-            function(t, &mut inputs);
-        }
-        let evaluator = Box::new(Evaluator::<_, M>::new(self.mechanism));
-        let at = Instant { t, inputs: &inputs };
-        let started =
-            Equations::new(evaluator, self.options, &self.given, self.inputs, &at).and_then(|mut equations| {
-                let first = match by_plan(&at) {
-                    Some(state) => (state, None),
-                    None => {
-                        let position = first(&mut equations)?;
-                        let (state, factor) = analysis::state(&mut equations, position)?;
-                        (state, Some(factor))
-                    }
-                };
-                Ok((equations, first))
-            });
-        match started {
-            Ok((mut equations, first)) => {
-                equations.observed = Observed::new(self.observer, times.len());
-                onwards(&mut equations, first, times)
-            }
-            Err(source) => Err(SweepError { trajectory: Box::new(nothing()), source }),
+        match self.started(times, start) {
+            Ok(None) => Ok(Trajectory::new(M::model())),
+            Ok(Some((mut equations, first))) => onwards(&mut equations, first, times),
+            Err(source) => Err(SweepError { trajectory: Box::new(Trajectory::new(M::model())), source }),
         }
     }
+
+    /// The equations of a sweep and its first state, which the plan finds or, where it finds none, a position analysis;
+    /// none without instants.
+    fn started(&self, times: &[f64], start: Option<&[f64]>) -> Result<Option<(Equations<'_>, First)>, SolveError> {
+        let Some(&t) = times.first() else { return Ok(None) };
+        let inputs = inputs_at(self.inputs, t, M::INPUTS);
+        let at = Instant { t, inputs: &inputs };
+        let mut equations = self.equations(&at)?;
+        let by_plan = match start {
+            Some(start) => self.state_near(&at, start),
+            None => self.state_by_plan(&at),
+        };
+        let first = match by_plan {
+            Some(state) => (state, None),
+            None => {
+                let position = match start {
+                    Some(start) => position(&mut equations, start)?,
+                    None => assemble_in(&mut equations, &self.wanted()?)?,
+                };
+                let (state, factor) = analysis::state(&mut equations, position)?;
+                (state, Some(factor))
+            }
+        };
+        equations.observed = Observed::new(self.observer, times.len());
+        Ok(Some((equations, first)))
+    }
+}
+
+/// The first state of a sweep, with the factorisation of Φ_q if it was evaluated there last.
+type First = (State, Option<Factorization>);
+
+/// Goes on from the first state of a sweep.
+type Onwards<'o> = dyn FnMut(&mut Equations<'_>, First, &[f64]) -> Result<Trajectory, SweepError> + 'o;
+
+/// The inputs at an instant; none where they are no functions of time.
+pub(super) fn inputs_at(function: InputFunction<'_>, t: f64, count: usize) -> Vec<Signal> {
+    let Some(function) = function else { return Vec::new() };
+    let mut inputs = vec![Signal::default(); count];
+    function(t, &mut inputs);
+    inputs
 }

@@ -11,10 +11,7 @@ use std::process::ExitCode;
 use kin_runtime::cli::run_from;
 use kin_runtime::function::FromFn;
 use kin_runtime::mechanism;
-use kin_tests::mechanisms::{
-    CamTable, Chain10, FiveBarLeg, FourbarEnds, FourbarLectureMid, InfeasibleFourbar, MeasuredExcavator,
-    RedundantParallelogram, SingularSliderCrank, StrokeLimits, UnderdrivenFivebar,
-};
+use kin_tests::mechanisms::run;
 
 /// A follower whose lift returns a wrong second derivative.
 #[mechanism]
@@ -123,22 +120,22 @@ fn main() -> ExitCode {
     let name = if args.len() > 1 { args.remove(1) } else { OsString::new() };
     match name.to_str() {
         Some("arm") => run_from::<Arm>(args),
-        Some("cam") => run_from::<CamTable>(args),
-        Some("chain") => run_from::<Chain10>(args),
+        Some("cam") => run("CamTable", args),
+        Some("chain") => run("Chain10", args),
         Some("wrong_cam") => run_from::<WrongCam>(args),
         Some("dead_centre") => run_from::<DeadCentre>(args),
         Some("eccentric") => run_from::<Eccentric>(args),
-        Some("excavator") => run_from::<MeasuredExcavator>(args),
-        Some("fourbar") => run_from::<FourbarLectureMid>(args),
-        Some("ends") => run_from::<FourbarEnds>(args),
-        Some("leg") => run_from::<FiveBarLeg>(args),
-        Some("infeasible") => run_from::<InfeasibleFourbar>(args),
-        Some("limits") => run_from::<StrokeLimits>(args),
+        Some("excavator") => run("MeasuredExcavator", args),
+        Some("fourbar") => run("FourbarLectureMid", args),
+        Some("ends") => run("FourbarEnds", args),
+        Some("leg") => run("FiveBarLeg", args),
+        Some("infeasible") => run("InfeasibleFourbar", args),
+        Some("limits") => run("StrokeLimits", args),
         Some("loaded") => run_from::<Loaded>(args),
-        Some("redundant") => run_from::<RedundantParallelogram>(args),
-        Some("singular") => run_from::<SingularSliderCrank>(args),
+        Some("redundant") => run("RedundantParallelogram", args),
+        Some("singular") => run("SingularSliderCrank", args),
         Some("teeth") => run_from::<Teeth>(args),
-        Some("underdriven") => run_from::<UnderdrivenFivebar>(args),
+        Some("underdriven") => run("UnderdrivenFivebar", args),
         Some("with_units") => run_from::<WithUnits>(args),
         _ => {
             eprintln!(

@@ -1,13 +1,13 @@
 //! Forces of a pump jack, a press and an engine, compared with laws that need no multipliers.
 
-use crate::examples::engine::{Engine, largest_shaking};
-use crate::examples::excavator::{Excavator, holding_forces};
-use crate::examples::pump_jack::{PumpJack, largest_torque};
-use crate::examples::toggle_press::{TogglePress, largest_pin_forces};
 use crate::page::says;
 use crate::{close, moved};
 use kin_runtime::model::Body;
 use kin_runtime::{Instant, Kinematics, Signal};
+use kin_tests::examples::engine::{Engine, largest_shaking};
+use kin_tests::examples::excavator::{Excavator, holding_forces};
+use kin_tests::examples::pump_jack::{PumpJack, largest_torque};
+use kin_tests::examples::toggle_press::{TogglePress, largest_pin_forces};
 use std::f64::consts::TAU;
 
 /// The motor's power is the rate of the energy plus the power delivered to the rods.

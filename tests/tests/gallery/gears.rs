@@ -1,11 +1,11 @@
 //! Wheels and cams.
 
-use crate::examples::cam::Cam;
-use crate::examples::cam_drive::{CamDrive, TABLE};
-use crate::examples::{planetary::Planetary, rack_and_pinion::Steering};
 use crate::page::says;
 use crate::{close, moved};
 use kin_runtime::{Instant, Mechanism};
+use kin_tests::examples::cam::Cam;
+use kin_tests::examples::cam_drive::{CamDrive, TABLE};
+use kin_tests::examples::{planetary::Planetary, rack_and_pinion::Steering};
 use std::f64::consts::TAU;
 
 #[test]

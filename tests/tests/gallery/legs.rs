@@ -1,10 +1,10 @@
 //! Walking legs compared with constructions by intersecting circles.
 
-use crate::examples::{jansen::Jansen, klann::Klann};
 use crate::page::says;
 use crate::{close, meet, moved, range};
 use kin_runtime::Motion;
 use kin_runtime::model::Point;
+use kin_tests::examples::{jansen::Jansen, klann::Klann};
 use std::f64::consts::TAU;
 
 /// The foot counts as on the ground while it is below this fraction of the step's height.

@@ -1,10 +1,10 @@
 //! Machines: four-bar, scissor lift, excavator, suspension, squeezer.
 
-use crate::examples::{excavator::Excavator, four_bar::FourBar, scissor_lift::ScissorLift};
-use crate::examples::{squeezer::Squeezer, wishbone::Wishbone};
 use crate::page::says;
 use crate::{angle, close, meet, moved, range};
 use kin_runtime::{Instant, Kinematics, Mechanism, Signal};
+use kin_tests::examples::{excavator::Excavator, four_bar::FourBar, scissor_lift::ScissorLift};
+use kin_tests::examples::{squeezer::Squeezer, wishbone::Wishbone};
 use std::f64::consts::TAU;
 
 #[test]

@@ -1,8 +1,6 @@
 //! The mechanisms of the gallery, `examples/README.md`, compared with known properties. The page contains the figures
 //! that are measured here, word for word.
 
-#[allow(dead_code, unreachable_pub, missing_docs, reason = "programs of their own")]
-mod examples;
 mod forces;
 mod gears;
 mod legs;

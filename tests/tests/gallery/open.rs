@@ -1,8 +1,8 @@
 //! Open chains: a chain with a free end, and a car.
 
-use crate::examples::{car::Car, chain::Chain};
 use crate::page::says;
 use crate::{close, moved};
+use kin_tests::examples::{car::Car, chain::Chain};
 use std::f64::consts::TAU;
 
 #[test]

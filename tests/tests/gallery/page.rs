@@ -1,9 +1,9 @@
 //! The gallery page: every example has its picture on it, and every figure on it is measured here.
 
-use crate::examples::hart::Hart;
-use crate::examples::jansen::Jansen;
-use crate::examples::robot_3rrr::Robot3rrr;
 use kin_runtime::{Kinematics, cli};
+use kin_tests::examples::hart::Hart;
+use kin_tests::examples::jansen::Jansen;
+use kin_tests::examples::robot_3rrr::Robot3rrr;
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -1,10 +1,10 @@
 //! Closed chains with several degrees of freedom: pantograph and parallel robot.
 
-use crate::examples::{pantograph::Pantograph, robot_3rrr::Robot3rrr, robot_closures::RobotClosures};
 use crate::page::says;
 use crate::{close, moved, range};
 use kin_runtime::model::Point;
 use kin_runtime::{Instant, Kinematics};
+use kin_tests::examples::{pantograph::Pantograph, robot_3rrr::Robot3rrr, robot_closures::RobotClosures};
 use std::f64::consts::{PI, TAU};
 
 #[test]

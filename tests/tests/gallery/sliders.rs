@@ -1,9 +1,9 @@
 //! Mechanisms with slides, compared with closed forms.
 
-use crate::examples::{quick_return::QuickReturn, scotch_yoke::ScotchYoke, slider_crank::SliderCrank};
 use crate::page::says;
 use crate::{close, moved};
 use kin_runtime::Kinematics;
+use kin_tests::examples::{quick_return::QuickReturn, scotch_yoke::ScotchYoke, slider_crank::SliderCrank};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 #[test]

@@ -1,8 +1,8 @@
 //! Linkages that draw straight lines, exactly or nearly.
 
-use crate::examples::{hart::Hart, hoecken::Hoecken, peaucellier::Peaucellier};
 use crate::page::says;
 use crate::{close, moved, range};
+use kin_tests::examples::{hart::Hart, hoecken::Hoecken, peaucellier::Peaucellier};
 use std::f64::consts::{PI, TAU};
 
 #[test]

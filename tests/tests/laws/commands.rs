@@ -1,7 +1,8 @@
 //! All commands on the pages run successfully.
 
-use crate::{examples, press::Press};
+use crate::press::Press;
 use kin_runtime::cli;
+use kin_tests::examples;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;

@@ -1,8 +1,8 @@
 //! Laws of drawings: every body on a page has the pose that the analysis computes.
 
 use crate::motion::grid;
-use kin_runtime::{Kinematics, Mechanism, Signal, cli};
-use kin_tests::mechanisms::write_signals;
+use kin_runtime::{Kinematics, Mechanism, Signal};
+use kin_tests::mechanisms::{run, write_signals};
 use serde_json::Value;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -53,7 +53,7 @@ pub(crate) fn drawings_show_the_poses<M: Kinematics + Default>(from: f64, to: f6
     line.push(format!("--times={}", instants.join(",")));
     line.push(format!("--out={}", file.display()));
     line.extend(inputs::<M>(from));
-    let _ = cli::run_from::<M>(line);
+    let _ = run(model.name, line.into_iter().map(Into::into).collect());
     let page = read(&file);
     let (data, groups) = (data(&page), groups_of_bodies(&page));
     assert_eq!(groups.len(), model.bodies.len());

@@ -1,6 +1,6 @@
 //! The compiler errors for wrong descriptions, with the tokens at which they are shown; valid parts must compile.
 //!
-//! `TRYBUILD=overwrite cargo test -p kin-tests --test compile_fail` writes the expected output.
+//! `TRYBUILD=overwrite cargo test -p kin-tests-messages` writes the expected output.
 
 #[test]
 fn descriptions() {
