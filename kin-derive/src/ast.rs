@@ -3,7 +3,7 @@
 //! A part that could not be parsed is a hole ([`ExprKind::Hole`], [`PointExpr::Hole`]): its error has been reported,
 //! and the rest of its row is still checked.
 
-use kin_core::mechanism::{Function, Relation, StatementForm};
+use kin_core::mechanism::{Function, Relation, StatementForm, Takes};
 use proc_macro2::Span;
 use syn::ext::IdentExt;
 use syn::{Ident, Type};
@@ -185,14 +185,28 @@ pub(crate) enum OperandExpr {
     Body(BodyExpr),
     /// One or two bodies.
     Bodies(Vec<BodyExpr>),
-    /// A vector.
-    Vector(AxisExpr),
     /// A scalar coordinate; `None` if it could not be read, which is reported.
     Scalar(Option<NameUse>),
-    Axis(AxisExpr),
+    /// A vector, an axis or two radii.
+    Pair(PairExpr),
     Value(Expr),
-    Radii(RadiiExpr),
     Curve(CurveExpr),
+}
+
+impl OperandExpr {
+    /// A placeholder for an operand that could not be read.
+    pub(crate) const fn hole(takes: Takes, span: Span) -> Self {
+        match takes {
+            Takes::Point | Takes::Points => Self::Point(PointExpr::Hole),
+            Takes::Body | Takes::Carrier | Takes::Bodies => Self::Body(BodyExpr::Hole),
+            Takes::Scalar(_) => Self::Scalar(None),
+            Takes::Vector | Takes::Axis | Takes::Radii => {
+                Self::Pair(PairExpr { x: Expr::hole(span), y: Expr::hole(span), span })
+            }
+            Takes::Curve => Self::Curve(CurveExpr::Hole),
+            _ => Self::Value(Expr::hole(span)),
+        }
+    }
 }
 
 /// A curve; see [`kin_core::mechanism::Curve`].
@@ -216,26 +230,11 @@ pub(crate) struct PathExpr {
     pub(crate) roller: Option<Expr>,
 }
 
-/// An axis or a vector: `(vx, vy)`.
+/// A pair: `(vx, vy)`.
 #[derive(Debug)]
-pub(crate) struct AxisExpr {
+pub(crate) struct PairExpr {
     pub(crate) x: Expr,
     pub(crate) y: Expr,
-    pub(crate) span: Span,
-}
-
-impl AxisExpr {
-    /// A placeholder for a pair that could not be read.
-    pub(crate) const fn hole(span: Span) -> Self {
-        Self { x: Expr::hole(span), y: Expr::hole(span), span }
-    }
-}
-
-/// The radii `(ra, rb)`.
-#[derive(Debug)]
-pub(crate) struct RadiiExpr {
-    pub(crate) i: Expr,
-    pub(crate) j: Expr,
     pub(crate) span: Span,
 }
 

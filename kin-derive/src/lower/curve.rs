@@ -77,8 +77,7 @@ impl Lowerer<'_> {
     ) -> Option<Formula> {
         let (name, span) = (variable.name(), used.ident.span());
         if let Some(index) = &used.index {
-            self.report.error(index.span, format!("`{name}` is the variable of this curve; it takes no index"));
-            return None;
+            return self.refuse(index.span, format!("`{name}` is the variable of this curve; it takes no index"));
         }
         if scope.allow == Allow::Parameters {
             let found = format!("`{name}` is the variable of the curve");

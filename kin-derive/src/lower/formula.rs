@@ -33,8 +33,7 @@ impl Lowerer<'_> {
                 if *operator == Operator::Div && right.as_ref().and_then(Formula::literal) == Some(0.0) {
                     // Reported here, because a row with another error is missing in the model, where a later check
                     // would find this.
-                    self.report.error(b.span, "this divides by 0; a divisor is never a literal 0");
-                    return None;
+                    return self.refuse(b.span, "this divides by 0; a divisor is never a literal 0");
                 }
                 let (left, right) = (Box::new(left?), Box::new(right?));
                 match operator {
@@ -57,8 +56,7 @@ impl Lowerer<'_> {
                     Allow::Rates => Formula::Dot(Box::new(a?), self.origin(name.span())),
                     Allow::Dotted => {
                         let message = "`dot` stands inside `dot`; a row of velocity level holds no accelerations";
-                        self.report.error(name.span(), message);
-                        return None;
+                        return self.refuse(name.span(), message);
                     }
                     Allow::Parameters | Allow::Signals | Allow::Scalars | Allow::Everything => {
                         let message = format!(
@@ -66,8 +64,7 @@ impl Lowerer<'_> {
                              `#[nonholonomic(N: dot(a.x) = v)]`",
                             scope.what
                         );
-                        self.report.error(name.span(), message);
-                        return None;
+                        return self.refuse(name.span(), message);
                     }
                 }
             }
@@ -95,8 +92,7 @@ impl Lowerer<'_> {
             && self.names.find(&name).is_none()
         {
             if let Some(index) = &used.index {
-                self.report.error(index.span, format!("`{name}` is the index variable; it takes no index"));
-                return None;
+                return self.refuse(index.span, format!("`{name}` is the index variable; it takes no index"));
             }
             return Some(Formula::Index(Index { scale: 1, offset: 0 }));
         }
@@ -109,21 +105,18 @@ impl Lowerer<'_> {
             Symbol::Body(_) => {
                 let message =
                     format!("`{name}` is a body; its coordinates are `{name}.x`, `{name}.y` and `{name}.phi`");
-                self.report.error(span, message);
-                return None;
+                return self.refuse(span, message);
             }
             Symbol::Point(_) => {
                 let message = format!("`{name}` is a point; its coordinates are `{name}.x` and `{name}.y`");
-                self.report.error(span, message);
-                return None;
+                return self.refuse(span, message);
             }
             Symbol::Function(_) => {
                 let index = if matches!(declared.shape, Shape::Family(_)) { "[i]" } else { "" };
                 let message = format!(
                     "`{name}` is a function; its argument stands in parentheses, `{name}{index}(t)`; a number would be a field without `function`"
                 );
-                self.report.error(span, message);
-                return None;
+                return self.refuse(span, message);
             }
             _ => {}
         }
@@ -169,8 +162,7 @@ impl Lowerer<'_> {
             _ if self.names.is_ambiguous(&name) => return None,
             _ => {
                 if let (Some(index), true) = (&used.index, is_reserved(&name)) {
-                    self.report.error(index.span, format!("`{name}` takes no index"));
-                    return None;
+                    return self.refuse(index.span, format!("`{name}` takes no index"));
                 }
                 self.no_function(&used.ident, scope);
                 return None;
@@ -183,8 +175,7 @@ impl Lowerer<'_> {
         let Ok([argument]) = <[Option<Formula>; 1]>::try_from(arguments) else {
             let values = if given == 0 { "is nothing".to_owned() } else { format!("are {given} values") };
             let message = format!("a supplied function has one argument, `{name}(e)`; here {values} in its brackets");
-            self.report.error(used.ident.span(), message);
-            return None;
+            return self.refuse(used.ident.span(), message);
         };
         let origin = self.origin(used.ident.span());
         Some(Formula::Supplied(Member { family, index: index?, origin }, Box::new(argument?)))
@@ -199,22 +190,14 @@ impl Lowerer<'_> {
 
     fn reserved(&mut self, name: &str, used: &NameUse, scope: &Scope) -> Option<Formula> {
         if let Some(index) = &used.index {
-            self.report.error(index.span, format!("`{name}` takes no index"));
-            return None;
+            return self.refuse(index.span, format!("`{name}` takes no index"));
         }
         let span = used.ident.span();
         match name {
             "pi" => Some(Formula::Pi),
             "t" => self.require(Class::Signal, "`t` is time", (span, span), scope).map(|()| Formula::Time),
-            "ground" => {
-                self.report.error(span, "`ground` is a body; an expression has numbers");
-                None
-            }
-            _ => {
-                self.report
-                    .error(span, format!("`{name}` is a function; its argument stands in parentheses, `{name}(…)`"));
-                None
-            }
+            "ground" => self.refuse(span, "`ground` is a body; an expression has numbers"),
+            _ => self.refuse(span, format!("`{name}` is a function; its argument stands in parentheses, `{name}(…)`")),
         }
     }
 
@@ -224,8 +207,7 @@ impl Lowerer<'_> {
         let is_ground = name == "ground";
         if !is_ground && is_reserved(&name) {
             let message = format!("`{name}` has no components; bodies and points have");
-            self.report.error(component.span(), message);
-            return None;
+            return self.refuse(component.span(), message);
         }
         let has_components: fn(Symbol) -> bool = |symbol| matches!(symbol, Symbol::Body(_) | Symbol::Point(_));
         let declared = if is_ground { None } else { Some(self.resolve(used, "body or point", has_components)?) };
@@ -257,8 +239,7 @@ impl Lowerer<'_> {
             Some(Symbol::Input(_)) => {
                 let message =
                     format!("`{name}` is an input; an expression takes its value, `{name}`, and derives the rest");
-                self.report.error(component.span(), message);
-                None
+                self.refuse(component.span(), message)
             }
             Some(other) => {
                 let noun = other.noun();
@@ -269,8 +250,7 @@ impl Lowerer<'_> {
                     }
                     None => format!("`{name}` is {noun} and has no components; bodies and points have"),
                 };
-                self.report.error(component.span(), message);
-                None
+                self.refuse(component.span(), message)
             }
         }
     }

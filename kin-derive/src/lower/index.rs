@@ -15,8 +15,7 @@ impl Lowerer<'_> {
             (Shape::Unknown, _) => None,
             (Shape::Single, None) => Some(Index::default()),
             (Shape::Single, Some(index)) => {
-                self.report.error(index.span, format!("`{name}` is {noun}, not a family; it takes no index"));
-                None
+                self.refuse(index.span, format!("`{name}` is {noun}, not a family; it takes no index"))
             }
             (Shape::Family(members), None) => {
                 let (first, last) = (members.start, members.end - 1);
@@ -25,8 +24,7 @@ impl Lowerer<'_> {
                 } else {
                     format!("`{name}` is a family; one of its members is written `{name}[{first}]` to `{name}[{last}]`")
                 };
-                self.report.error(used.ident.span(), message);
-                None
+                self.refuse(used.ident.span(), message)
             }
             (Shape::Family(members), Some(used)) => {
                 let index = self.index(used, range)?;
@@ -60,8 +58,7 @@ impl Lowerer<'_> {
             let (first, last) = (members.start, members.end - 1);
             format!("`{name}[{value}]` does not exist{step}; there are `{name}[{first}]` to `{name}[{last}]`")
         };
-        self.report.error(used.span, message);
-        None
+        self.refuse(used.span, message)
     }
 
     fn index(&self, index: &IndexExpr, range: &IndexRange) -> Option<Index> {
@@ -81,8 +78,7 @@ impl Lowerer<'_> {
             _ if self.names_missing => None,
             IndexRange::Over(range) => {
                 let message = format!("no index variable `{name}` here; it is called `{}`", range.variable);
-                self.report.error(variable.span(), message);
-                None
+                self.refuse(variable.span(), message)
             }
             IndexRange::None => {
                 let message = match self.names.find(&name) {
@@ -94,8 +90,7 @@ impl Lowerer<'_> {
                         format!("no index variable `{name}` here; a repeated row names it: `N[{name} in 0..10]: …`")
                     }
                 };
-                self.report.error(variable.span(), message);
-                None
+                self.refuse(variable.span(), message)
             }
         }
     }

@@ -9,6 +9,7 @@ use kin_core::error::Origin;
 use kin_core::mechanism::{Define, NamedPoint};
 use proc_macro2::Span;
 use std::collections::BTreeSet;
+use std::fmt::Display;
 use syn::Ident;
 
 /// The dependence of a formula, in increasing order.
@@ -66,6 +67,12 @@ impl<'a> Lowerer<'a> {
         let origin = Origin(u32::try_from(self.spans.len()).unwrap_or(u32::MAX));
         self.spans.push(span);
         origin
+    }
+
+    /// Reports an error; there is no result then.
+    pub(super) fn refuse<T>(&self, span: Span, message: impl Display) -> Option<T> {
+        self.report.error(span, message);
+        None
     }
 
     pub(super) fn mention(&mut self, kind: MentionKind, ident: &Ident) {

@@ -5,7 +5,6 @@ mod curve;
 mod curve_scope;
 mod declare;
 mod formula;
-mod gearing;
 mod index;
 mod lowerer;
 mod mention;

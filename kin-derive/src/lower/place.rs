@@ -1,4 +1,4 @@
-//! Lowering of bodies and points at the places of their use.
+//! Lowering of bodies, scalar coordinates and points at the places of their use.
 
 use super::lowerer::Lowerer;
 use super::mention::{MentionKind, is_completion_marker};
@@ -8,7 +8,7 @@ use super::scope::{Allow, Scope};
 use super::substitute;
 use crate::ast::{NameUse, PointExpr};
 use kin_core::error::Origin;
-use kin_core::mechanism::{BodyRef, Formula, Place};
+use kin_core::mechanism::{BodyRef, Formula, Member, Place};
 
 /// A placeholder for a point that could not be read.
 pub(super) const fn placeholder(origin: Origin) -> Place {
@@ -42,20 +42,30 @@ impl Lowerer<'_> {
     pub(super) fn body(&mut self, used: &NameUse, range: &IndexRange) -> Option<BodyRef> {
         if used.text() == "ground" {
             if let Some(index) = &used.index {
-                self.report.error(index.span, "there is one ground; it takes no index");
-                return None;
+                return self.refuse(index.span, "there is one ground; it takes no index");
             }
             return Some(BodyRef::Ground(self.origin(used.ident.span())));
         }
         let declared = self.resolve(used, "body", |symbol| matches!(symbol, Symbol::Body(_)))?;
         let Symbol::Body(family) = declared.symbol else {
             let message = format!("`{}` is {}; a body is needed here", declared.name, declared.symbol.noun());
-            self.report.error(used.ident.span(), message);
-            return None;
+            return self.refuse(used.ident.span(), message);
         };
         let index = self.member(used, &declared, range)?;
         let origin = self.origin(used.ident.span());
         Some(BodyRef::Body { family, index, origin })
+    }
+
+    /// Lowers a scalar coordinate that an option names; `right` is the part of the message that says what is expected.
+    pub(super) fn scalar_operand(&mut self, used: &NameUse, right: &str, range: &IndexRange) -> Option<Member> {
+        let declared = self.resolve(used, "coordinate", |symbol| matches!(symbol, Symbol::Scalar(_)))?;
+        let Symbol::Scalar(family) = declared.symbol else {
+            let message = format!("`{}` is {}; {right}", declared.name, declared.symbol.noun());
+            return self.refuse(used.ident.span(), message);
+        };
+        let index = self.member(used, &declared, range)?;
+        let origin = self.origin(used.ident.span());
+        Some(Member { family, index, origin })
     }
 
     /// Lowers a point.
@@ -77,22 +87,19 @@ impl Lowerer<'_> {
     fn named_point(&mut self, used: &NameUse, range: &IndexRange) -> Option<Place> {
         let name = used.text();
         if name == "ground" {
-            self.report.error(used.ident.span(), "`ground` is a body; a point of it is written `ground @ (0, 0)`");
-            return None;
+            return self.refuse(used.ident.span(), "`ground` is a body; a point of it is written `ground @ (0, 0)`");
         }
         let declared = self.resolve(used, "point", |symbol| matches!(symbol, Symbol::Point(_)))?;
         match declared.symbol {
             Symbol::Point(k) => self.point_member(k, &declared, used, range),
             Symbol::Body(_) => {
                 let message = format!("`{name}` is a body; a point of it is written `{name} @ (0, 0)`");
-                self.report.error(used.ident.span(), message);
-                None
+                self.refuse(used.ident.span(), message)
             }
             other => {
                 let message =
                     format!("`{name}` is {}; a point is needed here: `body @ (x, y)` or a named point", other.noun());
-                self.report.error(used.ident.span(), message);
-                None
+                self.refuse(used.ident.span(), message)
             }
         }
     }

@@ -4,10 +4,10 @@ use super::lowerer::Lowerer;
 use super::names::Symbol;
 use super::range::IndexRange;
 use super::scope::{Allow, Scope};
-use crate::ast::{AxisExpr, BodyExpr, ConditionDecl, Expr, GuessDecl, Item, OperandExpr, Row, text};
+use crate::ast::{BodyExpr, ConditionDecl, Expr, GuessDecl, Item, OperandExpr, PairExpr, Row, text};
 use kin_core::mechanism::{
-    Axis, BodyRef, Condition, Formula, Guess, GuessTarget, Joint, Mechanism, Member, Operand, Operands, Slot, Takes,
-    Value, Vector, Written,
+    Axis, BodyRef, Condition, Formula, Guess, GuessTarget, Joint, Mechanism, Member, Operand, Operands, Radii, Slot,
+    Takes, Value, Vector, Written,
 };
 use kin_core::vocabulary::StatementKind;
 
@@ -67,14 +67,7 @@ impl Lowerer<'_> {
                 let bodies: Vec<_> = bodies.iter().map(|body| self.named_body(body, range)).collect();
                 Operand::Bodies(bodies.into_iter().collect::<Option<_>>()?)
             }
-            OperandExpr::Vector(vector) => {
-                let scope = Scope { what: "a force", allow: Allow::Rates, range };
-                let origin = self.origin(vector.span);
-                let (x, y) = (self.formula(&vector.x, &scope), self.formula(&vector.y, &scope));
-                Operand::Vector(Vector { x: x?, y: y?, origin })
-            }
-            OperandExpr::Axis(axis) => Operand::Axis(self.axis(axis, range)?),
-            OperandExpr::Radii(radii) => Operand::Radii(self.radii(radii, range)?),
+            OperandExpr::Pair(pair) => self.pair(slot.takes, pair, range)?,
             OperandExpr::Curve(curve) => Operand::Curve(self.curve(curve, range)?),
             OperandExpr::Value(expr) => {
                 let origin = self.origin(expr.span);
@@ -120,11 +113,24 @@ impl Lowerer<'_> {
         })
     }
 
-    fn axis(&mut self, axis: &AxisExpr, range: &IndexRange) -> Option<Axis> {
-        let origin = self.origin(axis.span);
-        let scope = Scope { what: "an axis", allow: Allow::Parameters, range };
-        let (x, y) = (self.formula(&axis.x, &scope), self.formula(&axis.y, &scope));
-        Some(Axis { x: x?, y: y?, origin })
+    fn pair(&mut self, takes: Takes, pair: &PairExpr, range: &IndexRange) -> Option<Operand> {
+        let (what, allow) = match takes {
+            Takes::Vector => ("a force", Allow::Rates),
+            Takes::Radii => ("`radii`", Allow::Parameters),
+            _ => ("an axis", Allow::Parameters),
+        };
+        let origin = self.origin(pair.span);
+        let mut component = |expr: &Expr| {
+            let origin = self.origin(expr.span);
+            Some(Value { value: self.formula(expr, &Scope { what, allow, range })?, origin })
+        };
+        let (x, y) = (component(&pair.x), component(&pair.y));
+        let (x, y) = (x?, y?);
+        Some(match takes {
+            Takes::Vector => Operand::Vector(Vector { x: x.value, y: y.value, origin }),
+            Takes::Radii => Operand::Radii(Radii { i: x, j: y, origin }),
+            _ => Operand::Axis(Axis { x: x.value, y: y.value, origin }),
+        })
     }
 
     fn guess(&mut self, guess: &GuessDecl, range: &IndexRange) -> Option<Guess> {
@@ -144,9 +150,8 @@ impl Lowerer<'_> {
             return Some(GuessTarget::Pose(body?, which?));
         }
         if name == "ground" {
-            self.report
-                .error(used.ident.span(), "the ground does not move; a guess is for a coordinate: `crank.phi = 0.9`");
-            return None;
+            return self
+                .refuse(used.ident.span(), "the ground does not move; a guess is for a coordinate: `crank.phi = 0.9`");
         }
         let declared = self.resolve(used, "coordinate", |symbol| matches!(symbol, Symbol::Scalar(_)))?;
         match declared.symbol {
@@ -157,13 +162,11 @@ impl Lowerer<'_> {
             }
             Symbol::Body(_) => {
                 let message = format!("`{name}` is a body; a guess is for one coordinate of it: `{name}.phi = 0.9`");
-                self.report.error(used.ident.span(), message);
-                None
+                self.refuse(used.ident.span(), message)
             }
             other => {
                 let message = format!("`{name}` is {}; a guess is for a coordinate", other.noun());
-                self.report.error(used.ident.span(), message);
-                None
+                self.refuse(used.ident.span(), message)
             }
         }
     }

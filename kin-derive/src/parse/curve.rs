@@ -3,9 +3,9 @@
 
 use super::expr::{end_of_expr, expr, pair};
 use super::index::name_use;
-use super::parts::{Parts, Value};
+use super::parts::Parts;
 use super::reject::here;
-use crate::ast::{CurveExpr, Expr, PathExpr, text};
+use crate::ast::{CurveExpr, Expr, OperandExpr, PathExpr, text};
 use crate::suggest::listed;
 use proc_macro2::TokenTree;
 use syn::parse::ParseStream;
@@ -26,7 +26,7 @@ pub(super) fn is_bracketed(input: ParseStream) -> bool {
 }
 
 /// Parses `(theta) = e` after the key; `variables` are the fixed names in the parentheses.
-pub(super) fn formula(input: ParseStream, key: &Ident, variables: &[&str]) -> Result<Value> {
+pub(super) fn formula(input: ParseStream, key: &Ident, variables: &[&str]) -> Result<OperandExpr> {
     let form = format!("{key}({}) = …", variables.join(", "));
     let content = brackets(input, key, &form)?;
     let are = if variables.len() == 1 { "variable of" } else { "variables of" };
@@ -45,11 +45,11 @@ pub(super) fn formula(input: ParseStream, key: &Ident, variables: &[&str]) -> Re
     equals(input, &form)?;
     let value = expr(input)?;
     end_of_expr(input)?;
-    Ok(Value::Expression(value))
+    Ok(OperandExpr::Value(value))
 }
 
 /// Parses `(u) = (ex, ey)` after the key.
-pub(super) fn path(input: ParseStream, key: &Ident) -> Result<Value> {
+pub(super) fn path(input: ParseStream, key: &Ident) -> Result<OperandExpr> {
     let form = format!("{key}(u) = (…, …)");
     let content = brackets(input, key, &form)?;
     let wrong = format!("`{key}` names its parameter, a scalar coordinate: `{form}`");
@@ -60,7 +60,8 @@ pub(super) fn path(input: ParseStream, key: &Ident) -> Result<Value> {
     ends(&content, &wrong)?;
     equals(input, &form)?;
     let (x, y, span) = pair(input, 0, &format!("a parametric curve is a pair in the frame of its body: `{form}`"))?;
-    Ok(Value::Path { parameter, x, y, span })
+    let path = PathExpr { parameter, x, y, span, roller: None };
+    Ok(OperandExpr::Curve(CurveExpr::Parametric(Box::new(path))))
 }
 
 fn brackets<'i>(input: ParseStream<'i>, key: &Ident, form: &str) -> Result<syn::parse::ParseBuffer<'i>> {
@@ -94,10 +95,10 @@ impl Parts<'_> {
         let given: Vec<Ident> = keys().filter(|key| CURVES.contains(&text(key).as_str())).cloned().collect();
         let roller_key = keys().find(|key| text(key) == "roller").cloned();
         let roller = self.take("roller").map(|value| match value {
-            Some(Value::Expression(expr)) => expr,
+            Some(OperandExpr::Value(expr)) => expr,
             _ => Expr::hole(self.keyword.span()),
         });
-        let values: Vec<Option<Value>> = CURVES.iter().filter_map(|key| self.take(key)).collect();
+        let values: Vec<Option<OperandExpr>> = CURVES.iter().filter_map(|key| self.take(key)).collect();
         let [key] = &given[..] else {
             match given.get(1) {
                 Some(second) => {
@@ -123,12 +124,12 @@ impl Parts<'_> {
             self.report.error(roller.span(), message);
         }
         match values.into_iter().next().flatten() {
-            Some(Value::Path { parameter, x, y, span }) => {
-                CurveExpr::Parametric(Box::new(PathExpr { parameter, x, y, span, roller }))
+            Some(OperandExpr::Curve(CurveExpr::Parametric(path))) => {
+                CurveExpr::Parametric(Box::new(PathExpr { roller, ..*path }))
             }
-            Some(Value::Expression(value)) if key == "polar" => CurveExpr::Polar(value),
-            Some(Value::Expression(value)) => CurveExpr::Implicit(value),
-            Some(Value::Axis(_) | Value::Radii(_) | Value::Name(_)) | None => CurveExpr::Hole,
+            Some(OperandExpr::Value(value)) if key == "polar" => CurveExpr::Polar(value),
+            Some(OperandExpr::Value(value)) => CurveExpr::Implicit(value),
+            _ => CurveExpr::Hole,
         }
     }
 }

@@ -4,33 +4,15 @@ use kin_core::mechanism::{Slot, StatementForm, Takes, Written};
 use kin_core::{joints, loads};
 use std::sync::LazyLock;
 
-/// The form of an operand.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum OperandForm {
-    Point,
-    /// Two or more points.
-    Points,
-    Body,
-    /// One or two bodies before `=`.
-    Bodies,
-    /// A pair of components: `(fx, fy)`.
-    Vector,
-    Expression,
-}
-
-/// The form of an option's value.
+/// The form of an option.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum OptionForm {
-    Axis,
-    Expression,
+    /// `key = value`.
+    Value(Takes),
     /// `key(theta) = expression`, with the fixed words in the parentheses.
     Curve(&'static [&'static str]),
     /// `key(u) = (ex, ey)`.
     Path,
-    Radii,
-    Body,
-    /// The name of a scalar coordinate.
-    Scalar,
 }
 
 /// The form of the rows with one keyword.
@@ -40,7 +22,7 @@ pub(super) struct RowForm {
     /// The kinds that share the keyword: they have the same operands and different options.
     pub(super) kinds: Vec<&'static StatementForm>,
     /// The operands after the name, in order.
-    pub(super) operands: Vec<OperandForm>,
+    pub(super) operands: Vec<Takes>,
     /// The options `key = value` after the operands.
     pub(super) options: Vec<(&'static str, OptionForm)>,
 }
@@ -60,7 +42,7 @@ pub(super) static FORMS: LazyLock<Vec<RowForm>> = LazyLock::new(|| {
             None => rows.push(RowForm {
                 keyword: form.kind.keyword(),
                 kinds: vec![form],
-                operands: form.written(Written::Operand).map(operand_of).collect(),
+                operands: form.written(Written::Operand).map(|slot| slot.takes).collect(),
                 options: options.collect(),
             }),
         }
@@ -68,36 +50,18 @@ pub(super) static FORMS: LazyLock<Vec<RowForm>> = LazyLock::new(|| {
     rows
 });
 
-fn operand_of(slot: &Slot) -> OperandForm {
-    match slot.takes {
-        Takes::Point => OperandForm::Point,
-        Takes::Points => OperandForm::Points,
-        Takes::Body | Takes::Carrier => OperandForm::Body,
-        Takes::Bodies => OperandForm::Bodies,
-        Takes::Vector => OperandForm::Vector,
-        _ => OperandForm::Expression,
-    }
-}
-
 /// The options from which a slot is read.
 fn options_of(slot: &Slot) -> Vec<(&'static str, OptionForm)> {
-    let form = match slot.takes {
-        Takes::Axis => OptionForm::Axis,
-        Takes::Radii => OptionForm::Radii,
-        Takes::Body | Takes::Carrier => OptionForm::Body,
-        Takes::Scalar(_) => OptionForm::Scalar,
-        Takes::Support => OptionForm::Curve(&["theta"]),
-        Takes::Curve => {
-            return vec![
-                ("polar", OptionForm::Curve(&["theta"])),
-                ("implicit", OptionForm::Curve(&["X", "Y"])),
-                ("parametric", OptionForm::Path),
-                ("roller", OptionForm::Expression),
-            ];
-        }
-        _ => OptionForm::Expression,
-    };
-    vec![(slot.key, form)]
+    match slot.takes {
+        Takes::Support => vec![(slot.key, OptionForm::Curve(&["theta"]))],
+        Takes::Curve => vec![
+            ("polar", OptionForm::Curve(&["theta"])),
+            ("implicit", OptionForm::Curve(&["X", "Y"])),
+            ("parametric", OptionForm::Path),
+            ("roller", OptionForm::Value(Takes::Radius)),
+        ],
+        takes => vec![(slot.key, OptionForm::Value(takes))],
+    }
 }
 
 impl RowForm {

@@ -22,7 +22,6 @@ mod point;
 mod read;
 mod reject;
 mod row_name;
-mod rows;
 mod strip;
 mod written;
 

@@ -1,12 +1,33 @@
-//! Parsing of operands and options that are points, bodies, scalars or pairs.
+//! Parsing of operands and of the values of options.
 
-use super::expr::{pair, point_at_depth};
+use super::expr::{end_of_expr, expr, pair, point_at_depth};
 use super::index::name_use;
 use super::reject::here;
-use crate::ast::{AxisExpr, NameUse, PointExpr, RadiiExpr};
+use crate::ast::{BodyExpr, NameUse, OperandExpr, PairExpr, PointExpr};
+use kin_core::mechanism::Takes;
 use syn::ext::IdentExt;
 use syn::parse::ParseStream;
 use syn::{Ident, Result, Token};
+
+/// Parses one operand, or the value of an option.
+pub(super) fn operand(input: ParseStream, takes: Takes) -> Result<OperandExpr> {
+    let pair = |form| pair(input, 0, form).map(|(x, y, span)| OperandExpr::Pair(PairExpr { x, y, span }));
+    match takes {
+        Takes::Point | Takes::Points => point(input).map(OperandExpr::Point),
+        Takes::Body | Takes::Carrier | Takes::Bodies => {
+            body(input).map(|body| OperandExpr::Body(BodyExpr::Named(body)))
+        }
+        Takes::Scalar(_) => scalar(input).map(|name| OperandExpr::Scalar(Some(name))),
+        Takes::Vector => pair("a force is a pair of components: `(fx, fy)`"),
+        Takes::Axis => pair("an axis is a pair in the frame of its body: `axis = (1, 0)`"),
+        Takes::Radii => pair("radii are a pair, in the order of the operands: `radii = (r1, r2)`"),
+        _ => {
+            let value = expr(input)?;
+            end_of_expr(input)?;
+            Ok(OperandExpr::Value(value))
+        }
+    }
+}
 
 /// Parses a point.
 pub(super) fn point(input: ParseStream) -> Result<PointExpr> {
@@ -14,7 +35,7 @@ pub(super) fn point(input: ParseStream) -> Result<PointExpr> {
 }
 
 /// Parses a body.
-pub(super) fn body(input: ParseStream) -> Result<NameUse> {
+fn body(input: ParseStream) -> Result<NameUse> {
     if !input.peek(Ident::peek_any) {
         return Err(here(input, "expected the name of a body"));
     }
@@ -28,26 +49,8 @@ pub(super) fn body(input: ParseStream) -> Result<NameUse> {
     Ok(name)
 }
 
-/// Parses the value of `axis`.
-pub(super) fn axis(input: ParseStream) -> Result<AxisExpr> {
-    let (x, y, span) = pair(input, 0, "an axis is a pair in the frame of its body: `axis = (1, 0)`")?;
-    Ok(AxisExpr { x, y, span })
-}
-
-/// Parses the components of a force.
-pub(super) fn vector(input: ParseStream) -> Result<AxisExpr> {
-    let (x, y, span) = pair(input, 0, "a force is a pair of components: `(fx, fy)`")?;
-    Ok(AxisExpr { x, y, span })
-}
-
-/// Parses the value of `radii`.
-pub(super) fn radii(input: ParseStream) -> Result<RadiiExpr> {
-    let (i, j, span) = pair(input, 0, "radii are a pair, in the order of the operands: `radii = (r1, r2)`")?;
-    Ok(RadiiExpr { i, j, span })
-}
-
 /// Parses the name of a scalar coordinate.
-pub(super) fn scalar(input: ParseStream) -> Result<NameUse> {
+fn scalar(input: ParseStream) -> Result<NameUse> {
     const FORM: &str = "the name of a scalar coordinate is needed here, declared with `#[coordinates(psi)]`";
     if !input.peek(Ident::peek_any) {
         return Err(here(input, FORM));

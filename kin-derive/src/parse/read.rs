@@ -2,15 +2,16 @@
 
 use super::curve::{self, is_bracketed};
 use super::expr::{end_of_expr, expr};
-use super::forms::{OperandForm, OptionForm, RowForm};
+use super::forms::{OptionForm, RowForm};
 use super::index::identifier;
 use super::list::{comma, end_of_part, skip_part, skip_to};
-use super::parts::{Operand, Parts, Value};
-use super::point::{axis, body, point, radii, scalar, vector};
+use super::parts::Parts;
+use super::point::operand;
 use super::reject::{self, here};
-use crate::ast::{AxisExpr, Expr, PointExpr, text};
+use crate::ast::{OperandExpr, text};
 use crate::report::Report;
 use crate::suggest::{did_you_mean, listed};
+use kin_core::mechanism::Takes;
 use std::collections::VecDeque;
 use syn::parse::ParseStream;
 use syn::{Error, Ident, Result, Token, token};
@@ -37,25 +38,18 @@ impl<'a> Parts<'a> {
 
     fn read_operands(&mut self, input: ParseStream) {
         match self.form.operands[..] {
-            [OperandForm::Points] => return self.read_points(input),
-            [OperandForm::Bodies] => return self.read_bodies(input),
+            [Takes::Points] => return self.read_points(input),
+            [Takes::Bodies] => return self.read_bodies(input),
             _ => {}
         }
         let count = self.form.operands.len();
-        for (k, operand) in self.form.operands.iter().enumerate() {
+        for (k, takes) in self.form.operands.iter().enumerate() {
             let last = k + 1 == count;
             if input.is_empty() || !self.form.is_equation() && self.begins_option(input) {
                 return self.too_few();
             }
-            let result = self.read_operand(input, *operand);
-            let read = self.report.ok(result).is_some();
+            let read = self.read_operand(input, *takes);
             if !read {
-                self.operands.push_back(match operand {
-                    OperandForm::Point | OperandForm::Points => Operand::Point(PointExpr::Hole),
-                    OperandForm::Body | OperandForm::Bodies => Operand::Body(None),
-                    OperandForm::Vector => Operand::Vector(AxisExpr::hole(self.keyword.span())),
-                    OperandForm::Expression => Operand::Expression(Expr::hole(self.keyword.span())),
-                });
                 skip_to(input, |input| input.peek(Token![,]) || last && self.form.is_equation() && is_equals(input));
             }
             if last && self.form.is_equation() {
@@ -74,11 +68,9 @@ impl<'a> Parts<'a> {
     /// Parses points until the options begin, at least two.
     fn read_points(&mut self, input: ParseStream) {
         while !input.is_empty() && !self.begins_option(input) {
-            let result = self.read_operand(input, OperandForm::Points);
-            if self.report.ok(result).is_some() {
+            if self.read_operand(input, Takes::Points) {
                 self.finish_part(end_of_part(input), input);
             } else {
-                self.operands.push_back(Operand::Point(PointExpr::Hole));
                 skip_to(input, |input| input.peek(Token![,]));
                 comma(input);
             }
@@ -92,10 +84,8 @@ impl<'a> Parts<'a> {
     fn read_bodies(&mut self, input: ParseStream) {
         let mut read = true;
         while !input.is_empty() && !is_equals(input) {
-            let result = self.read_operand(input, OperandForm::Bodies);
-            if self.report.ok(result).is_none() {
+            if !self.read_operand(input, Takes::Bodies) {
                 read = false;
-                self.operands.push_back(Operand::Body(None));
                 skip_to(input, |input| input.peek(Token![,]) || is_equals(input));
             }
             if is_equals(input) || !input.peek(Token![,]) {
@@ -110,19 +100,12 @@ impl<'a> Parts<'a> {
         self.read_right(input, read);
     }
 
-    fn read_operand(&mut self, input: ParseStream, form: OperandForm) -> Result<()> {
-        let operand = match form {
-            OperandForm::Point | OperandForm::Points => Operand::Point(point(input)?),
-            OperandForm::Body | OperandForm::Bodies => Operand::Body(Some(body(input)?)),
-            OperandForm::Vector => Operand::Vector(vector(input)?),
-            OperandForm::Expression => {
-                let expr = expr(input)?;
-                end_of_expr(input)?;
-                Operand::Expression(expr)
-            }
-        };
-        self.operands.push_back(operand);
-        Ok(())
+    /// Parses an operand; false if it becomes a hole.
+    fn read_operand(&mut self, input: ParseStream, takes: Takes) -> bool {
+        let read = self.report.ok(operand(input, takes));
+        let is_read = read.is_some();
+        self.operands.push_back(read.unwrap_or(OperandExpr::hole(takes, self.keyword.span())));
+        is_read
     }
 
     /// Parses the right-hand side; a missing `=` is not reported if the left side has an error.
@@ -205,15 +188,7 @@ impl<'a> Parts<'a> {
         let value = match form {
             OptionForm::Curve(variables) => curve::formula(input, &key, variables)?,
             OptionForm::Path => curve::path(input, &key)?,
-            OptionForm::Axis => axis(input).map(Value::Axis)?,
-            OptionForm::Expression => {
-                let value = expr(input)?;
-                end_of_expr(input)?;
-                Value::Expression(value)
-            }
-            OptionForm::Radii => radii(input).map(Value::Radii)?,
-            OptionForm::Body => body(input).map(Value::Name)?,
-            OptionForm::Scalar => scalar(input).map(Value::Name)?,
+            OptionForm::Value(takes) => operand(input, *takes)?,
         };
         if let Some((_, slot)) = self.options.last_mut() {
             *slot = Some(value);
@@ -251,14 +226,14 @@ impl<'a> Parts<'a> {
 
     fn count_message(&self) -> String {
         let operands = match self.form.operands[..] {
-            [OperandForm::Points, ..] => "two points or more",
-            [OperandForm::Bodies] => "one body or two, then `=` and an expression",
-            [OperandForm::Point, OperandForm::Vector] => "a point and a pair of components",
-            [OperandForm::Expression, OperandForm::Expression] => "two components",
-            [OperandForm::Point] => "one point",
-            [OperandForm::Point, ..] => "two points",
-            [OperandForm::Body] => "one body",
-            [OperandForm::Body, ..] => "two bodies",
+            [Takes::Points, ..] => "two points or more",
+            [Takes::Bodies] => "one body or two, then `=` and an expression",
+            [Takes::Point, Takes::Vector] => "a point and a pair of components",
+            [Takes::Point] => "one point",
+            [Takes::Point, ..] => "two points",
+            [Takes::Body | Takes::Carrier] => "one body",
+            [Takes::Body | Takes::Carrier, ..] => "two bodies",
+            [_, _] => "two components",
             _ => "one expression on each side of `=`",
         };
         let then = if self.form.options.is_empty() { "" } else { ", then options as `key = value`" };
