@@ -7,7 +7,7 @@ use super::examples::{Help, Names};
 use super::failure::{Failure, Ledger};
 use super::force_notes::pulls;
 use super::options::{FreedomArgs, SetupArgs};
-use super::output::{Form, OutputArgs};
+use super::output::{Form, OutputArgs, json};
 use super::session::Session;
 use super::solved::{analysis, driven_state, note_freedom};
 use super::task::{At, AtArgs};
@@ -18,7 +18,6 @@ use crate::cross_check::{Configuration, CrossCheck, CrossCheckOptions};
 use crate::error::SolveError;
 use crate::forces::Forces;
 use crate::present::certificate::{self, Certified};
-use crate::present::json::to_json;
 use crate::present::number::{magnitude, rounded};
 use crate::present::text::{Facts, count};
 use crate::state::State;
@@ -65,8 +64,12 @@ pub(super) struct Findings {
     /// Contacts whose normal force is negative, in words; they are no error of the solution.
     pulling: Vec<String>,
     /// The proof that the solution exists; none if the mechanism could not be solved.
-    #[serde(serialize_with = "certificate::record")]
+    #[serde(serialize_with = "proof")]
     certificate: Option<Certified>,
+}
+
+fn proof<S: serde::Serializer>(certified: &Option<Certified>, serializer: S) -> Result<S::Ok, S::Error> {
+    certified.as_ref().map(certificate::record).serialize(serializer)
 }
 
 impl Findings {
@@ -119,8 +122,7 @@ pub(super) fn run(args: &CheckArgs, engine: &mut dyn Engine, session: &mut Sessi
     note_freedom(session, state.map_or(0, |state| state.degrees_of_freedom_left));
     let findings = find(engine, &setup, t, state, configurations, &session.watch())?;
     let text = match output.form {
-        Form::Json => to_json(&Findings { passed: findings.passed && solved.is_ok(), ..findings.clone() })
-            .map_err(Failure::Output)?,
+        Form::Json => json(&Findings { passed: findings.passed && solved.is_ok(), ..findings.clone() })?,
         _ => {
             let heading = format!("{}, check at t = {}\n\n", engine.model().name, rounded(t));
             let verdict = if solved.is_ok() && findings.passed { "passed" } else { "FAILED" };

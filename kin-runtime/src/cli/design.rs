@@ -6,7 +6,7 @@ use super::failure::{Failure, Ledger, zip3};
 use super::instants::{natural_end, turn_of};
 use super::number::Measured;
 use super::options::SetupArgs;
-use super::output::{Form, OutputArgs};
+use super::output::{Form, OutputArgs, json};
 use super::places::{PLACES, columns};
 use super::session::Session;
 use super::trial::quoted;
@@ -15,7 +15,7 @@ use super::wishes::{INSTANTS, Wish, Wishes};
 use crate::design::{DesignError, Designed, Direction, Search, Shortest};
 use crate::measure::Measure;
 use crate::model::Model;
-use crate::present::json::to_json;
+use crate::present::json::record;
 use crate::present::number::rounded;
 use crate::present::table::Table;
 use crate::present::text::section;
@@ -96,31 +96,6 @@ few of many say that a better one may exist. Conditions on a turn are held again
 least slack of the result is that between instants, too. Its json is read by --set @FILE.",
 };
 
-/// What is written.
-#[derive(serde::Serialize)]
-struct Record<'a> {
-    mechanism: &'static str,
-    parameters: Named<f64>,
-    modes: BTreeMap<&'static str, String>,
-    #[serde(flatten)]
-    result: &'a Numbers<'a>,
-}
-
-#[derive(serde::Serialize)]
-struct Numbers<'a> {
-    error: f64,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    least: Option<f64>,
-    times: &'a [Vec<f64>],
-    slacks: &'a [crate::design::Slack],
-    starts: usize,
-    assembled: usize,
-    finished: usize,
-    met: usize,
-    errors: &'a [f64],
-    stopped: bool,
-}
-
 pub(super) fn run(args: &DesignArgs, engine: &mut dyn Engine, session: &mut Session<'_>) -> Result<(), Failure> {
     let mut ledger = Ledger::default();
     let output = ledger.take(session.destination(&args.output, "design"));
@@ -150,14 +125,21 @@ pub(super) fn run(args: &DesignArgs, engine: &mut dyn Engine, session: &mut Sess
     let model = engine.model();
     let text = match output.form {
         Form::Json => {
-            let Designed { error, least, times, slacks, starts, assembled, finished, met, errors, stopped, .. } =
-                &found;
-            let (error, least, starts, assembled) = (*error, *least, *starts, *assembled);
-            let (finished, met, stopped) = (*finished, *met, *stopped);
-            let result = Numbers { error, least, times, slacks, starts, assembled, finished, met, errors, stopped };
-            let modes = found.modes.iter().map(|(name, sign)| (*name, sign.to_string())).collect();
-            let parameters = found.parameters.iter().copied().collect();
-            to_json(&Record { mechanism: model.name, parameters, modes, result: &result }).map_err(Failure::Output)?
+            let parameters: Named<f64> = found.parameters.iter().copied().collect();
+            let modes: BTreeMap<_, _> = found.modes.iter().map(|(name, sign)| (*name, sign.to_string())).collect();
+            let mut all = record! { mechanism: model.name, parameters: parameters, modes: modes, error: found.error };
+            all.extend(found.least.map(|least| ("least".to_owned(), least.into())));
+            all.extend(record! {
+                times: found.times,
+                slacks: found.slacks,
+                starts: found.starts,
+                assembled: found.assembled,
+                finished: found.finished,
+                met: found.met,
+                errors: found.errors,
+                stopped: found.stopped,
+            });
+            json(&all)?
         }
         _ => report(model, &bounds, &found),
     };

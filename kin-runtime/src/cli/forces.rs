@@ -5,7 +5,7 @@ use super::examples::{Help, Names};
 use super::failure::{Failure, Ledger};
 use super::force_notes::pulls;
 use super::options::SetupArgs;
-use super::output::{Form, OutputArgs};
+use super::output::{Form, OutputArgs, json};
 use super::session::Session;
 use super::solved::{analysis, driven_state, note_freedom, note_modes};
 use super::task::{At, AtArgs};
@@ -13,7 +13,6 @@ use crate::analysis::forces::unbounded;
 use crate::error::SolveError;
 use crate::measure::{column_values, columns};
 use crate::present::forces::text;
-use crate::present::json::to_json;
 use crate::present::number::{plain, rounded};
 
 /// What drivers supply and joints carry at one instant
@@ -79,7 +78,7 @@ pub(super) fn run(args: &ForcesArgs, engine: &mut dyn Engine, session: &mut Sess
         session.note(&format!("note: {}", pulls(contact, &forces)));
     }
     let text = match output.form {
-        Form::Json => to_json(&forces).map_err(Failure::Output)?,
+        Form::Json => json(&forces)?,
         Form::Csv => {
             let names: Vec<String> = columns(engine.model()).into_iter().map(|(name, ..)| name).collect();
             let mut values = Vec::new();

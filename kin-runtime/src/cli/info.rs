@@ -4,16 +4,16 @@ use super::engine::Engine;
 use super::examples::{Help, Names};
 use super::failure::{Failure, Ledger};
 use super::options::SetupArgs;
-use super::output::{Form, OutputArgs};
+use super::output::{Form, OutputArgs, json};
 use super::session::Session;
 use super::solved::analysis;
 use super::task::{At, AtArgs};
 use crate::mobility::RedundantRow;
 use crate::model::{Model, OperationCount};
 use crate::present::condition;
-use crate::present::json::to_json;
+use crate::present::json::Record;
 use crate::present::plan;
-use crate::present::structure::{Known, StructureRecord, drivers};
+use crate::present::structure::{Known, drivers, structure};
 use crate::present::text::{self, Facts, coordinate_names};
 use crate::workspace::Instant;
 
@@ -52,8 +52,8 @@ pub(super) fn run(args: &InfoArgs, engine: &mut dyn Engine, session: &mut Sessio
     let modes = solved.as_ref().map_or_else(|_| Vec::new(), |(q, _)| engine.modes(&at, q));
     let known = solved.as_ref().ok().map(|(q, mobility)| Known { t, q, mobility, modes: &modes });
     let text = match output.form {
-        Form::Json => to_json(&record(engine, known)).map_err(Failure::Output)?,
-        _ => text(engine, known) + &plan::modes(&plan::records(engine.model(), known.map(|k| k.modes))),
+        Form::Json => json(&record(engine, known))?,
+        _ => text(engine, known) + &plan::text(&plan::modes(engine.model(), known.map(|k| k.modes))),
     };
     session.deliver(&output, &text)?;
     match solved {
@@ -73,8 +73,8 @@ pub(super) fn run(args: &InfoArgs, engine: &mut dyn Engine, session: &mut Sessio
 }
 
 /// The structure, for JSON.
-pub(super) fn record<'a>(engine: &dyn Engine, known: Option<Known<'a>>) -> StructureRecord<'a> {
-    StructureRecord::new(engine.model(), &engine.parameters(), known)
+pub(super) fn record(engine: &dyn Engine, known: Option<Known<'_>>) -> Record {
+    structure(engine.model(), &engine.parameters(), known)
 }
 
 /// Name, counts, parameters, rows.

@@ -5,11 +5,10 @@ use super::examples::{Help, Names};
 use super::failure::{Failure, Ledger, zip3};
 use super::instants::{Asked, End};
 use super::options::SetupArgs;
-use super::output::{Form, OutputArgs};
+use super::output::{Form, OutputArgs, json};
 use super::session::Session;
 use super::solved::analysis;
 use super::values;
-use crate::present::json::to_json;
 use crate::present::number::rounded;
 use crate::present::ranges;
 
@@ -60,7 +59,7 @@ pub(super) fn run(args: &LimitsArgs, engine: &mut dyn Engine, session: &mut Sess
     let (Some(&from), Some(&to)) = (times.first(), times.last()) else { return Ok(()) };
     let all = engine.ranges(&setup, from, to).map_err(|error| analysis(engine, &error))?;
     let text = match output.form {
-        Form::Json => to_json(&ranges::records(&all)).map_err(Failure::Output)?,
+        Form::Json => json(&ranges::records(&all))?,
         _ => ranges::text(model, [from, to], &all),
     };
     for (coordinate, within) in &all.searched {

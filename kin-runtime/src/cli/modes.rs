@@ -4,12 +4,11 @@ use super::engine::Engine;
 use super::examples::{Help, Names};
 use super::failure::{Failure, Ledger};
 use super::options::SetupArgs;
-use super::output::{Form, OutputArgs};
+use super::output::{Form, OutputArgs, json};
 use super::session::Session;
 use super::solved::analysis;
 use super::task::{At, AtArgs};
 use crate::present::assemblies;
-use crate::present::json::to_json;
 use crate::present::number::rounded;
 
 /// Every way in which it closes at one instant, each with a proof
@@ -44,7 +43,7 @@ pub(super) fn run(args: &ModesArgs, engine: &mut dyn Engine, session: &mut Sessi
     let At { t, setup, output } = ledger.close(at)?;
     let all = engine.assemblies(&setup, t).map_err(|error| analysis(engine, &error))?;
     let text = match output.form {
-        Form::Json => to_json(&assemblies::records(&all)).map_err(Failure::Output)?,
+        Form::Json => json(&assemblies::records(&all))?,
         _ => format!("{} at t = {}\n{}", engine.model().name, rounded(t), assemblies::text(engine.model(), &all)),
     };
     session.deliver(&output, &text)?;

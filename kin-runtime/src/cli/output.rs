@@ -243,6 +243,12 @@ fn who(command: &str) -> String {
     if command.is_empty() { "the report".to_owned() } else { format!("`{command}`") }
 }
 
+/// A result as JSON, a line per value, with a final line break.
+pub(super) fn json(record: &impl serde::Serialize) -> Result<String, Failure> {
+    let text = serde_json::to_string_pretty(record);
+    text.map(|text| text + "\n").map_err(|error| Failure::Output(format!("cannot write JSON: {error}")))
+}
+
 /// `a, b or c`.
 pub(super) fn either<S: AsRef<str>>(words: &[S]) -> String {
     together(words, "or")

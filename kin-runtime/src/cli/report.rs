@@ -1,22 +1,19 @@
 //! The report, which is printed without a command: everything about the mechanism at one instant.
 
-use serde::Serialize;
-
-use super::check::{Findings, facts, find};
+use super::check::{facts, find};
 use super::engine::Engine;
 use super::examples::{Help, Names};
 use super::failure::{Failure, Ledger};
 use super::info;
 use super::options::{AngleArgs, FreedomArgs, SetupArgs};
-use super::output::{Form, OutputArgs};
+use super::output::{Form, OutputArgs, json};
 use super::session::Session;
 use super::solve::{body, record};
 use super::solved::{note_freedom, note_modes, note_start, solve};
 use super::task::{At, AtArgs};
-use crate::present::json::to_json;
+use crate::present::json::record;
 use crate::present::number::rounded;
-use crate::present::record::StateRecord;
-use crate::present::structure::{Known, StructureRecord};
+use crate::present::structure::Known;
 use crate::present::text;
 
 /// Random configurations of the cross-check in the report.
@@ -67,14 +64,6 @@ Results go to stdout or --out, everything else to stderr. The status is 0 when t
 colours, unless NO_COLOR is set.",
 };
 
-/// The report as JSON.
-#[derive(Serialize)]
-struct ReportRecord<'a> {
-    info: StructureRecord<'a>,
-    state: StateRecord<'a>,
-    check: Findings,
-}
-
 pub(super) fn run(args: &ReportArgs, engine: &mut dyn Engine, session: &mut Session<'_>) -> Result<(), Failure> {
     let mut ledger = Ledger::default();
     let at = args.at.read(&mut ledger, ("", &args.output), SetupArgs::apply, engine, session);
@@ -99,12 +88,10 @@ pub(super) fn run(args: &ReportArgs, engine: &mut dyn Engine, session: &mut Sess
     let known = Known { t, q: &q, mobility: &solved.mobility, modes: &solved.modes };
     let model = engine.model();
     let text = match output.form {
-        Form::Json => to_json(&ReportRecord {
-            info: info::record(engine, Some(known)),
-            state: record(engine, &solved),
-            check: findings.clone(),
-        })
-        .map_err(Failure::Output)?,
+        Form::Json => {
+            let (info, state) = (info::record(engine, Some(known)), record(engine, &solved));
+            json(&record! { info: info, state: state, check: findings })?
+        }
         _ => format!(
             "{}\nAt t = {}{}\n{}{}{}\nChecks\n{}",
             info::text(engine, Some(known)),

@@ -6,7 +6,7 @@ use super::examples::{Help, Names};
 use super::failure::{Failure, Ledger};
 use super::force_notes::missing_force;
 use super::options::{AngleArgs, FreedomArgs, SetupArgs};
-use super::output::{Destination, Form, OutputArgs};
+use super::output::{Destination, Form, OutputArgs, json};
 use super::session::Session;
 use super::solved::{Solved, analysis, driven_state, note_freedom, note_modes, note_start, solve};
 use super::task::{At, AtArgs};
@@ -16,13 +16,15 @@ use crate::present::certificate;
 use crate::present::condition;
 use crate::present::forces;
 use crate::present::grid::CsvRows;
-use crate::present::json::to_json;
+use crate::present::json::{Record, fields, record};
 use crate::present::number::rounded;
-use crate::present::plan::{self, ModeRecord};
-use crate::present::record::{Parameters, QuantitiesRecord, StateRecord};
+use crate::present::plan;
+use crate::present::record::{Parameters, QuantitiesState, inputs};
 use crate::present::table::Table;
 use crate::present::text;
 use crate::present::units::Units;
+use crate::ratios::VelocityRatio;
+use crate::serial::{Named, coordinate_names};
 
 /// Position, velocity and acceleration at one instant
 #[derive(Clone, Debug, clap::Args)]
@@ -92,7 +94,7 @@ pub(super) fn run(args: &SolveArgs, engine: &mut dyn Engine, session: &mut Sessi
     note_modes(session, engine, &setup, t);
     let model = engine.model();
     let text = match output.form {
-        Form::Json => json(engine, &solved)?,
+        Form::Json => json(&record(engine, &solved))?,
         Form::Csv => {
             let mut measures = Measure::standard(model, false);
             let mut values: Vec<f64> = measures.iter().filter_map(|m| m.of_state(&solved.state)).collect();
@@ -142,8 +144,10 @@ fn named(
     let names = wanted.iter().map(Measure::name);
     let text = match output.form {
         Form::Json => {
+            let mut all = fields(&QuantitiesState::new(t, wanted, &values));
             let parameters = Parameters::new(model, &engine.parameters());
-            to_json(&QuantitiesRecord::new(model, parameters, units, (t, wanted, &values))).map_err(Failure::Output)?
+            all.extend(record! { mechanism: model.name, parameters: parameters, units: units.record() });
+            json(&all)?
         }
         Form::Csv => csv(std::iter::once("t").chain(names), std::iter::once(t).chain(values))?,
         _ => {
@@ -179,29 +183,42 @@ pub(super) fn body(model: &'static Model, solved: &Solved) -> String {
         condition::values(model, &solved.motion),
         solved.motion.forces.as_ref().map(forces::text).unwrap_or_default(),
         text::transmission(&solved.angles, solved.degrees),
-        plan::modes(&ModeRecord::of(&solved.modes)),
+        plan::text(&solved.modes),
         solved.certificate.as_ref().map(certificate::text).unwrap_or_default(),
     ]
     .concat()
 }
 
 /// The solved instant as one JSON object.
-pub(super) fn record<'a>(engine: &dyn Engine, solved: &'a Solved) -> StateRecord<'a> {
+pub(super) fn record(engine: &dyn Engine, solved: &Solved) -> Record {
+    let Solved { state, motion, mobility, ratios, angles, modes, certificate, degrees } = solved;
     let model = engine.model();
-    StateRecord::new(
-        model,
-        &solved.state,
-        &solved.motion,
-        Parameters::new(model, &engine.parameters()),
-        &solved.mobility,
-        &solved.ratios,
-        &solved.angles,
-    )
-    .with_modes(&solved.modes)
-    .with_certificate(solved.certificate.as_ref())
-    .in_degrees(model, solved.degrees)
-}
-
-fn json(engine: &dyn Engine, solved: &Solved) -> Result<String, Failure> {
-    to_json(&record(engine, solved)).map_err(Failure::Output)
+    let ratios_of = |of: &'_ [VelocityRatio]| of.iter().map(|ratio| (ratio.name, ratio.clone())).collect::<Named<_>>();
+    let mut all = record! {
+        t: state.t,
+        coordinates: coordinate_names(model),
+        q: state.q,
+        q_dot: state.q_dot,
+        q_ddot: state.q_ddot,
+    };
+    all.extend(fields(motion));
+    all.extend(record! {
+        mechanism: model.name,
+        parameters: Parameters::new(model, &engine.parameters()),
+        units: Units::of(model).in_degrees(*degrees).record(),
+        inputs: inputs(model, state),
+        degrees_of_freedom: mobility.degrees_of_freedom,
+        degrees_of_freedom_left: mobility.degrees_of_freedom_left,
+        independent: text::coordinate_names(model, &mobility.independent),
+        dependent: text::coordinate_names(model, &mobility.dependent),
+        residual: state.residual,
+        iterations: state.iterations,
+        condition: mobility.condition,
+        transmission_angles: angles,
+        velocity_ratios: ratios_of(&ratios.drivers),
+        input_ratios: ratios_of(&ratios.inputs),
+        modes: modes,
+    });
+    all.extend(certificate.iter().map(|certified| ("certificate".to_owned(), certificate::record(certified).into())));
+    all
 }

@@ -1,7 +1,6 @@
 //! The ways in which a mechanism closes: tables for people, and records for JSON.
 
-use serde::Serialize;
-
+use super::json::{Record, record};
 use super::number::magnitude;
 use super::table::Table;
 use super::text::{count, section};
@@ -12,38 +11,22 @@ use crate::model::Model;
 /// Most undecided cases that are listed one by one.
 const DOUBTS: usize = 8;
 
-/// One closure.
-#[derive(Clone, Debug, Serialize)]
-pub(crate) struct AssemblyRecord<'a> {
-    mode: String,
-    q: &'a [f64],
-    q_dot: &'a [f64],
-    q_ddot: &'a [f64],
-    certified: bool,
-    radius: Option<f64>,
-    isolation: Option<f64>,
-    why: Option<String>,
-}
-
 /// All closures, for JSON.
-pub(crate) fn records(all: &Assemblies) -> Vec<AssemblyRecord<'_>> {
-    all.found.iter().map(AssemblyRecord::of).collect()
-}
-
-impl<'a> AssemblyRecord<'a> {
-    fn of(assembly: &'a Assembly) -> Self {
+pub(crate) fn records(all: &Assemblies) -> Vec<Record> {
+    let record = |assembly: &Assembly| {
         let certificate = assembly.certificate.as_ref();
-        Self {
+        record! {
             mode: assembly.name(),
-            q: &assembly.q,
-            q_dot: &assembly.q_dot,
-            q_ddot: &assembly.q_ddot,
+            q: assembly.q,
+            q_dot: assembly.q_dot,
+            q_ddot: assembly.q_ddot,
             certified: certificate.is_ok(),
             radius: certificate.ok().map(Certificate::radius),
             isolation: certificate.ok().map(Certificate::isolation),
             why: certificate.err().map(ToString::to_string),
         }
-    }
+    };
+    all.found.iter().map(record).collect()
 }
 
 /// All closures, one in a column.

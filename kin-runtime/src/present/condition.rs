@@ -1,11 +1,10 @@
 //! Unilateral conditions and their events, as text and as records.
 
-use serde::Serialize;
-
+use super::json::{Record, record};
 use super::number::rounded;
 use super::table::Table;
 use super::text::section;
-use crate::events::{Crossing, Event};
+use crate::events::Event;
 use crate::model::{ConditionInfo, Model};
 use crate::motion::Motion;
 
@@ -40,35 +39,16 @@ pub(crate) fn line(model: &Model, event: &Event) -> String {
     format!("event: t = {}: {} {} ({text})", rounded(event.t), event.name, event.crossing)
 }
 
-/// A condition of the structure.
-#[derive(Clone, Debug, Serialize)]
-pub(crate) struct ConditionRecord {
-    name: &'static str,
-    condition: &'static str,
-    classes: [&'static str; 3],
-}
-
 /// The declared conditions, for JSON.
-pub(crate) fn records(model: &Model) -> Vec<ConditionRecord> {
-    let record = |c: &ConditionInfo| ConditionRecord { name: c.name, condition: c.text, classes: classes(c) };
+pub(crate) fn records(model: &Model) -> Vec<Record> {
+    let record = |c: &ConditionInfo| record! { name: c.name, condition: c.text, classes: classes(c) };
     model.conditions.iter().map(record).collect()
 }
 
 /// An event, for JSON.
-#[derive(Clone, Debug, Serialize)]
-pub(crate) struct EventRecord<'a> {
-    t: f64,
-    name: &'static str,
-    crossing: Crossing,
-    within: f64,
-    q: &'a [f64],
-    q_dot: &'a [f64],
-    q_ddot: &'a [f64],
-}
-
-impl<'a> EventRecord<'a> {
-    pub(crate) fn new(event: &'a Event) -> Self {
-        let Event { name, t, crossing, within, ref state, .. } = *event;
-        Self { t, name, crossing, within, q: &state.q, q_dot: &state.q_dot, q_ddot: &state.q_ddot }
+pub(crate) fn event(event: &Event) -> Record {
+    let Event { name, t, crossing, within, state, .. } = event;
+    record! {
+        t: t, name: name, crossing: crossing, within: within, q: state.q, q_dot: state.q_dot, q_ddot: state.q_ddot,
     }
 }

@@ -1,9 +1,28 @@
-//! Results as JSON: keys in the order of the fields, numbers with all digits, and null for numbers that are not finite.
+//! Results as JSON: keys in the order in which they are written, numbers with all digits, and null for numbers that are
+//! not finite.
 
 use serde::Serialize;
+use serde_json::Value;
 
-/// A record as JSON, a line per value, with a final line break.
-pub(crate) fn to_json<T: Serialize>(record: &T) -> Result<String, String> {
-    let text = serde_json::to_string_pretty(record).map_err(|error| format!("cannot write JSON: {error}"))?;
-    Ok(text + "\n")
+/// Names with their values.
+pub(crate) type Record = serde_json::Map<String, Value>;
+
+/// A value for a record. Results have no keys other than texts, the only values that JSON cannot hold.
+pub(crate) fn value(of: &impl Serialize) -> Value {
+    serde_json::to_value(of).unwrap_or_default()
 }
+
+/// The record of a type with named fields.
+pub(crate) fn fields(of: &impl Serialize) -> Record {
+    if let Value::Object(record) = value(of) { record } else { Record::new() }
+}
+
+/// A record, written like the fields of a struct.
+macro_rules! record {
+    ($($name:ident: $value:expr),* $(,)?) => {
+        $crate::present::json::Record::from_iter([$(
+            (stringify!($name).to_owned(), $crate::present::json::value(&$value))
+        ),*])
+    };
+}
+pub(crate) use record;

@@ -1,95 +1,38 @@
 //! The solution plan and the assembly modes: in words, and as records for JSON.
 
-use serde::Serialize;
-
+use super::json::{Record, record};
 use super::table::{Table, wrapped};
 use super::text::section;
 use crate::model::Model;
 use crate::modes::Mode;
 use crate::plan::{PlanStep, StepKind};
-use crate::planned::{Sign, Step};
+use crate::planned::Step;
 
 /// Width of a text in columns.
 const COLUMNS: usize = 96;
 
-/// A plan; without steps if there is none.
-#[derive(Clone, Debug, Serialize)]
-pub(crate) struct PlanRecord {
-    /// Why there is no plan.
-    absent: Option<&'static str>,
-    steps: Vec<StepRecord>,
-    modes: Vec<ModeRecord>,
-}
-
-#[derive(Clone, Debug, Serialize)]
-struct StepRecord {
-    /// `explicit`, `linear`, `closure`, `newton` or `watched`.
-    kind: &'static str,
-    /// Unknowns of a linear system or of an iteration.
-    unknowns: Option<usize>,
-    group: Option<&'static str>,
-    joints: Vec<&'static str>,
-    /// Redundant rows that no other step needs.
-    watched: Vec<&'static str>,
-    coordinates: Vec<GivenRecord>,
-    modes: Vec<&'static str>,
-    singular: &'static str,
-}
-
-#[derive(Clone, Debug, Serialize)]
-struct GivenRecord {
-    name: &'static str,
-    joint: &'static str,
-}
-
-/// A mode; sign and closure are null without a configuration.
-#[derive(Clone, Debug, Serialize)]
-pub(crate) struct ModeRecord {
-    name: &'static str,
-    group: &'static str,
-    joints: Vec<&'static str>,
-    sign: Option<Sign>,
-    closure: Option<f64>,
-}
-
-impl ModeRecord {
-    /// The modes of a configuration.
-    pub(crate) fn of(modes: &[Mode]) -> Vec<Self> {
-        let record = |mode: &Mode| Self {
-            name: mode.name,
-            group: mode.group,
-            joints: mode.joints.clone(),
-            sign: mode.sign,
-            closure: Some(mode.closure),
-        };
-        modes.iter().map(record).collect()
-    }
-}
-
-impl PlanRecord {
-    /// The plan, with the modes of a configuration if there is one.
-    pub(crate) fn new(model: &'static Model, modes: Option<&[Mode]>) -> Self {
-        let modes = records(model, modes);
-        Self { absent: model.plan.absent, steps: steps(model).map(|step| record(model, step)).collect(), modes }
-    }
+/// The plan, with the modes of a configuration if there is one; without steps if there is no plan, and why.
+pub(crate) fn record(model: &'static Model, known: Option<&[Mode]>) -> Record {
+    let steps: Vec<Record> = steps(model).map(|step| of_step(model, step)).collect();
+    record! { absent: model.plan.absent, steps: steps, modes: modes(model, known) }
 }
 
 fn steps(model: &'static Model) -> impl Iterator<Item = Step> {
     (0..model.plan.steps.len()).filter_map(move |place| Step::new(model, place))
 }
 
-/// The modes without signs, for a mechanism without a configuration.
-fn unknown(model: &'static Model) -> Vec<ModeRecord> {
-    let record = |mode: &crate::plan::ModeInfo| {
+/// The modes of a configuration, or all modes without signs and closures.
+pub(crate) fn modes(model: &'static Model, known: Option<&[Mode]>) -> Vec<Mode> {
+    let unknown = |mode: &crate::plan::ModeInfo| {
         let step = Step::new(model, mode.step);
         let group = step.map_or("", |step| step.info().group);
         let joints = step.map_or_else(Vec::new, |step| step.joints().collect());
-        ModeRecord { name: mode.name, group, joints, sign: None, closure: None }
+        Mode { name: mode.name, group, joints, sign: None, closure: f64::NAN }
     };
-    model.plan.modes.iter().map(record).collect()
+    known.map_or_else(|| model.plan.modes.iter().map(unknown).collect(), <[Mode]>::to_vec)
 }
 
-fn record(model: &'static Model, step: Step) -> StepRecord {
+fn of_step(model: &'static Model, step: Step) -> Record {
     let info = step.info();
     let (kind, unknowns) = match info.kind {
         StepKind::Explicit => ("explicit", None),
@@ -98,17 +41,17 @@ fn record(model: &'static Model, step: Step) -> StepRecord {
         StepKind::Newton(n) => ("newton", Some(n)),
         StepKind::Watched => ("watched", None),
     };
-    let given = |&(coordinate, joint): &(usize, usize)| GivenRecord {
-        name: model.coordinates.get(coordinate).map_or("", |c| c.name),
-        joint: model.joints.get(joint).map_or("", |j| j.name),
+    let given = |&(coordinate, joint): &(usize, usize)| {
+        let joint = model.joints.get(joint).map_or("", |j| j.name);
+        record! { name: model.coordinates.get(coordinate).map_or("", |c| c.name), joint: joint }
     };
-    StepRecord {
-        kind,
-        unknowns,
+    record! {
+        kind: kind,
+        unknowns: unknowns,
         group: (!info.group.is_empty()).then_some(info.group),
-        joints: step.joints().collect(),
+        joints: step.joints().collect::<Vec<_>>(),
         watched: watched(model, info),
-        coordinates: info.coordinates.iter().map(given).collect(),
+        coordinates: info.coordinates.iter().map(given).collect::<Vec<_>>(),
         modes: mode_names(model, info),
         singular: info.singular,
     }
@@ -178,18 +121,14 @@ fn given(model: &Model, step: &PlanStep) -> Vec<String> {
     groups.map(sentence).collect()
 }
 
-/// A table of the modes, with signs if they are known.
-pub(crate) fn modes(records: &[ModeRecord]) -> String {
+/// A table of modes, with signs if they are known.
+pub(crate) fn text(modes: &[Mode]) -> String {
+    let closure = |mode: &Mode| if mode.closure.is_nan() { String::new() } else { format!("{:.6}", mode.closure) };
     let table = Table::new()
-        .words("mode", records.iter().map(|mode| mode.name))
-        .words("group", records.iter().map(|mode| mode.group))
-        .words("joints", records.iter().map(|mode| mode.joints.join(", ")))
-        .words("sign", records.iter().map(|mode| mode.sign.map_or_else(String::new, |sign| sign.to_string())))
-        .right("closure", records.iter().map(|mode| mode.closure.map_or_else(String::new, |w| format!("{w:.6}"))));
+        .words("mode", modes.iter().map(|mode| mode.name))
+        .words("group", modes.iter().map(|mode| mode.group))
+        .words("joints", modes.iter().map(|mode| mode.joints.join(", ")))
+        .words("sign", modes.iter().map(|mode| mode.sign.map_or_else(String::new, |sign| sign.to_string())))
+        .right("closure", modes.iter().map(closure));
     section("Assembly modes (0 is the limit where both closures meet)", &table)
-}
-
-/// The modes, with signs if there is a configuration.
-pub(crate) fn records(model: &'static Model, modes: Option<&[Mode]>) -> Vec<ModeRecord> {
-    modes.map_or_else(|| unknown(model), ModeRecord::of)
 }

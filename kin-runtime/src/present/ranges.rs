@@ -1,53 +1,36 @@
 //! How far a mechanism moves: tables for people, and records for JSON.
 
-use serde::Serialize;
-
+use super::json::{Record, record};
 use super::number::rounded;
 use super::table::Table;
 use super::text::section;
 use crate::model::Model;
 use crate::planned::LimitKind;
 use crate::ranges::{Range, RangeLimit, Ranges};
-use crate::scalar::Interval;
 
-/// One driver at one limit.
-#[derive(Clone, Debug, Serialize)]
-pub(crate) struct LimitRecord<'a> {
-    /// None where no single driver is at its end.
-    driver: Option<&'static str>,
-    /// The value of the coordinate that it drives.
-    value: Option<f64>,
-    t: f64,
-    /// Between these.
-    interval: Interval,
-    mode: String,
-    joints: &'a [&'static str],
-    kind: &'static str,
-    q: Option<&'a [f64]>,
-    certified: bool,
-}
-
-/// All limits, for JSON.
-pub(crate) fn records(all: &Ranges) -> Vec<LimitRecord<'_>> {
+/// All limits, for JSON: a record for every driver that can go no further, or a single one without a driver.
+pub(crate) fn records(all: &Ranges) -> Vec<Record> {
+    let of_drivers = |limit: &RangeLimit| {
+        let drivers = limit.drivers.iter().map(|&(name, value)| (Some(name), value));
+        let none = limit.drivers.is_empty().then_some((None, None));
+        drivers.chain(none).map(|driver| record(limit, driver)).collect::<Vec<_>>()
+    };
     all.limits.iter().flat_map(of_drivers).collect()
 }
 
-/// One record for every driver that can go no further, or a single one if there is no such driver.
-fn of_drivers(limit: &RangeLimit) -> Vec<LimitRecord<'_>> {
-    let record = |(driver, value)| LimitRecord {
-        driver,
-        value,
+/// A driver at a limit, with the value of the coordinate that it drives.
+fn record(limit: &RangeLimit, (driver, value): (Option<&str>, Option<f64>)) -> Record {
+    record! {
+        driver: driver,
+        value: value,
         t: limit.t.midpoint(),
+        // Between these.
         interval: limit.t,
         mode: limit.name(),
-        joints: &limit.joints,
+        joints: limit.joints,
         kind: kind(limit.kind),
-        q: (!limit.q.is_empty()).then_some(limit.q.as_slice()),
+        q: (!limit.q.is_empty()).then_some(&limit.q),
         certified: limit.proven,
-    };
-    match limit.drivers.as_slice() {
-        [] => vec![record((None, None))],
-        drivers => drivers.iter().map(|&(name, value)| record((Some(name), value))).collect(),
     }
 }
 

@@ -1,27 +1,20 @@
-//! Results as records with fields in a fixed order, for JSON.
+//! Motions that are written to JSON while they are computed.
 
 use std::ops::ControlFlow;
 
 use serde::ser::{SerializeMap, SerializeSeq};
 use serde::{Serialize, Serializer};
 
-use super::certificate::{CertificateRecord, Certified};
-use super::condition::EventRecord;
-use super::plan::ModeRecord;
-use super::text::coordinate_names as names_at;
-use super::units::{Units, UnitsRecord};
+use super::condition;
+use super::json::Record;
 use crate::forces::ContactChange;
 use crate::measure::Measure;
-use crate::mobility::Mobility;
 use crate::model::{ForceModel, Model};
-use crate::modes::Mode;
 use crate::motion::Motion;
-use crate::ratios::{VelocityRatio, VelocityRatios};
 use crate::serial::{Named, coordinate_names};
 use crate::signal::Signal;
 use crate::state::State;
 use crate::trajectory::Trajectory;
-use crate::transmission::TransmissionAngle;
 
 /// Parameters with their values.
 pub(crate) type Parameters = Named<f64>;
@@ -29,87 +22,6 @@ pub(crate) type Parameters = Named<f64>;
 impl Parameters {
     pub(crate) fn new(model: &Model, values: &[f64]) -> Self {
         model.parameters.iter().map(|p| p.name).zip(values.iter().copied()).collect()
-    }
-}
-
-/// Everything about one solved instant.
-#[derive(Clone, Debug, Serialize)]
-pub(crate) struct StateRecord<'a> {
-    t: f64,
-    coordinates: Vec<&'static str>,
-    q: &'a [f64],
-    q_dot: &'a [f64],
-    q_ddot: &'a [f64],
-    #[serde(flatten)]
-    motion: &'a Motion,
-    mechanism: &'static str,
-    parameters: Parameters,
-    units: UnitsRecord,
-    inputs: Named<Signal>,
-    degrees_of_freedom: usize,
-    degrees_of_freedom_left: usize,
-    independent: Vec<&'static str>,
-    dependent: Vec<&'static str>,
-    residual: f64,
-    iterations: usize,
-    condition: f64,
-    transmission_angles: &'a [TransmissionAngle],
-    velocity_ratios: Named<&'a VelocityRatio>,
-    input_ratios: Named<&'a VelocityRatio>,
-    modes: Vec<ModeRecord>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    certificate: Option<CertificateRecord>,
-}
-
-impl<'a> StateRecord<'a> {
-    pub(crate) fn new(
-        model: &'static Model,
-        state: &'a State,
-        motion: &'a Motion,
-        parameters: Parameters,
-        mobility: &Mobility,
-        ratios: &'a VelocityRatios,
-        transmission_angles: &'a [TransmissionAngle],
-    ) -> Self {
-        Self {
-            t: state.t,
-            coordinates: coordinate_names(model),
-            q: &state.q,
-            q_dot: &state.q_dot,
-            q_ddot: &state.q_ddot,
-            motion,
-            mechanism: model.name,
-            parameters,
-            units: Units::of(model).record(),
-            inputs: inputs(model, state),
-            degrees_of_freedom: mobility.degrees_of_freedom,
-            degrees_of_freedom_left: mobility.degrees_of_freedom_left,
-            independent: names_at(model, &mobility.independent),
-            dependent: names_at(model, &mobility.dependent),
-            residual: state.residual,
-            iterations: state.iterations,
-            condition: mobility.condition,
-            transmission_angles,
-            velocity_ratios: ratios.drivers.iter().map(|d| (d.name, d)).collect(),
-            input_ratios: ratios.inputs.iter().map(|u| (u.name, u)).collect(),
-            modes: Vec::new(),
-            certificate: None,
-        }
-    }
-
-    /// Marks the angles as being in degrees.
-    pub(crate) fn in_degrees(self, model: &Model, degrees: bool) -> Self {
-        Self { units: Units::of(model).in_degrees(degrees).record(), ..self }
-    }
-
-    /// Adds the assembly modes.
-    pub(crate) fn with_modes(self, modes: &[Mode]) -> Self {
-        Self { modes: ModeRecord::of(modes), ..self }
-    }
-
-    /// Adds the certificate that was asked for.
-    pub(crate) fn with_certificate(self, certified: Option<&Certified>) -> Self {
-        Self { certificate: certified.map(CertificateRecord::of), ..self }
     }
 }
 
@@ -136,7 +48,7 @@ pub(crate) struct SweepRecord<'a> {
     /// The parameters that vary, if this is one of several motions.
     pub(crate) varied: Option<Parameters>,
     pub(crate) parameters: Parameters,
-    pub(crate) units: UnitsRecord,
+    pub(crate) units: Record,
     /// The quantities that were asked for by name; without any, the states are written whole.
     pub(crate) quantities: &'a [Measure],
     /// Computes the states one by one and passes each to a function.
@@ -155,7 +67,7 @@ impl Serialize for SweepRecord<'_> {
         map.serialize_entry("parameters", &self.parameters)?;
         map.serialize_entry("units", &self.units)?;
         if self.quantities.is_empty() {
-            map.serialize_entry("coordinates", &self.model.coordinates.iter().map(|c| c.name).collect::<Vec<_>>())?;
+            map.serialize_entry("coordinates", &coordinate_names(self.model))?;
         }
         map.serialize_entry("states", &States { model: self.model, quantities: self.quantities, walk: self.walk })?;
         let mut rest = Ok(());
@@ -166,7 +78,7 @@ impl Serialize for SweepRecord<'_> {
 }
 
 /// Writes the motion with an index as a record; true if it is the last one.
-pub(crate) type Record<'a> = &'a dyn Fn(usize, &mut dyn FnMut(&SweepRecord<'_>)) -> bool;
+pub(crate) type WriteMotion<'a> = &'a dyn Fn(usize, &mut dyn FnMut(&SweepRecord<'_>)) -> bool;
 
 /// Several motions, computed one after another while they are written.
 pub(crate) struct MotionsRecord<'a> {
@@ -174,7 +86,7 @@ pub(crate) struct MotionsRecord<'a> {
     /// The parameters that vary.
     pub(crate) varied: Vec<&'static str>,
     pub(crate) count: usize,
-    pub(crate) record: Record<'a>,
+    pub(crate) record: WriteMotion<'a>,
 }
 
 impl Serialize for MotionsRecord<'_> {
@@ -212,7 +124,7 @@ fn end<M: SerializeMap>(
     complete: bool,
 ) -> Result<(), M::Error> {
     let violated: Vec<&str> = trajectory.violated_at_start().map(|condition| condition.name).collect();
-    let events: Vec<EventRecord<'_>> = trajectory.events.iter().map(EventRecord::new).collect();
+    let events: Vec<Record> = trajectory.events.iter().map(condition::event).collect();
     // False when the sweep ended early: the states are those before the failure, or up to the event.
     map.serialize_entry("complete", &(complete && !trajectory.stopped))?;
     map.serialize_entry("stopped", &trajectory.stopped)?;
@@ -257,38 +169,16 @@ impl Serialize for States<'_> {
     }
 }
 
-/// One instant of quantities that were asked for by name.
+/// Quantities that were asked for by name, at one instant.
 #[derive(Clone, Debug, Serialize)]
-struct QuantitiesState<'a> {
+pub(crate) struct QuantitiesState<'a> {
     t: f64,
     quantities: Named<f64, &'a str>,
 }
 
 impl<'a> QuantitiesState<'a> {
-    fn new(t: f64, measures: &'a [Measure], values: &[f64]) -> Self {
+    pub(crate) fn new(t: f64, measures: &'a [Measure], values: &[f64]) -> Self {
         Self { t, quantities: measures.iter().map(Measure::name).zip(values.iter().copied()).collect() }
-    }
-}
-
-/// Quantities that were asked for by name, at one instant.
-#[derive(Clone, Debug, Serialize)]
-pub(crate) struct QuantitiesRecord<'a> {
-    #[serde(flatten)]
-    state: QuantitiesState<'a>,
-    mechanism: &'static str,
-    parameters: Parameters,
-    units: UnitsRecord,
-}
-
-impl<'a> QuantitiesRecord<'a> {
-    pub(crate) fn new(
-        model: &Model,
-        parameters: Parameters,
-        units: Units,
-        (t, measures, values): (f64, &'a [Measure], &[f64]),
-    ) -> Self {
-        let state = QuantitiesState::new(t, measures, values);
-        Self { state, mechanism: model.name, parameters, units: units.record() }
     }
 }
 
@@ -323,6 +213,7 @@ impl<'a> SweepState<'a> {
     }
 }
 
-fn inputs(model: &Model, state: &State) -> Named<Signal> {
+/// The inputs of a state by name.
+pub(crate) fn inputs(model: &Model, state: &State) -> Named<Signal> {
     model.inputs.iter().copied().zip(state.inputs.iter().copied()).collect()
 }

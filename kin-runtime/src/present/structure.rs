@@ -1,14 +1,13 @@
 //! The structure of a mechanism, as a record for JSON.
 
-use serde::Serialize;
-
-use super::condition::{self, ConditionRecord};
-use super::plan::PlanRecord;
+use super::json::{Record, record};
 use super::text::{coordinate_names, frame_name, third_body};
-use super::units::{Units, UnitsRecord};
-use crate::mobility::{Mobility, RedundantRow};
-use crate::model::{BodyInfo, Level, Model, OperationCount, OriginKind};
+use super::units::Units;
+use super::{condition, plan};
+use crate::mobility::Mobility;
+use crate::model::{Level, Model, OperationCount, OriginKind};
 use crate::modes::Mode;
+use crate::serial::coordinate_names as all_coordinates;
 
 /// A configuration and its mobility.
 #[derive(Clone, Copy, Debug)]
@@ -20,177 +19,55 @@ pub(crate) struct Known<'a> {
 }
 
 /// The structure; entries that need a configuration are null without one.
-#[derive(Clone, Debug, Serialize)]
-pub(crate) struct StructureRecord<'a> {
-    mechanism: &'static str,
-    doc: &'static str,
-    coordinates: Vec<&'static str>,
-    rows: Vec<RowRecord>,
-    degrees_of_freedom: Option<usize>,
-    degrees_of_freedom_left: Option<usize>,
-    position_degrees_of_freedom: Option<usize>,
-    position_degrees_of_freedom_left: Option<usize>,
-    operations: OperationRecord,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    force_operations: Option<OperationRecord>,
-    counts: CountRecord,
-    bodies: Vec<BodyRecord>,
-    parameters: Vec<ParameterRecord>,
-    inputs: &'static [&'static str],
-    units: UnitsRecord,
-    functions: &'static [&'static str],
-    points: Vec<&'static str>,
-    defines: Vec<&'static str>,
-    joints: Vec<JointRecord>,
-    conditions: Vec<ConditionRecord>,
-    drivers: Vec<&'static str>,
-    independent: Option<Vec<&'static str>>,
-    dependent: Option<Vec<&'static str>>,
-    could_be_given: Option<Vec<&'static str>>,
-    rank: Option<usize>,
-    rank_without_driving: Option<usize>,
-    /// Ranks at a general pose and for general dimensions; null if the model does not know them.
-    generic_rank: Option<usize>,
-    generic_degrees_of_freedom: Option<usize>,
-    generic_redundant: Vec<GenericRecord>,
-    redundant: Option<&'a [RedundantRow]>,
-    condition: Option<f64>,
-    singular_values: Option<&'a [f64]>,
-    /// The configuration at which ranks and degrees of freedom were determined.
-    configuration: Option<ConfigurationRecord<'a>>,
-    plan: PlanRecord,
+pub(crate) fn structure(model: &'static Model, values: &[f64], known: Option<Known<'_>>) -> Record {
+    let mobility = known.map(|k| k.mobility);
+    let names = |places: fn(&Mobility) -> &[usize]| mobility.map(|m| coordinate_names(model, places(m)));
+    let mut all = record! {
+        mechanism: model.name,
+        doc: model.doc,
+        coordinates: all_coordinates(model),
+        rows: rows(model),
+        degrees_of_freedom: mobility.map(|m| m.degrees_of_freedom),
+        degrees_of_freedom_left: mobility.map(|m| m.degrees_of_freedom_left),
+        position_degrees_of_freedom: mobility.map(|m| m.position_degrees_of_freedom),
+        position_degrees_of_freedom_left: mobility.map(|m| m.position_degrees_of_freedom_left),
+        operations: operations(model.operations),
+    };
+    all.extend(model.forces.map(|forces| ("force_operations".to_owned(), operations(forces.operations).into())));
+    all.extend(record! {
+        counts: counts(model),
+        bodies: bodies(model),
+        parameters: parameters(model, values),
+        inputs: model.inputs,
+        units: Units::of(model).record(),
+        functions: model.functions,
+        points: model.points.iter().map(|p| p.name).collect::<Vec<_>>(),
+        defines: model.defines.iter().map(|d| d.name).collect::<Vec<_>>(),
+        joints: joints(model),
+        conditions: condition::records(model),
+        drivers: drivers(model),
+        independent: names(|m| &m.independent),
+        dependent: names(|m| &m.dependent),
+        could_be_given: names(|m| &m.could_be_given),
+        rank: mobility.map(|m| m.rank),
+        rank_without_driving: mobility.map(|m| m.rank_without_driving),
+        // Ranks at a general pose and for general dimensions; null if the model does not know them.
+        generic_rank: model.structure.map(|s| s.rank),
+        generic_degrees_of_freedom: model.structure.map(|s| model.coordinates.len() - s.rank_without_driving),
+        generic_redundant: generic(model),
+        redundant: mobility.map(|m| &m.redundant),
+        condition: mobility.map(|m| m.condition),
+        singular_values: mobility.map(|m| &m.singular_values),
+        // The configuration at which ranks and degrees of freedom were determined.
+        configuration: known.map(|k| record! { t: k.t, q: k.q }),
+        plan: plan::record(model, known.map(|k| k.modes).filter(|modes| !modes.is_empty())),
+    });
+    all
 }
 
-impl<'a> StructureRecord<'a> {
-    pub(crate) fn new(model: &'static Model, values: &[f64], known: Option<Known<'a>>) -> Self {
-        let mobility = known.map(|k| k.mobility);
-        let names = |places: fn(&Mobility) -> &[usize]| mobility.map(|m| coordinate_names(model, places(m)));
-        Self {
-            mechanism: model.name,
-            doc: model.doc,
-            coordinates: model.coordinates.iter().map(|c| c.name).collect(),
-            rows: rows(model),
-            degrees_of_freedom: mobility.map(|m| m.degrees_of_freedom),
-            degrees_of_freedom_left: mobility.map(|m| m.degrees_of_freedom_left),
-            position_degrees_of_freedom: mobility.map(|m| m.position_degrees_of_freedom),
-            position_degrees_of_freedom_left: mobility.map(|m| m.position_degrees_of_freedom_left),
-            operations: model.operations.into(),
-            force_operations: model.forces.map(|forces| forces.operations.into()),
-            counts: counts(model),
-            bodies: model.bodies.iter().map(|b| body(model, b)).collect(),
-            parameters: parameters(model, values),
-            inputs: model.inputs,
-            units: Units::of(model).record(),
-            functions: model.functions,
-            points: model.points.iter().map(|p| p.name).collect(),
-            defines: model.defines.iter().map(|d| d.name).collect(),
-            joints: joints(model),
-            conditions: condition::records(model),
-            drivers: drivers(model),
-            independent: names(|m| &m.independent),
-            dependent: names(|m| &m.dependent),
-            could_be_given: names(|m| &m.could_be_given),
-            rank: mobility.map(|m| m.rank),
-            rank_without_driving: mobility.map(|m| m.rank_without_driving),
-            generic_rank: model.structure.map(|s| s.rank),
-            generic_degrees_of_freedom: model.structure.map(|s| model.coordinates.len() - s.rank_without_driving),
-            generic_redundant: generic(model),
-            redundant: mobility.map(|m| m.redundant.as_slice()),
-            condition: mobility.map(|m| m.condition),
-            singular_values: mobility.map(|m| m.singular_values.as_slice()),
-            configuration: known.map(|k| ConfigurationRecord { t: k.t, q: k.q }),
-            plan: PlanRecord::new(model, known.map(|k| k.modes).filter(|modes| !modes.is_empty())),
-        }
-    }
-}
-
-#[derive(Clone, Debug, Serialize)]
-struct ConfigurationRecord<'a> {
-    t: f64,
-    q: &'a [f64],
-}
-
-#[derive(Clone, Debug, Serialize)]
-struct RowRecord {
-    name: &'static str,
-    joint: &'static str,
-    kind: &'static str,
-    classes: [&'static str; 3],
-    holonomic: bool,
-    rheonomic: bool,
-    bilateral: bool,
-    driving: bool,
-}
-
-#[derive(Clone, Debug, Serialize)]
-struct GenericRecord {
-    row: &'static str,
-    joint: &'static str,
-    circuit: &'static [&'static str],
-}
-
-#[derive(Clone, Debug, Serialize)]
-struct OperationRecord {
-    add: usize,
-    mul: usize,
-    neg: usize,
-    div: usize,
-    sqrt: usize,
-    sincos: usize,
-    function: usize,
-}
-
-impl From<OperationCount> for OperationRecord {
-    fn from(count: OperationCount) -> Self {
-        let OperationCount { add, mul, neg, div, sqrt, sincos, function } = count;
-        Self { add, mul, neg, div, sqrt, sincos, function }
-    }
-}
-
-#[derive(Clone, Debug, Serialize)]
-struct CountRecord {
-    bodies: usize,
-    coordinates: usize,
-    rows: usize,
-    driving_rows: usize,
-    velocity_level_rows: usize,
-    joints: usize,
-    conditions: usize,
-    drivers: usize,
-    parameters: usize,
-    inputs: usize,
-    points: usize,
-    defines: usize,
-    jacobian_entries: usize,
-    constant_jacobian_entries: usize,
-}
-
-#[derive(Clone, Debug, Serialize)]
-struct BodyRecord {
-    name: &'static str,
-    coordinates: Vec<&'static str>,
-    /// The body that carries the origin, if the origin is carried.
-    carried_by: Option<&'static str>,
-}
-
-#[derive(Clone, Debug, Serialize)]
-struct ParameterRecord {
-    name: &'static str,
-    value: f64,
-    default: Option<f64>,
-    unit: Option<&'static str>,
-    doc: &'static str,
-}
-
-#[derive(Clone, Debug, Serialize)]
-struct JointRecord {
-    name: &'static str,
-    kind: &'static str,
-    between: Vec<&'static str>,
-    /// The carrier of gears, the pinion of a rack.
-    third_body: Option<&'static str>,
-    rows: Vec<&'static str>,
-    quantities: Vec<&'static str>,
+fn operations(count: OperationCount) -> Record {
+    let OperationCount { add, mul, neg, div, sqrt, sincos, function } = count;
+    record! { add: add, mul: mul, neg: neg, div: div, sqrt: sqrt, sincos: sincos, function: function }
 }
 
 /// Joints that have a driving row.
@@ -200,19 +77,20 @@ pub(crate) fn drivers(model: &Model) -> Vec<&'static str> {
 }
 
 /// Rows that are redundant whatever the dimensions.
-fn generic(model: &Model) -> Vec<GenericRecord> {
+fn generic(model: &Model) -> Vec<Record> {
     let record = |found: &crate::model::GenericRedundancy| {
         let row = model.rows.get(found.row);
         let joint = row.and_then(|row| model.joints.get(row.joint));
-        GenericRecord { row: row.map_or("", |r| r.name), joint: joint.map_or("", |j| j.name), circuit: found.circuit }
+        let (row, joint) = (row.map_or("", |r| r.name), joint.map_or("", |j| j.name));
+        record! { row: row, joint: joint, circuit: found.circuit }
     };
     model.structure.iter().flat_map(|structure| structure.redundant).map(record).collect()
 }
 
-fn rows(model: &Model) -> Vec<RowRecord> {
+fn rows(model: &Model) -> Vec<Record> {
     let record = |row: &crate::model::RowInfo| {
         let joint = model.joints.get(row.joint);
-        RowRecord {
+        record! {
             name: row.name,
             joint: joint.map_or("", |j| j.name),
             kind: joint.map_or("", |j| j.kind.keyword()),
@@ -226,8 +104,8 @@ fn rows(model: &Model) -> Vec<RowRecord> {
     model.rows.iter().map(record).collect()
 }
 
-fn counts(model: &Model) -> CountRecord {
-    CountRecord {
+fn counts(model: &Model) -> Record {
+    record! {
         bodies: model.bodies.len(),
         coordinates: model.coordinates.len(),
         rows: model.rows.len(),
@@ -245,33 +123,36 @@ fn counts(model: &Model) -> CountRecord {
     }
 }
 
-fn body(model: &Model, info: &BodyInfo) -> BodyRecord {
-    let places: Vec<usize> = info.coordinates.iter().flatten().copied().collect();
-    BodyRecord {
-        name: info.name,
-        coordinates: coordinate_names(model, &places),
-        carried_by: match info.origin {
+fn bodies(model: &Model) -> Vec<Record> {
+    let record = |body: &crate::model::BodyInfo| {
+        let places: Vec<usize> = body.coordinates.iter().flatten().copied().collect();
+        let carried_by = match body.origin {
             OriginKind::Free => None,
             OriginKind::Carried(frame) => Some(frame_name(model, frame)),
-        },
-    }
+        };
+        record! { name: body.name, coordinates: coordinate_names(model, &places), carried_by: carried_by }
+    };
+    model.bodies.iter().map(record).collect()
 }
 
-fn parameters(model: &Model, values: &[f64]) -> Vec<ParameterRecord> {
+fn parameters(model: &Model, values: &[f64]) -> Vec<Record> {
     let pairs = model.parameters.iter().zip(values);
     pairs
-        .map(|(p, &value)| ParameterRecord { name: p.name, value, default: p.default, unit: p.unit, doc: p.doc })
+        .map(|(p, value)| record! { name: p.name, value: value, default: p.default, unit: p.unit, doc: p.doc })
         .collect()
 }
 
-fn joints(model: &Model) -> Vec<JointRecord> {
-    let record = |(place, joint): (usize, &crate::model::JointInfo)| JointRecord {
-        name: joint.name,
-        kind: joint.kind.keyword(),
-        between: joint.frames.iter().flatten().map(|f| frame_name(model, *f)).collect(),
-        third_body: third_body(model, joint),
-        rows: model.rows.iter().filter(|r| r.joint == place).map(|r| r.name).collect(),
-        quantities: joint.quantities.iter().map(|q| q.name).collect(),
+fn joints(model: &Model) -> Vec<Record> {
+    let record = |(place, joint): (usize, &crate::model::JointInfo)| {
+        record! {
+            name: joint.name,
+            kind: joint.kind.keyword(),
+            between: joint.frames.iter().flatten().map(|f| frame_name(model, *f)).collect::<Vec<_>>(),
+            // The carrier of gears, the pinion of a rack.
+            third_body: third_body(model, joint),
+            rows: model.rows.iter().filter(|r| r.joint == place).map(|r| r.name).collect::<Vec<_>>(),
+            quantities: joint.quantities.iter().map(|q| q.name).collect::<Vec<_>>(),
+        }
     };
     model.joints.iter().enumerate().map(record).collect()
 }

@@ -1,5 +1,6 @@
 //! Units of results, as the description gives them.
 
+use super::json::{Record, record};
 use crate::measure::{Dimension, Measure};
 use crate::model::{self, Model};
 use crate::serial::Named;
@@ -10,16 +11,6 @@ pub(crate) struct Units {
     units: model::Units,
     /// Whether angles are shown in degrees.
     degrees: bool,
-}
-
-/// The units of a result, for another program.
-#[derive(Clone, Debug, serde::Serialize)]
-pub(crate) struct UnitsRecord {
-    length: Option<&'static str>,
-    time: Option<&'static str>,
-    angle: &'static str,
-    /// The units of scalar coordinates, inputs and defines, by their names without index.
-    named: Named<&'static str>,
 }
 
 impl Units {
@@ -33,12 +24,12 @@ impl Units {
         Self { degrees, ..self }
     }
 
-    /// The units as a record.
-    pub(crate) fn record(&self) -> UnitsRecord {
+    /// The units as a record; those of scalar coordinates, inputs and defines by their names without index.
+    pub(crate) fn record(&self) -> Record {
         let angle = if self.degrees { "deg" } else { "rad" };
         let shown = |unit: &'static str| if unit == "rad" { angle } else { unit };
-        let named = self.units.named.iter().map(|(name, unit)| (*name, shown(unit))).collect();
-        UnitsRecord { length: self.units.length, time: self.time(), angle, named }
+        let named: Named<&str> = self.units.named.iter().map(|(name, unit)| (*name, shown(unit))).collect();
+        record! { length: self.units.length, time: self.time(), angle: angle, named: named }
     }
 
     /// The unit of time: s unless the description has another.

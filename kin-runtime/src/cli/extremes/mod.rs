@@ -4,7 +4,7 @@ mod record;
 mod search;
 mod written;
 
-use record::{MotionRecord, Range, Record};
+use record::{MotionRecord, Range};
 use search::{Search, is_constant};
 use written::{csv, text};
 
@@ -14,13 +14,13 @@ use crate::cli::examples::{Help, Names};
 use crate::cli::failure::{Failure, Ledger};
 use crate::cli::instants::ArcArgs;
 use crate::cli::moving::{Moved, Walk, note_motion};
-use crate::cli::output::{Form, OutputArgs};
+use crate::cli::output::{Form, OutputArgs, json};
 use crate::cli::session::Session;
 use crate::cli::solved::note_freedom;
 use crate::cli::task::{MotionArgs, Task};
 use crate::cli::vary::VaryArgs;
 use crate::measure::Measure;
-use crate::present::json::to_json;
+use crate::present::json::record;
 use crate::present::record::Parameters;
 use crate::present::text::count;
 use crate::present::units::Units;
@@ -105,10 +105,7 @@ pub(super) fn run(args: &ExtremesArgs, engine: &mut dyn Engine, session: &mut Se
     }
     let units = Units::of(model).in_degrees(args.motion.angles.degrees);
     let text = match task.output.form {
-        Form::Json => {
-            let record = Record { mechanism: model.name, units: units.record(), motions: &motions };
-            to_json(&record).map_err(Failure::Output)?
-        }
+        Form::Json => json(&record! { mechanism: model.name, units: units.record(), motions: motions })?,
         Form::Csv => csv(&motions, &choices[0], model),
         _ => text(&motions, model, args.motion.angles.degrees),
     };

@@ -4,7 +4,6 @@ use serde::Serialize;
 
 use super::search::Extreme;
 use crate::present::record::Parameters;
-use crate::present::units::UnitsRecord;
 
 /// A quantity with its extremes; none if it has no finite value.
 #[derive(Clone, Debug, Serialize)]
@@ -25,12 +24,4 @@ pub(super) struct MotionRecord {
     pub(super) to: Option<f64>,
     pub(super) complete: bool,
     pub(super) extremes: Vec<Range>,
-}
-
-/// The extremes of all motions.
-#[derive(Serialize)]
-pub(super) struct Record<'a> {
-    pub(super) mechanism: &'static str,
-    pub(super) units: UnitsRecord,
-    pub(super) motions: &'a [MotionRecord],
 }

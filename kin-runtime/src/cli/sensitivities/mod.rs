@@ -8,17 +8,17 @@ use crate::cli::examples::{Help, Names};
 use crate::cli::failure::{Failure, Ledger};
 use crate::cli::instants::{Asked, GridArgs};
 use crate::cli::options::{AngleArgs, FreedomArgs, SetupArgs};
-use crate::cli::output::{Form, OutputArgs};
+use crate::cli::output::{Form, OutputArgs, json};
 use crate::cli::session::Session;
 use crate::cli::solved::{analysis, driven_state, note_modes};
 use crate::cli::task::{At, AtArgs};
 use crate::cli::tolerance::tolerances;
 use crate::cli::values::Moment;
 use crate::measure::Measure;
-use crate::present::json::to_json;
+use crate::present::json::{fields, record};
 use crate::present::number::{plain, rounded};
 use crate::present::sensitivities::{deviations, quantities, text, tolerance_text};
-use crate::sensitivities::{Deviation, Sensitivities};
+use crate::sensitivities::Sensitivities;
 use std::collections::BTreeMap;
 
 /// Derivatives by the dimensions: which of them matters most
@@ -69,15 +69,6 @@ every quantity which parameter matters most and when; with --tolerance the great
 when. Its csv and json have the numbers of all instants, and `plot --tolerance` draws them.",
 };
 
-/// Sensitivities, and what tolerances come to.
-#[derive(serde::Serialize)]
-struct Record<'a> {
-    #[serde(flatten)]
-    sensitivities: &'a Sensitivities,
-    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
-    tolerances: BTreeMap<&'a str, Deviation>,
-}
-
 pub(in crate::cli) fn run(
     args: &SensitivitiesArgs,
     engine: &mut dyn Engine,
@@ -106,8 +97,12 @@ pub(in crate::cli) fn run(
     let deviations = if args.tolerance.is_empty() { Vec::new() } else { deviations(&found, &tolerances) };
     let text = match output.form {
         Form::Json => {
-            let tolerances = deviations.iter().map(|(name, deviation)| (name.as_str(), *deviation)).collect();
-            to_json(&Record { sensitivities: &found, tolerances }).map_err(Failure::Output)?
+            let mut all = fields(&found);
+            if !deviations.is_empty() {
+                let tolerances: BTreeMap<_, _> = deviations.iter().cloned().collect();
+                all.extend(record! { tolerances: tolerances });
+            }
+            json(&all)?
         }
         Form::Csv => csv(&found),
         _ => format!(

@@ -5,13 +5,13 @@ use crate::cli::failure::Failure;
 use crate::cli::instants::Asked;
 use crate::cli::moving::{Moved, Walk, note_motion};
 use crate::cli::options::FreedomArgs;
-use crate::cli::output::{Destination, Form};
+use crate::cli::output::{Destination, Form, json};
 use crate::cli::session::Session;
 use crate::cli::solved::note_freedom;
 use crate::cli::tolerance::Slopes;
 use crate::measure::Measure;
 use crate::model::Model;
-use crate::present::json::to_json;
+use crate::present::json::record;
 use crate::present::number::{plain, rounded};
 use crate::present::table::Table;
 use crate::present::text::section;
@@ -42,13 +42,6 @@ struct Quantity {
     deviations: Vec<Deviation>,
     #[serde(skip)]
     name: String,
-}
-
-#[derive(Serialize)]
-struct Record<'a> {
-    mechanism: &'static str,
-    t: &'a [f64],
-    quantities: Named<&'a Quantity, &'a str>,
 }
 
 impl Course {
@@ -95,8 +88,8 @@ impl Course {
         let times: Vec<f64> = trajectory.states.iter().map(|state| state.t).collect();
         let text = match output.form {
             Form::Json => {
-                let quantities = quantities.iter().map(|quantity| (quantity.name.as_str(), quantity)).collect();
-                to_json(&Record { mechanism: model.name, t: &times, quantities }).map_err(Failure::Output)?
+                let quantities: Named<_, _> = quantities.iter().map(|quantity| (&quantity.name, quantity)).collect();
+                json(&record! { mechanism: model.name, t: times, quantities: quantities })?
             }
             Form::Csv => csv(&times, &quantities),
             _ => text(model, &times, &quantities, &engine.parameters()),
