@@ -5,7 +5,7 @@
 
 mod support;
 
-use kin_core::expr::{Depends, ExprId, Graph, Jet, Shown, Symbol, evaluate, total_derivatives};
+use kin_core::expr::{Depends, ExprId, Graph, Jet, Shown, Symbol, total_derivatives};
 use kin_core::program::{Instruction, Program, Slot, lower};
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};

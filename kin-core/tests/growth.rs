@@ -2,7 +2,7 @@
 
 mod support;
 
-use kin_core::expr::{Graph, Shown, Symbol, evaluate, total_derivatives};
+use kin_core::expr::{Graph, Shown, Symbol, total_derivatives};
 use kin_core::joints::Constraint;
 use kin_core::mechanism::{BodyOrigin, Define, Formula, Function, Mechanism, Operand, Range, Value};
 use kin_core::program::{Instruction, Slot, lower};

@@ -4,7 +4,7 @@
 mod support;
 
 use kin_core::constraint::ObservableKind;
-use kin_core::expr::{ExprId, evaluate};
+use kin_core::expr::ExprId;
 use kin_core::mechanism::{BodyRef, Component, Index, Mechanism, Relation};
 use kin_core::program::Slot;
 use kin_core::system::{Equation, KinematicSystem};

@@ -4,7 +4,7 @@
 #[path = "../../kin-core/tests/oracle/mod.rs"]
 mod oracle;
 
-use kin_core::expr::{Symbol, evaluate};
+use kin_core::expr::Symbol;
 use kin_core::joints::{Constraint, Distance, Driver, Translational};
 use kin_core::mechanism::{
     Axis, Body, BodyOrigin, BodyRef, Component, Formula, Function, Index, Joint, Mechanism as Model, Member, Operands,
@@ -14,7 +14,7 @@ use kin_core::program::{Slot, lower};
 use kin_core::{KinematicSystem, Origin, assemble, differentiate};
 use kin_runtime::{Instant, Mechanism, Subset, mechanism};
 use kin_tests::random::Random;
-use oracle::interpret;
+use oracle::{evaluate, interpret};
 
 /// A slider on a turning arm, a rod to a disc whose origin is held, a strut, and a free equation.
 #[mechanism]

@@ -1,10 +1,8 @@
-//! Expressions: a hash-consed graph, local simplification, total time derivatives, a generic fold, a reference
-//! evaluator.
+//! Expressions: a hash-consed graph, local simplification, total time derivatives, a generic fold.
 //!
 //! This module depends only on the list of built-in functions.
 
 mod display;
-mod eval;
 mod fold;
 mod graph;
 mod jet;
@@ -16,7 +14,6 @@ mod velocity;
 
 pub(crate) use display::suffix;
 pub use display::{Names, Shown};
-pub use eval::{Environment, evaluate};
 pub(crate) use fold::Algebra;
 pub use graph::Graph;
 pub use jet::{Jet, partial, total_derivatives};

@@ -1,6 +1,7 @@
 //! The interpreter: runs a program in double precision, as an oracle of the emitted code.
 
-use kin_core::expr::{Environment, Symbol};
+use super::Environment;
+use kin_core::expr::Symbol;
 use kin_core::mechanism::Function;
 use kin_core::program::{Instruction, Program, Slot, Value};
 
@@ -47,7 +48,7 @@ pub fn compute(instruction: &Instruction, environment: &impl Environment, v: imp
 }
 
 /// A function of the user's language.
-fn function(f: Function, x: f64) -> f64 {
+pub(super) fn function(f: Function, x: f64) -> f64 {
     match f {
         Function::Sin => x.sin(),
         Function::Cos => x.cos(),
@@ -63,6 +64,6 @@ fn function(f: Function, x: f64) -> f64 {
 }
 
 /// The angle `a` + 2πn that is nearest to `b`.
-fn nearest(a: f64, b: f64) -> f64 {
+pub(super) fn nearest(a: f64, b: f64) -> f64 {
     a + core::f64::consts::TAU * ((b - a) / core::f64::consts::TAU).round()
 }

@@ -1,7 +1,8 @@
 //! The interpreter of rolled programs: what the loops say, and nothing of the program they came from.
 
 use super::program::compute;
-use kin_core::expr::{Environment, Symbol};
+use super::Environment;
+use kin_core::expr::Symbol;
 use kin_core::program::{Part, Piece, Rolled, Slot, Source, Step, Value};
 use std::collections::HashMap;
 

@@ -6,8 +6,9 @@
 //! smaller.
 
 use super::{Case, all, diagnosed};
+use crate::oracle::evaluate;
 use kin_core::KinematicSystem;
-use kin_core::expr::{ExprId, Symbol, evaluate};
+use kin_core::expr::{ExprId, Symbol};
 use std::collections::BTreeMap;
 
 /// A generator of pseudo-random numbers in (−1, 1) with a fixed seed.

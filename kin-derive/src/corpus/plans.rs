@@ -4,9 +4,9 @@
 use super::all;
 use super::repository::{Found, mechanisms};
 use crate::analyse::analyse;
-use crate::oracle::{Solution, run};
+use crate::oracle::{Environment, Solution, evaluate, run};
 use kin_core::KinematicSystem;
-use kin_core::expr::{Environment, Symbol, evaluate};
+use kin_core::expr::Symbol;
 use kin_core::plan::{SolutionPlan, plan};
 
 /// The values of all symbols; supplied functions are x ↦ 1 + 0.2 sin x.

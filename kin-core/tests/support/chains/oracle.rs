@@ -1,6 +1,7 @@
 //! Positions, velocities and accelerations from Φ, Φ_q, Φ_t and γ by a dense Newton iteration on all coordinates.
 
-use kin_core::expr::{ExprId, Symbol, evaluate};
+use super::super::evaluate;
+use kin_core::expr::{ExprId, Symbol};
 use kin_core::{KinematicSystem, Mechanism, assemble, differentiate};
 
 /// What holds at an instant.
