@@ -2,7 +2,7 @@
 
 mod support;
 
-use kin_core::expr::{Environment, ExprId, Graph, Symbol};
+use kin_core::expr::{ExprId, Graph, Symbol};
 use kin_core::joints::RelativeAngle;
 use kin_core::mechanism::{Formula, Function, Mechanism};
 use kin_core::plan::plan;

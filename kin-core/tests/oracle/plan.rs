@@ -1,7 +1,7 @@
 //! Runs a plan in double precision: the oracle of the generated code.
 
-use super::program::interpret;
 use super::Environment;
+use super::program::interpret;
 use kin_core::expr::Symbol;
 use kin_core::plan::{Section, SolutionPlan};
 use kin_core::program::{Program, Slot};

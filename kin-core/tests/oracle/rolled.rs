@@ -1,7 +1,7 @@
 //! The interpreter of rolled programs: what the loops say, and nothing of the program they came from.
 
-use super::program::compute;
 use super::Environment;
+use super::program::compute;
 use kin_core::expr::Symbol;
 use kin_core::program::{Part, Piece, Rolled, Slot, Source, Step, Value};
 use std::collections::HashMap;

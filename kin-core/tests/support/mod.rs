@@ -19,7 +19,7 @@ pub use direct::*;
 pub use free::*;
 pub use linkage::*;
 pub use number::*;
-pub use oracle::{evaluate, interpret, interpret_rolled};
+pub use oracle::{Environment, evaluate, interpret, interpret_rolled};
 pub use partial::*;
 pub use random::*;
 pub use reader::*;

@@ -1,7 +1,8 @@
 //! Random expression trees and the values of their symbols.
 
+use super::oracle::Environment;
 use super::{Number, supplied};
-use kin_core::expr::{Bits, Environment, ExprId, Graph, Node, Rotation, Symbol, Turning};
+use kin_core::expr::{Bits, ExprId, Graph, Node, Rotation, Symbol, Turning};
 use kin_core::mechanism::Function;
 use num_dual::{Dual2_64, Dual64};
 use proptest::prelude::*;
