@@ -3,7 +3,7 @@
 use super::carrier::{Carrier, upright};
 use super::links::Links;
 use super::part::{Ink, Part, Stroke};
-use super::subject::{Pose, Subject, distance, is_still};
+use super::subject::{Pose, Subject, bounds, distance, is_still};
 use super::{ropes, slides, wheels};
 use crate::model::{Frame, JointInfo, JointKind, Role};
 
@@ -38,8 +38,7 @@ pub(super) fn draw(
 
 /// Two points in one place.
 fn pinned(subject: &Subject<'_>, joint: &JointInfo, links: &mut Links, front: &mut Vec<Carrier>, part: Part) {
-    let [first, second] = [Role::P, Role::Q].map(|role| subject.local(0, joint, role));
-    let (Some((i, p)), Some((j, q))) = (first, second) else { return };
+    let Some([(i, p), (j, q)]) = subject.ends(joint) else { return };
     links.attach(i, p);
     links.attach(j, q);
     let track = subject.track(joint, Role::P);
@@ -58,10 +57,7 @@ fn prescribed(subject: &Subject<'_>, joint: &JointInfo, links: &mut Links, front
         return;
     }
     let along = if joint.kind == JointKind::X { 1 } else { 0 };
-    let bounds = |axis: usize| {
-        track.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), p| (low.min(p[axis]), high.max(p[axis])))
-    };
-    let ((least, most), (low, high)) = (bounds(along), bounds(1 - along));
+    let [(least, most), (low, high)] = [along, 1 - along].map(|axis| bounds(track.iter().map(|p| p[axis])));
     // If the prescribed coordinate moves, there is no rail.
     if high - low <= 1e-6 * links.size() {
         let beyond = slides::BEYOND * links.size();
@@ -82,8 +78,7 @@ fn massless(
     for role in [Role::P, Role::Q] {
         let Some((frame, local)) = subject.local(0, joint, role) else { return };
         links.attach(frame, local);
-        let part = if frame == Frame::Ground { Part::Foot([0.0; 2]) } else { Part::Pin([0.0; 2]) };
-        front.push(upright(subject.track(joint, role), part));
+        front.push(upright(subject.track(joint, role), Part::held_by(frame)));
     }
     let (from, to) = (subject.track(joint, Role::P), subject.track(joint, Role::Q));
     let middle = from.iter().zip(&to).map(|(&[x, y], &[u, v])| [0.5 * (x + u), 0.5 * (y + v)]);
@@ -91,8 +86,7 @@ fn massless(
     let along = |from: &[[f64; 2]], to: &[[f64; 2]]| -> Vec<Pose> {
         from.iter().zip(to).map(|(&[x, y], &[u, v])| [x, y, (v - y).atan2(u - x)]).collect()
     };
-    let lengths = from.iter().zip(&to).map(|(&a, &b)| distance(a, b));
-    let (least, most) = lengths.fold((f64::INFINITY, 0.0_f64), |(low, high), x| (low.min(x), high.max(x)));
+    let (least, most) = bounds(from.iter().zip(&to).map(|(&a, &b)| distance(a, b)));
     let bar = |length: f64| Part::Bar { points: vec![[0.0; 2], [length, 0.0]], ink: Ink::Ground };
     if most - least <= 1e-6 * links.size() {
         behind.push(Carrier::new(along(&from, &to), vec![bar(most)]));
@@ -101,7 +95,7 @@ fn massless(
     // The rod still reaches into the barrel at the greatest length, and does not come out of its end at the least.
     let barrel = (0.6 * most).min(0.9 * least);
     let rod = (most - 0.8 * barrel).min(least);
-    let line = Part::Line { points: vec![[0.0; 2], [rod, 0.0]], ink: Ink::Ground, stroke: Stroke::Full, closed: false };
+    let line = Part::line(vec![[0.0; 2], [rod, 0.0]], Ink::Ground, Stroke::Full);
     behind.push(Carrier::new(along(&to, &from), vec![line]));
     behind.push(Carrier::new(along(&from, &to), vec![bar(barrel)]));
 }
@@ -110,9 +104,5 @@ fn massless(
 fn tread(subject: &Subject<'_>, joint: &JointInfo, links: &mut Links, front: &mut Vec<Carrier>) {
     let Some((frame, local)) = subject.local(0, joint, Role::P) else { return };
     links.attach(frame, local);
-    let poses = subject.instants().filter_map(|k| {
-        let [x, y] = subject.point(k, joint, Role::P)?;
-        Some([x, y, subject.direction(k, joint)?])
-    });
-    front.push(Carrier::new(poses.collect(), vec![Part::Tread]));
+    front.push(Carrier::new(subject.along_axis(joint, Role::P), vec![Part::Tread]));
 }

@@ -3,7 +3,7 @@
 
 use super::carrier::{Carrier, upright};
 use super::part::{Ink, Part};
-use super::subject::{Pose, Subject, distance, is_still, placed, seen_from};
+use super::subject::{Pose, Subject, bounds, distance, is_still, placed, seen_from};
 use super::teeth::Wheel;
 use crate::model::{Frame, JointKind, OriginKind, Role};
 
@@ -59,8 +59,7 @@ impl Links {
             links.attach(carrier, seen_from(subject.pose(0, carrier), track[0]));
             let on_ground = carrier == Frame::Ground;
             if !on_ground || is_still(&track, links.size) {
-                let part = if on_ground { Part::Foot([0.0; 2]) } else { Part::Pin([0.0; 2]) };
-                front.push(upright(track, part));
+                front.push(upright(track, Part::held_by(carrier)));
             }
         }
         links
@@ -244,9 +243,7 @@ fn size(subject: &Subject<'_>) -> f64 {
     }
     places.extend((0..model.bodies.len()).map(|b| placed(subject.pose(0, Frame::Body(b)), [0.0; 2])));
     let extent = |axis: usize| {
-        let (low, high) = places.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), place| {
-            (low.min(place[axis]), high.max(place[axis]))
-        });
+        let (low, high) = bounds(places.iter().map(|place| place[axis]));
         high - low
     };
     // Radii of gears and belts may be numbers of teeth.

@@ -2,7 +2,7 @@
 
 use super::links::Links;
 use super::part::{Ink, Part, Stroke};
-use super::subject::{Subject, distance, seen_from};
+use super::subject::{Subject, bounds, distance, seen_from};
 use crate::model::{CoordinateKind, Frame, JointInfo, JointKind, Role};
 use core::f64::consts::TAU;
 
@@ -17,9 +17,7 @@ pub(super) fn draw(subject: &Subject<'_>, place: usize, joint: &JointInfo, links
         JointKind::OnImplicitCurve => None,
         _ => return,
     };
-    let (Some((i, p)), Some((j, q))) = (subject.local(0, joint, Role::P), subject.local(0, joint, Role::Q)) else {
-        return;
-    };
+    let Some([(i, p), (j, q)]) = subject.ends(joint) else { return };
     links.attach(j, q);
     let points = match range {
         Some((from, to)) => sampled(subject, place, from, to),
@@ -59,8 +57,7 @@ fn parameter(subject: &Subject<'_>, place: usize, joint: &JointInfo, size: f64) 
     let rows = joint.first_row..joint.first_row + joint.rows;
     let mut columns = model.constraint_pattern.entries.iter().filter(|(row, _)| rows.contains(row));
     let &(_, column) = columns.find(|(_, column)| model.coordinates[*column].kind == CoordinateKind::Scalar)?;
-    let values = subject.snapshots.iter().filter_map(|snapshot| snapshot.q.get(column));
-    let (least, most) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &u| (low.min(u), high.max(u)));
+    let (least, most) = bounds(subject.snapshots.iter().filter_map(|snapshot| snapshot.q.get(column).copied()));
     let at = |u: f64| (subject.curve)(0, place, u).map(|point| point.r);
     if let (Some(start), Some(end)) = (at(least), at(least + TAU))
         && distance(start, end) <= 1e-9 * size
@@ -77,5 +74,5 @@ fn face(subject: &Subject<'_>, joint: &JointInfo, cam: &[[f64; 2]], p: [f64; 2],
     let Some((_, [qx, qy])) = subject.local(0, joint, Role::Q) else { return };
     let reach = 1.05 * cam.iter().map(|&r| distance(r, p)).fold(0.0, f64::max);
     let end = |s: f64| [qx + s * ax, qy + s * ay];
-    links.add(frame, Part::Line { points: vec![end(-reach), end(reach)], ink, stroke: Stroke::Full, closed: false });
+    links.add(frame, Part::line(vec![end(-reach), end(reach)], ink, Stroke::Full));
 }

@@ -32,33 +32,13 @@ impl Ink {
 /// A part of a drawing in the frame of its carrier.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Part {
-    /// A bar along the points; filled where there are three or more, which then are its outline.
-    Bar {
-        /// Corners, at least two.
-        points: Vec<[f64; 2]>,
-        /// Its colour.
-        ink: Ink,
-    },
-    /// A line through the points.
-    Line {
-        /// At least two.
-        points: Vec<[f64; 2]>,
-        /// Its colour.
-        ink: Ink,
-        /// Thin, and for guides and pitch circles dashed.
-        stroke: Stroke,
-        /// Joined to its start, and filled where it is full.
-        closed: bool,
-    },
-    /// The path of a point: a smooth curve through places at which its direction is known.
-    Path {
-        /// The points through which it goes.
-        points: Vec<[f64; 2]>,
-        /// The two inner control points of every piece between two of them (cubic Bézier curves).
-        controls: Vec<[[f64; 2]; 2]>,
-        /// Its colour.
-        ink: Ink,
-    },
+    /// A bar along two points or more; of three or more these are its outline, which is filled.
+    Bar { points: Vec<[f64; 2]>, ink: Ink },
+    /// A line through two points or more; joined to its start if it is closed, and then filled where it is full.
+    Line { points: Vec<[f64; 2]>, ink: Ink, stroke: Stroke, closed: bool },
+    /// The path of a point: a smooth curve through places at which its direction is known, with the two inner control
+    /// points of every piece between two of them (cubic Bézier curves).
+    Path { points: Vec<[f64; 2]>, controls: Vec<[[f64; 2]; 2]>, ink: Ink },
     /// A pin between bodies.
     Pin([f64; 2]),
     /// A pin on the ground: the foot under it is hatched.
@@ -66,32 +46,13 @@ pub(crate) enum Part {
     /// A weld between bodies.
     Weld([f64; 2]),
     /// A line of the ground with its hatching on the right of the way from `from` to `to`.
-    Hatching {
-        /// Where it begins.
-        from: [f64; 2],
-        /// Where it ends.
-        to: [f64; 2],
-    },
+    Hatching { from: [f64; 2], to: [f64; 2] },
     /// The block of a slider, along the x axis of its carrier.
     Block(Ink),
     /// A slot or a rail on a body.
-    Slot {
-        /// Where it begins.
-        from: [f64; 2],
-        /// Where it ends.
-        to: [f64; 2],
-        /// Its colour.
-        ink: Ink,
-    },
+    Slot { from: [f64; 2], to: [f64; 2], ink: Ink },
     /// A disc with a spoke that shows how it turns.
-    Disc {
-        /// Its centre.
-        centre: [f64; 2],
-        /// Its radius.
-        radius: f64,
-        /// Its colour.
-        ink: Ink,
-    },
+    Disc { centre: [f64; 2], radius: f64, ink: Ink },
     /// A named point.
     Dot([f64; 2], Ink),
     /// A place that a point is to pass.
@@ -103,12 +64,7 @@ pub(crate) enum Part {
     /// The head of an arrow along the x axis, its tip at the origin.
     Head(Ink),
     /// A curved arrow around the origin, for a couple.
-    Turn {
-        /// Its sense.
-        clockwise: bool,
-        /// Its colour.
-        ink: Ink,
-    },
+    Turn { clockwise: bool, ink: Ink },
     /// A name, always upright.
     Name(String, Kind),
 }
@@ -127,15 +83,25 @@ pub(crate) enum Stroke {
 /// What a name belongs to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Kind {
-    /// A body.
     Body,
-    /// A joint.
     Joint,
-    /// A named point.
     Point,
 }
 
 impl Part {
+    /// What holds a point of a frame: a foot on the ground, a pin on a body.
+    pub(super) const fn held_by(frame: Frame) -> Self {
+        match frame {
+            Frame::Ground => Self::Foot([0.0; 2]),
+            Frame::Body(_) => Self::Pin([0.0; 2]),
+        }
+    }
+
+    /// A line that is not closed.
+    pub(super) const fn line(points: Vec<[f64; 2]>, ink: Ink, stroke: Stroke) -> Self {
+        Self::Line { points, ink, stroke, closed: false }
+    }
+
     /// Points that the view must hold, in the carrier's frame.
     pub(crate) fn reach(&self, each: &mut dyn FnMut([f64; 2])) {
         match self {

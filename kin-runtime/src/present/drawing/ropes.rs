@@ -3,8 +3,8 @@
 use super::carrier::{Carrier, upright};
 use super::links::Links;
 use super::part::{Ink, Part, Stroke};
-use super::subject::{Pose, Subject, distance, placed};
-use crate::model::{Frame, Geometry, JointInfo, Role};
+use super::subject::{Pose, Subject, bounds, distance, placed};
+use crate::model::{Geometry, JointInfo, Role};
 
 /// Most pieces that a part of a rope is drawn with.
 const PIECES: f64 = 64.0;
@@ -25,8 +25,7 @@ pub(super) fn rope(
         links.attach(point.frame, local);
         let at = |k: usize| Some(placed(subject.pose(k, point.frame), subject.numbers::<2>(k, point)?));
         let track: Vec<[f64; 2]> = subject.instants().filter_map(at).collect();
-        let part = if point.frame == Frame::Ground { Part::Foot([0.0; 2]) } else { Part::Pin([0.0; 2]) };
-        front.push(upright(track.clone(), part));
+        front.push(upright(track.clone(), Part::held_by(point.frame)));
         tracks.push(track);
     }
     for ends in tracks.windows(2) {
@@ -37,11 +36,10 @@ pub(super) fn rope(
 /// A taut line between two points.
 fn taut(from: &[[f64; 2]], to: &[[f64; 2]]) -> Vec<Carrier> {
     let lengths: Vec<f64> = from.iter().zip(to).map(|(&a, &b)| distance(a, b)).collect();
-    let (least, most) = lengths.iter().fold((f64::INFINITY, 0.0_f64), |(low, high), &x| (low.min(x), high.max(x)));
+    let (least, most) = bounds(lengths.iter().copied());
     let count = (most / least).ceil().clamp(1.0, PIECES);
     let piece = (most / count).min(least);
-    let line =
-        || Part::Line { points: vec![[0.0; 2], [piece, 0.0]], ink: Ink::Ground, stroke: Stroke::Full, closed: false };
+    let line = || Part::line(vec![[0.0; 2], [piece, 0.0]], Ink::Ground, Stroke::Full);
     let numbers = (0..count as usize).map(|k| k as f64 / (count - 1.0).max(1.0));
     let carrier = |share: f64| {
         let poses: Vec<Pose> = (from.iter().zip(to).zip(&lengths))

@@ -3,7 +3,7 @@
 use super::carrier::{Carrier, upright};
 use super::links::Links;
 use super::part::{Ink, Part, Stroke};
-use super::subject::{Subject, seen_from};
+use super::subject::{Subject, bounds, seen_from};
 use crate::model::{Frame, JointInfo, JointKind, Role};
 
 /// How far a rail extends beyond the block's travel, relative to the size of the mechanism.
@@ -14,9 +14,7 @@ const PITCH: f64 = 0.045;
 
 /// The rail, as long as the travel of the block, and the block.
 pub(super) fn slide(subject: &Subject<'_>, joint: &JointInfo, links: &mut Links, front: &mut Vec<Carrier>) {
-    let (Some((i, p)), Some((j, q))) = (subject.local(0, joint, Role::P), subject.local(0, joint, Role::Q)) else {
-        return;
-    };
+    let Some([(i, p), (j, q)]) = subject.ends(joint) else { return };
     let Some((axis_frame, [ax, ay])) = subject.local(0, joint, Role::Axis) else { return };
     if axis_frame != i {
         return;
@@ -28,26 +26,19 @@ pub(super) fn slide(subject: &Subject<'_>, joint: &JointInfo, links: &mut Links,
         Frame::Body(_) => links.slot(i, from, to),
     }
     links.attach(j, q);
-    let ink = Ink::of(j);
-    let poses = subject.instants().filter_map(|k| {
-        let [x, y] = subject.point(k, joint, Role::Q)?;
-        Some([x, y, subject.direction(k, joint)?])
-    });
-    front.push(Carrier::new(poses.collect(), vec![Part::Block(ink)]));
+    front.push(Carrier::new(subject.along_axis(joint, Role::Q), vec![Part::Block(Ink::of(j))]));
     let at = subject.track(joint, Role::Q);
     links.pin(joint.name, at.clone());
     // The point of a point-on-line joint can also turn: its block carries a pin.
     if joint.kind == JointKind::PointOnLine {
-        front.push(upright(at, if j == Frame::Ground { Part::Foot([0.0; 2]) } else { Part::Pin([0.0; 2]) }));
+        front.push(upright(at, Part::held_by(j)));
     }
 }
 
 /// A spindle, as long as the travel of its nut, and the nut. The thread is a symbol: the drawn pitch does not depend on
 /// the lead.
 pub(super) fn screw(subject: &Subject<'_>, joint: &JointInfo, links: &mut Links, front: &mut Vec<Carrier>) {
-    let (Some((i, p)), Some((j, q))) = (subject.local(0, joint, Role::P), subject.local(0, joint, Role::Q)) else {
-        return;
-    };
+    let Some([(i, p), (j, q)]) = subject.ends(joint) else { return };
     let Some((axis_frame, axis)) = subject.local(0, joint, Role::Axis) else { return };
     if axis_frame != i {
         return;
@@ -55,14 +46,10 @@ pub(super) fn screw(subject: &Subject<'_>, joint: &JointInfo, links: &mut Links,
     let Some(way) = Travel::of(subject, joint, i, p, axis, BEYOND * links.size()) else { return };
     let pitch = PITCH * links.size();
     for points in [thread(&way, pitch), way.beside(0.5 * pitch), way.beside(-0.5 * pitch)] {
-        links.add(i, Part::Line { points, ink: Ink::of(i), stroke: Stroke::Thin, closed: false });
+        links.add(i, Part::line(points, Ink::of(i), Stroke::Thin));
     }
     links.attach(j, q);
-    let poses = subject.instants().filter_map(|k| {
-        let [x, y] = subject.point(k, joint, Role::Q)?;
-        Some([x, y, subject.direction(k, joint)?])
-    });
-    front.push(Carrier::new(poses.collect(), vec![Part::Block(Ink::of(j))]));
+    front.push(Carrier::new(subject.along_axis(joint, Role::Q), vec![Part::Block(Ink::of(j))]));
     links.pin(joint.name, subject.track(joint, Role::Q));
 }
 
@@ -101,8 +88,7 @@ impl Travel {
             Some((axis[0] * dx + axis[1] * dy, axis[0] * dy - axis[1] * dx))
         };
         let (_, offset) = seen(0)?;
-        let along = subject.instants().filter_map(|k| seen(k).map(|(along, _)| along));
-        let (least, most) = along.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), s| (low.min(s), high.max(s)));
+        let (least, most) = bounds(subject.instants().filter_map(|k| seen(k).map(|(along, _)| along)));
         let start = [p[0] - offset * axis[1], p[1] + offset * axis[0]];
         Some(Self { start, axis, least: least - beyond, most: most + beyond })
     }

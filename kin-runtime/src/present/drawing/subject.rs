@@ -76,6 +76,20 @@ impl Subject<'_> {
         self.instants().filter_map(|k| self.point(k, joint, role)).collect()
     }
 
+    /// Both points of a joint, each in its own frame, at the first instant.
+    pub(crate) fn ends(&self, joint: &JointInfo) -> Option<[(Frame, [f64; 2]); 2]> {
+        Some([self.local(0, joint, Role::P)?, self.local(0, joint, Role::Q)?])
+    }
+
+    /// A point of a joint with the direction of its axis, at every instant.
+    pub(crate) fn along_axis(&self, joint: &JointInfo, role: Role) -> Vec<Pose> {
+        let pose = |k: usize| {
+            let [x, y] = self.point(k, joint, role)?;
+            Some([x, y, self.direction(k, joint)?])
+        };
+        self.instants().filter_map(pose).collect()
+    }
+
     /// The direction of a joint's axis in the inertial frame, as an angle.
     pub(crate) fn direction(&self, instant: usize, joint: &JointInfo) -> Option<f64> {
         let (frame, [x, y]) = self.local(instant, joint, Role::Axis)?;
@@ -114,6 +128,11 @@ pub(crate) fn seen_from([x, y, phi]: Pose, [px, py]: [f64; 2]) -> [f64; 2] {
 /// The distance of two points.
 pub(crate) fn distance([ax, ay]: [f64; 2], [bx, by]: [f64; 2]) -> f64 {
     (bx - ax).hypot(by - ay)
+}
+
+/// The least and the greatest of numbers.
+pub(crate) fn bounds(values: impl Iterator<Item = f64>) -> (f64, f64) {
+    values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)))
 }
 
 /// Whether a track never leaves its start.

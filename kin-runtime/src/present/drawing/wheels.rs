@@ -126,21 +126,16 @@ pub(super) fn belt(subject: &Subject<'_>, joint: &JointInfo, links: &mut Links, 
     let sin = (if crossed { ra + rb } else { ra - rb }) / apart;
     let cos = (1.0 - sin * sin).max(0.0).sqrt();
     let far = if crossed { -rb } else { rb };
-    let strand = |side: f64| Part::Line {
-        points: vec![[ra * sin, side * ra * cos], [apart + far * sin, side * far * cos]],
-        ink: Ink::Ground,
-        stroke: Stroke::Full,
-        closed: false,
+    let strand = |side: f64| {
+        let points = vec![[ra * sin, side * ra * cos], [apart + far * sin, side * far * cos]];
+        Part::line(points, Ink::Ground, Stroke::Full)
     };
     behind.push(Carrier::new(poses.collect(), vec![strand(1.0), strand(-1.0)]));
 }
 
 /// A pinion and the teeth of its rack, as long as the travel of the rack.
 pub(super) fn rack(subject: &Subject<'_>, joint: &JointInfo, links: &mut Links) {
-    let (Some((guide, p)), Some((bar, q))) = (subject.local(0, joint, Role::P), subject.local(0, joint, Role::Q))
-    else {
-        return;
-    };
+    let Some([(guide, p), (bar, q)]) = subject.ends(joint) else { return };
     let Some((_, axis)) = subject.local(0, joint, Role::Axis) else { return };
     let &[(pinion, radius)] = &subject.radii(joint)[..] else { return };
     let Some(direction) = subject.direction(0, joint) else { return };
@@ -164,14 +159,12 @@ pub(super) fn rack(subject: &Subject<'_>, joint: &JointInfo, links: &mut Links) 
     });
     let strip = Strip { touch, direction, down, before: length - start, after: start, pitch, phase };
     let points = strip.points().into_iter().map(|place| seen_from(subject.pose(0, bar), place)).collect();
-    links.add(bar, Part::Line { points, ink: Ink::of(bar), stroke: Stroke::Full, closed: false });
+    links.add(bar, Part::line(points, Ink::of(bar), Stroke::Full));
 }
 
 /// A disc, and the line under it.
 pub(super) fn rolling_on_line(subject: &Subject<'_>, joint: &JointInfo, links: &mut Links) {
-    let (Some((i, p)), Some((j, q))) = (subject.local(0, joint, Role::P), subject.local(0, joint, Role::Q)) else {
-        return;
-    };
+    let Some([(i, p), (j, q)]) = subject.ends(joint) else { return };
     let Some((_, [ax, ay])) = subject.local(0, joint, Role::Axis) else { return };
     let &[(_, radius)] = &subject.radii(joint)[..] else { return };
     links.attach(j, q);
@@ -184,10 +177,7 @@ pub(super) fn rolling_on_line(subject: &Subject<'_>, joint: &JointInfo, links: &
     match i {
         Frame::Ground if radius < 0.0 => links.add(i, Part::Hatching { from: to, to: from }),
         Frame::Ground => links.add(i, Part::Hatching { from, to }),
-        Frame::Body(_) => {
-            let line = Part::Line { points: vec![from, to], ink: Ink::of(i), stroke: Stroke::Full, closed: false };
-            links.add(i, line);
-        }
+        Frame::Body(_) => links.add(i, Part::line(vec![from, to], Ink::of(i), Stroke::Full)),
     }
 }
 
