@@ -6,6 +6,7 @@ use clap_complete::Shell;
 
 use super::examples::{Help, Names};
 use super::failure::Failure;
+use super::names::Kind;
 use super::output::{Destination, Form, Target, either, forms};
 use super::session::Session;
 use crate::model::Model;
@@ -69,9 +70,8 @@ fn no_space(name: &str, program: &str) -> String {
 /// The commands with possible values of their options, for completion only: a parser would refuse `l1=0.1`, which is
 /// none of them.
 fn with_names(command: clap::Command, model: &'static Model) -> clap::Command {
-    let parameters: Vec<String> = model.parameters.iter().map(|p| format!("{}=", p.name)).collect();
-    let coordinates: Vec<String> = model.coordinates.iter().map(|c| format!("{}=", c.name)).collect();
-    let inputs: Vec<String> = model.inputs.iter().map(|name| format!("{name}=")).collect();
+    let assigned = |kind: Kind| kind.names(model).into_iter().map(|name| format!("{name}=")).collect::<Vec<_>>();
+    let [parameters, coordinates, inputs] = [Kind::Parameter, Kind::Coordinate, Kind::Input].map(assigned);
     let modes = model.plan.modes.iter().flat_map(|mode| ["+", "-"].map(|sign| format!("{}={sign}", mode.name)));
     let modes: Vec<String> = modes.collect();
     let joints: Vec<String> = model.joints.iter().map(|joint| joint.name.to_owned()).collect();

@@ -4,6 +4,7 @@ use super::engine::{Engine, Setup};
 use super::examples::{Help, Names};
 use super::failure::{Failure, Ledger, zip3};
 use super::instants::{natural_end, turn_of};
+use super::names::{Kind, find};
 use super::number::Measured;
 use super::options::SetupArgs;
 use super::output::{Form, OutputArgs, json};
@@ -178,14 +179,6 @@ fn report(model: &Model, bounds: &[(String, [f64; 2])], found: &Designed<()>) ->
     format!("{}, designed\n{summary}\n{}", model.name, sections.concat())
 }
 
-/// The joints that drive.
-fn drivers(model: &Model) -> Vec<&'static str> {
-    let driving = model.rows.iter().filter(|row| row.driving || row.rheonomic);
-    let mut names: Vec<&str> = driving.filter_map(|row| Some(model.joints.get(row.joint)?.name)).collect();
-    names.dedup();
-    names
-}
-
 /// The search, with a bar and an ear for Ctrl-C.
 fn searched(
     args: &DesignArgs,
@@ -235,17 +228,14 @@ fn wishes(args: &DesignArgs, engine: &dyn Engine) -> Result<Vec<Wish>, Failure> 
         let rows = ledger.take(columns("--function", &file, &[])).unwrap_or_default();
         match rows.iter().map(|row| <[f64; 2]>::try_from(&row[..])).collect::<Result<Vec<_>, _>>() {
             Ok(rows) => all.push(Wish::Function(name, rows.into_iter().map(|[t, value]| (t, value)).collect())),
-            Err(_) => {
-                ledger.take::<()>(Err(Failure::option("--function", format!("`{file}` needs the columns t,value"))));
-            }
+            Err(_) => ledger.fault("--function", format!("`{file}` needs the columns t,value")),
         }
     }
     all.extend(args.peak.iter().cloned().map(Wish::Peak));
     if let Some(driver) = &args.turns {
         all.push(Wish::Turns);
         if !driver.is_empty() {
-            let names = drivers(model);
-            ledger.take(super::names::find_in(model, "--turns", super::names::Kind::Driver, driver, &names));
+            ledger.take(find(model, "--turns", Kind::Driver, driver));
         }
     }
     if let Some(lengths) = &args.grashof {
@@ -265,7 +255,7 @@ fn wishes(args: &DesignArgs, engine: &dyn Engine) -> Result<Vec<Wish>, Failure> 
     for text in &args.transmission {
         const OPTION: &str = "--transmission";
         let Some((joint, least)) = text.split_once('>') else {
-            ledger.take::<()>(Err(Failure::option(OPTION, format!("`{text}` is none; write 'JOINT>40deg'"))));
+            ledger.fault(OPTION, format!("`{text}` is none; write 'JOINT>40deg'"));
             continue;
         };
         let joint = joint.trim().trim_end_matches(".transmission");
@@ -276,7 +266,7 @@ fn wishes(args: &DesignArgs, engine: &dyn Engine) -> Result<Vec<Wish>, Failure> 
     for text in &args.range {
         let range = text.split_once('=').and_then(|(name, range)| Some((name, range.split_once("..")?)));
         let Some((name, (low, high))) = range else {
-            ledger.take::<()>(Err(Failure::option("--range", format!("`{text}` is none; write NAME=LOW..HIGH"))));
+            ledger.fault("--range", format!("`{text}` is none; write NAME=LOW..HIGH"));
             continue;
         };
         let unit = Measure::named(model, name).and_then(|measure| measure.unit(&model.units));
@@ -295,8 +285,7 @@ fn free(text: &str, model: &Model, parameters: &[f64]) -> Result<Wish, Failure> 
         Some((name, bounds)) => (name.trim(), Some(bounds)),
         None => (text, None),
     };
-    let names: Vec<&str> = model.parameters.iter().map(|parameter| parameter.name).collect();
-    let place = super::names::find_in(model, OPTION, super::names::Kind::Parameter, name, &names)?;
+    let place = find(model, OPTION, Kind::Parameter, name)?;
     let bound = |text: &str| values::number(&format!("{OPTION} {name}"), text, Measured::parameter(model, name));
     let (low, high) = match bounds.map(|bounds| bounds.split_once("..")) {
         None => {

@@ -3,6 +3,7 @@
 use super::engine::Engine;
 use super::examples::{Help, Names};
 use super::failure::{Failure, Ledger};
+use super::names::{Kind, find};
 use super::output::{Form, OutputArgs};
 use super::session::Session;
 use crate::present::equations::{self, Part};
@@ -58,13 +59,12 @@ pub(super) fn run(args: &EquationsArgs, engine: &mut dyn Engine, session: &mut S
         let what = "its tables have no equations: it was written by hand, or compiled without the feature `equations`";
         return Err(Failure::Analysis(format!("{}: {what}", model.name)));
     }
-    let names: Vec<&str> = model.joints.iter().map(|joint| joint.name).collect();
     let mut ledger = Ledger::default();
     let output = ledger.take(session.destination(&args.output, "equations"));
-    let find = |name: &String| super::names::find("JOINT", super::names::Kind::Joint, name, &names);
-    let chosen: Vec<usize> = args.joints.iter().filter_map(|name| ledger.take(find(name))).collect();
+    let chosen: Vec<usize> =
+        args.joints.iter().filter_map(|name| ledger.take(find(model, "JOINT", Kind::Joint, name))).collect();
     if args.part == Some(Chosen::Matrices) && !args.joints.is_empty() {
-        ledger.take::<()>(Err(Failure::option("--part matrices", "they are of all joints; leave out JOINT")));
+        ledger.fault("--part matrices", "they are of all joints; leave out JOINT");
     }
     let output = ledger.close(output)?;
     // A .tex file is a complete document; other output is a fragment to be included in one.

@@ -74,6 +74,11 @@ impl Ledger {
         None
     }
 
+    /// Records a usage error of one option.
+    pub(super) fn fault(&mut self, option: &str, what: impl fmt::Display) {
+        self.note(format!("{option}: {what}"));
+    }
+
     /// Records a message, without its list of names if an earlier message has the same list.
     fn note(&mut self, complaint: String) {
         let told = |listed: &str| self.complaints.iter().any(|c| c.split_once('\n').is_some_and(|(_, l)| l == listed));

@@ -2,7 +2,7 @@
 
 use super::engine::Engine;
 use super::examples::{Help, Names};
-use super::names::listing;
+use super::names::{Kind, listing};
 use super::output::{either, forms};
 use super::trial::Trial;
 use super::{
@@ -96,17 +96,15 @@ fn listed(model: &Model, command: &clap::Command) -> String {
     if !command.get_arguments().any(|arg| arg.get_id() == "set") {
         return String::new();
     }
-    let parameters: Vec<&str> = model.parameters.iter().map(|p| p.name).collect();
-    let coordinates: Vec<&str> = model.coordinates.iter().map(|c| c.name).collect();
-    let modes: Vec<&str> = model.plan.modes.iter().map(|mode| mode.name).collect();
     let kinds = [
-        ("Parameters:  ", parameters.as_slice()),
-        ("Coordinates: ", coordinates.as_slice()),
-        ("Inputs:      ", model.inputs),
-        ("Modes:       ", modes.as_slice()),
+        ("Parameters:  ", Kind::Parameter),
+        ("Coordinates: ", Kind::Coordinate),
+        ("Inputs:      ", Kind::Input),
+        ("Modes:       ", Kind::Mode),
     ];
+    let kinds = kinds.map(|(lead, kind)| (lead, kind.names(model)));
     let lines = kinds.into_iter().filter(|(_, names)| !names.is_empty()).map(|(lead, names)| {
-        let text = listing(lead, names);
+        let text = listing(lead, &names);
         let (head, rest) = text.split_at(lead.trim_end().len());
         format!("\n{}{rest}", paint::heading(head))
     });

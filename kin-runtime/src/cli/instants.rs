@@ -49,8 +49,7 @@ impl GridArgs {
         if let Some(times) = &self.times {
             let beside = [("--from", &self.from), ("--to", &self.to), ("--steps", &self.steps)];
             for (name, _) in beside.into_iter().filter(|(_, value)| value.is_some()) {
-                let what = format!("cannot be combined with {name}; use one or the other");
-                ledger.take::<()>(Err(Failure::option("--times", what)));
+                ledger.fault("--times", format!("cannot be combined with {name}; use one or the other"));
             }
             let times = ledger.take(values::times("--times", times, model));
             return ledger.close(times.map(Asked::Times));

@@ -37,6 +37,25 @@ impl Kind {
 }
 
 impl Kind {
+    /// All names of this kind; quantities are those of [`find_quantity`].
+    pub(super) fn names(self, model: &Model) -> Vec<&'static str> {
+        match self {
+            Self::Parameter => model.parameters.iter().map(|parameter| parameter.name).collect(),
+            Self::Coordinate => model.coordinates.iter().map(|coordinate| coordinate.name).collect(),
+            Self::Input => model.inputs.to_vec(),
+            Self::Mode => model.plan.modes.iter().map(|mode| mode.name).collect(),
+            Self::Driver => {
+                let driving = model.rows.iter().filter(|row| row.driving || row.rheonomic);
+                let mut names: Vec<&str> = driving.filter_map(|row| Some(model.joints.get(row.joint)?.name)).collect();
+                names.dedup();
+                names
+            }
+            #[cfg(feature = "equations")]
+            Self::Joint => model.joints.iter().map(|joint| joint.name).collect(),
+            Self::Quantity => Vec::new(),
+        }
+    }
+
     /// The mode that a joint belongs to.
     fn of_joint<'n>(self, name: &str, names: &[&'n str]) -> Option<&'n str> {
         let has = |mode: &&&str| mode.split('-').any(|joint| joint == name);
@@ -84,16 +103,9 @@ pub(super) fn find_quantity(model: &'static Model, name: &str) -> Result<Measure
     Err(Failure::usage(text))
 }
 
-/// The index of `name` in `names`, all of which are of one kind.
-#[cfg(feature = "equations")]
-pub(super) fn find(option: &str, kind: Kind, name: &str, names: &[&str]) -> Result<usize, Failure> {
-    search(option, kind, name, names, None)
-}
-
-/// The index of `name` in `names`, all of which are of one kind. The error says if the model has `name` as another
-/// kind.
-pub(super) fn find_in(model: &Model, option: &str, kind: Kind, name: &str, names: &[&str]) -> Result<usize, Failure> {
-    search(option, kind, name, names, other_kind(model, kind, name))
+/// The index of `name` among the names of a kind. The error says if the model has it as another kind.
+pub(super) fn find(model: &Model, option: &str, kind: Kind, name: &str) -> Result<usize, Failure> {
+    search(option, kind, name, &kind.names(model), other_kind(model, kind, name))
 }
 
 fn search(option: &str, kind: Kind, name: &str, names: &[&str], elsewhere: Option<&str>) -> Result<usize, Failure> {
@@ -182,7 +194,8 @@ mod tests {
 
     fn message(name: &str) -> String {
         let model = CrossHead::<DRIVEN>::model();
-        find_in(model, "--set", Kind::Parameter, name, NAMES).map_or_else(|e| e.to_string(), |i| format!("found {i}"))
+        let found = search("--set", Kind::Parameter, name, NAMES, other_kind(model, Kind::Parameter, name));
+        found.map_or_else(|e| e.to_string(), |i| format!("found {i}"))
     }
 
     #[test]
@@ -194,14 +207,14 @@ mod tests {
         assert!(message("something").ends_with("\n  parameters: crank.x, crank.phi, coupler.phi, l[0], l[1]"));
         assert!(message("crank").contains("did you mean `crank.x`?"));
         assert!(message("s").contains("`s`; it is a coordinate: --guess"));
-        let modes = |name| find_in(CrossHead::<DRIVEN>::model(), "--mode", Kind::Mode, name, &["A-B-D", "E-F-G"]);
+        let modes = |name| search("--mode", Kind::Mode, name, &["A-B-D", "E-F-G"], None);
         assert!(modes("F").is_err_and(|e| e.to_string().contains("did you mean `E-F-G`?")));
         assert!(message("l").contains("it is an array: name its elements, `l[0]`"));
     }
 
     #[test]
     fn says_so_when_there_are_none() {
-        let error = |name| find_in(CrossHead::<DRIVEN>::model(), "--input", Kind::Input, name, &[]);
+        let error = |name| find(CrossHead::<DRIVEN>::model(), "--input", Kind::Input, name);
         assert_eq!(error("u"), Err(Failure::usage("--input: `u`: this mechanism has no inputs")));
         let set = "--input: `r`: this mechanism has no inputs; it is a parameter, which --set sets";
         assert_eq!(error("r"), Err(Failure::usage(set)));

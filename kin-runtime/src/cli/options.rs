@@ -2,7 +2,7 @@
 
 use super::engine::{Engine, Setup};
 use super::failure::{Failure, Ledger};
-use super::names::{Kind, find_in};
+use super::names::{Kind, find};
 use super::number::Measured;
 use super::values::{self, Moment};
 use crate::model::Model;
@@ -61,49 +61,37 @@ impl SetupArgs {
         let model = engine.model();
         let mut ledger = Ledger::default();
         let mut setup = Setup::default();
-        let place = |option: &str, kind: Kind, name: &str, names: &[&str]| find_in(model, option, kind, name, names);
-
-        let parameters: Vec<&str> = model.parameters.iter().map(|p| p.name).collect();
         let [set, file_modes] = ledger.take(expanded("--set", &self.set)).unwrap_or_default();
-        for (name, value) in
-            ledger.take(values::assignments("--set", &example(&parameters, "0.12"), &set)).unwrap_or_default()
-        {
-            let found = place("--set", Kind::Parameter, &name, &parameters);
-            let value = values::number(&format!("--set {name}"), &value, Measured::parameter(model, &name));
-            if let (Some(place), Some(value)) = (ledger.take(found), ledger.take(value))
-                && !engine.set_parameter(place, value)
-            {
-                ledger.take::<()>(Err(Failure::option("--set", format!("`{name}` cannot be set"))));
+        let number =
+            |name: &str, value: &str| values::number(&format!("--set {name}"), value, Measured::parameter(model, name));
+        for (place, value) in values::of_names(&mut ledger, ("--set", Kind::Parameter, "0.12"), &set, model, number) {
+            if !engine.set_parameter(place, value) {
+                ledger.fault("--set", format!("`{}` cannot be set", model.parameters[place].name));
             }
         }
-        let coordinates: Vec<&str> = model.coordinates.iter().map(|c| c.name).collect();
-        let guesses = values::assignments("--guess", &example(&coordinates, "0.9"), &self.guess);
-        for (name, value) in ledger.take(guesses).unwrap_or_default() {
-            let found = place("--guess", Kind::Coordinate, &name, &coordinates);
-            let value = values::number(&format!("--guess {name}"), &value, Measured::quantity(model, &name));
-            setup.guesses.extend(ledger.take(found).zip(ledger.take(value)));
-        }
-        for (name, value) in
-            ledger.take(values::assignments("--given", &example(&coordinates, "0.3"), &self.given)).unwrap_or_default()
-        {
-            let found = place("--given", Kind::Coordinate, &name, &coordinates);
+        let number = |name: &str, value: &str| {
+            values::number(&format!("--guess {name}"), value, Measured::quantity(model, name))
+        };
+        let guess = ("--guess", Kind::Coordinate, "0.9");
+        setup.guesses = values::of_names(&mut ledger, guess, &self.guess, model, number);
+        let signal = |name: &str, value: &str| {
             let parts: Vec<&str> = value.split(':').collect();
-            let signal = values::signal(&format!("--given {name}"), &name, &parts, Measured::quantity(model, &name));
-            setup.given.extend(ledger.take(found).zip(ledger.take(signal)));
-        }
-        let modes: Vec<&str> = model.plan.modes.iter().map(|mode| mode.name).collect();
-        let mut asked =
-            ledger.take(values::assignments("--mode", &example(&modes, "+"), &self.mode)).unwrap_or_default();
-        let of_files = ledger.take(values::assignments("--set", &example(&modes, "+"), &file_modes));
-        let of_files = of_files.unwrap_or_default().into_iter();
-        let of_files: Vec<_> = of_files.filter(|(name, _)| asked.iter().all(|(other, _)| other != name)).collect();
-        asked.extend(of_files);
+            values::signal(&format!("--given {name}"), name, &parts, Measured::quantity(model, name))
+        };
+        let given = ("--given", Kind::Coordinate, "0.3");
+        setup.given = values::of_names(&mut ledger, given, &self.given, model, signal);
+        let example = values::example_of(Kind::Mode, model, "+");
+        let mut asked = ledger.take(values::assignments("--mode", &example, &self.mode)).unwrap_or_default();
+        let of_files = ledger.take(values::assignments("--set", &example, &file_modes)).unwrap_or_default();
+        let others = of_files.into_iter().filter(|(name, _)| asked.iter().all(|(other, _)| other != name));
+        let others: Vec<_> = others.collect();
+        asked.extend(others);
         for (name, sign) in asked {
             let found = match model.plan.absent {
                 Some(why) => {
                     Err(Failure::option("--mode", format!("there are no modes, because there is no plan: {why}")))
                 }
-                None => place("--mode", Kind::Mode, &name, &modes),
+                None => find(model, "--mode", Kind::Mode, &name),
             };
             let sign = values::sign(&format!("--mode {name}"), &sign);
             setup.modes.extend(ledger.take(found).zip(ledger.take(sign)));
@@ -113,7 +101,7 @@ impl SetupArgs {
         let mut inputs: Vec<Option<Signal>> =
             defaults.chain(std::iter::repeat(None)).take(model.inputs.len()).collect();
         for (name, signal) in ledger.take(values::inputs("--input", &self.input, model)).unwrap_or_default() {
-            let found = ledger.take(place("--input", Kind::Input, &name, model.inputs));
+            let found = ledger.take(find(model, "--input", Kind::Input, &name));
             if let Some(slot) = found.and_then(|place| inputs.get_mut(place)) {
                 *slot = Some(signal);
             }
@@ -145,11 +133,6 @@ fn expanded(option: &str, texts: &[String]) -> Result<[Vec<String>; 2], Failure>
         }
     }
     ledger.close(Some(all))
-}
-
-/// An example of an assignment, for error messages.
-fn example(names: &[&str], value: &str) -> String {
-    format!("{}={value}", names.first().unwrap_or(&"NAME"))
 }
 
 /// What to do about degrees of freedom that the drivers leave open.

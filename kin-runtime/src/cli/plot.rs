@@ -122,8 +122,7 @@ pub(super) fn run(args: &PlotArgs, engine: &mut dyn Engine, session: &mut Sessio
     let wanted = ledger.take(wanted(model, &args.what, &mut measures));
     let tolerances = ledger.take(tolerances(&args.tolerance, model));
     if !args.tolerance.is_empty() && args.what.is_empty() {
-        let what = "name the quantities: plot NAME --tolerance …";
-        ledger.take::<()>(Err(Failure::option("--tolerance", what)));
+        ledger.fault("--tolerance", "name the quantities: plot NAME --tolerance …");
     }
     let (task, ((choices, wanted), tolerances)) = ledger.close(task.zip(choices.zip(wanted).zip(tolerances)))?;
     let toleranced = if args.tolerance.is_empty() { None } else { Some((&wanted[..], &tolerances[..])) };

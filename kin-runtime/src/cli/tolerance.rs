@@ -2,7 +2,7 @@
 
 use super::engine::{Engine, Setup};
 use super::failure::{Failure, Ledger};
-use super::names::{Kind, find_in};
+use super::names::{Kind, find};
 use super::number::Measured;
 use super::values;
 use crate::measure::Measure;
@@ -13,13 +13,12 @@ use crate::state::State;
 /// A tolerance for every parameter, 0 where none is given.
 pub(super) fn tolerances(texts: &[String], model: &Model) -> Result<Vec<f64>, Failure> {
     const OPTION: &str = "--tolerance";
-    let names: Vec<&str> = model.parameters.iter().map(|parameter| parameter.name).collect();
-    let mut all = vec![0.0; names.len()];
+    let mut all = vec![0.0; model.parameters.len()];
     let mut ledger = Ledger::default();
-    let example = format!("{}=0.001", names.first().unwrap_or(&"NAME"));
+    let example = values::example_of(Kind::Parameter, model, "0.001");
     for (name, value) in ledger.take(values::assignments(OPTION, &example, texts)).unwrap_or_default() {
         // The unit of what is no parameter is not known.
-        let Some(place) = ledger.take(find_in(model, OPTION, Kind::Parameter, &name, &names)) else { continue };
+        let Some(place) = ledger.take(find(model, OPTION, Kind::Parameter, &name)) else { continue };
         let value = values::number(&format!("{OPTION} {name}"), &value, Measured::parameter(model, &name));
         if let Some(value) = ledger.take(value) {
             all[place] = value;

@@ -1,6 +1,7 @@
 //! The values of options: numbers, `name=value` lists, times, signals.
 
 use super::failure::{Failure, Ledger};
+use super::names::{Kind, find};
 use super::number::{Amount, Measured, amount, converted};
 use crate::model::Model;
 use crate::planned::Sign;
@@ -106,6 +107,27 @@ pub(super) fn assignments(option: &str, example: &str, texts: &[String]) -> Resu
     ledger.close(Some(pairs))
 }
 
+/// The values of `name=value` pairs with the places of the names; errors go to the ledger.
+pub(super) fn of_names<T>(
+    ledger: &mut Ledger,
+    (option, kind, example): (&str, Kind, &str),
+    texts: &[String],
+    model: &Model,
+    read: impl Fn(&str, &str) -> Result<T, Failure>,
+) -> Vec<(usize, T)> {
+    let pairs = ledger.take(assignments(option, &example_of(kind, model, example), texts)).unwrap_or_default();
+    let one = |(name, value): (String, String)| {
+        let (place, value) = (find(model, option, kind, &name), read(&name, &value));
+        ledger.take(place).zip(ledger.take(value))
+    };
+    pairs.into_iter().filter_map(one).collect()
+}
+
+/// An example of an assignment, for error messages.
+pub(super) fn example_of(kind: Kind, model: &Model, value: &str) -> String {
+    format!("{}={value}", kind.names(model).first().unwrap_or(&"NAME"))
+}
+
 fn assignment(option: &str, example: &str, piece: &str) -> Result<(String, String), Failure> {
     let fault = |what: String| Err(Failure::option(option, format!("{what}; write {option} {example}")));
     let Some((name, value)) = piece.split_once('=') else {
@@ -177,8 +199,7 @@ pub(super) fn inputs(option: &str, texts: &[String], model: &Model) -> Result<Ve
                 (None, None) if lost => {}
                 (None, None) => {
                     lost = true;
-                    let what = format!("`{piece}` names no input; write {option} u=value,rate,acceleration");
-                    ledger.take::<()>(Err(Failure::option(option, what)));
+                    ledger.fault(option, format!("`{piece}` names no input; write {option} u=value,rate,acceleration"));
                 }
             }
         }

@@ -2,7 +2,7 @@
 
 use super::engine::Engine;
 use super::failure::{Failure, Ledger};
-use super::names::{Kind, find_in};
+use super::names::{Kind, find};
 use super::values;
 use crate::model::Model;
 use crate::present::number::rounded;
@@ -30,21 +30,19 @@ impl VaryArgs {
     /// Every combination of values; a single empty one if nothing varies. More than `most` are an error, which gives
     /// `why` as the reason.
     pub(super) fn choices(&self, model: &Model, (most, why): (usize, &str)) -> Result<Vec<Choice>, Failure> {
-        let parameters: Vec<&str> = model.parameters.iter().map(|p| p.name).collect();
         let mut ledger = Ledger::default();
         let mut choices = vec![Choice::default()];
         for text in &self.vary {
             let varied = values::variation("--vary", text, model, (most, why));
             let Some((name, values)) = ledger.take(varied) else { continue };
-            let found = find_in(model, "--vary", Kind::Parameter, &name, &parameters);
+            let found = find(model, "--vary", Kind::Parameter, &name);
             let Some(place) = ledger.take(found) else { continue };
             if choices[0].0.iter().any(|&(varied, _)| varied == place) {
-                ledger.take::<()>(Err(Failure::option("--vary", format!("`{name}` is varied twice"))));
+                ledger.fault("--vary", format!("`{name}` is varied twice"));
                 continue;
             }
             if choices.len() * values.len() > most {
-                let what = format!("more than {most} combinations of values; {why}");
-                ledger.take::<()>(Err(Failure::option("--vary", what)));
+                ledger.fault("--vary", format!("more than {most} combinations of values; {why}"));
                 break;
             }
             let with = |Choice(choice): &Choice| -> Vec<Choice> {
