@@ -12,6 +12,17 @@ pub(super) fn lists(lowered: &Lowered, kernels: &Kernels) -> TokenStream {
     kernels.lists.iter().map(|of| list(lowered, of)).collect()
 }
 
+/// What lists are computed from: the argument, the local array with the right length and its type, and what a wrong
+/// length is reported of.
+const KNOWN: [(Given, [&str; 3], &str); 6] = [
+    (Given::Parameters, ["parameters", "p", "__Parameters"], "parameters"),
+    (Given::Instant, ["at", "u", "__Inputs"], "inputs"),
+    (Given::Position, ["q", "q", "__Coordinates"], "q"),
+    (Given::Velocity, ["q_dot", "w", "__Coordinates"], "q_dot"),
+    (Given::Acceleration, ["q_ddot", "acceleration", "__Coordinates"], "q_ddot"),
+    (Given::Multipliers, ["right", "right", "__Rows"], "multipliers"),
+];
+
 fn list(lowered: &Lowered, list: &List) -> TokenStream {
     let printed = kernel(lowered, &list.kernel);
     let (item, call, length, name) = (printed.item, printed.call, list.length, list.name);
@@ -30,41 +41,20 @@ fn list(lowered: &Lowered, list: &List) -> TokenStream {
         }
     };
     let [method, argument] = [list.method, name].map(|name| Ident::new(name, Span::call_site()));
-    let known = [
-        (
-            Given::Parameters,
-            quote! { parameters: &[__T] },
-            quote! { p: &__Parameters<__T> },
-            "parameters",
-            quote! { parameters },
-        ),
-        (
-            Given::Instant,
-            quote! { at: &__kin::Instant<'_, __T> },
-            quote! { u: &__Inputs<__T> },
-            "inputs",
-            quote! { at.inputs },
-        ),
-        (Given::Position, quote! { q: &[__T] }, quote! { q: &__Coordinates<__T> }, "q", quote! { q }),
-        (Given::Velocity, quote! { q_dot: &[__T] }, quote! { w: &__Coordinates<__T> }, "q_dot", quote! { q_dot }),
-        (
-            Given::Acceleration,
-            quote! { q_ddot: &[__T] },
-            quote! { acceleration: &__Coordinates<__T> },
-            "q_ddot",
-            quote! { q_ddot },
-        ),
-        (Given::Multipliers, quote! { right: &[__T] }, quote! { right: &__Rows<__T> }, "multipliers", quote! { right }),
-    ];
-    let known = || known.iter().filter(|(given, ..)| *given <= list.given);
-    let arguments = known().map(|(_, argument, ..)| argument);
-    // If the multipliers are not read, they may be an empty list.
-    let is_read = |given: Given| given != Given::Multipliers || list.kernel.reads().contains(&Symbol::Right(0));
-    let lengths = known()
-        .filter(|(given, ..)| is_read(*given))
-        .map(|(_, _, local, what, value)| quote! { let #local = __kin::fixed(#what, #value)?; });
-    let locals = ["p", "u", "q", "w", "acceleration", "right"].map(|local| Ident::new(local, Span::call_site()));
-    let locals = known().zip(&locals).map(|(_, local)| local);
+    let (mut arguments, mut lengths, mut locals) = (Vec::new(), Vec::new(), Vec::new());
+    for (given, names, what) in KNOWN.iter().filter(|(given, ..)| *given <= list.given) {
+        let [argument, local, array] = names.map(|name| Ident::new(name, Span::call_site()));
+        let (ty, value) = match given {
+            Given::Instant => (quote! { &__kin::Instant<'_, __T> }, quote! { #argument.inputs }),
+            _ => (quote! { &[__T] }, quote! { #argument }),
+        };
+        arguments.push(quote! { #argument: #ty });
+        // If the multipliers are not read, they may be an empty list.
+        if *given != Given::Multipliers || list.kernel.reads().contains(&Symbol::Right(0)) {
+            lengths.push(quote! { let #local: &#array<__T> = __kin::fixed(#what, #value)?; });
+        }
+        locals.push(local);
+    }
     quote! {
         #[inline]
         fn #method<__T: __kin::Scalar>(

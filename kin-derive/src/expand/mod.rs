@@ -39,7 +39,7 @@ use kin_core::structure::Structure;
 use kin_core::system::KinematicSystem;
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
-use rows::{Evaluations, evaluations, lengths, position_lengths};
+use rows::{Evaluations, evaluations, lengths, method, position_lengths};
 
 /// All items of a mechanism: the struct, its handles, the implementation of the trait, and the test that a flag
 /// requests.
@@ -114,6 +114,34 @@ fn mechanism(
     let [position_lengths, lengths] = [position_lengths(&scalar, "q"), lengths(&scalar)];
     let (lists, curves, kept) =
         (lists::lists(lowered, kernels), lists::curves(lowered, kernels), set.kept_lengths().count());
+    let constraints_with = method(
+        &TokenStream::new(),
+        "constraints_with",
+        &quote! { q: &[__T], phi: &mut [__T; #s], },
+        &quote! { #position_lengths let _ = (p, u, q, &phi); #values __kin::Ok(()) },
+    );
+    let evaluate_with = quote! {
+        #[inline(always)]
+        fn evaluate_with<__T: __kin::Scalar>(
+            &self,
+            parameters: &[__T],
+            subset: __kin::Subset,
+            at: &__kin::Instant<'_, __T>,
+            q: &[__T],
+            q_dot: &[__T],
+            workspace: &mut __kin::Workspace<Self, __T>,
+        ) -> __kin::Result<(), __kin::LengthError> {
+            #lengths
+            #evaluate
+            __kin::Ok(())
+        }
+    };
+    let observe_with = method(
+        &quote! { #[inline] },
+        "observe_with",
+        &quote! { q: &[__T], q_dot: &[__T], observations: &mut __kin::Observations<Self, __T>, },
+        &quote! { #lengths #observe __kin::Ok(()) },
+    );
     quote! {
         type __Parameters<__T> = [__T; #p];
         type __Inputs<__T> = [__kin::Signal<__T>; #u];
@@ -155,50 +183,10 @@ fn mechanism(
             #write
             #functions
 
-            fn constraints_with<__T: __kin::Scalar>(
-                &self,
-                parameters: &[__T],
-                at: &__kin::Instant<'_, __T>,
-                q: &[__T],
-                phi: &mut [__T; #s],
-            ) -> __kin::Result<(), __kin::LengthError> {
-                #position_lengths
-                let _ = (p, u, q, &phi);
-                #values
-                __kin::Ok(())
-            }
-
+            #constraints_with
             #plan_methods
-
-            #[inline(always)]
-            fn evaluate_with<__T: __kin::Scalar>(
-                &self,
-                parameters: &[__T],
-                subset: __kin::Subset,
-                at: &__kin::Instant<'_, __T>,
-                q: &[__T],
-                q_dot: &[__T],
-                workspace: &mut __kin::Workspace<Self, __T>,
-            ) -> __kin::Result<(), __kin::LengthError> {
-                #lengths
-                #evaluate
-                __kin::Ok(())
-            }
-
-            #[inline]
-            fn observe_with<__T: __kin::Scalar>(
-                &self,
-                parameters: &[__T],
-                at: &__kin::Instant<'_, __T>,
-                q: &[__T],
-                q_dot: &[__T],
-                observations: &mut __kin::Observations<Self, __T>,
-            ) -> __kin::Result<(), __kin::LengthError> {
-                #lengths
-                #observe
-                __kin::Ok(())
-            }
-
+            #evaluate_with
+            #observe_with
             #lists
 
             #curves

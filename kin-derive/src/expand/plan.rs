@@ -1,7 +1,7 @@
 //! The solution plan: its parts as kernels, and the methods that call them.
 
 use super::kernel::kernel;
-use super::rows::position_lengths;
+use super::rows::{method, position_lengths};
 use crate::lower::Lowered;
 use kin_core::kernels::{Iteration, Kernels, SolutionKernels};
 use kin_core::plan::SolutionPlan;
@@ -73,29 +73,22 @@ fn solve(lowered: &Lowered, solution: &SolutionKernels, n: usize, margins: usize
         statements
     };
     let (held, lengths) = (solution.held, position_lengths(&Ident::new("__T", Span::call_site()), "start"));
-    let methods = quote! {
-        #[inline]
-        fn solve_with<__T: __kin::Scalar>(
-            &self,
-            parameters: &[__T],
-            at: &__kin::Instant<'_, __T>,
-            modes: &[__T],
-            start: &[__T],
-            depth: __kin::Depth,
-            solved: __kin::Solved<'_, __T>,
-        ) -> __kin::Result<(), __kin::LengthError> {
-            #lengths
-            let modes: &__Modes<__T> = __kin::fixed("modes", modes)?;
-            let position: &mut [__T; #n] = __kin::fixed_mut("q", solved.q)?;
-            let velocity: &mut [__T; #n] = __kin::fixed_mut("q_dot", solved.q_dot)?;
-            let acceleration: &mut [__T; #n] = __kin::fixed_mut("q_ddot", solved.q_ddot)?;
-            let margins: &mut [__T; #margins] = __kin::fixed_mut("margins", solved.margins)?;
-            let held: &mut [__T; #held] = &mut [<__T as __kin::Scalar>::from_f64(0.0); #held];
-            let unknowns: &mut __Coordinates<__T> = &mut { *start };
-            let _ = (p, u, modes, &position, &velocity, &acceleration, &margins, &held, &unknowns);
-            #solved
-        }
+    let arguments = quote! {
+        modes: &[__T], start: &[__T], depth: __kin::Depth, solved: __kin::Solved<'_, __T>,
     };
+    let statements = quote! {
+        #lengths
+        let modes: &__Modes<__T> = __kin::fixed("modes", modes)?;
+        let position: &mut [__T; #n] = __kin::fixed_mut("q", solved.q)?;
+        let velocity: &mut [__T; #n] = __kin::fixed_mut("q_dot", solved.q_dot)?;
+        let acceleration: &mut [__T; #n] = __kin::fixed_mut("q_ddot", solved.q_ddot)?;
+        let margins: &mut [__T; #margins] = __kin::fixed_mut("margins", solved.margins)?;
+        let held: &mut [__T; #held] = &mut [<__T as __kin::Scalar>::from_f64(0.0); #held];
+        let unknowns: &mut __Coordinates<__T> = &mut { *start };
+        let _ = (p, u, modes, &position, &velocity, &acceleration, &margins, &held, &unknowns);
+        #solved
+    };
+    let methods = method(&quote! { #[inline] }, "solve_with", &arguments, &statements);
     Planned { items, methods }
 }
 
@@ -114,22 +107,14 @@ fn closures_of_branches(plan: &SolutionPlan) -> TokenStream {
         return TokenStream::new();
     }
     let (modes, all) = (plan.modes.len(), plan.modes.len() + plan.orientations.len());
-    quote! {
-        #[inline]
-        fn closures_with<__T: __kin::Scalar>(
-            &self,
-            parameters: &[__T],
-            at: &__kin::Instant<'_, __T>,
-            q: &[__T],
-            closures: &mut [__T],
-        ) -> __kin::Result<(), __kin::LengthError> {
-            let out: &mut __Modes<__T> = __kin::fixed_mut("closures", closures)?;
-            let mut branches = [<__T as __kin::Scalar>::from_f64(0.0); #all];
-            <Self as __kin::Mechanism>::branches_with(self, parameters, at, q, &mut branches)?;
-            out.copy_from_slice(&branches[..#modes]);
-            __kin::Ok(())
-        }
-    }
+    let statements = quote! {
+        let out: &mut __Modes<__T> = __kin::fixed_mut("closures", closures)?;
+        let mut branches = [<__T as __kin::Scalar>::from_f64(0.0); #all];
+        <Self as __kin::Mechanism>::branches_with(self, parameters, at, q, &mut branches)?;
+        out.copy_from_slice(&branches[..#modes]);
+        __kin::Ok(())
+    };
+    method(&quote! { #[inline] }, "closures_with", &quote! { q: &[__T], closures: &mut [__T], }, &statements)
 }
 
 /// The methods that factorise Φ_q and that solve for one right-hand side after another.
@@ -138,21 +123,20 @@ fn resolve(lowered: &Lowered, solution: &SolutionKernels, factors: usize, n: usi
     let [factorise, solve] = [&solution.factorise, &solution.solve].map(|of| kernel(lowered, of));
     let items = [factorise.item, solve.item];
     let (factorise, solve) = (factorise.call, solve.call);
-    let methods = quote! {
-        #[inline]
-        fn factorise_with<__T: __kin::Scalar>(
-            &self,
-            parameters: &[__T],
-            at: &__kin::Instant<'_, __T>,
-            q: &[__T],
-            factors: &mut Self::Factors<__T>,
-        ) -> __kin::Result<(), __kin::LengthError> {
+    let factorise = method(
+        &quote! { #[inline] },
+        "factorise_with",
+        &quote! { q: &[__T], factors: &mut Self::Factors<__T>, },
+        &quote! {
             #lengths
             let held: &mut [__T; #factors] = factors;
             let _ = (p, u, q, &held);
             #factorise
             __kin::Ok(())
-        }
+        },
+    );
+    let methods = quote! {
+        #factorise
 
         #[inline]
         fn solve_factorised<__T: __kin::Scalar>(

@@ -24,6 +24,27 @@ pub(super) fn position_lengths(scalar: &Ident, q: &str) -> TokenStream {
     }
 }
 
+/// A method of the trait that is given parameters and an instant before its `arguments`, and may find wrong lengths.
+pub(super) fn method(
+    inline: &TokenStream,
+    name: &str,
+    arguments: &TokenStream,
+    statements: &TokenStream,
+) -> TokenStream {
+    let name = Ident::new(name, Span::call_site());
+    quote! {
+        #inline
+        fn #name<__T: __kin::Scalar>(
+            &self,
+            parameters: &[__T],
+            at: &__kin::Instant<'_, __T>,
+            #arguments
+        ) -> __kin::Result<(), __kin::LengthError> {
+            #statements
+        }
+    }
+}
+
 /// Functions beside the trait's implementation, and the statements that call them.
 pub(super) struct Evaluations {
     pub(super) items: TokenStream,

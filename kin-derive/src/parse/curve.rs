@@ -3,6 +3,7 @@
 
 use super::expr::{end_of_expr, expr, pair};
 use super::index::name_use;
+use super::list::comma;
 use super::parts::Parts;
 use super::reject::here;
 use crate::ast::{CurveExpr, Expr, OperandExpr, PathExpr, text};
@@ -74,9 +75,7 @@ fn brackets<'i>(input: ParseStream<'i>, key: &Ident, form: &str) -> Result<syn::
 }
 
 fn ends(content: ParseStream, wrong: &str) -> Result<()> {
-    if content.peek(Token![,]) {
-        content.parse::<Token![,]>()?;
-    }
+    comma(content);
     if content.is_empty() { Ok(()) } else { Err(here(content, wrong)) }
 }
 

@@ -5,6 +5,7 @@
 
 use super::call;
 use super::index::{identifier, name_use};
+use super::list::comma;
 use super::node::{chain, join, number, too_deep};
 use super::reject::{self, here};
 use crate::ast::{Expr, ExprKind, NameUse, Operator, PointExpr, text};
@@ -214,9 +215,7 @@ fn distance(name: &Ident, content: ParseStream, depth: usize) -> Result<Expr> {
         return Err(wrong());
     }
     let (q, q_height) = point_at_depth(content, depth)?;
-    if content.peek(Token![,]) {
-        content.parse::<Token![,]>()?;
-    }
+    comma(content);
     if !content.is_empty() {
         return Err(wrong());
     }
@@ -268,9 +267,7 @@ pub(super) fn pair(input: ParseStream, depth: usize, form: &str) -> Result<(Expr
         return Err(Error::new(span, format!("{form}; the second component is missing")));
     }
     let y = coordinate(&content, depth)?;
-    if content.peek(Token![,]) {
-        content.parse::<Token![,]>()?;
-    }
+    comma(&content);
     if content.is_empty() { Ok((x, y, span)) } else { Err(here(&content, "a pair has two components")) }
 }
 

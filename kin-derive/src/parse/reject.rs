@@ -23,52 +23,43 @@ pub(super) fn here(input: ParseStream, message: impl Display) -> Error {
     Error::new(input.span(), message)
 }
 
+/// The message of the first case that is there.
+fn first<'m>(cases: &[(bool, &'m str)]) -> Option<&'m str> {
+    cases.iter().find(|(is_there, _)| *is_there).map(|(_, message)| *message)
+}
+
 /// The error for a token after an expression that can neither continue nor end it.
 pub(super) fn after_expr(input: ParseStream) -> Error {
-    if let Some(message) = operator(input) {
-        return here(input, message);
-    }
-    if input.is_empty() || input.peek(token::Paren) {
-        return here(input, "expected an operator; a product is written with `*`");
-    }
-    if input.peek(Token![=]) {
-        return here(input, "there is one `=` at most, between the sides of an equation");
-    }
-    if input.peek(Token![@]) {
-        return here(
-            input,
-            "a point is written `body @ (x, y)`; in an expression, name it with `point(p = …)` and use `p.x`, `p.y`",
-        );
-    }
-    if is_angle_unit(input) {
-        return here(input, RADIANS);
-    }
-    if input.peek(Ident) || input.peek(syn::Lit) {
-        return here(input, "expected an operator or a comma before this; a product is written with `*`");
-    }
-    here(input, "expected `+`, `-`, `*`, `/` or the end of the expression")
+    let message = operator(input).or_else(|| {
+        first(&[
+            (input.is_empty() || input.peek(token::Paren), "expected an operator; a product is written with `*`"),
+            (input.peek(Token![=]), "there is one `=` at most, between the sides of an equation"),
+            (
+                input.peek(Token![@]),
+                "a point is written `body @ (x, y)`; in an expression, name it with `point(p = …)` and use `p.x`, `p.y`",
+            ),
+            (is_angle_unit(input), RADIANS),
+            (
+                input.peek(Ident) || input.peek(syn::Lit),
+                "expected an operator or a comma before this; a product is written with `*`",
+            ),
+        ])
+    });
+    here(input, message.unwrap_or("expected `+`, `-`, `*`, `/` or the end of the expression"))
 }
 
 /// The error for a token that cannot begin an expression.
 pub(super) fn no_expr(input: ParseStream) -> Error {
     let is_equals = input.peek(Token![=]) && !input.peek(Token![==]) && !input.peek(Token![=>]);
-    if input.is_empty() || input.peek(Token![,]) || is_equals {
-        return here(input, "expected an expression before this");
-    }
-    if input.peek(Token![+]) {
-        return here(input, "expected a value; there is no unary plus");
-    }
-    if input.peek(token::Bracket) {
-        return here(input, "an array cannot stand here; one element of an array parameter is written `l[3]`");
-    }
-    if input.peek(token::Brace) {
-        return here(input, "a block cannot stand here; parts of an expression get a name with `define`");
-    }
-    if input.peek(Token![.]) && input.peek2(syn::Lit) {
-        return here(input, "a number begins with a digit: `0.5`, not `.5`");
-    }
-    operator(input)
-        .map_or_else(|| here(input, "expected a number, a name or a function"), |message| here(input, message))
+    let ends = input.is_empty() || input.peek(Token![,]) || is_equals;
+    let message = first(&[
+        (ends, "expected an expression before this"),
+        (input.peek(Token![+]), "expected a value; there is no unary plus"),
+        (input.peek(token::Bracket), "an array cannot stand here; one element of an array parameter is written `l[3]`"),
+        (input.peek(token::Brace), "a block cannot stand here; parts of an expression get a name with `define`"),
+        (input.peek(Token![.]) && input.peek2(syn::Lit), "a number begins with a digit: `0.5`, not `.5`"),
+    ]);
+    here(input, message.or_else(|| operator(input)).unwrap_or("expected a number, a name or a function"))
 }
 
 /// The error for a keyword of Rust that is meaningless in an expression, even as a raw identifier.
@@ -99,21 +90,17 @@ pub(super) fn is_angle_word(word: &str) -> bool {
 
 /// The message for an operator of another language, which says how to write the operation.
 fn operator(input: ParseStream) -> Option<&'static str> {
-    if input.peek(Token![^]) {
-        Some("powers are written `pow(a, n)` or `a.powi(n)`")
-    } else if input.peek(Token![%]) {
-        Some("there is no remainder operator: angles are continuous, and sin and cos are periodic")
-    } else if input.peek(Token![==]) || input.peek(Token![=>]) || input.peek(Token![!=]) {
-        Some("an equation has a single `=`")
-    } else if input.peek(Token![<]) || input.peek(Token![>]) {
-        Some("comparisons have no place in an expression; an equation has a single `=`")
-    } else if input.peek(Token![&]) || input.peek(Token![|]) || input.peek(Token![!]) || input.peek(Token![?]) {
-        Some("the operators are `+`, `-`, `*` and `/`")
-    } else if input.peek(Token![as]) {
-        Some("every number is a real number; no cast is needed")
-    } else if input.peek(Token![..]) {
-        Some("a range is written after the name of a row only: `N[i in 0..10]: …`")
-    } else {
-        None
-    }
+    let is_logical = input.peek(Token![&]) || input.peek(Token![|]) || input.peek(Token![!]) || input.peek(Token![?]);
+    first(&[
+        (input.peek(Token![^]), "powers are written `pow(a, n)` or `a.powi(n)`"),
+        (input.peek(Token![%]), "there is no remainder operator: angles are continuous, and sin and cos are periodic"),
+        (input.peek(Token![==]) || input.peek(Token![=>]) || input.peek(Token![!=]), "an equation has a single `=`"),
+        (
+            input.peek(Token![<]) || input.peek(Token![>]),
+            "comparisons have no place in an expression; an equation has a single `=`",
+        ),
+        (is_logical, "the operators are `+`, `-`, `*` and `/`"),
+        (input.peek(Token![as]), "every number is a real number; no cast is needed"),
+        (input.peek(Token![..]), "a range is written after the name of a row only: `N[i in 0..10]: …`"),
+    ])
 }
