@@ -5,7 +5,7 @@
 //! ids and instructions of a mechanism that its author compiles. The maps are never iterated, so their order does not
 //! matter.
 
-use core::hash::{BuildHasherDefault, Hasher};
+use core::hash::{BuildHasherDefault, Hash, Hasher};
 use std::collections::HashMap;
 
 /// A map with a fast hash.
@@ -57,10 +57,11 @@ impl Hasher for Fast {
     }
 }
 
-/// Adds a word to a hash; the upper half of the result is mixed best.
-pub(crate) const fn mixed(hash: u64, word: u64) -> u64 {
-    let product = (hash ^ word).wrapping_mul(0x9E37_79B9_7F4A_7C15);
-    product ^ (product >> 29)
+/// The hash of a key; its upper half is mixed best.
+pub(crate) fn hash_of(key: &impl Hash) -> u64 {
+    let mut hasher = Fast::default();
+    key.hash(&mut hasher);
+    hasher.0
 }
 
 /// A hash table that finds the indices of objects stored elsewhere, with open addressing and linear probing.
@@ -125,7 +126,6 @@ impl Table {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use core::hash::Hash;
 
     #[test]
     fn a_table_finds_what_was_put_in_and_nothing_else() {
@@ -133,14 +133,14 @@ mod tests {
         let mut table = Table::default();
         for (place, key) in keys.iter().enumerate() {
             // Some keys have equal hashes, and most share their first slot.
-            let hash = mixed(7, *key % 400);
+            let hash = hash_of(&(*key % 400));
             assert_eq!(table.find(hash, |other| keys[other] == *key), None);
             table.insert(hash, place);
         }
         for (place, key) in keys.iter().enumerate() {
-            assert_eq!(table.find(mixed(7, *key % 400), |other| keys[other] == *key), Some(place));
+            assert_eq!(table.find(hash_of(&(*key % 400)), |other| keys[other] == *key), Some(place));
         }
-        assert_eq!(table.find(mixed(7, 401), |_| true), None);
+        assert_eq!(table.find(hash_of(&401_u64), |_| true), None);
     }
 
     #[test]

@@ -16,6 +16,9 @@ macro_rules! words {
         }
 
         impl $name {
+            /// Every variant.
+            pub const ALL: [Self; [$(stringify!($variant)),+].len()] = [$(Self::$variant),+];
+
             $(#[$what])*
             pub const fn $word(self) -> &'static str {
                 match self {
@@ -201,7 +204,7 @@ impl fmt::Display for Frame {
 }
 
 words! {
-    /// One of the three coordinates of a body's pose.
+    /// One of the three coordinates of a body's pose, in the order of q.
     Component,
     /// As in the name of a coordinate.
     name:
@@ -213,9 +216,38 @@ words! {
     Phi "phi",
 }
 
-impl Component {
-    /// All three, in the order of q.
-    pub const ALL: [Self; 3] = [Self::X, Self::Y, Self::Phi];
+words! {
+    /// A function of one argument.
+    Function,
+    /// The name of the function in the user's language.
+    name:
+    /// Sine.
+    Sin "sin",
+    /// Cosine.
+    Cos "cos",
+    /// Tangent.
+    Tan "tan",
+    /// Inverse sine.
+    Asin "asin",
+    /// Inverse cosine.
+    Acos "acos",
+    /// Inverse tangent.
+    Atan "atan",
+    /// Square root.
+    Sqrt "sqrt",
+    /// Exponential.
+    Exp "exp",
+    /// Natural logarithm.
+    Ln "ln",
+    /// Absolute value.
+    Abs "abs",
+}
+
+impl Function {
+    /// The function with this name.
+    pub fn from_name(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|f| f.name() == name)
+    }
 }
 
 /// What kind of step of a solution plan.

@@ -1,7 +1,7 @@
 //! The hash-consed graph of expressions, which stores every distinct expression once.
 
 use super::node::{Bits, Depends, ExprId, Node, Symbol};
-use crate::hash::Table;
+use crate::hash::{Table, hash_of};
 
 /// An arena of expressions, in which operands always come before the expressions that use them.
 ///
@@ -44,7 +44,7 @@ impl Graph {
 
     /// The id of `node` if the graph contains it.
     pub(super) fn find(&self, node: &Node) -> Option<ExprId> {
-        self.found(node, node.hashed())
+        self.found(node, hash_of(node))
     }
 
     fn found(&self, node: &Node, hash: u64) -> Option<ExprId> {
@@ -53,7 +53,7 @@ impl Graph {
 
     /// The id of `node`, which is added without simplification if it is new.
     pub fn intern(&mut self, node: Node) -> ExprId {
-        let hash = node.hashed();
+        let hash = hash_of(&node);
         if let Some(id) = self.found(&node, hash) {
             return id;
         }

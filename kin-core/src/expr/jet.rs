@@ -7,7 +7,7 @@
 
 use super::graph::Graph;
 use super::node::{ExprId, Node, Symbol};
-use crate::mechanism::Function;
+use crate::vocabulary::Function;
 use std::rc::Rc;
 
 /// An expression with its first and second total time derivatives.

@@ -1,7 +1,6 @@
 //! The nodes of the expression graph.
 
-use crate::hash::mixed;
-use crate::mechanism::Function;
+use crate::vocabulary::Function;
 
 /// An expression: an index of the [`Graph`](super::Graph)'s arena. Equal ids mean equal expressions.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -89,25 +88,6 @@ impl Symbol {
             Self::Right(_) => Self::Right(k),
             Self::Coarseness => Self::Coarseness,
         }
-    }
-
-    /// A fast hash of the symbol.
-    pub(crate) fn hashed(self, of: u64) -> u64 {
-        let (kind, order) = match self {
-            Self::Parameter(_) => (0, 0),
-            Self::Time => (1, 0),
-            Self::Input(_, order) => (2, order),
-            Self::Coordinate(_) => (3, 0),
-            Self::Rate(_) => (4, 0),
-            Self::Mode(_) => (5, 0),
-            Self::Start(_) => (6, 0),
-            Self::Unknown(_) => (7, 0),
-            Self::Held(_) => (8, 0),
-            Self::Right(_) => (9, 0),
-            Self::Coarseness => (10, 0),
-            Self::Acceleration(_) => (11, 0),
-        };
-        mixed(of, u64::from(self.index()) << 16 | u64::from(order) << 8 | kind)
     }
 
     /// The name of a symbol that occurs only in solution plans.
@@ -247,33 +227,6 @@ impl Node {
                 f(t.d[0]);
                 f(t.d[1]);
             }
-        }
-    }
-
-    /// A fast hash of the node.
-    pub(crate) fn hashed(&self) -> u64 {
-        let one = |kind: u64, a: ExprId, rest: u64| mixed(mixed(kind, u64::from(a.0)), rest);
-        let two = |kind: u64, a: ExprId, b: ExprId| mixed(kind, u64::from(a.0) << 32 | u64::from(b.0));
-        match *self {
-            Self::Number(bits) => mixed(1, bits.0),
-            Self::Symbol(symbol) => symbol.hashed(2),
-            Self::Neg(a) => one(3, a, 0),
-            Self::Add(a, b) => two(4, a, b),
-            Self::Sub(a, b) => two(5, a, b),
-            Self::Mul(a, b) => two(6, a, b),
-            Self::Div(a, b) => two(7, a, b),
-            Self::Powi(a, n) => one(8, a, n as u64),
-            Self::Powf(a, n) => one(9, a, n.0),
-            Self::Call(f, a) => one(10, a, f as u64),
-            Self::Sign(a) => one(11, a, 0),
-            Self::Atan2(a, b) => two(12, a, b),
-            Self::Nearest(a, b) => two(13, a, b),
-            Self::Whole(a) => one(14, a, 0),
-            Self::RotX(r) => mixed(two(15, r.angle, r.x), u64::from(r.y.0)),
-            Self::RotY(r) => mixed(two(16, r.angle, r.x), u64::from(r.y.0)),
-            Self::Dot(t) => mixed(two(17, t.u[0], t.u[1]), two(u64::from(t.angle.0), t.d[0], t.d[1])),
-            Self::Cross(t) => mixed(two(18, t.u[0], t.u[1]), two(u64::from(t.angle.0), t.d[0], t.d[1])),
-            Self::Supplied(f, order, a) => one(19 + u64::from(order), a, u64::from(f)),
         }
     }
 }

@@ -7,7 +7,7 @@
 
 use super::graph::Graph;
 use super::node::{Bits, ExprId, Node};
-use crate::mechanism::Function;
+use crate::vocabulary::Function;
 
 /// Maximum number of factors of a product that is sorted. Sorting costs the square of their number, and nested powers
 /// can have exponentially many.

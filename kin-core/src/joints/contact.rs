@@ -1,7 +1,7 @@
 //! Where bodies touch: in which direction one presses on the other.
 
 use crate::expr::{ExprId, Graph};
-use crate::mechanism::Function;
+use crate::vocabulary::Function;
 
 /// What the sign of a length may be divided by besides its size, so that of 0 there is a number, too.
 const SMALLEST: f64 = 1e-30;

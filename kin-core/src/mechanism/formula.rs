@@ -1,69 +1,7 @@
 //! Formulas as the user wrote them, with names resolved but nothing simplified.
 
-use super::{BodyRef, Component, CurveVariable, Index, Member};
+use super::{BodyRef, Component, CurveVariable, Function, Index, Member};
 use crate::error::Origin;
-
-/// A function of one argument.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum Function {
-    /// Sine.
-    Sin,
-    /// Cosine.
-    Cos,
-    /// Tangent.
-    Tan,
-    /// Inverse sine.
-    Asin,
-    /// Inverse cosine.
-    Acos,
-    /// Inverse tangent.
-    Atan,
-    /// Square root.
-    Sqrt,
-    /// Exponential.
-    Exp,
-    /// Natural logarithm.
-    Ln,
-    /// Absolute value.
-    Abs,
-}
-
-impl Function {
-    /// Every function of one argument.
-    pub const ALL: [Self; 10] = [
-        Self::Sin,
-        Self::Cos,
-        Self::Tan,
-        Self::Asin,
-        Self::Acos,
-        Self::Atan,
-        Self::Sqrt,
-        Self::Exp,
-        Self::Ln,
-        Self::Abs,
-    ];
-
-    /// The name of the function in the user's language.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Sin => "sin",
-            Self::Cos => "cos",
-            Self::Tan => "tan",
-            Self::Asin => "asin",
-            Self::Acos => "acos",
-            Self::Atan => "atan",
-            Self::Sqrt => "sqrt",
-            Self::Exp => "exp",
-            Self::Ln => "ln",
-            Self::Abs => "abs",
-        }
-    }
-
-    /// The function with this name.
-    pub fn from_name(name: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|f| f.name() == name)
-    }
-}
 
 /// A formula with resolved names. An [`Origin`] is stored where an error may have to be reported.
 #[derive(Debug, PartialEq)]

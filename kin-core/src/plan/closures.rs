@@ -5,7 +5,7 @@
 //! none. It also goes to 0 where a divisor of the solution is a small difference of large terms.
 
 use crate::expr::{ExprId, Graph, Node, Symbol};
-use crate::mechanism::Function;
+use crate::vocabulary::Function;
 
 /// Weight of the squared terms of a difference against its square. They outweigh it only where digits cancel.
 pub(super) const TERM_WEIGHT: f64 = 1e-6;

@@ -3,7 +3,7 @@
 
 use crate::constraint::Coordinate;
 use crate::expr::{ExprId, Graph};
-use crate::mechanism::Function;
+use crate::vocabulary::Function;
 
 /// The result of [`solve`].
 pub(super) struct Solved {

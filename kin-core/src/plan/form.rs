@@ -10,8 +10,8 @@
 
 use super::probe::Probe;
 use crate::expr::{ExprId, Graph, IdMap, Node, Symbol};
-use crate::mechanism::Function;
 use crate::structure::turn::terms;
+use crate::vocabulary::Function;
 use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 

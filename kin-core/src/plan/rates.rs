@@ -11,7 +11,7 @@ use super::tree::{Block, Core, Pair, PairValue, Part, Way};
 use crate::constraint::Coordinate;
 use crate::expr::{ExprId, Graph};
 use crate::hash::FastMap;
-use crate::mechanism::Function;
+use crate::vocabulary::Function;
 use std::collections::BTreeMap;
 
 /// ½ and a little more: after rounding, a/max(a, b) still does not exceed 1.

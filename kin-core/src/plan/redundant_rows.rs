@@ -17,8 +17,8 @@ use super::closures::{TERM_WEIGHT, sum_of_squared_terms};
 use super::reduce::PairedRows;
 use crate::constraint::CoordinateKind;
 use crate::expr::{ExprId, Symbol};
-use crate::mechanism::Function;
 use crate::program::Slot;
+use crate::vocabulary::Function;
 
 /// Residuals ρ below this count as satisfied.
 pub const TOLERANCE: f64 = 3e-11;

@@ -1,7 +1,7 @@
 //! Substitution in expressions.
 
 use crate::expr::{Algebra, ExprId, Graph, IdMap, Node, Rotation, Symbol, Turning};
-use crate::mechanism::Function;
+use crate::vocabulary::Function;
 
 /// A substitution for symbols, expressions, sines and cosines; `None` leaves them unchanged.
 pub(crate) trait Substitution {

@@ -9,7 +9,7 @@ use super::signs::{self, Signs};
 use super::value_numbering::ValueNumbering;
 use super::{Instruction, Program, Slot, Value};
 use crate::expr::{Bits, ExprId, Graph, IdMap, Node, Rotation};
-use crate::mechanism::Function;
+use crate::vocabulary::Function;
 
 /// A value with a sign: the expression equals the value or its negative.
 #[derive(Clone, Copy)]

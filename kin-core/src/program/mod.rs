@@ -15,8 +15,7 @@ pub use lower::lower;
 pub use roll::{Angles, Keep, Part, Piece, Rolled, Source, Step, Worth, finished, roll};
 
 use crate::expr::{Bits, Symbol};
-use crate::hash::mixed;
-use crate::mechanism::Function;
+use crate::vocabulary::Function;
 use crate::vocabulary::OperationCount;
 
 /// A value of a program: the index of the instruction that computes it.
@@ -95,32 +94,6 @@ impl Instruction {
                 f(a);
                 f(b);
             }
-        }
-    }
-
-    /// A fast hash of the instruction.
-    fn hashed(&self) -> u64 {
-        let one = |kind: u64, a: Value, rest: u64| mixed(mixed(kind, u64::from(a.0)), rest);
-        let two = |kind: u64, a: Value, b: Value| mixed(kind, u64::from(a.0) << 32 | u64::from(b.0));
-        match *self {
-            Self::Number(bits) => mixed(1, bits.value().to_bits()),
-            Self::Load(symbol) => symbol.hashed(2),
-            Self::Neg(a) => one(3, a, 0),
-            Self::Add(a, b) => two(4, a, b),
-            Self::Sub(a, b) => two(5, a, b),
-            Self::Mul(a, b) => two(6, a, b),
-            Self::Div(a, b) => two(7, a, b),
-            Self::SinCos(a) => one(8, a, 0),
-            Self::SinOf(a) => one(9, a, 0),
-            Self::CosOf(a) => one(10, a, 0),
-            Self::Call(f, a) => one(11, a, f as u64),
-            Self::Sign(a) => one(12, a, 0),
-            Self::Atan2(a, b) => two(13, a, b),
-            Self::Nearest(a, b) => two(14, a, b),
-            Self::Powi(a, n) => one(15, a, n as u64),
-            Self::Powf(a, n) => one(16, a, n.value().to_bits()),
-            Self::Supplied(f, a) => one(17, a, u64::from(f)),
-            Self::SuppliedOf(a, order) => one(18, a, u64::from(order)),
         }
     }
 

@@ -1,7 +1,7 @@
 //! Local value numbering: equal instructions share one value.
 
 use super::{Instruction, Value};
-use crate::hash::Table;
+use crate::hash::{Table, hash_of};
 
 /// A list of instructions without duplicates.
 #[derive(Default)]
@@ -29,7 +29,7 @@ impl ValueNumbering {
             }
             other => other,
         };
-        let hash = canonical.hashed();
+        let hash = hash_of(&canonical);
         if let Some(place) = self.values.find(hash, |place| self.instructions[place] == canonical) {
             return Value(place as u32);
         }

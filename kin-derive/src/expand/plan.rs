@@ -1,5 +1,6 @@
 //! The solution plan: its parts as kernels, and the methods that call them.
 
+use super::entries::variant;
 use super::kernel::kernel;
 use super::rows::{method, position_lengths};
 use crate::lower::Lowered;
@@ -42,7 +43,7 @@ fn solve(lowered: &Lowered, solution: &SolutionKernels, n: usize, margins: usize
     let mut before = Depth::Position;
     for part in &solution.parts {
         if part.depth != before {
-            let last = depth(before);
+            let last = variant("Depth", before.variant());
             statements.extend(quote! { if let #last = depth { return __kin::Ok(()); } });
             before = part.depth;
         }
@@ -90,14 +91,6 @@ fn solve(lowered: &Lowered, solution: &SolutionKernels, n: usize, margins: usize
     };
     let methods = method(&quote! { #[inline] }, "solve_with", &arguments, &statements);
     Planned { items, methods }
-}
-
-fn depth(depth: Depth) -> TokenStream {
-    match depth {
-        Depth::Position => quote! { __kin::Depth::Position },
-        Depth::Velocity => quote! { __kin::Depth::Velocity },
-        Depth::Acceleration => quote! { __kin::Depth::Acceleration },
-    }
 }
 
 /// The method `closures_with` where the list of branches is longer than that of the modes: it evaluates all branches

@@ -5,10 +5,10 @@ use super::gather::{Item, Solved};
 use super::line::{Formulas, Line};
 use super::share::Naming;
 use crate::expr::{ExprId, Graph, Jet, Shown, Symbol, total_derivatives};
-use crate::mechanism::Function;
 use crate::plan::step::{Step, StepId};
 use crate::plan::steps::StepList;
 use crate::system::KinematicSystem;
+use crate::vocabulary::Function;
 use crate::vocabulary::StepKind;
 
 struct Writer<'a> {

@@ -4,7 +4,7 @@
 //! the period. The candidate that covers the most items is taken, and the search continues behind it.
 
 use super::stream::{Operand, Stream};
-use crate::hash::{Table, mixed};
+use crate::hash::{Table, hash_of};
 
 /// A loop: `count` iterations of `period` items each, starting at item `start`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -54,7 +54,7 @@ fn next_alike(stream: &Stream) -> Vec<Option<usize>> {
     let (mut places, mut latest) = (Table::default(), Vec::new());
     let mut next = vec![None; stream.len()];
     for at in (0..stream.len()).rev() {
-        let hash = (0..3).fold(0, |hash, k| mixed(hash, kind(at + k).map_or(u64::MAX, u64::from)));
+        let hash = hash_of(&[0, 1, 2].map(|k| kind(at + k)));
         match places.find(hash, |place| alike(latest[place], at)) {
             Some(place) => next[at] = Some(std::mem::replace(&mut latest[place], at)),
             None => {

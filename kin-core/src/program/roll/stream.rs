@@ -6,7 +6,7 @@
 
 use super::rolled::Part;
 use crate::expr::{Bits, Symbol};
-use crate::hash::{Table, mixed};
+use crate::hash::{Table, hash_of};
 use crate::program::{Instruction, Program, Slot, Value};
 
 /// The action of an item.
@@ -58,21 +58,21 @@ pub(super) enum Operand {
 }
 
 /// The properties that items must share to be the same code.
-#[derive(PartialEq, Eq)]
+#[derive(PartialEq, Eq, Hash)]
 struct Kind {
     head: Head,
     operands: [OperandKind; MOST],
 }
 
 /// The operation of an item without its operands.
-#[derive(Clone, Copy, PartialEq, Eq)]
+#[derive(Clone, Copy, PartialEq, Eq, Hash)]
 enum Head {
     Compute(Instruction),
     Write(Slot),
 }
 
 /// An operand without its address.
-#[derive(Clone, Copy, PartialEq, Eq)]
+#[derive(Clone, Copy, PartialEq, Eq, Hash)]
 enum OperandKind {
     Number,
     Load(Symbol),
@@ -81,31 +81,6 @@ enum OperandKind {
 
 /// Maximum number of operands of an item.
 const MOST: usize = 2;
-
-impl Kind {
-    fn hashed(&self) -> u64 {
-        let mut hash = match self.head {
-            Head::Compute(instruction) => instruction.hashed(),
-            Head::Write(_) => 23,
-        };
-        for operand in self.operands {
-            hash = match operand {
-                OperandKind::Number => mixed(hash, 1),
-                OperandKind::Load(symbol) => symbol.hashed(hash),
-                OperandKind::Item(part) => mixed(
-                    hash,
-                    match part {
-                        Part::Whole => 2,
-                        Part::Sin => 3,
-                        Part::Cos => 4,
-                        Part::Derivative(order) => 5 + u64::from(order),
-                    },
-                ),
-            };
-        }
-        hash
-    }
-}
 
 pub(super) struct Stream {
     pub(super) actions: Vec<Action>,
@@ -216,7 +191,7 @@ impl Builder<'_> {
             stream.operands.push(operands[k]);
             k += 1;
         }
-        let hash = kind.hashed();
+        let hash = hash_of(&kind);
         let number = self.places.find(hash, |place| self.kinds[place] == kind).unwrap_or_else(|| {
             self.places.insert(hash, self.kinds.len());
             self.kinds.push(kind);
