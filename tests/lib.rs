@@ -5,6 +5,7 @@ pub mod case;
 pub mod compare;
 pub mod examples;
 pub mod mechanisms;
+pub mod programs;
 pub mod random;
 pub mod stencil;
 

@@ -217,6 +217,3 @@ macro_rules! every_mechanism {
         }
     };
 }
-
-mod programs;
-pub use programs::run;

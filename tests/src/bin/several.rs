@@ -11,7 +11,7 @@ use std::process::ExitCode;
 use kin_runtime::cli::run_from;
 use kin_runtime::function::FromFn;
 use kin_runtime::mechanism;
-use kin_tests::mechanisms::run;
+use kin_tests::programs::run;
 
 /// A follower whose lift returns a wrong second derivative.
 #[mechanism]

@@ -2,7 +2,8 @@
 
 use crate::motion::grid;
 use kin_runtime::{Kinematics, Mechanism, Signal};
-use kin_tests::mechanisms::{run, write_signals};
+use kin_tests::mechanisms::write_signals;
+use kin_tests::programs::run;
 use serde_json::Value;
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -1,6 +1,7 @@
 //! The programs of the test mechanisms, compiled once for all tests.
 
-use super::*;
+use crate::every_mechanism;
+use crate::mechanisms::*;
 use kin_runtime::cli;
 use std::ffi::OsString;
 use std::process::ExitCode;
