@@ -167,10 +167,10 @@ impl Crate {
 fn no_file_uses_one_that_uses_it() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
     let mut found = Vec::new();
-    for name in ["kin-core", "kin-derive", "kin-runtime", "kin-study"] {
+    for (name, least) in [("kin-core", 50), ("kin-derive", 50), ("kin-runtime", 50), ("kin-study", 40)] {
         let house = Crate::new(&root.join(name).join("src"));
         let mut arrows = house.arrows();
-        assert!(arrows.len() > 50, "{name}: only {} files", arrows.len());
+        assert!(arrows.len() > least, "{name}: only {} files", arrows.len());
         // Who uses nobody that is left is in no circle.
         loop {
             let left: BTreeSet<Module> = arrows.keys().cloned().collect();

@@ -240,7 +240,7 @@ fn the_tests_that_the_guide_names_are_there() {
     for command in commands.lines() {
         let words: Vec<&str> = command.split(" #").next().unwrap().split_whitespace().collect();
         let ["$", "cargo", "test", "-p", package, what @ ..] = &words[..] else { panic!("{command}") };
-        let folder = root.join(if *package == "kin-tests" { "tests" } else { package });
+        let folder = root.join(package.replace("kin-tests", "tests").replace("tests-", "tests/"));
         let manifest = std::fs::read_to_string(folder.join("Cargo.toml")).unwrap_or_default();
         assert!(manifest.contains(&format!("name = \"{package}\"")), "{command}");
         let found = match what {

@@ -1,155 +1,23 @@
 //! The command-line program of a mechanism's studies.
 
+mod arguments;
 mod interrupt;
 mod progress;
 mod remote;
+mod watched;
 
-use crate::engine::{Limits, Report, Watch, missing, query, query_to_file, run, run_part};
+use crate::engine::{Watch, missing, query, query_to_file, run, run_part};
 use crate::error::StudyError;
 use crate::scores::names;
 use crate::study::Study;
+use arguments::{Arguments, Command};
 use clap::Parser;
 use kin_runtime::Mechanism;
-use progress::Progress;
 use std::ffi::OsString;
 use std::io::{self, Write};
-use std::net::IpAddr;
-use std::num::NonZero;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
-
-/// Studies of one mechanism: many designs, a motion of each, and what is worth keeping.
-#[derive(Debug, Parser)]
-#[command(subcommand_value_name = "COMMAND")]
-struct Arguments {
-    #[command(subcommand)]
-    command: Command,
-}
-
-#[derive(Debug, clap::Subcommand)]
-enum Command {
-    /// Run a study on all cores of this machine, or on a cluster
-    ///
-    /// Finished rows are written every few seconds. Ctrl-C ends the run and keeps them; --resume goes on. A second Ctrl-C
-    /// ends the program at once. SIGTERM does the same. The exit status is 0 when all rows are done, 130 after a signal.
-    Run {
-        #[command(flatten)]
-        run: RunArgs,
-        #[command(flatten)]
-        cluster: ClusterArgs,
-    },
-    /// Start the scheduler of a cluster; `run --cluster` hands it studies
-    ///
-    /// It has no password and no encryption: whoever reaches its port can use it and its workers.
-    Scheduler {
-        #[command(flatten)]
-        listen: ListenArgs,
-        /// The port; 0 takes any that is free
-        #[arg(long, value_name = "PORT", default_value_t = 50050)]
-        port: u16,
-    },
-    /// Start a worker of a cluster; it ends with Ctrl-C or SIGTERM
-    ///
-    /// It must be the same file as the scheduler and as the program that runs the study, and like these it trusts its network.
-    Worker {
-        /// The scheduler
-        #[arg(long, value_name = "HOST:PORT")]
-        scheduler: String,
-        #[command(flatten)]
-        listen: ListenArgs,
-        /// Its port; it takes the next one, too. 0 takes two that are free
-        #[arg(long, value_name = "PORT", default_value_t = 0)]
-        port: u16,
-        /// Threads; as many as there are processors where nobody says
-        #[arg(long, value_name = "N")]
-        threads: Option<NonZero<usize>>,
-    },
-    /// Run one of several parts of a study: for an array of jobs that share a directory
-    ///
-    /// All jobs say the same N. With --resume a job that was killed may be started again: it goes on behind the last rows
-    /// that were written, and does nothing where all are there. Two processes never work on the same part.
-    Chunk {
-        #[command(flatten)]
-        run: RunArgs,
-        /// Which part, from 0
-        #[arg(long, value_name = "I")]
-        index: u64,
-        /// How many parts there are
-        #[arg(long, value_name = "N")]
-        of: NonZero<u64>,
-    },
-    /// List the parts whose rows are not all there, as job schedulers write an array: 3,7-9
-    Missing {
-        #[command(flatten)]
-        study: StudyArgs,
-        /// The directory for its rows
-        #[arg(long, value_name = "DIR")]
-        out: PathBuf,
-        /// How many parts there are
-        #[arg(long, value_name = "N")]
-        of: NonZero<u64>,
-    },
-    /// Ask for rows by SQL: the tables are `study` and, where there are histograms, `histogram`
-    Query {
-        /// The question, for example: select * from study order by swing desc limit 10
-        sql: String,
-        /// The directory of the study
-        #[arg(long = "in", value_name = "DIR")]
-        directory: PathBuf,
-        /// Write the answer to a file, .csv or .parquet, instead of a table on the screen
-        #[arg(long, value_name = "FILE")]
-        out: Option<PathBuf>,
-    },
-    /// List the parameters, modes and quantities of the mechanism by the names that a study uses
-    Names,
-}
-
-#[derive(Debug, clap::Args)]
-struct StudyArgs {
-    /// The study, a TOML file
-    study: PathBuf,
-    /// Take another number of rows than the file says
-    #[arg(long, value_name = "N", value_parser = rows)]
-    rows: Option<u64>,
-}
-
-#[derive(Debug, clap::Args)]
-struct RunArgs {
-    #[command(flatten)]
-    study: StudyArgs,
-    /// The directory for its rows
-    #[arg(long, value_name = "DIR")]
-    out: PathBuf,
-    /// Go on with what the directory holds already
-    #[arg(long)]
-    resume: bool,
-    /// Threads; as many as there are processors where nobody says
-    #[arg(long, value_name = "N")]
-    threads: Option<NonZero<usize>>,
-}
-
-#[derive(Debug, clap::Args)]
-struct ClusterArgs {
-    /// Let the workers of this scheduler solve the rows
-    #[arg(long, value_name = "HOST:PORT", conflicts_with_all = ["standalone", "threads"])]
-    cluster: Option<String>,
-    /// Let a cluster within this process solve them, to try what a study does there
-    #[arg(long)]
-    standalone: bool,
-    /// Into how many tasks the work of some seconds is cut: at least as many as the cluster has cores, at most 2000 [default: 64]
-    #[arg(long, value_name = "N", requires = "cluster")]
-    tasks: Option<NonZero<usize>>,
-}
-
-#[derive(Debug, clap::Args)]
-struct ListenArgs {
-    /// The address of the interface to listen on
-    #[arg(long, value_name = "IP", default_value = "127.0.0.1")]
-    bind: IpAddr,
-    /// The name by which other machines reach this one; that address where nobody says
-    #[arg(long, value_name = "HOST")]
-    host: Option<String>,
-}
+use watched::{ran, read};
 
 /// Runs the study program of the mechanism `M` with the arguments of this process: `run`, `chunk`, `missing`, `query`,
 /// `names`, and `scheduler` and `worker`, which need the feature `cluster`.
@@ -223,44 +91,6 @@ where
     }
 }
 
-/// Runs a study in one of the ways that there are.
-fn ran(
-    args: &RunArgs,
-    file: &mut Option<PathBuf>,
-    run: impl FnOnce(&Study, &Path, Limits, &Watch) -> Result<Report, StudyError>,
-) -> Result<ExitCode, StudyError> {
-    let study = read(&args.study, file)?;
-    let limits = Limits { threads: args.threads, resume: args.resume };
-    let progress = Progress::begin();
-    let report = run(&study, &args.out, limits, progress.watch());
-    let interrupted = progress.end();
-    let report = report?;
-    eprintln!("{report}");
-    if interrupted && !report.is_complete() {
-        eprintln!("what is done is kept in {}; go on with --resume", args.out.display());
-        return Ok(ExitCode::from(130));
-    }
-    Ok(ExitCode::SUCCESS)
-}
-
-/// The study of a file; complaints from here on are about that file.
-fn read(args: &StudyArgs, file: &mut Option<PathBuf>) -> Result<Study, StudyError> {
-    let text = std::fs::read_to_string(&args.study).map_err(|error| StudyError::file(&args.study, error))?;
-    *file = Some(args.study.clone());
-    let study = Study::from_toml(&text)?;
-    Ok(match args.rows {
-        Some(rows) => study.rows(rows),
-        None => study,
-    })
-}
-
-/// A number of rows; 1e6 is one, too.
-fn rows(text: &str) -> Result<u64, String> {
-    let number: f64 = text.parse().map_err(|_| "a number like 1000 or 1e6 is expected".to_owned())?;
-    let is_count = number.fract() == 0.0 && (0.0..=9e15).contains(&number);
-    if is_count { Ok(number as u64) } else { Err("a whole number is expected".to_owned()) }
-}
-
 /// Numbers in increasing order as job schedulers write them: `3,7-9`.
 fn array(numbers: &[u64]) -> String {
     let runs = numbers.chunk_by(|a, b| a + 1 == *b).map(|run| match run {
@@ -309,11 +139,5 @@ mod tests {
     fn parts_are_listed_as_job_schedulers_write_them() {
         assert_eq!(array(&[]), "");
         assert_eq!(array(&[3, 7, 8, 9, 12, 13]), "3,7-9,12-13");
-    }
-
-    #[test]
-    fn a_number_of_rows_is_whole() {
-        assert_eq!((rows("1e6"), rows("12")), (Ok(1_000_000), Ok(12)));
-        assert!(rows("1.5").is_err() && rows("-1").is_err() && rows("many").is_err());
     }
 }

@@ -7,7 +7,8 @@ pub(super) use without::{run_on, scheduler, worker};
 
 #[cfg(feature = "cluster")]
 mod with {
-    use crate::cli::{ClusterArgs, ListenArgs, RunArgs, ran};
+    use crate::cli::arguments::{ClusterArgs, ListenArgs, RunArgs};
+    use crate::cli::watched::ran;
     use crate::cluster::{self, Cluster, Listen, Standing};
     use crate::engine::Limits;
     use crate::error::StudyError;
@@ -86,7 +87,7 @@ mod with {
 /// The commands of a program that was built without clusters: they say so.
 #[cfg(not(feature = "cluster"))]
 mod without {
-    use crate::cli::{ClusterArgs, ListenArgs, RunArgs};
+    use crate::cli::arguments::{ClusterArgs, ListenArgs, RunArgs};
     use crate::error::StudyError;
     use std::num::NonZero;
     use std::path::PathBuf;
