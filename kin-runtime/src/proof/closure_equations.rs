@@ -35,6 +35,9 @@ pub(super) struct ClosureEquations<'s> {
     unknown: Vec<usize>,
     /// The equations f among those of [`Reduced`]; the ones of eliminated angles come after them.
     rows: Vec<usize>,
+    /// Buffers: zeros, and what the mechanism's rows are.
+    still: Vec<Interval>,
+    of_rows: Vec<Interval>,
 }
 
 /// f, its derivatives by u, and the one by t.
@@ -64,7 +67,9 @@ impl<'s> ClosureEquations<'s> {
         let m = reduced.left.len();
         let (known, unknown, rows) = (vec![None; m], (0..m).collect(), (0..m).collect());
         let (determined, eliminated) = (Vec::new(), Vec::new());
-        let mut equations = Self { square, system, reduced, determined, known, eliminated, unknown, rows };
+        let (still, of_rows) = (vec![ZERO; square.coordinates()], Vec::new());
+        let mut equations =
+            Self { square, system, reduced, determined, known, eliminated, unknown, rows, still, of_rows };
         equations.determine(region);
         equations.eliminate(region);
         equations
@@ -263,7 +268,8 @@ impl<'s> ClosureEquations<'s> {
             q_dot[self.reduced.left[k]] = w;
         }
         let evaluated = self.system.evaluate(Subset::GAMMA, &q, &q_dot).map_err(|_| Uncertified::Malformed)?;
-        let gamma = self.reduced.values(&self.square.kept(evaluated.gamma)?);
+        self.square.kept(evaluated.gamma, &mut self.of_rows)?;
+        let gamma = self.reduced.values(&self.of_rows);
         let mut of_all: Vec<Interval> = self.rows.iter().map(|&i| gamma[i]).collect();
         for ((angle, _), Vector { g, by_u, by_t }) in self.eliminated.iter().zip(&closure.vectors) {
             let along = |i: usize| by_u.iter().zip(w).fold(by_t[i], |sum, (by, &w)| sum + by[i] * w);
@@ -282,10 +288,9 @@ impl<'s> ClosureEquations<'s> {
                 q[self.reduced.left[angle.angle]] = EliminatedAngle::direction(g, *near);
             }
         }
-        let still = vec![ZERO; q.len()];
-        let evaluated = self.system.evaluate(Subset::PHI, &q, &still).ok()?;
-        let rows = self.square.phi(evaluated.phi, &q).ok()?;
-        self.reduced.complete(&rows, &mut q);
+        let evaluated = self.system.evaluate(Subset::PHI, &q, &self.still).ok()?;
+        self.square.phi(evaluated.phi, &q, &mut self.of_rows).ok()?;
+        self.reduced.complete(&self.of_rows, &mut q);
         Some(q)
     }
 
@@ -303,18 +308,20 @@ impl<'s> ClosureEquations<'s> {
 
     /// The equations over a box of all coordinates; lists that are not in the subset are empty.
     fn evaluate(&mut self, q: &[Interval], subset: Subset) -> Result<Values, Uncertified> {
-        let still = vec![ZERO; q.len()];
-        let rows = self.system.evaluate(subset, q, &still).map_err(|_| Uncertified::Malformed)?;
-        let (reduced, square) = (&self.reduced, self.square);
+        let Self { system, reduced, square, still, of_rows, .. } = self;
+        let rows = system.evaluate(subset, q, still).map_err(|_| Uncertified::Malformed)?;
         let mut values = Values::default();
         if subset.phi {
-            values.phi = reduced.values(&square.phi(rows.phi, q)?);
+            square.phi(rows.phi, q, of_rows)?;
+            values.phi = reduced.values(of_rows);
         }
         if subset.phi_q {
-            values.phi_q = reduced.jacobian(&square.matrix(rows.phi_q)?);
+            square.matrix(rows.phi_q, of_rows)?;
+            values.phi_q = reduced.jacobian(of_rows);
         }
         if subset.phi_t {
-            values.phi_t = reduced.values(&square.kept(rows.phi_t)?);
+            square.kept(rows.phi_t, of_rows)?;
+            values.phi_t = reduced.values(of_rows);
         }
         Ok(values)
     }

@@ -1,109 +1,183 @@
 //! Linear algebra with bounds: products of a fixed matrix C with intervals, with every rounding error included.
 //!
-//! Sums are computed in round-to-nearest, together with the sum of the absolute values of their terms. The error of a
-//! sum of m products is less than (m + 2) u times the latter (N. J. Higham, Accuracy and Stability of Numerical
-//! Algorithms, 2nd ed. 2002, section 3.1); bounds use twice that, which covers the rounding of the bounds themselves,
-//! and add the smallest normal number for every product that underflows.
+//! Sums are computed in round-to-nearest, together with bounds of their errors. The error of a sum of m products is less than
+//! (m + 2) u times the sum of the products' absolute values (N. J. Higham, Accuracy and Stability of Numerical Algorithms,
+//! 2nd ed. 2002, section 3.1); bounds use twice that, which covers the rounding of the bounds themselves, and add a tiny
+//! number for every product that may underflow.
 
 use crate::scalar::Interval;
-use nalgebra::DMatrix;
+
+/// So many numbers are processed at once; columns are padded with zeros to a multiple of it.
+const LANES: usize = 4;
+
+/// 2⁻⁹⁶⁰: far more than underflow takes away, and large enough for products with it to be normal numbers, because others are
+/// slow.
+const TINY: f64 = f64::from_bits((1023 - 960) << 52);
 
 /// An upper bound of the exact value of a computed sum of m nonnegative products.
 fn up(sum: f64, m: usize) -> f64 {
-    (sum + m as f64 * f64::MIN_POSITIVE) * (1.0 + (m + 4) as f64 * f64::EPSILON)
+    (sum + m as f64 * TINY) * (1.0 + (m + 4) as f64 * f64::EPSILON)
 }
 
 /// C: an approximate inverse of a matrix, by which linear equations are multiplied from the left.
 pub(super) struct Preconditioner {
     n: usize,
+    /// How many numbers a column has, zeros at its end included.
+    height: usize,
     /// Column by column.
     columns: Vec<f64>,
+    /// Buffers: another matrix, sums and bounds of their errors.
+    product: Vec<f64>,
+    sums: Vec<f64>,
+    errors: Vec<f64>,
 }
 
-/// Replaces an n×n matrix, given row by row, by its inverse: the algorithm of Gauss and Jordan with partial pivoting, in place.
-/// Nothing is left if a pivot is 0 or not a number.
-fn inverted(mut a: Vec<f64>, n: usize) -> Option<Vec<f64>> {
-    let mut exchanges = Vec::with_capacity(n);
-    for k in 0..n {
-        let size = |&row: &usize| a[row * n + k].abs();
-        let pivot = (k..n).max_by(|i, j| size(i).total_cmp(&size(j)))?;
-        exchanges.push(pivot);
-        for column in (0..n).filter(|_| pivot != k) {
-            a.swap(k * n + column, pivot * n + column);
+/// `list` + `factor` · `other`, number by number; lengths are multiples of [`LANES`].
+#[inline]
+fn add(list: &mut [f64], factor: f64, other: &[f64]) {
+    for (list, other) in list.as_chunks_mut::<LANES>().0.iter_mut().zip(other.as_chunks::<LANES>().0) {
+        for k in 0..LANES {
+            list[k] += factor * other[k];
         }
-        let factor = 1.0 / std::mem::replace(&mut a[k * n + k], 1.0);
-        a[k * n..][..n].iter_mut().for_each(|x| *x *= factor);
-        let (before, rest) = a.split_at_mut(k * n);
-        let (row, after) = rest.split_at_mut(n);
-        for other in before.chunks_exact_mut(n).chain(after.chunks_exact_mut(n)) {
+    }
+}
+
+/// `list` + `factor` · |`other`|, number by number.
+#[inline]
+fn add_sizes(list: &mut [f64], factor: f64, other: &[f64]) {
+    for (list, other) in list.as_chunks_mut::<LANES>().0.iter_mut().zip(other.as_chunks::<LANES>().0) {
+        for k in 0..LANES {
+            list[k] += factor * other[k].abs();
+        }
+    }
+}
+
+/// What a term with the middle m and the radius r of an interval may be wrong by, in a sum of `count` such terms: per size of
+/// the other factor.
+#[inline]
+fn weight(middle: f64, radius: f64, count: usize) -> f64 {
+    radius + (count + 4) as f64 * f64::EPSILON * middle.abs() + TINY
+}
+
+/// Replaces a matrix of n rows of equal lengths by its inverse: the algorithm of Gauss and Jordan with partial pivoting, in place.
+/// False if a pivot is 0 or not a number.
+fn invert(a: &mut [f64], n: usize, length: usize, exchanges: &mut Vec<usize>) -> bool {
+    exchanges.clear();
+    for k in 0..n {
+        let size = |row: usize| a[row * length + k].abs();
+        let pivot = (k + 1..n).fold(k, |most, row| if size(row) > size(most) { row } else { most });
+        exchanges.push(pivot);
+        if pivot != k {
+            let (upper, lower) = a.split_at_mut(pivot * length);
+            upper[k * length..][..length].swap_with_slice(&mut lower[..length]);
+        }
+        let (before, rest) = a.split_at_mut(k * length);
+        let (row, after) = rest.split_at_mut(length);
+        let factor = 1.0 / std::mem::replace(&mut row[k], 1.0);
+        if factor != 1.0 {
+            row.iter_mut().for_each(|x| *x *= factor);
+        }
+        for other in before.chunks_exact_mut(length).chain(after.chunks_exact_mut(length)) {
             let factor = std::mem::replace(&mut other[k], 0.0);
-            other.iter_mut().zip(&*row).for_each(|(x, &pivot)| *x -= factor * pivot);
+            // Most entries of a mechanism's matrix are 0.
+            if factor != 0.0 {
+                add(other, -factor, row);
+            }
         }
     }
     // Exchanged rows of the matrix are exchanged columns of its inverse.
     for (k, &pivot) in exchanges.iter().enumerate().rev().filter(|&(k, &pivot)| pivot != k) {
-        for row in a.chunks_exact_mut(n) {
+        for row in a.chunks_exact_mut(length) {
             row.swap(k, pivot);
         }
     }
-    a.iter().all(|x| x.is_finite()).then_some(a)
+    // NaN and infinite numbers times 0 are NaN.
+    let mut sums = [0.0; LANES];
+    for numbers in a.as_chunks::<LANES>().0 {
+        for k in 0..LANES {
+            sums[k] += 0.0 * numbers[k];
+        }
+    }
+    sums == [0.0; LANES]
 }
 
-/// Bounds of |I − C A| for all matrices A of a matrix of intervals.
-pub(super) struct Rest(DMatrix<f64>);
-
 impl Preconditioner {
-    /// An approximate inverse of the n×n matrix with these entries; none if it is singular in `f64`.
-    pub(super) fn new(n: usize, entries: &[(usize, usize)], values: impl Iterator<Item = f64>) -> Option<Self> {
-        // The rows of the transposed matrix, whose inverse has the columns of C as its rows.
-        let mut matrix = vec![0.0; n * n];
-        for (&(row, column), value) in entries.iter().zip(values) {
-            matrix[column * n + row] += value;
-        }
-        Some(Self { n, columns: inverted(matrix, n)? })
+    /// Room for n×n matrices.
+    pub(super) fn with_room(n: usize) -> Self {
+        let height = n.next_multiple_of(LANES).max(LANES);
+        let [columns, product] = [const { 0.0 }; 2].map(|zero| vec![zero; n * height]);
+        Self { n, height, columns, product, sums: vec![0.0; height], errors: vec![0.0; height] }
     }
 
-    /// Bounds for a matrix with these entries.
-    pub(super) fn rest(&self, entries: &[(usize, usize)], values: &[Interval]) -> Rest {
-        let n = self.n;
-        // C A and |C| |A| with the midpoints of A, and |C| times the radii of A.
-        let [mut product, mut sizes, mut radii] = [const { 0.0 }; 3].map(|zero| vec![zero; n * n]);
-        let mut terms = vec![0_usize; n];
+    /// An approximate inverse of the n×n matrix with these entries; none if it is singular in `f64`.
+    pub(super) fn new(n: usize, entries: &[(usize, usize)], values: impl Iterator<Item = f64>) -> Option<Self> {
+        let mut inverse = Self::with_room(n);
+        inverse.set(entries, values, &mut Vec::with_capacity(n)).then_some(inverse)
+    }
+
+    /// Becomes an approximate inverse of the matrix with these entries, at most one for each place; false if it is singular in
+    /// `f64`.
+    pub(super) fn set(
+        &mut self,
+        entries: &[(usize, usize)],
+        values: impl Iterator<Item = f64>,
+        exchanges: &mut Vec<usize>,
+    ) -> bool {
+        // The rows of the transposed matrix, whose inverse has the columns of C as its rows.
+        self.columns.fill(0.0);
         for (&(row, column), value) in entries.iter().zip(values) {
-            let (middle, radius) = (value.midpoint(), value.radius());
-            terms[column] += 1;
-            let of_row = &self.columns[row * n..][..n];
-            let lists = [&mut product, &mut sizes, &mut radii].map(|list| &mut list[column * n..][..n]);
-            let [product, sizes, radii] = lists;
-            for (((&c, product), size), with_radius) in of_row.iter().zip(product).zip(sizes).zip(radii) {
-                let term = c * middle;
-                *product += term;
-                *size += term.abs();
-                *with_radius += c.abs() * radius;
-            }
+            self.columns[column * self.height + row] = value;
         }
-        Rest(DMatrix::from_fn(n, n, |i, k| {
-            let (at, m, one) = (k * n + i, terms[k], if i == k { 1.0 } else { 0.0 });
-            let rounding = (m + 4) as f64 * f64::EPSILON * (sizes[at] + one);
-            up((one - product[at]).abs() + radii[at] + rounding, 3 * m + 4)
-        }))
+        invert(&mut self.columns, self.n, self.height, exchanges)
+    }
+
+    /// Writes bounds of |I − C A| v, for a list v of nonnegative numbers and all matrices A with entries in these intervals.
+    pub(super) fn rest(&mut self, entries: &[(usize, usize)], values: &[Interval], v: &[f64], bounds: &mut [f64]) {
+        let Self { n, height, columns, product, sums, errors } = self;
+        let (n, height) = (*n, *height);
+        // C A with the midpoints of A; for every row of A what its entries may be wrong by, times v.
+        product.fill(0.0);
+        errors.fill(0.0);
+        for (&(row, column), value) in entries.iter().zip(values) {
+            let middle = value.midpoint();
+            // A column of A has at most n entries.
+            errors[row] += weight(middle, value.radius(), n) * v[column] + TINY;
+            add(&mut product[column * height..][..height], middle, &columns[row * height..][..height]);
+        }
+        sums.fill(0.0);
+        for (row, column) in columns.chunks_exact(height).enumerate() {
+            add_sizes(sums, errors[row], column);
+        }
+        for (k, (column, &v)) in product.chunks_exact_mut(height).zip(v).enumerate() {
+            column[k] -= 1.0;
+            add_sizes(sums, v, column);
+        }
+        let underflow = n as f64 * TINY * v.iter().sum::<f64>();
+        for (bound, &sum) in bounds.iter_mut().zip(&*sums) {
+            *bound = up(sum + underflow, 4 * n + 8);
+        }
+    }
+
+    /// Writes C b for a list of intervals.
+    pub(super) fn times_to(&mut self, b: &[Interval], product: &mut [Interval]) {
+        let Self { n, height, columns, sums, errors, .. } = self;
+        sums.fill(0.0);
+        errors.fill(0.0);
+        for (b, column) in b.iter().zip(columns.chunks_exact(*height)) {
+            let (middle, radius) = (b.midpoint(), b.radius());
+            add(sums, middle, column);
+            add_sizes(errors, weight(middle, radius, *n), column);
+        }
+        for ((product, &sum), &error) in product.iter_mut().zip(&*sums).zip(&*errors) {
+            *product = Interval::around(sum, up(error, 3 * *n + 4));
+        }
     }
 
     /// C b for a list of intervals.
-    pub(super) fn times(&self, b: &[Interval]) -> Vec<Interval> {
-        let n = b.len();
-        let [mut sums, mut sizes, mut radii] = [const { 0.0 }; 3].map(|zero| vec![zero; n]);
-        for (b, column) in b.iter().zip(self.columns.chunks_exact(n.max(1))) {
-            let (middle, radius) = (b.midpoint(), b.radius());
-            for (((&c, sum), size), with_radius) in column.iter().zip(&mut sums).zip(&mut sizes).zip(&mut radii) {
-                let term = c * middle;
-                *sum += term;
-                *size += term.abs();
-                *with_radius += c.abs() * radius;
-            }
-        }
-        let rounding = |i: usize| (n + 4) as f64 * f64::EPSILON * sizes[i];
-        (0..n).map(|i| Interval::around(sums[i], up(radii[i] + rounding(i), 3 * n + 4))).collect()
+    pub(super) fn times(&mut self, b: &[Interval]) -> Vec<Interval> {
+        let mut product = vec![Interval::ZERO; b.len()];
+        self.times_to(b, &mut product);
+        product
     }
 
     /// 1 / κ in the maximum norm of the matrix with these entries, rows scaled to size 1 and columns by `sizes`.
@@ -113,21 +187,7 @@ impl Preconditioner {
         for (&(row, column), entry) in entries.iter().zip(values) {
             rows[row] += entry.magnitude() * sizes[column];
         }
-        let sum = |i: usize| (0..n).map(|r| self.columns[r * n + i].abs() * rows[r]).sum::<f64>() / sizes[i];
+        let sum = |i: usize| (0..n).map(|r| self.columns[r * self.height + i].abs() * rows[r]).sum::<f64>() / sizes[i];
         1.0 / (0..n).map(sum).fold(1.0, f64::max)
-    }
-}
-
-impl Rest {
-    /// Bounds of |I − C A| v for a list v of nonnegative numbers.
-    pub(super) fn times(&self, v: &[f64]) -> Vec<f64> {
-        let n = v.len();
-        let mut sums = vec![0.0; n];
-        for (&v, column) in v.iter().zip(self.0.as_slice().chunks_exact(n.max(1))) {
-            for (sum, &rest) in sums.iter_mut().zip(column) {
-                *sum += rest * v;
-            }
-        }
-        sums.into_iter().map(|sum| up(sum, n)).collect()
     }
 }

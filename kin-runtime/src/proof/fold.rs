@@ -107,7 +107,7 @@ pub(super) fn prove(equations: &mut ClosureEquations<'_>, near: &[f64], reach: f
     let sizes: Vec<f64> = sizes.iter().copied().chain((1..m).map(|_| 1.0)).collect();
     for step in 0..=STEPS {
         let (values, matrix) = bordered(equations, &points(&y), one).ok()?;
-        let inverse = Preconditioner::new(n, &entries, matrix.iter().map(|a| a.midpoint()))?;
+        let mut inverse = Preconditioner::new(n, &entries, matrix.iter().map(|a| a.midpoint()))?;
         let newton = inverse.times(&values);
         let moved = newton.iter().zip(&sizes).fold(0.0, |most: f64, (d, size)| most.max(d.magnitude() / size));
         if moved > CONVERGED && step < STEPS {
@@ -118,10 +118,13 @@ pub(super) fn prove(equations: &mut ClosureEquations<'_>, near: &[f64], reach: f
             }
             continue;
         }
-        let over = &mut |all: &[Interval]| Ok(bordered(equations, all, one)?.1);
+        let over = &mut |all: &[Interval], matrix: &mut Vec<Interval>| {
+            *matrix = bordered(equations, all, one)?.1;
+            Ok(())
+        };
         let mut locate = |boxes: &[f64]| {
             let trial = Trial { boxes, entries: &entries, centre: &y, sizes: &sizes, newton: &newton };
-            trial.locate(&inverse, over).ok()?
+            trial.locate(&mut inverse, over, &mut Vec::new()).ok()?
         };
         let unique = locate(&LARGE)?.unique(&y);
         let place = locate(&SMALL)?.q[..=m].to_vec();

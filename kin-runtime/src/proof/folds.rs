@@ -193,7 +193,7 @@ impl Search<'_> {
         let across: Vec<usize> = (0..=m).filter(|&k| k != along).collect();
         let entries: Vec<(usize, usize)> = (0..m).flat_map(|i| (0..m).map(move |k| (i, k))).collect();
         let middle = a.iter().flat_map(|row| across.iter().map(|&k| row[k].midpoint()));
-        let Some(inverse) = Preconditioner::new(m, &entries, middle) else { return Shrunk::Unknown };
+        let Some(mut inverse) = Preconditioner::new(m, &entries, middle) else { return Shrunk::Unknown };
         let f = inverse.times(&f);
         let columns: Vec<Vec<Interval>> =
             (0..=m).map(|k| inverse.times(&a.iter().map(|row| row[k]).collect::<Vec<_>>())).collect();
@@ -217,9 +217,10 @@ impl Search<'_> {
         let m = f_u.len();
         let entries: Vec<(usize, usize)> = (0..m).flat_map(|i| (0..m).map(move |k| (i, k))).collect();
         let values: Vec<Interval> = f_u.iter().flatten().copied().collect();
-        let Some(inverse) = Preconditioner::new(m, &entries, values.iter().map(|a| a.midpoint())) else { return false };
-        let sizes = &self.sizes[..m];
-        let rest = inverse.rest(&entries, &values).times(sizes);
+        let middle = values.iter().map(|a| a.midpoint());
+        let Some(mut inverse) = Preconditioner::new(m, &entries, middle) else { return false };
+        let (sizes, mut rest) = (&self.sizes[..m], vec![0.0; m]);
+        inverse.rest(&entries, &values, sizes, &mut rest);
         rest.iter().zip(sizes).all(|(rest, size)| (rest / size).next_up() < 1.0)
     }
 }

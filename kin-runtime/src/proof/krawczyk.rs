@@ -2,11 +2,13 @@
 
 use super::contraction::Preconditioner;
 use super::enclosures::Enclosures;
-use super::located::Trial;
+use super::located::{Located, Trial};
 use crate::certificate::{Certificate, Uncertified};
-use crate::model::{Component, CoordinateKind, JointKind, Level, Model};
+use crate::mechanism::LengthError;
+use crate::model::{Component, CoordinateInfo, CoordinateKind, JointKind, Level, Model};
 use crate::scalar::Interval;
 use crate::workspace::{Signal, Subset};
+use std::borrow::Cow;
 
 /// Sizes of the boxes that are tried, relative to a radian and to the size of the mechanism, largest first: a larger
 /// box is a stronger statement, and a smaller one may succeed if another solution is close.
@@ -15,18 +17,19 @@ const BOXES: [f64; 4] = [1e-6, 1e-8, 1e-10, 1e-12];
 const WRONG: f64 = 1e-6;
 /// With an inverse condition number below this, a large correction is reported as a singular configuration.
 const SINGULAR: f64 = 1e-6;
+const ONE: Interval = Interval::new(1.0, 1.0);
+
 /// A square system: as many rows as coordinates.
 pub(crate) struct Square {
     model: &'static Model,
-    /// The index of every row of the mechanism in this system; none for rows that are left out.
-    place: Vec<Option<usize>>,
     left_out: Vec<&'static str>,
+    left_out_rows: Vec<usize>,
     /// Prescribed coordinates, whose rows come last.
     given: Vec<(usize, Signal)>,
-    /// (row, column) of the entries of Φ_q in this system, and their indices in the pattern; none for the entry 1 of a
-    /// prescribed coordinate.
-    entries: Vec<(usize, usize)>,
-    sources: Vec<Option<usize>>,
+    /// (row, column) of the entries of Φ_q in this system.
+    entries: Cow<'static, [(usize, usize)]>,
+    /// Their indices in the pattern, unless all are the same; none for the entry 1 of a prescribed coordinate.
+    sources: Option<Vec<Option<usize>>>,
 }
 
 impl Square {
@@ -36,34 +39,32 @@ impl Square {
     /// If there are not as many rows as coordinates, or if some rows are of velocity level.
     pub(crate) fn new(
         model: &'static Model,
-        left_out: &[usize],
+        left_out: Vec<usize>,
         given: &[(usize, Signal)],
     ) -> Result<Self, Uncertified> {
         if model.rows.iter().any(|row| row.level == Level::Velocity) {
             return Err(Uncertified::VelocityLevel);
         }
-        let mut rows = 0;
-        let place = (0..model.rows.len()).map(|row| {
-            let kept = !left_out.contains(&row);
-            kept.then(|| {
-                rows += 1;
-                rows - 1
-            })
-        });
-        let place: Vec<Option<usize>> = place.collect();
-        let n = model.coordinates.len();
-        match n.checked_sub(rows + given.len()) {
+        let rows = (0..model.rows.len()).filter(|row| !left_out.contains(row)).count();
+        match model.coordinates.len().checked_sub(rows + given.len()) {
             Some(0) => {}
             Some(degrees_of_freedom) => return Err(Uncertified::Open { degrees_of_freedom }),
             // Too many rows depend on one another.
             None => return Err(Uncertified::Singular { nearness: 0.0 }),
         }
-        let own = model.constraint_pattern.entries.iter().enumerate();
-        let kept = own.filter_map(|(k, &(row, column))| Some(((place[row]?, column), Some(k))));
-        let given_rows = given.iter().enumerate().map(|(k, &(column, _))| ((rows + k, column), None));
-        let (entries, sources) = kept.chain(given_rows).unzip();
-        let left_out = left_out.iter().filter_map(|&row| model.rows.get(row)).map(|row| row.name).collect();
-        Ok(Self { model, place, left_out, given: given.to_vec(), entries, sources })
+        let (mut entries, mut sources) = (Cow::Borrowed(model.constraint_pattern.entries), None);
+        if !(left_out.is_empty() && given.is_empty()) {
+            let place = |row: usize| {
+                (!left_out.contains(&row)).then(|| row - left_out.iter().filter(|&&other| other < row).count())
+            };
+            let own = entries.iter().enumerate();
+            let kept = own.filter_map(|(k, &(row, column))| Some(((place(row)?, column), Some(k))));
+            let given_rows = given.iter().enumerate().map(|(k, &(column, _))| ((rows + k, column), None));
+            let (kept, indices): (Vec<_>, Vec<_>) = kept.chain(given_rows).unzip();
+            (entries, sources) = (Cow::Owned(kept), Some(indices));
+        }
+        let names = left_out.iter().filter_map(|&row| model.rows.get(row)).map(|row| row.name).collect();
+        Ok(Self { model, left_out: names, left_out_rows: left_out, given: given.to_vec(), entries, sources })
     }
 
     /// The number of coordinates, which is that of rows.
@@ -84,144 +85,232 @@ impl Square {
     /// The entries of Φ_q that are literal constants.
     pub(super) fn constants(&self) -> impl Iterator<Item = Option<f64>> {
         let constants = self.model.constraint_pattern.constants;
-        let value = |k: usize| constants.iter().find(|(place, _)| *place == k).map(|(_, value)| *value);
-        self.sources.iter().map(move |source| source.map_or(Some(1.0), value))
+        let value = move |k: usize| constants.iter().find(|(place, _)| *place == k).map(|(_, value)| *value);
+        (0..self.entries.len()).map(move |entry| self.source(entry).map_or(Some(1.0), value))
     }
 
     /// True for the angle of a body in whose rows there are only pins.
     pub(super) fn is_pinned_angle(&self, column: usize) -> bool {
-        let of = |source: &Option<usize>| {
-            let row = self.model.rows.get(self.model.constraint_pattern.entries[(*source)?].0)?;
+        let of = |entry: usize| {
+            let row = self.model.rows.get(self.model.constraint_pattern.entries[self.source(entry)?].0)?;
             Some(self.model.joints.get(row.joint)?.kind == JointKind::Revolute)
         };
-        let mut rows = self.entries.iter().zip(&self.sources).filter(|((_, of), _)| *of == column);
+        let mut rows = self.entries.iter().enumerate().filter(|(_, (_, of))| *of == column);
         let kind = self.model.coordinates[column].kind;
         matches!(kind, CoordinateKind::Pose { component: Component::Phi, .. })
-            && rows.all(|(_, source)| of(source) == Some(true))
+            && rows.all(|(entry, _)| of(entry) == Some(true))
     }
 
-    /// Φ, prescribed coordinates included.
-    pub(super) fn phi(&self, values: &[Interval], q: &[Interval]) -> Result<Vec<Interval>, Uncertified> {
-        self.rows(values, |&(k, signal)| q[k] - Interval::from(signal.value))
+    /// Writes Φ, prescribed coordinates included.
+    pub(super) fn phi(&self, values: &[Interval], q: &[Interval], phi: &mut Vec<Interval>) -> Result<(), Uncertified> {
+        self.rows(values.iter().copied(), |&(k, signal)| q[k] - Interval::from(signal.value), phi)
     }
 
-    /// The entries of Φ_q, in the order of `entries`.
-    pub(super) fn matrix(&self, phi_q: &[Interval]) -> Result<Vec<Interval>, Uncertified> {
-        let value = |source: &Option<usize>| source.map_or(Interval::from(1.0), |k| phi_q[k]);
-        let values: Vec<Interval> = self.sources.iter().map(value).collect();
-        match self.sources.iter().zip(&values).find(|(_, value)| !value.is_bounded()) {
-            None => Ok(values),
-            Some((source, _)) => {
-                let row = source.map_or(0, |k| self.model.constraint_pattern.entries[k].0);
-                Err(Uncertified::Unbounded { row: self.model.rows.get(row).map_or("", |row| row.name) })
-            }
+    /// Writes the entries of Φ_q, in the order of `entries`.
+    pub(super) fn matrix(&self, phi_q: &[Interval], matrix: &mut Vec<Interval>) -> Result<(), Uncertified> {
+        matrix.clear();
+        match &self.sources {
+            None => matrix.extend_from_slice(phi_q),
+            Some(sources) => matrix.extend(sources.iter().map(|source| source.map_or(ONE, |k| phi_q[k]))),
         }
+        let Some(entry) = matrix.iter().position(|value| !value.is_bounded()) else { return Ok(()) };
+        let row = self.source(entry).map_or(0, |k| self.model.constraint_pattern.entries[k].0);
+        Err(self.unbounded(row))
     }
 
-    /// The numbers of the rows that are not left out, and 0 for prescribed coordinates.
-    pub(super) fn kept(&self, values: &[Interval]) -> Result<Vec<Interval>, Uncertified> {
-        self.rows(values, |_| Interval::from(0.0))
+    /// Writes the numbers of the rows that are not left out, and 0 for prescribed coordinates.
+    pub(super) fn kept(&self, values: &[Interval], rows: &mut Vec<Interval>) -> Result<(), Uncertified> {
+        self.rows(values.iter().copied(), |_| Interval::ZERO, rows)
     }
 
-    /// The numbers of the rows that are not left out, and those of prescribed coordinates.
+    /// Writes the numbers of the rows that are not left out, and those of prescribed coordinates.
     fn rows(
         &self,
-        values: &[Interval],
+        values: impl Iterator<Item = Interval>,
         given: impl Fn(&(usize, Signal)) -> Interval,
-    ) -> Result<Vec<Interval>, Uncertified> {
-        let kept = || values.iter().zip(&self.place).enumerate().filter(|(_, (_, place))| place.is_some());
-        if let Some((row, _)) = kept().find(|(_, (value, _))| !value.is_bounded()) {
-            return Err(Uncertified::Unbounded { row: self.model.rows.get(row).map_or("", |row| row.name) });
+        rows: &mut Vec<Interval>,
+    ) -> Result<(), Uncertified> {
+        rows.clear();
+        for (row, value) in values.enumerate().filter(|&(row, _)| !self.is_left_out(row)) {
+            if !value.is_bounded() {
+                return Err(self.unbounded(row));
+            }
+            rows.push(value);
         }
-        Ok(kept().map(|(_, (value, _))| *value).chain(self.given.iter().map(given)).collect())
+        rows.extend(self.given.iter().map(given));
+        Ok(())
     }
 
-    /// `b` − A x.
-    fn residual(&self, mut b: Vec<Interval>, matrix: &[Interval], x: &[f64]) -> Vec<Interval> {
-        for (&(row, column), &entry) in self.entries.iter().zip(matrix) {
+    /// Makes `b` b − A x.
+    fn subtract(&self, b: &mut [Interval], matrix: &[Interval], x: &[f64]) {
+        for (&(row, column), &entry) in self.entries.iter().zip(matrix).filter(|((_, column), _)| x[*column] != 0.0) {
             b[row] = b[row] - entry * Interval::from(x[column]);
         }
-        b
     }
 
-    /// The scale of every coordinate: a radian, or the size of the mechanism.
-    fn sizes(&self, q: &[f64]) -> Vec<f64> {
-        let is_length = |k: usize| {
-            matches!(
-                self.model.coordinates[k].kind,
-                CoordinateKind::Pose { component: Component::X | Component::Y, .. }
-            )
+    fn is_left_out(&self, row: usize) -> bool {
+        self.left_out_rows.contains(&row)
+    }
+
+    /// The index in the pattern of an entry; none for the entry 1 of a prescribed coordinate.
+    fn source(&self, entry: usize) -> Option<usize> {
+        self.sources.as_ref().map_or(Some(entry), |sources| sources[entry])
+    }
+
+    fn unbounded(&self, row: usize) -> Uncertified {
+        Uncertified::Unbounded { row: self.model.rows.get(row).map_or("", |row| row.name) }
+    }
+
+    /// Writes the scale of every coordinate: a radian, or the size of the mechanism.
+    fn sizes(&self, q: &[f64], sizes: &mut Vec<f64>) {
+        let is_length = |coordinate: &CoordinateInfo| {
+            matches!(coordinate.kind, CoordinateKind::Pose { component: Component::X | Component::Y, .. })
         };
-        let length = (0..q.len()).filter(|&k| is_length(k)).fold(0.0, |most: f64, k| most.max(q[k].abs()));
-        let size = |k: usize| if is_length(k) && length > 0.0 { length } else { 1.0 };
-        (0..q.len()).map(size).collect()
+        let all = self.model.coordinates.iter();
+        let lengths = all.clone().zip(q).filter(|(coordinate, _)| is_length(coordinate));
+        let length = lengths.fold(0.0, |most: f64, (_, x)| most.max(x.abs()));
+        sizes.clear();
+        sizes.extend(all.map(|coordinate| if is_length(coordinate) && length > 0.0 { length } else { 1.0 }));
     }
 
     /// An error that names the list `what` if one of its corrections is too large.
     fn judge(&self, what: &'static str, corrections: &[Interval], sizes: &[f64], most: f64) -> Result<(), Uncertified> {
-        let relative = |k: usize| corrections[k].magnitude() / sizes[k];
-        let worst = (0..sizes.len()).max_by(|&a, &b| relative(a).total_cmp(&relative(b)));
+        // False for NaN, too.
+        let is_small = |(correction, size): (&Interval, &f64)| correction.magnitude() <= most * size;
+        if corrections.iter().zip(sizes).all(is_small) {
+            return Ok(());
+        }
+        let relative = |k: &usize| corrections[*k].magnitude() / sizes[*k];
+        let worst = (0..sizes.len()).max_by(|a, b| relative(a).total_cmp(&relative(b)));
         match worst {
-            Some(k) if relative(k) > most || relative(k).is_nan() => Err(Uncertified::NotASolution {
+            Some(k) => Err(Uncertified::NotASolution {
                 what,
                 coordinate: self.model.coordinates[k].name,
                 by: corrections[k].midpoint().abs(),
             }),
-            _ => Ok(()),
+            None => Ok(()),
         }
     }
 }
 
-/// The certificate of q, q̇ and q̈, n finite numbers each.
-pub(crate) fn certify(
-    square: &Square,
-    system: &mut dyn Enclosures,
-    [q, q_dot, q_ddot]: [&[f64]; 3],
-) -> Result<Certificate, Uncertified> {
-    let n = square.model.coordinates.len();
-    let malformed = |_| Uncertified::Malformed;
-    if [q, q_dot, q_ddot].iter().any(|list| list.len() != n || list.iter().any(|x| !x.is_finite())) {
-        return Err(Uncertified::Malformed);
-    }
-    let still = vec![Interval::from(0.0); n];
-    let point: Vec<Interval> = q.iter().map(|&x| Interval::from(x)).collect();
-    let at_point = system.evaluate(Subset::POSITION, &point, &still).map_err(malformed)?;
-    let phi = square.phi(at_point.phi, &point)?;
-    let matrix = square.matrix(at_point.phi_q)?;
-    let sizes = square.sizes(q);
-    let middle = matrix.iter().map(|entry| entry.midpoint());
-    let Some(inverse) = Preconditioner::new(n, &square.entries, middle) else {
-        return Err(Uncertified::Singular { nearness: 0.0 });
-    };
-    let nearness = || inverse.inverse_condition(&square.entries, &matrix, &sizes);
-    let newton = inverse.times(&phi);
-    // Near a singular configuration a large correction does not show that the state is wrong.
-    square.judge("q", &newton, &sizes, WRONG).map_err(|wrong| match nearness() {
-        nearness if nearness < SINGULAR => Uncertified::Singular { nearness },
-        _ => wrong,
-    })?;
-    let mut over = |q: &[Interval]| {
-        let evaluated = system.evaluate(Subset::JACOBIAN, q, &still).map_err(malformed)?;
-        square.matrix(evaluated.phi_q)
-    };
-    let trial = Trial { boxes: &BOXES, entries: &square.entries, centre: q, sizes: &sizes, newton: &newton };
-    let located = trial.locate(&inverse, &mut over)?.ok_or_else(|| Uncertified::Singular { nearness: nearness() })?;
+/// Certificates of one system, one after the other.
+pub(crate) struct Prover<'s> {
+    square: &'s Square,
+    inverse: Preconditioner,
+    /// Buffers, so that a proof allocates hardly more than what it returns.
+    exchanges: Vec<usize>,
+    sizes: Vec<f64>,
+    still: Vec<Interval>,
+    point: Vec<Interval>,
+    rows: Vec<Interval>,
+    newton: Vec<Interval>,
+    matrix: Vec<Interval>,
+    over_box: Vec<Interval>,
+}
 
-    // The linear equations A q̇ = −Φ_t and A q̈ = γ for all matrices over the enclosure.
-    let over = system.evaluate(Subset::VELOCITY, &located.q, &still).map_err(malformed)?;
-    let matrix = square.matrix(over.phi_q)?;
-    let nu: Vec<Interval> = over.phi_t.iter().map(|&phi_t| -phi_t).collect();
-    let nu = square.rows(&nu, |(_, signal)| Interval::from(signal.rate))?;
-    let rates = located.solve(&square.residual(nu, &matrix, q_dot));
-    square.judge("q̇", &rates, &sizes, WRONG * (1.0 + size_of(q_dot, &sizes)))?;
-    let rates: Vec<Interval> = q_dot.iter().zip(rates).map(|(&x, d)| Interval::from(x) + d).collect();
-    let over = system.evaluate(Subset::GAMMA, &located.q, &rates).map_err(malformed)?;
-    let gamma = square.rows(over.gamma, |(_, signal)| Interval::from(signal.acceleration))?;
-    let accelerations = located.solve(&square.residual(gamma, &matrix, q_ddot));
-    square.judge("q̈", &accelerations, &sizes, WRONG * (1.0 + size_of(q_ddot, &sizes)))?;
-    let accelerations = q_ddot.iter().zip(accelerations).map(|(&x, d)| Interval::from(x) + d).collect();
-    let unique = located.unique(q);
-    Ok(Certificate { q: located.q, q_dot: rates, q_ddot: accelerations, unique, left_out: square.left_out.clone() })
+impl<'s> Prover<'s> {
+    pub(crate) fn new(square: &'s Square) -> Self {
+        let (n, entries) = (square.coordinates(), square.entries.len());
+        let numbers = || vec![Interval::ZERO; n];
+        let [matrix, over_box] = [const { Vec::<Interval>::new() }; 2].map(|mut list| {
+            list.reserve(entries);
+            list
+        });
+        Self {
+            square,
+            inverse: Preconditioner::with_room(n),
+            exchanges: Vec::with_capacity(n),
+            sizes: Vec::with_capacity(n),
+            still: numbers(),
+            point: numbers(),
+            rows: numbers(),
+            newton: numbers(),
+            matrix,
+            over_box,
+        }
+    }
+
+    /// The box with one solution around q, n finite numbers.
+    fn locate(&mut self, system: &mut dyn Enclosures, q: &[f64]) -> Result<Located, Uncertified> {
+        let Self { square, inverse, exchanges, sizes, still, point, rows, newton, matrix, over_box } = self;
+        if !is_list(square.coordinates(), q) {
+            return Err(Uncertified::Malformed);
+        }
+        point.clear();
+        point.extend(q.iter().map(|&x| Interval::from(x)));
+        let at_point = system.evaluate(Subset::POSITION, point, still).map_err(malformed)?;
+        square.phi(at_point.phi, point, rows)?;
+        square.matrix(at_point.phi_q, matrix)?;
+        square.sizes(q, sizes);
+        if !inverse.set(&square.entries, matrix.iter().map(|entry| entry.midpoint()), exchanges) {
+            return Err(Uncertified::Singular { nearness: 0.0 });
+        }
+        inverse.times_to(rows, newton);
+        // Near a singular configuration a large correction does not show that the state is wrong.
+        square.judge("q", newton, sizes, WRONG).map_err(|wrong| {
+            match inverse.inverse_condition(&square.entries, matrix, sizes) {
+                nearness if nearness < SINGULAR => Uncertified::Singular { nearness },
+                _ => wrong,
+            }
+        })?;
+        let mut over = |q: &[Interval], matrix: &mut Vec<Interval>| {
+            let evaluated = system.evaluate(Subset::JACOBIAN, q, still).map_err(malformed)?;
+            square.matrix(evaluated.phi_q, matrix)
+        };
+        let trial = Trial { boxes: &BOXES, entries: &square.entries, centre: q, sizes, newton };
+        let located = trial.locate(inverse, &mut over, over_box)?;
+        located.ok_or_else(|| Uncertified::Singular {
+            nearness: inverse.inverse_condition(&square.entries, matrix, sizes),
+        })
+    }
+
+    /// The certificate of q, n finite numbers, without rates.
+    pub(crate) fn position(&mut self, system: &mut dyn Enclosures, q: &[f64]) -> Result<Certificate, Uncertified> {
+        let located = self.locate(system, q)?;
+        let (unique, left_out) = (located.unique(q), self.square.left_out.clone());
+        Ok(Certificate { q: located.q, q_dot: Vec::new(), q_ddot: Vec::new(), unique, left_out })
+    }
+
+    /// The certificate of q, q̇ and q̈, n finite numbers each.
+    pub(crate) fn certify(
+        &mut self,
+        system: &mut dyn Enclosures,
+        [q, q_dot, q_ddot]: [&[f64]; 3],
+    ) -> Result<Certificate, Uncertified> {
+        if ![q_dot, q_ddot].into_iter().all(|list| is_list(self.square.coordinates(), list)) {
+            return Err(Uncertified::Malformed);
+        }
+        let located = self.locate(system, q)?;
+        let Self { square, inverse, sizes, still, rows, matrix, .. } = self;
+        // The linear equations A q̇ = −Φ_t and A q̈ = γ for all matrices over the enclosure.
+        let over = system.evaluate(Subset::VELOCITY, &located.q, still).map_err(malformed)?;
+        square.matrix(over.phi_q, matrix)?;
+        let nu = over.phi_t.iter().map(|&phi_t| -phi_t);
+        square.rows(nu, |(_, signal)| Interval::from(signal.rate), rows)?;
+        square.subtract(rows, matrix, q_dot);
+        let mut rates = located.solve(inverse, rows);
+        square.judge("q̇", &rates, sizes, WRONG * (1.0 + size_of(q_dot, sizes)))?;
+        rates.iter_mut().zip(q_dot).for_each(|(d, &x)| *d = Interval::from(x) + *d);
+        let over = system.evaluate(Subset::GAMMA, &located.q, &rates).map_err(malformed)?;
+        square.rows(over.gamma.iter().copied(), |(_, signal)| Interval::from(signal.acceleration), rows)?;
+        square.subtract(rows, matrix, q_ddot);
+        let mut accelerations = located.solve(inverse, rows);
+        square.judge("q̈", &accelerations, sizes, WRONG * (1.0 + size_of(q_ddot, sizes)))?;
+        accelerations.iter_mut().zip(q_ddot).for_each(|(d, &x)| *d = Interval::from(x) + *d);
+        let unique = located.unique(q);
+        let left_out = square.left_out.clone();
+        Ok(Certificate { q: located.q, q_dot: rates, q_ddot: accelerations, unique, left_out })
+    }
+}
+
+/// True for a list of n finite numbers.
+fn is_list(n: usize, list: &[f64]) -> bool {
+    list.len() == n && list.iter().all(|x| x.is_finite())
+}
+
+/// The error of an evaluation with lists of wrong lengths.
+fn malformed(_: LengthError) -> Uncertified {
+    Uncertified::Malformed
 }
 
 /// The largest number relative to the sizes.

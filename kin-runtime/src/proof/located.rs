@@ -1,11 +1,17 @@
 //! Krawczyk's test: a box in which equations have exactly one solution, and bounds of that solution.
 
-use super::contraction::{Preconditioner, Rest};
+use super::contraction::Preconditioner;
 use crate::certificate::Uncertified;
 use crate::scalar::Interval;
 
 /// The largest β with which a box is certified; it is less than 1 to leave room for rounding.
 const CONTRACTING: f64 = 0.99;
+
+/// An upper bound of the exact value of a computed nonnegative sum, product or quotient.
+#[inline]
+fn raised(x: f64) -> f64 {
+    x * (1.0 + 2.0 * f64::EPSILON) + f64::MIN_POSITIVE
+}
 
 /// Equations F(y) = 0 at a place that is nearly a solution.
 pub(super) struct Trial<'a> {
@@ -19,16 +25,16 @@ pub(super) struct Trial<'a> {
     pub(super) newton: &'a [Interval],
 }
 
-/// The entries of the matrix A over a box.
-type Over<'a> = dyn FnMut(&[Interval]) -> Result<Vec<Interval>, Uncertified> + 'a;
+/// Writes the entries of the matrix A over a box.
+type Over<'a> = dyn FnMut(&[Interval], &mut Vec<Interval>) -> Result<(), Uncertified> + 'a;
 
 /// A box with one solution.
-pub(super) struct Located<'c> {
-    inverse: &'c Preconditioner,
-    rest: Rest,
+pub(super) struct Located {
     /// The radii ρ of the box.
     radii: Vec<f64>,
-    /// |I − C A| ρ ≤ β ρ everywhere in the box, with β < 1.
+    /// Bounds of |I − C A| ρ everywhere in the box.
+    rest: Vec<f64>,
+    /// The latter are at most β ρ, with β < 1.
     beta: f64,
     /// Bounds of the solution.
     pub(super) q: Vec<Interval>,
@@ -36,43 +42,53 @@ pub(super) struct Located<'c> {
 
 impl Trial<'_> {
     /// The largest of the boxes that Krawczyk's operator maps into itself; none if there is no such box. `over` gives the
-    /// entries of the matrix over a box.
+    /// entries of the matrix over a box, for which `matrix` is a buffer.
     ///
     /// # Errors
     /// That of `over`, if it has no answer for the smallest box either.
-    pub(super) fn locate<'c>(
+    pub(super) fn locate(
         &self,
-        inverse: &'c Preconditioner,
+        inverse: &mut Preconditioner,
         over: &mut Over<'_>,
-    ) -> Result<Option<Located<'c>>, Uncertified> {
+        matrix: &mut Vec<Interval>,
+    ) -> Result<Option<Located>, Uncertified> {
         let &Trial { boxes, entries, centre, sizes, newton } = self;
         let n = centre.len();
+        let (mut radii, mut rest, mut q) = (vec![0.0; n], vec![0.0; n], vec![Interval::ZERO; n]);
+        let mut shares = vec![[0.0; 2]; n];
         let mut refused = Ok(None);
         for relative in boxes {
-            // Larger than the correction, so that the solution can lie inside.
-            let radius = |(size, y): (&f64, &Interval)| (relative * size).max(4.0 * y.magnitude());
-            let radii: Vec<f64> = sizes.iter().zip(newton).map(radius).collect();
-            let all: Vec<Interval> =
-                centre.iter().zip(&radii).map(|(&x, &radius)| Interval::around(x, radius)).collect();
-            let matrix = match over(&all) {
-                Ok(matrix) => matrix,
-                Err(unbounded) => {
-                    refused = Err(unbounded);
-                    continue;
+            for k in 0..n {
+                // Larger than the correction, so that the solution can lie inside.
+                radii[k] = (relative * sizes[k]).max(4.0 * newton[k].magnitude());
+                q[k] = Interval::around(centre[k], radii[k]);
+            }
+            if let Err(unbounded) = over(&q, matrix) {
+                refused = Err(unbounded);
+                continue;
+            }
+            inverse.rest(entries, matrix, &radii, &mut rest);
+            // |C F| and |I − C A| ρ relative to ρ, and their largest sum.
+            let (mut beta, mut nearer, mut inside) = (0.0, 0.0, true);
+            for k in 0..n {
+                let [away, rest] = [newton[k].magnitude(), rest[k]].map(|x| raised(x / radii[k]));
+                shares[k] = [away, rest];
+                let sum = raised(away + rest);
+                (beta, nearer) = (f64::max(beta, rest), f64::max(nearer, sum));
+                // False for NaN, too.
+                inside &= sum < 1.0;
+            }
+            if inside && beta <= CONTRACTING {
+                // The solution is at most `nearer` ρ away from the centre, and so at most `nearer` |I − C A| ρ from y − C F, which
+                // gives a smaller distance again.
+                let distances = shares.iter().map(|[away, rest]| raised(away + raised(nearer * rest)));
+                let nearer = distances.fold(0.0, f64::max).min(nearer);
+                for i in 0..n {
+                    let left = raised(nearer * rest[i]);
+                    let around = Interval::from(centre[i]) - newton[i] + Interval::new(-left, left);
+                    q[i] = around.intersection(q[i]).unwrap_or(q[i]);
                 }
-            };
-            let rest = inverse.rest(entries, &matrix);
-            let of_box = rest.times(&radii);
-            let beta = (0..n).fold(0.0, |most: f64, i| most.max((of_box[i] / radii[i]).next_up()));
-            let nearer: Vec<f64> = (0..n).map(|i| (newton[i].magnitude() + of_box[i]).next_up()).collect();
-            let inside = (0..n).all(|i| nearer[i] < radii[i]) && beta <= CONTRACTING;
-            if inside {
-                // The solution is at most `nearer` away from the centre, which gives a still smaller distance from
-                // y − C F.
-                let left = rest.times(&nearer);
-                let around = |i: usize| Interval::from(centre[i]) - newton[i] + Interval::new(-left[i], left[i]);
-                let q = (0..n).map(|i| around(i).intersection(all[i]).unwrap_or(all[i])).collect();
-                return Ok(Some(Located { inverse, rest, radii, beta, q }));
+                return Ok(Some(Located { radii, rest, beta, q }));
             }
             refused = Ok(None);
         }
@@ -80,15 +96,17 @@ impl Trial<'_> {
     }
 }
 
-impl Located<'_> {
+impl Located {
     /// d with A d = b for all matrices of the box: |d| ≤ |C b| + |I − C A| |d|, and so |d| ≤ max |C b|_i / ρ_i / (1 − β) ρ.
-    pub(super) fn solve(&self, b: &[Interval]) -> Vec<Interval> {
-        let first = self.inverse.times(b);
-        let relative = first.iter().zip(&self.radii).map(|(d, radius)| (d.magnitude() / radius).next_up());
-        let factor = (relative.fold(0.0, f64::max) / (1.0 - self.beta).next_down()).next_up();
-        let bound: Vec<f64> = self.radii.iter().map(|radius| (factor * radius).next_up()).collect();
-        let rest = self.rest.times(&bound);
-        first.into_iter().zip(rest).map(|(d, rest)| d + Interval::new(-rest, rest)).collect()
+    pub(super) fn solve(&self, inverse: &mut Preconditioner, b: &[Interval]) -> Vec<Interval> {
+        let mut d = inverse.times(b);
+        let relative = d.iter().zip(&self.radii).map(|(d, radius)| raised(d.magnitude() / radius));
+        let factor = raised(relative.fold(0.0, f64::max) / (1.0 - self.beta).next_down());
+        for (d, rest) in d.iter_mut().zip(&self.rest) {
+            let left = raised(factor * rest);
+            *d = *d + Interval::new(-left, left);
+        }
+        d
     }
 
     /// The box around its centre in which there is no other solution, rounded inwards.

@@ -30,7 +30,7 @@ mod winding;
 
 pub(crate) use enclosures::{Enclosures, OverBoxes};
 pub(crate) use folds::{Fold, folds};
-pub(crate) use krawczyk::{Square, certify};
+pub(crate) use krawczyk::{Prover, Square};
 pub(crate) use scan::{Seen, Stretch, refined, stretches};
 pub(crate) use search::{Outcome, search};
 pub(crate) use signs::{Closing, combinations};

@@ -128,7 +128,7 @@ impl Search<'_> {
             return Shrunk::Empty;
         }
         let entries: Vec<(usize, usize)> = (0..count).flat_map(|i| (0..count).map(move |k| (i, k))).collect();
-        let Some(inverse) = Preconditioner::new(count, &entries, a.iter().flatten().map(|a| a.midpoint())) else {
+        let Some(mut inverse) = Preconditioner::new(count, &entries, a.iter().flatten().map(|a| a.midpoint())) else {
             return Shrunk::Unknown;
         };
         let f = inverse.times(&f);

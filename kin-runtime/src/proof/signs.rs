@@ -9,9 +9,9 @@ use crate::planned::{Sign, Step};
 const MOST: usize = 1 << 16;
 
 /// A combination of signs, solved by the plan.
-pub(crate) enum Closing {
-    /// q, q̇ and q̈.
-    Closed([Vec<f64>; 3]),
+pub(crate) enum Closing<C> {
+    /// A closure.
+    Closed(C),
     /// The first margin that is not positive, and whether it is proven that there is no closure.
     Open {
         /// Its index among the margins.
@@ -23,12 +23,12 @@ pub(crate) enum Closing {
     Violated,
 }
 
-/// The closures, and what is undecided.
-pub(crate) type Found = (Vec<[Vec<f64>; 3]>, Vec<Undecided>);
-
 /// Goes through the combinations of signs, mode by mode in the order of the plan. If a group does not close, the signs
-/// of later groups need not be varied.
-pub(crate) fn combinations(model: &'static Model, solve: &mut dyn FnMut(&[f64]) -> Closing) -> Found {
+/// of later groups need not be varied. The results are the closures, and what is undecided.
+pub(crate) fn combinations<C>(
+    model: &'static Model,
+    solve: &mut dyn FnMut(&[f64]) -> Closing<C>,
+) -> (Vec<C>, Vec<Undecided>) {
     let plan: &Plan = &model.plan;
     let count = plan.modes.len();
     let mut signs = vec![1.0; count];
@@ -40,8 +40,8 @@ pub(crate) fn combinations(model: &'static Model, solve: &mut dyn FnMut(&[f64]) 
         }
         // The number of signs on which the result depends.
         let decisive = match solve(&signs) {
-            Closing::Closed(solution) => {
-                closed.push(solution);
+            Closing::Closed(closure) => {
+                closed.push(closure);
                 count
             }
             Closing::Violated => count,

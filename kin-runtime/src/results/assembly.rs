@@ -17,7 +17,7 @@ pub struct Assembly {
     pub q_ddot: Vec<f64>,
     /// The names and signs of its assembly modes; empty if all groups close by iteration.
     pub modes: Vec<(&'static str, Sign)>,
-    /// The proof that it is a solution, or why there is none.
+    /// The proof that q is a solution, without its rates, or why there is none.
     pub certificate: Result<Certificate, Uncertified>,
 }
 

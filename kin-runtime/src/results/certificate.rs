@@ -8,16 +8,16 @@ use core::fmt;
 ///
 /// The proof is for the compiled equations, with parameters, time and inputs as exactly the numbers that `f64` holds:
 /// within [`unique`](Self::unique) there is exactly one q with Φ(q, t) = 0, and its coordinates, rates and
-/// accelerations lie in `q`, `q_dot` and `q_ddot`. The proof accounts for all rounding. Other solutions may exist
+/// accelerations lie in `q`, `q_dot` and `q_ddot`. Those of an [`Assembly`](crate::Assembly) are for its position alone. The proof accounts for all rounding. Other solutions may exist
 /// outside of `unique`, for example in other assembly modes.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Certificate {
     /// An interval for every coordinate, in its unit.
     pub q: Vec<Interval>,
-    /// An interval for every rate.
+    /// An interval for every rate; empty where the position alone was to be proven.
     pub q_dot: Vec<Interval>,
-    /// An interval for every acceleration.
+    /// An interval for every acceleration; empty where the position alone was to be proven.
     pub q_ddot: Vec<Interval>,
     /// The box in which there is no other solution.
     pub unique: Vec<Interval>,

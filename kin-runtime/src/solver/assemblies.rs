@@ -9,16 +9,21 @@ use crate::error::SolveError;
 use crate::mechanism::Mechanism;
 use crate::model::{Component, CoordinateKind};
 use crate::plan::{Depth, Plan, Solved, StepKind};
-use crate::proof::{Closing, Enclosures, Outcome, OverBoxes, Seen, certify, combinations, search};
+use crate::planned::Sign;
+use crate::planned::lists::Margins;
+use crate::proof::{Closing, Enclosures, Outcome, OverBoxes, Prover, Seen, combinations, search};
 use crate::scalar::Interval;
 use crate::workspace::{Array, Instant, Subset};
 
 /// Half the width of the search for lengths that no row determines, relative to the size of the mechanism.
 const REACH: f64 = 16.0;
 
+/// Certifies q.
+type Prove<'a> = dyn FnMut(&[f64]) -> Result<Certificate, Uncertified> + 'a;
+
 impl<M: Mechanism> Solver<'_, M> {
-    /// All ways in which the mechanism closes at an instant: every assembly mode, each with a certificate, and whether they
-    /// are proven to be all.
+    /// All ways in which the mechanism closes at an instant: every assembly mode, each with a certificate of its position, and
+    /// whether they are proven to be all.
     ///
     /// Where the plan has a closed form for every group, all combinations of signs are solved, and one that has no
     /// closure is proven to have none by the plan in interval arithmetic. All other mechanisms are searched by branch
@@ -51,34 +56,34 @@ impl<M: Mechanism> Solver<'_, M> {
     /// [`UnknownCoordinate`](SolveError::UnknownCoordinate).
     pub fn assemblies(&self, at: &Instant<'_>) -> Result<Assemblies, SolveError> {
         let guess: Vec<f64> = self.checked_guess()?.into_iter().map(|guess| guess.unwrap_or(0.0)).collect();
-        let length = self.analyse(at, |equations| Ok(Scale::around(equations, &guess).length))?;
+        let parameters = self.mechanism.parameters::<f64>();
+        let by_plan = self.is_closed_form();
+        // What the plan solves at once is checked at once.
+        let is_sound = by_plan && self.goes_by_plan(at) && parameters.as_ref().iter().all(|x| x.is_finite());
+        let length =
+            if is_sound { 0.0 } else { self.analyse(at, |equations| Ok(Scale::around(equations, &guess).length))? };
         let refuse = |why| SolveError::NotCertified { t: at.t, why };
         // Fails if degrees of freedom are open: then there is no list of closures.
         let square = self.square(at, &guess).map_err(refuse)?;
-        let assembly = |[q, q_dot, q_ddot]: [Vec<f64>; 3], certificate| Assembly {
-            modes: self.modes(at, &q).unwrap_or_default().iter().filter_map(|m| Some((m.name, m.sign?))).collect(),
-            q,
-            q_dot,
-            q_ddot,
-            certificate,
+        let mut system = Box::new(OverBoxes::new(self.mechanism, at));
+        let (is_same, mut prover) = (self.redundant_everywhere().is_some(), Prover::new(&square));
+        let mut prove = |q: &[f64]| match is_same {
+            true => prover.position(&mut *system, q),
+            false => Prover::new(&self.square(at, q)?).position(&mut *system, q),
         };
-        if self.is_closed_form() {
-            let (solutions, undecided) = combinations(M::model(), &mut |signs| self.close(at, signs, &guess));
-            let certified = solutions.into_iter().map(|lists| {
-                let certificate = self.certify_lists(at, &lists);
-                assembly(lists, certificate)
-            });
-            return Ok(Assemblies { found: certified.collect(), undecided, searched: Vec::new() });
+        if by_plan {
+            let (found, undecided) = combinations(M::model(), &mut |signs| self.close(at, signs, &guess, &mut prove));
+            return Ok(Assemblies { found, undecided, searched: Vec::new() });
         }
         let region = region::<M>(&guess, length);
-        let mut system = Box::new(OverBoxes::new(self.mechanism, at));
+        let mut boxes = Box::new(OverBoxes::new(self.mechanism, at));
         let prove = &mut |q: &[f64]| {
             let lists = self.analysed(at, q).ok_or(Uncertified::Malformed)?;
-            let certificate = self.certify_lists(at, &lists)?;
+            let certificate = prove(&lists[0])?;
             Ok((lists, certificate))
         };
         let Outcome { mut found, undecided, unfinished, searched } =
-            search(&square, &mut *system, &region, prove).map_err(refuse)?;
+            search(&square, &mut *boxes, &region, prove).map_err(refuse)?;
         found.sort_by(|([a, ..], _), ([b, ..], _)| b.partial_cmp(a).unwrap_or(std::cmp::Ordering::Equal));
         found.dedup_by(|(a, _), (b, _)| difference::<M>(&a[0], &b[0], length) <= 1e-9);
         let name = |k: usize| M::model().coordinates[k].name;
@@ -88,8 +93,12 @@ impl<M: Mechanism> Solver<'_, M> {
         };
         let undecided = undecided.into_iter().map(left).chain(unfinished.map(|seen| Undecided::Unfinished { seen }));
         let undecided = undecided.collect();
-        let found = found.into_iter().map(|(lists, certificate)| assembly(lists, Ok(certificate))).collect();
-        Ok(Assemblies { found, undecided, searched })
+        let assembly = |([q, q_dot, q_ddot], certificate): ([Vec<f64>; 3], Certificate)| {
+            let modes = self.modes(at, &q).unwrap_or_default();
+            let modes = modes.iter().filter_map(|mode| Some((mode.name, mode.sign?))).collect();
+            Assembly { modes, q, q_dot, q_ddot, certificate: Ok(certificate) }
+        };
+        Ok(Assemblies { found: found.into_iter().map(assembly).collect(), undecided, searched })
     }
 
     /// Whether the plan solves every group in closed form.
@@ -100,18 +109,25 @@ impl<M: Mechanism> Solver<'_, M> {
     }
 
     /// The plan with these signs.
-    fn close(&self, at: &Instant<'_>, signs: &[f64], start: &[f64]) -> Closing {
+    fn close(&self, at: &Instant<'_>, signs: &[f64], start: &[f64], prove: &mut Prove<'_>) -> Closing<Assembly> {
         let plan = &M::model().plan;
         let zeros = || M::Coordinates::<f64>::filled(0.0);
-        let ([mut q, mut q_dot, mut q_ddot], mut margins) = ([zeros(), zeros(), zeros()], vec![0.0; plan.margins]);
-        let solved = Solved { q: q.as_mut(), q_dot: q_dot.as_mut(), q_ddot: q_ddot.as_mut(), margins: &mut margins };
+        let ([mut q, mut q_dot, mut q_ddot], mut margins) = ([zeros(), zeros(), zeros()], Margins::<M>::filled(0.0));
+        let solved =
+            Solved { q: q.as_mut(), q_dot: q_dot.as_mut(), q_ddot: q_ddot.as_mut(), margins: margins.as_mut() };
         let parameters = self.mechanism.parameters::<f64>();
         let done = self.mechanism.solve_with(parameters.as_ref(), at, signs, start, Depth::Acceleration, solved);
         // NaN is not positive either.
         let is_good = |margin: &f64| *margin > Plan::SMALLEST_MARGIN;
-        match margins.iter().position(|margin| !is_good(margin)) {
+        match margins.as_ref().iter().position(|margin| !is_good(margin)) {
             None if self.violates(at, signs, start) => Closing::Violated,
-            None if done.is_ok() => Closing::Closed([q, q_dot, q_ddot].map(|list| list.as_ref().to_vec())),
+            None if done.is_ok() => {
+                let lists = [q.as_ref(), q_dot.as_ref(), q_ddot.as_ref()];
+                let certificate = prove(q.as_ref());
+                let [q, q_dot, q_ddot] = lists.map(<[f64]>::to_vec);
+                let modes = plan.modes.iter().zip(signs).filter_map(|(mode, &sign)| Some((mode.name, Sign::of(sign)?)));
+                Closing::Closed(Assembly { q, q_dot, q_ddot, modes: modes.collect(), certificate })
+            }
             None => Closing::Open { margin: 0, excluded: false },
             Some(margin) => {
                 let seen = self.look([at.t, at.t], at, signs, start);
@@ -140,12 +156,6 @@ impl<M: Mechanism> Solver<'_, M> {
         let q_dot = self.velocity(at, &q).ok()?;
         let q_ddot = self.acceleration(at, &q, &q_dot).ok()?;
         Some([q, q_dot, q_ddot])
-    }
-
-    fn certify_lists(&self, at: &Instant<'_>, [q, q_dot, q_ddot]: &[Vec<f64>; 3]) -> Result<Certificate, Uncertified> {
-        let square = self.square(at, q)?;
-        let mut system = Box::new(OverBoxes::new(self.mechanism, at));
-        certify(&square, &mut *system, [q, q_dot, q_ddot])
     }
 }
 

@@ -83,7 +83,7 @@ impl<M: Mechanism> Solver<'_, M> {
     }
 
     /// True if the plan determines all coordinates and the geometry of the joints is not degenerate.
-    fn goes_by_plan(&self, at: &Instant<'_>) -> bool {
+    pub(super) fn goes_by_plan(&self, at: &Instant<'_>) -> bool {
         let plan = &M::model().plan;
         let usable = self.options.use_plan && plan.exists() && self.given.is_empty();
         let sound = || !has_curves(M::model()) && (!has_sizes(M::model()) || self.is_sound(at));

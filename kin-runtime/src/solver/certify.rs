@@ -3,7 +3,7 @@
 use super::Solver;
 use crate::certificate::{Certificate, Uncertified};
 use crate::mechanism::Mechanism;
-use crate::proof::{OverBoxes, Square, certify};
+use crate::proof::{OverBoxes, Prover, Square};
 use crate::state::State;
 use crate::workspace::Instant;
 
@@ -43,7 +43,7 @@ impl<M: Mechanism> Solver<'_, M> {
     pub fn certify(&self, state: &State) -> Result<Certificate, Uncertified> {
         let square = self.square(&state.instant(), &state.q)?;
         let mut system = Box::new(OverBoxes::new(self.mechanism, &state.instant()));
-        certify(&square, &mut *system, [&state.q, &state.q_dot, &state.q_ddot])
+        Prover::new(&square).certify(&mut *system, [&state.q, &state.q_dot, &state.q_ddot])
     }
 
     /// The rows to which a certificate applies.
@@ -51,21 +51,26 @@ impl<M: Mechanism> Solver<'_, M> {
         if at.inputs.len() != M::model().inputs.len() || self.given.iter().any(|&(k, _)| k >= M::COORDINATES) {
             return Err(Uncertified::Malformed);
         }
-        Square::new(M::model(), &self.redundant(at, q), &self.given)
+        Square::new(M::model(), self.redundant(at, q), &self.given)
     }
 
     /// Rows that a certificate leaves out, because there are more rows than coordinates and others imply them.
     fn redundant(&self, at: &Instant<'_>, q: &[f64]) -> Vec<usize> {
+        self.redundant_everywhere().unwrap_or_else(|| {
+            let mobility = self.mobility(at, q);
+            mobility.map_or_else(|_| Vec::new(), |mobility| mobility.redundant.iter().map(|row| row.row).collect())
+        })
+    }
+
+    /// These rows where they are the same in every configuration: those that the plan leaves out, or none.
+    pub(super) fn redundant_everywhere(&self) -> Option<Vec<usize>> {
         let model = M::model();
-        let Some(too_many) = (model.rows.len() + self.given.len()).checked_sub(M::COORDINATES).filter(|&k| k > 0)
-        else {
-            return Vec::new();
-        };
-        let watched: Vec<usize> = model.plan.watched().collect();
-        if self.given.is_empty() && watched.len() == too_many {
-            return watched;
+        match (model.rows.len() + self.given.len()).checked_sub(M::COORDINATES) {
+            None | Some(0) => Some(Vec::new()),
+            Some(too_many) => {
+                let watched: Vec<usize> = model.plan.watched().collect();
+                (self.given.is_empty() && watched.len() == too_many).then_some(watched)
+            }
         }
-        let mobility = self.mobility(at, q);
-        mobility.map_or_else(|_| Vec::new(), |mobility| mobility.redundant.iter().map(|row| row.row).collect())
     }
 }

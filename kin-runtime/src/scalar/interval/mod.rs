@@ -7,7 +7,7 @@ mod trigonometry;
 
 use core::fmt;
 use core::ops::{Add, Div, Mul, Neg, Sub};
-use rounding::{product_down, product_up, quotient_down, quotient_up, sum_down, sum_up};
+use rounding::{above, below, product_down, product_up, quotient_down, quotient_up, sum_down, sum_up};
 
 /// All real numbers from a lower to an upper end, or [`UNDEFINED`](Self::UNDEFINED).
 ///
@@ -135,6 +135,31 @@ impl Interval {
     const fn is_point(self) -> bool {
         self.lower == self.upper
     }
+
+    /// The product, whatever the ends are: products with 0 are exact, and infinite ends are numbers without a bound.
+    #[cold]
+    fn times(self, b: Self) -> Self {
+        if !(self.is_defined() && b.is_defined()) {
+            return Self::UNDEFINED;
+        }
+        let pairs = [(self.lower, b.lower), (self.lower, b.upper), (self.upper, b.lower), (self.upper, b.upper)];
+        Self {
+            lower: pairs.iter().fold(f64::INFINITY, |least, &(x, y)| least.min(product_down(x, y))),
+            upper: pairs.iter().fold(f64::NEG_INFINITY, |most, &(x, y)| most.max(product_up(x, y))),
+        }
+    }
+}
+
+/// The lesser of two numbers, neither of which is NaN.
+#[inline]
+fn lesser(a: f64, b: f64) -> f64 {
+    if a < b { a } else { b }
+}
+
+/// The greater of two numbers, neither of which is NaN.
+#[inline]
+fn greater(a: f64, b: f64) -> f64 {
+    if a > b { a } else { b }
 }
 
 /// The number as an interval of nothing else; undefined for what is not finite.
@@ -177,26 +202,17 @@ impl Mul for Interval {
 
     #[inline]
     fn mul(self, b: Self) -> Self {
-        if !(self.is_defined() && b.is_defined()) {
-            return Self::UNDEFINED;
-        }
-        if self.is_point() && b.is_point() {
-            let (x, y) = (self.lower, b.lower);
-            return Self { lower: product_down(x, y), upper: product_up(x, y) };
-        }
-        let pairs = [(self.lower, b.lower), (self.lower, b.upper), (self.upper, b.lower), (self.upper, b.upper)];
         // Neighbours have the order of the products, so that those of the least and the most are enough, unless one of these
-        // is 0, which may be exact.
-        let [p, q, r, s] = pairs.map(|(x, y)| x * y);
-        let (least, most) = (p.min(q).min(r.min(s)), p.max(q).max(r.max(s)));
-        if least.is_normal() && most.is_normal() {
-            return Self { lower: least.next_down(), upper: most.next_up() };
+        // is 0, which may be exact, or subnormal.
+        let [p, q] = [self.lower * b.lower, self.upper * b.upper];
+        let [r, s] = if b.is_point() { [q, p] } else { [self.lower * b.upper, self.upper * b.lower] };
+        let (least, most) = (lesser(lesser(p, q), lesser(r, s)), greater(greater(p, q), greater(r, s)));
+        // Not finite where a product is not.
+        let all = (p + q) + (r + s);
+        if least.abs() >= f64::MIN_POSITIVE && most.abs() >= f64::MIN_POSITIVE && all.is_finite() {
+            return Self { lower: below(least), upper: above(most) };
         }
-        let pairs = [(self.lower, b.lower), (self.lower, b.upper), (self.upper, b.lower), (self.upper, b.upper)];
-        Self {
-            lower: pairs.iter().fold(f64::INFINITY, |least, &(x, y)| least.min(product_down(x, y))),
-            upper: pairs.iter().fold(f64::NEG_INFINITY, |most, &(x, y)| most.max(product_up(x, y))),
-        }
+        self.times(b)
     }
 }
 

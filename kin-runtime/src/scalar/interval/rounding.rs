@@ -11,18 +11,41 @@ fn error_of_sum(a: f64, b: f64, sum: f64) -> f64 {
     (a - (sum - b_part)) + (b - b_part)
 }
 
+/// The number below `x` if `step` is 1, and `x` itself if it is 0. Neither ±0, infinite nor NaN.
+///
+/// Without a branch, because whether a sum is rounded up or down cannot be predicted.
+#[inline]
+fn below_by(x: f64, step: u64) -> f64 {
+    // Numbers with larger bits are further from 0.
+    let (bits, sign) = (x.to_bits(), x.to_bits() >> 63);
+    f64::from_bits(bits.wrapping_add(2 * step * sign).wrapping_sub(step))
+}
+
+/// The number below one that is neither ±0, infinite nor NaN.
+#[inline]
+pub(super) fn below(x: f64) -> f64 {
+    below_by(x, 1)
+}
+
+/// The number above one that is neither ±0, infinite nor NaN.
+#[inline]
+pub(super) fn above(x: f64) -> f64 {
+    -below_by(-x, 1)
+}
+
 /// a + b, rounded down.
 #[inline]
 pub(super) fn sum_down(a: f64, b: f64) -> f64 {
     let sum = a + b;
-    if error_of_sum(a, b, sum) >= 0.0 { sum } else { sum.next_down() }
+    let error = error_of_sum(a, b, sum);
+    // A sum that is 0 is exact, so that its error is 0.
+    if error.is_finite() { below_by(sum, u64::from(error < 0.0)) } else { sum.next_down() }
 }
 
 /// a + b, rounded up.
 #[inline]
 pub(super) fn sum_up(a: f64, b: f64) -> f64 {
-    let sum = a + b;
-    if error_of_sum(a, b, sum) <= 0.0 { sum } else { sum.next_up() }
+    -sum_down(-a, -b)
 }
 
 /// a b, rounded down; 0 times anything is 0.

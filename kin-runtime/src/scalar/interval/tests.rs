@@ -157,6 +157,29 @@ fn power(x: &BigRational, n: i32) -> BigRational {
     (0..n).fold(exact(1.0), |product, _| product * x)
 }
 
+/// Ends where rounding has borders of its own: exact sums and products, halves of the last place, subnormal and huge numbers.
+#[test]
+fn ends_at_borders_are_rounded_outwards() {
+    let tiny = f64::from_bits(1);
+    let numbers =
+        [0.0, tiny, f64::MIN_POSITIVE, f64::MIN_POSITIVE - tiny, f64::EPSILON, 0.5, 1.0, 3.0, 1e308, f64::MAX];
+    let near = |x: f64| [x.next_down(), x, x.next_up(), -x].into_iter().filter(|x| x.is_finite());
+    let all: Vec<f64> = numbers.into_iter().flat_map(near).collect();
+    for &x in &all {
+        for &y in &all {
+            let what = format!("{x:e}, {y:e}");
+            let (p, q) = (Interval::from(x), Interval::from(y));
+            let wide = Interval::new(x.min(-y), x.max(-y));
+            holds_all([p + q, Interval::new(x.min(1.0), x.max(1.0)) + q], &(exact(x) + exact(y)), &what);
+            holds_all([p * q, wide * q], &(exact(x) * exact(y)), &what);
+            holds(wide * wide, &(exact(x) * exact(-y)), &what);
+            if y != 0.0 {
+                holds(p / q, &(exact(x) / exact(y)), &what);
+            }
+        }
+    }
+}
+
 #[test]
 fn sines_and_cosines_hold_their_series() {
     let (mut random, pi) = (Random::new(2), pi());
@@ -181,6 +204,17 @@ fn sines_and_cosines_hold_their_series() {
         }
         let (s, c) = within.sin_cos();
         assert!(s.radius() < 1e-15 && c.radius() < 1e-15, "{x}: {s} {c}");
+        // A narrow interval has the values at its ends, and hardly more than those between them.
+        let narrow = Interval::around(x, 10_f64.powf(-10.0 - 6.0 * random.symmetric()));
+        let (s, c) = narrow.sin_cos();
+        for end in [narrow.lower(), narrow.upper()] {
+            let (sin, cos) = sin_cos(end, &pi);
+            holds_fixed(s, &sin, &format!("sin {end:e} in {narrow}"));
+            holds_fixed(c, &cos, &format!("cos {end:e} in {narrow}"));
+        }
+        let most = narrow.radius() * (1.0 + narrow.radius()) + 1e-15;
+        assert!(s.radius() <= most * (c.magnitude() + narrow.radius()).min(1.0) + 1e-15, "{narrow}: {s}");
+        assert!(c.radius() <= most * (s.magnitude() + narrow.radius()).min(1.0) + 1e-15, "{narrow}: {c}");
     }
     let whole = Interval::new(-1.0, 1.0);
     assert_eq!(Interval::new(0.0, 7.0).sin_cos(), (whole, whole));

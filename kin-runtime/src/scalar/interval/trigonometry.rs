@@ -24,6 +24,10 @@ const RELATIVE: f64 = 2.0 * f64::EPSILON;
 /// 2⁻⁸⁰, what range reduction leaves.
 const ABSOLUTE: f64 = f64::from_bits((1023 - 80) << 52);
 
+/// In intervals up to this radius functions are bounded from the middle: that is wider by a share of about as much, and takes
+/// one evaluation instead of two.
+const NARROW: f64 = 1e-4;
+
 /// 1/3!, 1/5!, … with signs.
 const SINE: [f64; 8] = [
     -1.0 / 6.0,
@@ -88,6 +92,19 @@ fn turned(x: f64) -> Turned {
     Turned { k, r, sin, cos }
 }
 
+/// The values that a function has within `radius` of a place, where it has `value` and a derivative of the size of `slope`, if
+/// its second derivative is at most 1.
+///
+/// |f(x + d) − f(x)| ≤ |d| (|f′| + |d|/2). All factors are positive, so that four roundings are less than 4 ε of the product.
+#[inline]
+fn widened(value: Interval, slope: Interval, radius: f64) -> Interval {
+    if radius == 0.0 {
+        return value;
+    }
+    let by = radius * (slope.magnitude() + radius) * (1.0 + 4.0 * f64::EPSILON) + f64::MIN_POSITIVE;
+    Interval { lower: sum_down(value.lower, -by).max(-1.0), upper: sum_up(value.upper, by).min(1.0) }
+}
+
 /// Sine and cosine of all angles of an interval.
 #[inline]
 pub(super) fn sin_cos(x: Interval) -> (Interval, Interval) {
@@ -98,10 +115,12 @@ pub(super) fn sin_cos(x: Interval) -> (Interval, Interval) {
         let all = Interval { lower: -1.0, upper: 1.0 };
         return (all, all);
     }
-    let from = turned(x.lower);
-    if x.is_point() {
-        return (from.sin, from.cos);
+    let radius = x.radius();
+    if radius <= NARROW {
+        let middle = turned(x.midpoint());
+        return (widened(middle.sin, middle.cos, radius), widened(middle.cos, middle.sin, radius));
     }
+    let from = turned(x.lower);
     let to = turned(x.upper);
     let (mut sin, mut cos) = (from.sin.hull(to.sin), from.cos.hull(to.cos));
     // The multiples of π/2 in between; where it is not certain whether one is, it counts.
