@@ -3,6 +3,9 @@
 mod arcs;
 mod assemblies;
 mod certificates;
+mod complex_closures;
+mod elimination;
 mod ranges;
+mod residues;
 mod searched_ranges;
 mod three_loops;

@@ -1,8 +1,9 @@
 //! All closures of structures of seven links that close in three loops at once, two with four ternary links and one with a
-//! quaternary link, which have 14, 16 and 18 complex closures. The real ones are compared with those of an elimination: at a given angle of one link all
-//! others follow from intersections of circles, but for one length. The product of its miss over all intersections, complex
-//! ones as well, is a real function of the angle without roots in it, and changes its sign at every real closure.
+//! quaternary link. The real ones are compared with those of an [elimination](super::elimination), whose function changes its
+//! sign at every real closure.
 
+use super::complex_closures::{CHAIN, COUPLERS, STAR};
+use super::elimination::{Elimination, chain, couplers, star};
 use kin_runtime::nalgebra::Complex;
 use kin_runtime::{Instant, Kinematics, mechanism};
 use std::f64::consts::{PI, TAU};
@@ -60,94 +61,10 @@ struct Couplers {
     v: [f64; 18],
 }
 
-/// A place whose coordinates may be complex.
-type Place = [Complex<f64>; 2];
-
-fn place(v: &[f64; 18], k: usize) -> Place {
-    [v[2 * k], v[2 * k + 1]].map(Complex::from)
-}
-
-fn square(p: Place, q: Place) -> Complex<f64> {
-    let [x, y] = [0, 1].map(|k| q[k] - p[k]);
-    x * x + y * y
-}
-
-/// Where a link with pins p, q and r in its closure has r when p and q are elsewhere.
-fn carried([p0, q0, r0]: [Place; 3], p: Place, q: Place) -> Place {
-    let size = square(p0, q0);
-    let ([u0, v0], [u, v]) = ([0, 1].map(|k| q0[k] - p0[k]), [0, 1].map(|k| q[k] - p[k]));
-    let (cos, sin) = ((u * u0 + v * v0) / size, (v * u0 - u * v0) / size);
-    let [x, y] = [0, 1].map(|k| r0[k] - p0[k]);
-    [p[0] + cos * x - sin * y, p[1] + sin * x + cos * y]
-}
-
-/// A square root.
-fn root(z: Complex<f64>) -> Complex<f64> {
-    let (half, turn) = (z.re.hypot(z.im).sqrt(), 0.5 * z.im.atan2(z.re));
-    Complex::new(half * turn.cos(), half * turn.sin())
-}
-
-/// Both places at these squared distances from two others.
-fn meet(p: Place, from_p: Complex<f64>, q: Place, from_q: Complex<f64>) -> [Place; 2] {
-    let size = square(p, q);
-    let along = (size + from_p - from_q) / (size * 2.0);
-    let across = root(from_p / size - along * along);
-    let [u, v] = [0, 1].map(|k| q[k] - p[k]);
-    [across, -across].map(|h| [p[0] + along * u - h * v, p[1] + along * v + h * u])
-}
-
-/// A pin of a link, turned about another by an angle.
-fn turned(centre: Place, pin: Place, phi: f64) -> Place {
-    let [x, y] = [0, 1].map(|k| pin[k] - centre[k]);
-    [centre[0] + x * phi.cos() - y * phi.sin(), centre[1] + x * phi.sin() + y * phi.cos()]
-}
-
-impl Star {
-    /// The product of the misses at an angle of `one`.
-    fn miss(&self, phi: f64) -> f64 {
-        let [g1, g2, g3, a12, b21, b23, c32, c31, a13] = std::array::from_fn(|k| place(&self.v, k));
-        let [a, c] = [a12, a13].map(|pin| turned(g1, pin, phi));
-        let mut product = Complex::from(1.0);
-        for two in meet(g2, square(g2, b21), a, square(a12, b21)) {
-            let end = carried([g2, b21, b23], g2, two);
-            for three in meet(g3, square(g3, c31), c, square(a13, c31)) {
-                product *= square(end, carried([g3, c31, c32], g3, three)) - square(b23, c32);
-            }
-        }
-        product.re
-    }
-}
-
-impl Chain {
-    /// The product of the misses at an angle of `four`.
-    fn miss(&self, phi: f64) -> f64 {
-        let [j13, j14, j24, e1, e2, f2, f3, h3, h4] = std::array::from_fn(|k| place(&self.v, k));
-        let [j, h] = [j24, h4].map(|pin| turned(j14, pin, phi));
-        let mut product = Complex::from(1.0);
-        for two in meet(j, square(j24, e2), e1, square(e1, e2)) {
-            let end = carried([j24, e2, f2], j, two);
-            for three in meet(j13, square(j13, h3), h, square(h3, h4)) {
-                product *= square(end, carried([j13, h3, f3], j13, three)) - square(f2, f3);
-            }
-        }
-        product.re
-    }
-}
-
-impl Couplers {
-    /// The product of the misses at an angle of `ba`.
-    fn miss(&self, phi: f64) -> f64 {
-        let [a0, b0, c0, d0, a, b, c, d, p] = std::array::from_fn(|k| place(&self.v, k));
-        let first = turned(a0, a, phi);
-        let mut product = Complex::from(1.0);
-        for second in meet(first, square(a, b), b0, square(b0, b)) {
-            let pin = carried([a, b, p], first, second);
-            for third in meet(pin, square(p, c), c0, square(c0, c)) {
-                product *= square(carried([p, c, d], pin, third), d0) - square(d, d0);
-            }
-        }
-        product.re
-    }
+/// The product of an elimination's misses at an angle.
+fn miss(elimination: Elimination<Complex<f64>>, v: &[f64; 18], phi: f64) -> f64 {
+    let pins = std::array::from_fn(|k| [v[2 * k], v[2 * k + 1]].map(Complex::from));
+    elimination(&pins, [phi.cos(), phi.sin()].map(Complex::from)).re
 }
 
 /// The angles at which a function with a period of a turn changes its sign.
@@ -183,14 +100,20 @@ impl Draw {
 }
 
 /// Compares all closures of structures with the roots by the angle at a place in q; none has more than there are complex ones.
-fn compare<M: Kinematics>(make: impl Fn([f64; 18]) -> M, angle: usize, miss: impl Fn(&M, f64) -> f64, complex: usize) {
+fn compare<M: Kinematics>(
+    make: impl Fn([f64; 18]) -> M,
+    angle: usize,
+    of: impl Fn(&M) -> &[f64; 18],
+    elimination: Elimination<Complex<f64>>,
+    complex: usize,
+) {
     let count = if cfg!(debug_assertions) { 1 } else { 6 };
     let mut draw = Draw(complex as u64);
     let mut most = 0;
     for _ in 0..count {
         let mechanism = make(draw.pins());
         let all = mechanism.solver().assemblies(&Instant::at(0.0)).unwrap();
-        let expected = roots(|phi| miss(&mechanism, phi));
+        let expected = roots(|phi| miss(elimination, of(&mechanism), phi));
         assert!(all.is_complete(), "{all}");
         assert!(expected.len() <= complex, "{expected:?}");
         assert_eq!(all.found.len(), expected.len(), "{all}: {expected:?}");
@@ -206,15 +129,15 @@ fn compare<M: Kinematics>(make: impl Fn([f64; 18]) -> M, angle: usize, miss: imp
 
 #[test]
 fn four_ternary_links_as_a_star() {
-    compare(|v| Star { v }, 2, Star::miss, 16);
+    compare(|v| Star { v }, 2, |star| &star.v, star, STAR);
 }
 
 #[test]
 fn four_ternary_links_as_a_chain() {
-    compare(|v| Chain { v }, 8, Chain::miss, 16);
+    compare(|v| Chain { v }, 8, |chain| &chain.v, chain, CHAIN);
 }
 
 #[test]
 fn two_couplers_with_a_common_pin() {
-    compare(|v| Couplers { v }, 8, Couplers::miss, 18);
+    compare(|v| Couplers { v }, 8, |couplers| &couplers.v, couplers, COUPLERS);
 }
