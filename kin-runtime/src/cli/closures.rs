@@ -1,12 +1,33 @@
 //! The ways in which a mechanism closes at the first instant of a motion, as a choice that a page offers.
 
 use super::engine::{Engine, Setup};
-use crate::assembly::Assemblies;
+use super::failure::Failure;
+use super::solved::analysis;
+use crate::assembly::{Assemblies, Assembly};
 use crate::model::{Component, CoordinateKind, Model};
 use crate::plan::StepKind;
 use crate::planned::Sign;
+use crate::present::number::rounded;
 use crate::state::State;
 use std::f64::consts::TAU;
+
+/// The setup for a motion from the instant t: a closure that was asked for by its number becomes the guess.
+pub(super) fn settled(engine: &dyn Engine, setup: Setup, t: f64) -> Result<Setup, Failure> {
+    let Some(number) = setup.closure else { return Ok(setup) };
+    let all = engine.assemblies(&setup, t).map_err(|error| analysis(engine, &error))?;
+    match number.checked_sub(1).and_then(|k| all.found.get(k)) {
+        Some(found) => Ok(Setup { guesses: guesses(found), closure: None, ..setup }),
+        None => {
+            let what = format!("there is no closure {number} at t = {}; `modes` lists {}", rounded(t), all.found.len());
+            Err(Failure::option("--mode", what))
+        }
+    }
+}
+
+/// The configuration of a closure as guesses.
+fn guesses(found: &Assembly) -> Vec<(usize, f64)> {
+    found.q.iter().copied().enumerate().collect()
+}
 
 /// Motions that one page shows at most.
 pub(super) const MOST: usize = 8;
@@ -34,17 +55,17 @@ impl Choice {
     /// signs, which may or may not close.
     pub(super) fn all(engine: &dyn Engine, setup: &Setup, first: &State, most: usize) -> Self {
         let model = engine.model();
-        let iterated = model.plan.steps.iter().filter_map(|step| match step.kind {
-            StepKind::Newton(unknowns) => Some(unknowns),
-            _ => None,
+        let searched = model.plan.steps.iter().all(|step| match step.kind {
+            StepKind::Newton(unknowns) => unknowns <= SEARCHED,
+            _ => true,
         });
-        let (searched, iterates) =
-            iterated.fold((true, false), |(all, _), unknowns| (all && unknowns <= SEARCHED, true));
         let proven = setup.given.is_empty() && model.plan.exists() && searched && model.plan.modes.len() <= FEW;
         let all = proven.then(|| engine.assemblies(setup, first.t).ok()).flatten();
         let all = all.filter(|all| all.undecided.is_empty());
         match all {
-            Some(all) if iterates => Self::searched(setup, first, &all, most),
+            Some(all) if (0..all.found.len()).any(|k| all.name(k) != all.found[k].name()) => {
+                Self::searched(setup, first, &all, most)
+            }
             all => {
                 let own = signs(engine, first);
                 let others = combinations(&own).into_iter().filter(|signs| closes(model, all.as_ref(), signs));
@@ -64,10 +85,7 @@ impl Choice {
         let name = |k: usize| format!("closure {} of {count}", k + 1);
         let own = all.found.iter().position(|found| is_same(first.model, &found.q, &first.q));
         let others = all.found.iter().enumerate().filter(|(k, _)| Some(*k) != own).take(most);
-        let asked = |(k, found): (usize, &crate::assembly::Assembly)| {
-            let guesses = found.q.iter().copied().enumerate().collect();
-            (name(k), Setup { guesses, ..setup.clone() })
-        };
+        let asked = |(k, found): (usize, &Assembly)| (name(k), Setup { guesses: guesses(found), ..setup.clone() });
         Self { own: own.map_or_else(|| "as assembled".to_owned(), name), others: others.map(asked).collect() }
     }
 }

@@ -100,7 +100,7 @@ least slack of the result is that between instants, too. Its json is read by --s
 pub(super) fn run(args: &DesignArgs, engine: &mut dyn Engine, session: &mut Session<'_>) -> Result<(), Failure> {
     let mut ledger = Ledger::default();
     let output = ledger.take(session.destination(&args.output, "design"));
-    let setup = ledger.take(args.setup.apply_complete(engine));
+    let setup = ledger.take(args.setup.apply_complete(engine).and_then(Setup::without_closure));
     let all = ledger.take(wishes(args, &*engine));
     let (output, setup, all) = ledger.close(zip3(output, setup, all))?;
     let period = match (args.period, args.turns.as_deref().filter(|driver| !driver.is_empty())) {

@@ -39,6 +39,8 @@ pub(super) struct Setup {
     pub(super) inputs: Vec<Signal>,
     /// Modes that were asked for, by their indices.
     pub(super) modes: Vec<(usize, Sign)>,
+    /// The closure that was asked for, by its number in the list of `modes`; counted from 1.
+    pub(super) closure: Option<usize>,
     /// Names of inputs that the user gave no value for.
     pub(super) missing_inputs: Vec<&'static str>,
     /// Whether forces that redundant rows share are those of least norm.
@@ -51,6 +53,16 @@ impl Setup {
         let Some(first) = self.missing_inputs.first() else { return Ok(()) };
         let missing = listing("inputs without a value: ", &self.missing_inputs);
         Err(Failure::option("--input", format!("{missing}\n  write --input {first}=value,rate,acceleration")))
+    }
+
+    /// An error when a closure is asked for, in a command that has no instant at which closures are numbered.
+    pub(super) fn without_closure(self) -> Result<Self, Failure> {
+        match self.closure {
+            None => Ok(self),
+            Some(_) => {
+                Err(Failure::option("--mode", "closures have numbers at one instant only; name modes".to_owned()))
+            }
+        }
     }
 
     /// The inputs as functions of time; they have their values at `first` and constant acceleration.

@@ -183,6 +183,17 @@ impl Asked {
         matches!(self, Self::Grid { to: None, .. })
     }
 
+    /// The instant at which the motion starts, also where it first runs to a limit.
+    pub(super) fn first(&self, engine: &dyn Engine, setup: &Setup) -> Result<f64, Failure> {
+        let at = |option: &str, moment: &Moment| instant(option, *moment, engine, setup);
+        match self {
+            Self::Times(times) => times.first().map_or(Ok(0.0), |moment| at("--times", moment)),
+            Self::Grid { from: End::At(from), .. } | Self::Arc { from, .. } => at("--from", from),
+            Self::Grid { from: End::Limit, to: Some(End::At(to)), .. } => Ok(at("--to", to)?.min(0.0)),
+            Self::Grid { from: End::Limit, .. } => Ok(0.0),
+        }
+    }
+
     /// The instants. Without an end the motion takes one turn of the driven crank, or one unit of time.
     pub(super) fn instants(&self, engine: &dyn Engine, setup: &Setup) -> Result<Instants, Failure> {
         let at = |option: &str, moment: &Moment| instant(option, *moment, engine, setup);

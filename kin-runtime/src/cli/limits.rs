@@ -1,6 +1,6 @@
 //! `limits`: where the mechanism closes between two instants, mode by mode, and what ends that.
 
-use super::engine::Engine;
+use super::engine::{Engine, Setup};
 use super::examples::{Help, Names};
 use super::failure::{Failure, Ledger, zip3};
 use super::instants::{Asked, End};
@@ -52,7 +52,7 @@ pub(super) fn run(args: &LimitsArgs, engine: &mut dyn Engine, session: &mut Sess
         |option: &str, text: &Option<String>| text.as_deref().map(|t| values::moment(option, t, model)).transpose();
     let ends = ledger.take(moment("--from", &args.from)).zip(ledger.take(moment("--to", &args.to)));
     let output = ledger.take(session.destination(&args.output, "limits"));
-    let setup = ledger.take(args.setup.apply_complete(engine));
+    let setup = ledger.take(args.setup.apply_complete(engine).and_then(Setup::without_closure));
     let ((from, to), output, setup) = ledger.close(zip3(ends, output, setup))?;
     let from = End::At(from.unwrap_or(values::Moment::At(0.0)));
     let times = Asked::Grid { from, to: to.map(End::At), steps: 1 }.instants(&*engine, &setup)?.times;

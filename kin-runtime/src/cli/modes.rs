@@ -33,8 +33,10 @@ pub(super) const HELP: Help = Help {
     details: "\
 Every closure has a certificate: a proof by interval arithmetic that it is one, and alone around
 its place. That there are no others is proven as well: groups in closed form have two closures
-each, and where groups close by iteration, their angles are searched through a full turn around
-the guess. What could be decided neither way is said, and the status is 1.",
+each, and where signs do not tell all closures apart, as in groups that close by iteration, angles
+are searched through a full turn around the guess; --mode takes such a closure by its number,
+closure=2 for the second at the first instant of a motion. What could be decided neither way is
+said, and the status is 1.",
 };
 
 pub(super) fn run(args: &ModesArgs, engine: &mut dyn Engine, session: &mut Session<'_>) -> Result<(), Failure> {

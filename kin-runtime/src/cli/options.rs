@@ -55,6 +55,9 @@ A motion starts with these values and keeps the accelerations"
     mode: Vec<String>,
 }
 
+/// Asks for a closure by its number, where a mode is asked for by a sign.
+const CLOSURE: &str = "closure";
+
 impl SetupArgs {
     /// Sets the parameters and looks up all names; reports all errors at once.
     pub(super) fn apply(&self, engine: &mut dyn Engine) -> Result<Setup, Failure> {
@@ -87,6 +90,13 @@ impl SetupArgs {
         let others: Vec<_> = others.collect();
         asked.extend(others);
         for (name, sign) in asked {
+            if name == CLOSURE && !modes.contains(&CLOSURE) {
+                let number = sign.parse().map_err(|_| {
+                    Failure::option("--mode", format!("`{sign}` is no number of a closure; `modes` lists them"))
+                });
+                setup.closure = ledger.take(number);
+                continue;
+            }
             let found = match model.plan.absent {
                 Some(why) => {
                     Err(Failure::option("--mode", format!("there are no modes, because there is no plan: {why}")))

@@ -1,6 +1,7 @@
 //! Options that commands share, read together so that all errors are reported at once: those of one instant, and those of
 //! a motion.
 
+use super::closures::settled;
 use super::engine::{Engine, Setup};
 use super::failure::{Failure, Ledger, zip3};
 use super::instants::{ArcArgs, Asked, GridArgs, Instants, instant};
@@ -45,6 +46,7 @@ impl AtArgs {
         let setup = ledger.take(apply(&self.setup, engine));
         let (moment, output, setup) = zip3(moment, output, setup)?;
         let t = ledger.take(instant("--at", moment, engine, &setup))?;
+        let setup = ledger.take(settled(engine, setup, t))?;
         Some(At { t, setup, output })
     }
 }
@@ -85,6 +87,8 @@ impl MotionArgs {
         let setup = ledger.take(self.setup.apply_complete(engine));
         let (asked, output, setup) = zip3(asked, output, setup)?;
         let setup = Setup { least_norm: self.freedom.least_norm, ..setup };
+        let first = ledger.take(asked.first(engine, &setup))?;
+        let setup = ledger.take(settled(engine, setup, first))?;
         Some(Task { asked, setup, output })
     }
 

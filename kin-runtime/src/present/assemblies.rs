@@ -13,10 +13,10 @@ const DOUBTS: usize = 8;
 
 /// All closures, for JSON.
 pub(crate) fn records(all: &Assemblies) -> Vec<Record> {
-    let record = |assembly: &Assembly| {
+    let record = |(k, assembly): (usize, &Assembly)| {
         let certificate = assembly.certificate.as_ref();
         record! {
-            mode: assembly.name(),
+            mode: all.name(k),
             q: assembly.q,
             q_dot: assembly.q_dot,
             q_ddot: assembly.q_ddot,
@@ -26,7 +26,7 @@ pub(crate) fn records(all: &Assemblies) -> Vec<Record> {
             why: certificate.err().map(ToString::to_string),
         }
     };
-    all.found.iter().map(record).collect()
+    all.found.iter().enumerate().map(record).collect()
 }
 
 /// All closures, one in a column.
@@ -38,7 +38,7 @@ pub(crate) fn text(model: &Model, all: &Assemblies) -> String {
     };
     let closures = Table::new()
         .right("", (0..all.found.len()).map(number))
-        .words("modes", all.found.iter().map(Assembly::name))
+        .words("modes", (0..all.found.len()).map(|k| all.name(k)))
         .right("certified within", all.found.iter().map(certified));
     let names = model.coordinates.iter().map(|coordinate| coordinate.name);
     let coordinates =

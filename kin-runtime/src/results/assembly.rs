@@ -59,7 +59,8 @@ pub struct Assemblies {
     /// What is left undecided.
     pub undecided: Vec<Undecided>,
     /// The coordinates that were searched, each with its interval: a full turn for an angle, and a multiple of the size
-    /// of the mechanism for a length that no row determines. Empty if the plan has a closed form for all groups.
+    /// of the mechanism for a length that no row determines. Where the plan has a closed form for all groups, only the angles
+    /// that others follow in a ratio, as gears have it: their other turns are other closures.
     pub searched: Vec<(&'static str, Interval)>,
 }
 
@@ -67,6 +68,16 @@ impl Assemblies {
     /// True if it is proven that there are no other closures: each has a certificate, and nothing is undecided.
     pub fn is_complete(&self) -> bool {
         self.undecided.is_empty() && self.found.iter().all(|assembly| assembly.certificate.is_ok())
+    }
+
+    /// The name of a closure, by its index in `found`, as the option `--mode` takes it: its [modes](Assembly::name) where they
+    /// tell all closures apart, otherwise its number, `closure=1` for the first.
+    pub fn name(&self, index: usize) -> String {
+        let name = self.found.get(index).map(Assembly::name).unwrap_or_default();
+        match self.found.iter().filter(|found| found.name() == name).count() {
+            1 if !name.is_empty() => name,
+            _ => format!("closure={}", index + 1),
+        }
     }
 }
 
@@ -90,11 +101,16 @@ impl fmt::Display for Undecided {
 /// `A-B-D=+: one solution, known within 1.2e-16, no other within 1e-6`.
 impl fmt::Display for Assembly {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}: ", self.name())?;
-        match &self.certificate {
-            Ok(certificate) => certificate.fmt(f),
-            Err(why) => write!(f, "not certified: {why}"),
-        }
+        named(f, &self.name(), self)
+    }
+}
+
+/// A closure under a name.
+fn named(f: &mut fmt::Formatter<'_>, name: &str, assembly: &Assembly) -> fmt::Result {
+    write!(f, "{name}: ")?;
+    match &assembly.certificate {
+        Ok(certificate) => fmt::Display::fmt(certificate, f),
+        Err(why) => write!(f, "not certified: {why}"),
     }
 }
 
@@ -106,7 +122,10 @@ impl fmt::Display for Assemblies {
             count => write!(f, "{count} closures")?,
         }
         f.write_str(if self.is_complete() { ", all there are" } else { ", not proven to be all" })?;
-        self.found.iter().try_for_each(|assembly| write!(f, "\n  {assembly}"))?;
+        for (index, assembly) in self.found.iter().enumerate() {
+            f.write_str("\n  ")?;
+            named(f, &self.name(index), assembly)?;
+        }
         self.undecided.iter().try_for_each(|left| write!(f, "\n  undecided: {left}"))
     }
 }

@@ -1,7 +1,11 @@
 //! All closures of a mechanism, against those found by elimination in closed form.
 
+use kin_runtime::cli::run_from;
 use kin_runtime::{Assemblies, Instant, Kinematics, SolveError, Uncertified, mechanism};
+use serde_json::Value;
 use std::f64::consts::{PI, TAU};
+use std::path::PathBuf;
+use std::process::ExitCode;
 
 /// A crank and two dyads in series, the second one on the rocker of the first.
 #[mechanism]
@@ -148,6 +152,40 @@ fn all_closures_of_a_3rrr_robot_are_those_of_an_elimination() {
         most = most.max(all.found.len());
     }
     assert!(most >= 2, "{most}");
+}
+
+/// The output of a command of the robot's program, as json.
+fn json(command: &str) -> Value {
+    let out = tempfile(&command.replace(' ', "-"));
+    let words = format!("robot {command} --format json --out {}", out.display());
+    let code = run_from::<Forward>(words.split(' '));
+    assert_eq!(format!("{code:?}"), format!("{:?}", ExitCode::SUCCESS), "{command}");
+    let text = std::fs::read_to_string(&out).expect("the file is there");
+    std::fs::remove_file(&out).expect("it can be removed");
+    serde_json::from_str(&text).expect("one JSON document")
+}
+
+/// A file that no other test writes.
+fn tempfile(name: &str) -> PathBuf {
+    std::env::temp_dir().join(format!("kin-{}-{name}.json", std::process::id()))
+}
+
+/// The closures of groups that close by iteration have numbers, by which a motion takes them.
+#[test]
+fn a_motion_begins_in_the_closure_that_modes_names() {
+    let all = json("modes");
+    let all = all.as_array().expect("a list");
+    assert!(all.len() >= 2);
+    for (k, closure) in all.iter().enumerate() {
+        let name = closure["mode"].as_str().expect("a name");
+        assert_eq!((name, &closure["certified"]), (format!("closure={}", k + 1).as_str(), &Value::Bool(true)));
+        let swept = json(&format!("sweep --mode {name} --to 0.001 --steps 1"));
+        let numbers = |q: &Value| q.as_array().expect("q").iter().filter_map(Value::as_f64).collect::<Vec<_>>();
+        let (start, found) = (numbers(&swept["states"][0]["q"]), numbers(&closure["q"]));
+        assert!(start.iter().zip(&found).all(|(a, b)| (a - b).abs() < 1e-9), "{name}: {start:?} {found:?}");
+    }
+    let far = run_from::<Forward>(["robot", "sweep", "--mode", "closure=9"]);
+    assert_ne!(format!("{far:?}"), format!("{:?}", ExitCode::SUCCESS));
 }
 
 /// A dyad that is exactly stretched: its two closures coincide, so that none can be certified.
