@@ -157,9 +157,11 @@ impl<'s> ClosureEquations<'s> {
     fn follow(&mut self) {
         self.known.fill(None);
         let q = self.coordinates(&[]);
-        let Ok(Values { phi: values, .. }) = self.evaluate(&q, Subset::PHI) else { return };
+        let values = self.evaluate(&q, Subset::PHI).map(|values| values.phi);
         for (k, row, factors) in &self.determined {
-            self.known[*k] = Some(-self.with_known(values[*row], factors, &self.known) / factors[*k]);
+            // Where there are no values, nothing is known of them.
+            let value = values.as_ref().map_or(Interval::ENTIRE, |values| values[*row]);
+            self.known[*k] = Some(-self.with_known(value, factors, &self.known) / factors[*k]);
         }
     }
 
@@ -202,7 +204,7 @@ impl<'s> ClosureEquations<'s> {
             f_t.extend(with_time.then(|| eliminated::derivative(*g, *by_t)));
         }
         let known = self.determined.iter().map(|(_, row, _)| values[*row]);
-        let excluded = known.chain(f.iter().copied()).any(|value| value.is_defined() && !value.contains(0.0));
+        let excluded = known.chain(f.iter().copied()).any(Interval::excludes_zero);
         Ok(Closure { f, f_u, f_t, excluded, vectors })
     }
 

@@ -157,7 +157,7 @@ fn middle(a: &[Vec<Interval>]) -> DMatrix<f64> {
 /// The vector of length 1 that a matrix, of its midpoints, makes shortest.
 pub(super) fn null_vector(a: &[Vec<Interval>]) -> Option<DVector<f64>> {
     let middle = middle(a);
-    if middle.iter().any(|x| !x.is_finite()) {
+    if middle.is_empty() || middle.iter().any(|x| !x.is_finite()) {
         return None;
     }
     // Rows of zeros make the matrix square, so that there is a vector for every column.
@@ -176,6 +176,9 @@ pub(super) fn null_vector(a: &[Vec<Interval>]) -> Option<DVector<f64>> {
 fn null_vectors(a: &[Vec<Interval>], one: usize) -> Option<Vec<Interval>> {
     let m = a.len();
     let others: Vec<usize> = (0..m).filter(|&k| k != one).collect();
+    if others.is_empty() {
+        return Some(Vec::new());
+    }
     let b = DMatrix::from_fn(m, m - 1, |i, k| a[i][others[k]].midpoint());
     if b.iter().any(|x| !x.is_finite()) {
         return None;

@@ -32,6 +32,6 @@ pub(crate) use enclosures::{Enclosures, OverBoxes};
 pub(crate) use folds::{Fold, folds};
 pub(crate) use krawczyk::{Prover, Square};
 pub(crate) use scan::{Seen, Stretch, refined, stretches};
-pub(crate) use search::{Outcome, search};
+pub(crate) use search::{Certified, Outcome, search};
 pub(crate) use signs::{Closing, combinations};
 pub(crate) use winding::Winding;

@@ -123,8 +123,8 @@ impl Search<'_> {
         let Ok(f) = self.equations.values(&centre) else { return Shrunk::Unknown };
         let away: Vec<Interval> = now.iter().zip(&centre).map(|(&x, &c)| x - c).collect();
         let sum = |terms: &mut dyn Iterator<Item = Interval>| terms.fold(Interval::from(0.0), |sum, term| sum + term);
-        if f.iter().zip(&a).any(|(&f, row)| !(f + sum(&mut row.iter().zip(&away).map(|(&a, &x)| a * x))).contains(0.0))
-        {
+        let mean = |(&f, row): (&Interval, &Vec<Interval>)| f + sum(&mut row.iter().zip(&away).map(|(&a, &x)| a * x));
+        if f.iter().zip(&a).map(mean).any(Interval::excludes_zero) {
             return Shrunk::Empty;
         }
         let entries: Vec<(usize, usize)> = (0..count).flat_map(|i| (0..count).map(move |k| (i, k))).collect();

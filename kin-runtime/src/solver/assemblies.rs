@@ -11,7 +11,7 @@ use crate::model::{Component, CoordinateKind};
 use crate::plan::{Depth, Plan, Solved, StepKind};
 use crate::planned::Sign;
 use crate::planned::lists::Margins;
-use crate::proof::{Closing, Enclosures, Outcome, OverBoxes, Prover, Seen, combinations, search};
+use crate::proof::{Certified, Closing, Enclosures, Outcome, OverBoxes, Prover, Seen, combinations, search};
 use crate::scalar::Interval;
 use crate::workspace::{Array, Instant, Subset};
 
@@ -26,8 +26,8 @@ impl<M: Mechanism> Solver<'_, M> {
     /// whether they are proven to be all.
     ///
     /// Where the plan has a closed form for every group, all combinations of signs are solved, and one that has no
-    /// closure is proven to have none by the plan in interval arithmetic. All other mechanisms are searched by branch
-    /// and prune: all angles that remain unknown cover a full turn around their guess, boxes without a solution are
+    /// closure is proven to have none by the plan in interval arithmetic. All other mechanisms, and those in which signs do
+    /// not tell all closures apart (because an angle φ occurs as 2φ only, say), are searched by branch and prune: all angles that remain unknown cover a full turn around their guess, boxes without a solution are
     /// excluded, and in every other box the solution is proven to be unique. Boxes for which neither can be proven are
     /// reported as undecided.
     ///
@@ -57,9 +57,9 @@ impl<M: Mechanism> Solver<'_, M> {
     pub fn assemblies(&self, at: &Instant<'_>) -> Result<Assemblies, SolveError> {
         let guess: Vec<f64> = self.checked_guess()?.into_iter().map(|guess| guess.unwrap_or(0.0)).collect();
         let parameters = self.mechanism.parameters::<f64>();
-        let by_plan = self.is_closed_form();
+        let by_plan = self.told_by_signs(at, &guess);
         // What the plan solves at once is checked at once.
-        let is_sound = by_plan && self.goes_by_plan(at) && parameters.as_ref().iter().all(|x| x.is_finite());
+        let is_sound = by_plan.is_some() && self.goes_by_plan(at) && parameters.as_ref().iter().all(|x| x.is_finite());
         let length =
             if is_sound { 0.0 } else { self.analyse(at, |equations| Ok(Scale::around(equations, &guess).length))? };
         let refuse = |why| SolveError::NotCertified { t: at.t, why };
@@ -71,9 +71,9 @@ impl<M: Mechanism> Solver<'_, M> {
             true => prover.position(&mut *system, q),
             false => Prover::new(&self.square(at, q)?).position(&mut *system, q),
         };
-        if by_plan {
+        if let Some(bounded) = by_plan {
             let (found, undecided) = combinations(M::model(), &mut |signs| self.close(at, signs, &guess, &mut prove));
-            return Ok(Assemblies { found, undecided, searched: Vec::new() });
+            return Ok(Assemblies { found, undecided, searched: half_turns::<M>(&bounded, &guess) });
         }
         let region = region::<M>(&guess, length);
         let mut boxes = Box::new(OverBoxes::new(self.mechanism, at));
@@ -85,7 +85,12 @@ impl<M: Mechanism> Solver<'_, M> {
         let Outcome { mut found, undecided, unfinished, searched } =
             search(&square, &mut *boxes, &region, prove).map_err(refuse)?;
         found.sort_by(|([a, ..], _), ([b, ..], _)| b.partial_cmp(a).unwrap_or(std::cmp::Ordering::Equal));
-        found.dedup_by(|(a, _), (b, _)| difference::<M>(&a[0], &b[0], length) <= 1e-9);
+        let mut apart: Vec<Certified> = Vec::new();
+        for closure in found {
+            if !apart.iter().any(|(_, other)| is_turned::<M>(&closure.1, other)) {
+                apart.push(closure);
+            }
+        }
         let name = |k: usize| M::model().coordinates[k].name;
         let searched: Vec<(&'static str, Interval)> = searched.into_iter().map(|(k, x)| (name(k), x)).collect();
         let left = |region: Vec<Interval>| Undecided::Region {
@@ -98,7 +103,7 @@ impl<M: Mechanism> Solver<'_, M> {
             let modes = modes.iter().filter_map(|mode| Some((mode.name, mode.sign?))).collect();
             Assembly { modes, q, q_dot, q_ddot, certificate: Ok(certificate) }
         };
-        Ok(Assemblies { found: found.into_iter().map(assembly).collect(), undecided, searched })
+        Ok(Assemblies { found: apart.into_iter().map(assembly).collect(), undecided, searched })
     }
 
     /// Whether the plan solves every group in closed form.
@@ -147,7 +152,7 @@ impl<M: Mechanism> Solver<'_, M> {
         let rest = vec![Interval::from(0.0); M::COORDINATES];
         let mut boxes = OverBoxes::new(self.mechanism, at);
         let Ok(rows) = boxes.evaluate(Subset::PHI, &q, &rest) else { return false };
-        watched.iter().any(|&row| rows.phi.get(row).is_some_and(|phi| phi.is_defined() && !phi.contains(0.0)))
+        watched.iter().any(|&row| rows.phi.get(row).is_some_and(|phi| phi.excludes_zero()))
     }
 
     /// q near a configuration, with its q̇ and q̈.
@@ -164,21 +169,48 @@ pub(super) fn is_length<M: Mechanism>(k: usize) -> bool {
     matches!(M::model().coordinates[k].kind, CoordinateKind::Pose { component: Component::X | Component::Y, .. })
 }
 
+/// True for the angle of a body.
+pub(super) fn is_angle<M: Mechanism>(k: usize) -> bool {
+    matches!(M::model().coordinates[k].kind, CoordinateKind::Pose { component: Component::Phi, .. })
+}
+
+/// The names of angles, with half a turn around their guesses.
+pub(super) fn half_turns<M: Mechanism>(angles: &[usize], guess: &[f64]) -> Vec<(&'static str, Interval)> {
+    let around = |&k: &usize| (M::model().coordinates[k].name, half_turn(guess[k]));
+    angles.iter().map(around).collect()
+}
+
+/// Half a turn around an angle.
+fn half_turn(angle: f64) -> Interval {
+    Interval::around(angle, std::f64::consts::PI.next_up())
+}
+
 /// Where coordinates are searched around their guesses.
 pub(super) fn region<M: Mechanism>(guess: &[f64], length: f64) -> Vec<Interval> {
     let around = |(k, &guess): (usize, &f64)| match is_length::<M>(k) {
         true => Interval::around(guess, REACH * length),
-        false => Interval::around(guess, std::f64::consts::PI.next_up()),
+        false => half_turn(guess),
     };
     guess.iter().enumerate().map(around).collect()
+}
+
+/// True if a certified closure is another one but for whole turns of angles: then it lies where that one is alone.
+fn is_turned<M: Mechanism>(closure: &Certificate, other: &Certificate) -> bool {
+    const TURN: Interval = Interval::new(std::f64::consts::TAU, std::f64::consts::TAU.next_up());
+    closure.q.iter().zip(&other.unique).enumerate().all(|(k, (&x, alone))| {
+        let turns =
+            if is_angle::<M>(k) { ((alone.midpoint() - x.midpoint()) / std::f64::consts::TAU).round() } else { 0.0 };
+        let turned = x + Interval::from(turns) * TURN;
+        alone.lower() <= turned.lower() && turned.upper() <= alone.upper()
+    })
 }
 
 /// The largest difference of two configurations, relative to a radian and to the size of the mechanism, whole turns of angles
 /// left out.
 pub(super) fn difference<M: Mechanism>(a: &[f64], b: &[f64], length: f64) -> f64 {
     let of = |(k, (a, b)): (usize, (&f64, &f64))| {
-        let is_angle = matches!(M::model().coordinates[k].kind, CoordinateKind::Pose { component: Component::Phi, .. });
-        let turns = if is_angle { ((a - b) / std::f64::consts::TAU).round() * std::f64::consts::TAU } else { 0.0 };
+        let turns =
+            if is_angle::<M>(k) { ((a - b) / std::f64::consts::TAU).round() * std::f64::consts::TAU } else { 0.0 };
         (a - b - turns).abs() / if is_length::<M>(k) { length } else { 1.0 }
     };
     a.iter().zip(b).enumerate().map(of).fold(0.0, f64::max)

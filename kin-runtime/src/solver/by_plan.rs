@@ -204,7 +204,7 @@ impl<M: Mechanism> Solver<'_, M> {
     }
 
     /// q by the plan, with the margins of positions.
-    fn solved(
+    pub(super) fn solved(
         &self,
         parameters: &M::Parameters<f64>,
         at: &Instant<'_>,

@@ -34,6 +34,7 @@ mod arc;
 mod assemblies;
 mod by_plan;
 mod certify;
+mod choices;
 mod contacts;
 mod input_ranges;
 mod ranges;

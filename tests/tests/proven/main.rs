@@ -3,6 +3,8 @@
 mod arcs;
 mod assemblies;
 mod certificates;
+mod choices;
+mod classes;
 mod complex_closures;
 mod elimination;
 mod ranges;

@@ -110,6 +110,13 @@ impl Interval {
         self.lower <= x && x <= self.upper
     }
 
+    /// True where 0 is proven to be none of its numbers; false for [`UNDEFINED`](Self::UNDEFINED).
+    #[cfg(feature = "std")]
+    #[inline]
+    pub(crate) const fn excludes_zero(self) -> bool {
+        self.lower > 0.0 || self.upper < 0.0
+    }
+
     /// The numbers that are in both; none where there is no such number, or where one of them is undefined.
     #[inline]
     pub fn intersection(self, other: Self) -> Option<Self> {

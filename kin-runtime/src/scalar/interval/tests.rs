@@ -268,6 +268,14 @@ fn angles_hold_those_of_their_vectors() {
     }
     assert!(!Interval::new(0.5, 1.1).asin().is_defined() && !Interval::from(-1.1).acos().is_defined());
     assert!(Interval::from(0.0).atan2(Interval::from(-2.0)).contains(core::f64::consts::PI));
+    // Just beside the jump: a y that a division makes 0 is on its side of the x axis all the same.
+    for y in [5e-324, 1e-310, f64::MIN_POSITIVE] {
+        for x in [-1.0, -4.0, -3e7, -1e300, -f64::MAX] {
+            let [above, below] = [y, -y].map(|y| Interval::from(y).atan2(Interval::from(x)));
+            assert!(above.contains(core::f64::consts::PI) && above.radius() < 4e-15, "{y:e} {x:e}: {above}");
+            assert!(below.contains(-core::f64::consts::PI) && below.radius() < 4e-15, "{y:e} {x:e}: {below}");
+        }
+    }
 }
 
 #[test]

@@ -60,6 +60,7 @@ struct Turned {
 }
 
 /// `value` and everything as near to it as `error`, within [−1, 1].
+#[inline]
 fn near(value: f64, error: f64) -> Interval {
     Interval { lower: sum_down(value, -error).max(-1.0), upper: sum_up(value, error).min(1.0) }
 }
@@ -165,11 +166,12 @@ pub(super) fn atan2(y: Interval, x: Interval) -> Interval {
 
 /// The angle of one vector.
 fn angle(y: f64, x: f64) -> Interval {
-    // Of a vector whose components neither overflow nor vanish where they are squared.
+    // Of the vector itself: a y that vanishes when it is scaled still says on which side of the x axis the vector is.
+    let guess = crate::scalar::standard::atan2(y, x);
+    // Components that neither overflow nor vanish where they are squared.
     let largest = y.abs().max(x.abs());
     let scale = Interval::from(f64::from_bits(largest.to_bits() & (0x7ff << 52)));
     let (y, x) = (Interval::from(y) / scale, Interval::from(x) / scale);
-    let guess = crate::scalar::standard::atan2(y.midpoint(), x.midpoint());
     let (sin, cos) = sin_cos(Interval::from(guess));
     let along = x * cos + y * sin;
     let across = (y * cos - x * sin) / along;

@@ -4,6 +4,7 @@ mod by_plan;
 mod by_search;
 
 use super::Solver;
+use super::assemblies::half_turns;
 use crate::certificate::Uncertified;
 use crate::error::SolveError;
 use crate::mechanism::Mechanism;
@@ -19,7 +20,7 @@ impl<M: Mechanism> Solver<'_, M> {
     /// limits at which that ends: dead centres, which come with the joints that are in line, and branch points. Inputs go
     /// on from the instant with constant acceleration ([`Signal::after`]), as those of a sweep from the command line do.
     ///
-    /// Where every group has a closed form, the plan is evaluated over intervals of t. Where all its margins are positive on
+    /// Where every group has a closed form and closes in one way for each combination of signs, the plan is evaluated over intervals of t. Where all its margins are positive on
     /// an interval the mechanism closes on all of it, where one is negative it closes nowhere; what is neither is halved. All
     /// other mechanisms are searched for every t and configuration in which two closures come together: boxes without such a
     /// place are excluded, and in every other box it is proven to be the only one. In between, no closure begins or ends, and
@@ -61,9 +62,12 @@ impl<M: Mechanism> Solver<'_, M> {
         if let Some(why) = self.unproven() {
             return Err(SolveError::NotCertified { t: from.t, why });
         }
-        match self.is_closed_form() {
-            true => Ok(self.ranges_by_plan(from, to, &guess)),
-            false => self.ranges_by_search(from, to, &guess),
+        match self.told_by_signs(from, &guess) {
+            Some(bounded) => {
+                let searched = half_turns::<M>(&bounded, &guess);
+                Ok(Ranges { searched, ..self.ranges_by_plan(from, to, &guess) })
+            }
+            None => self.ranges_by_search(from, to, &guess),
         }
     }
 
