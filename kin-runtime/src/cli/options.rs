@@ -90,7 +90,8 @@ impl SetupArgs {
         let others: Vec<_> = others.collect();
         asked.extend(others);
         for (name, sign) in asked {
-            if name == CLOSURE && !modes.contains(&CLOSURE) {
+            let is_mode = model.plan.modes.iter().any(|mode| mode.name == CLOSURE);
+            if name == CLOSURE && !is_mode {
                 let number = sign.parse().map_err(|_| {
                     Failure::option("--mode", format!("`{sign}` is no number of a closure; `modes` lists them"))
                 });
