@@ -281,6 +281,11 @@ impl<'s> ClosureEquations<'s> {
         Ok(of_all)
     }
 
+    /// True if the derivatives f_u are proven to have no jumps over a box.
+    pub(super) fn is_smooth(&self, u: &[Interval]) -> bool {
+        self.system.is_smooth(&self.coordinates(u))
+    }
+
     /// All coordinates over a box, the eliminated ones included.
     pub(super) fn complete(&mut self, u: &[Interval]) -> Option<Vec<Interval>> {
         let mut q = self.coordinates(u);

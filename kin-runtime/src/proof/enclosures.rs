@@ -1,5 +1,6 @@
 //! The only generic code of proofs: a mechanism as an object that evaluates its rows over boxes.
 
+use super::smooth::Smooth;
 use crate::mechanism::{LengthError, Mechanism, Workspace};
 use crate::scalar::{Interval, Scalar};
 use crate::workspace::{Array, Instant, Signal, Subset};
@@ -24,6 +25,9 @@ pub(crate) trait Enclosures {
 
     /// Evaluates a subset over the box q and, for γ, q̇.
     fn evaluate(&mut self, subset: Subset, q: &[Interval], q_dot: &[Interval]) -> Result<Evaluated<'_>, LengthError>;
+
+    /// True if Φ_q is proven to have no jumps over the box q, at which its derivatives would say nothing of it.
+    fn is_smooth(&self, q: &[Interval]) -> bool;
 }
 
 /// A mechanism with its parameters and an instant as intervals.
@@ -62,5 +66,16 @@ impl<M: Mechanism> Enclosures for OverBoxes<'_, M> {
         mechanism.evaluate_with(self.parameters.as_ref(), subset, &at, q, q_dot, &mut self.workspace)?;
         let w = &self.workspace;
         Ok(Evaluated { phi: w.phi(), phi_q: w.phi_q(), phi_t: w.phi_t(), gamma: w.gamma() })
+    }
+    fn is_smooth(&self, q: &[Interval]) -> bool {
+        let parameters = self.mechanism.parameters::<Smooth>();
+        let inputs = M::Inputs::<Smooth>::generate(|k| self.inputs.as_ref()[k].map(Smooth));
+        let at = Instant { t: Smooth(self.t), inputs: inputs.as_ref() };
+        let q: Vec<Smooth> = q.iter().copied().map(Smooth).collect();
+        let still = vec![Smooth(Interval::ZERO); q.len()];
+        let mut workspace = M::workspace::<Smooth>();
+        let subset = Subset::JACOBIAN;
+        let done = self.mechanism.evaluate_with(parameters.as_ref(), subset, &at, &q, &still, &mut workspace);
+        done.is_ok() && workspace.phi_q().iter().all(|entry| entry.0.is_defined())
     }
 }

@@ -120,7 +120,8 @@ pub(super) fn prove(equations: &mut ClosureEquations<'_>, near: &[f64], reach: f
         }
         let over = &mut |all: &[Interval], matrix: &mut Vec<Interval>| {
             *matrix = bordered(equations, all, one)?.1;
-            Ok(())
+            // The test is about equations whose matrix is that of their derivatives.
+            if equations.is_smooth(&all[..m]) { Ok(()) } else { Err(Uncertified::Singular { nearness: 0.0 }) }
         };
         let mut locate = |boxes: &[f64]| {
             let trial = Trial { boxes, entries: &entries, centre: &y, sizes: &sizes, newton: &newton };

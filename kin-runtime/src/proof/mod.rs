@@ -26,7 +26,9 @@ mod reduced;
 mod scan;
 mod search;
 mod signs;
+mod smooth;
 mod winding;
+mod wrapped;
 
 pub(crate) use enclosures::{Enclosures, OverBoxes};
 pub(crate) use folds::{Fold, folds};

@@ -252,3 +252,27 @@ fn dead_centres_close_to_one_another_are_told_apart() {
         assert!(all.searched.is_empty() && all.limits.iter().all(|limit| limit.t.radius() < 1e-9), "{all}");
     }
 }
+
+/// An angle whose equation has a kink, where |sin φ| turns, close to a place where its slope is 0.
+#[mechanism]
+#[bodies(a)]
+#[revolute(A: ground @ (0, 0), a @ (0, 0))]
+#[constraint(kinked: height*abs(sin(a.phi)) + cos(a.phi + 0.3) = t)]
+struct Kinked {
+    height: f64,
+}
+
+/// Two closures come together at the kink as well, which second derivatives do not show.
+#[test]
+fn kinks_are_not_taken_for_regular_places() {
+    let off = 0.01_f64;
+    let height = (off + 0.3).sin() / off.cos();
+    let value = |phi: f64| height * phi.sin().abs() + (phi + 0.3).cos();
+    let (kink, top) = (value(0.0), value(off));
+    let all = Kinked { height }.solver().ranges(&Instant::at(kink - 1.0), top + 1.0).unwrap();
+    // The place beside the kink is proven.
+    let beside = |t: f64| all.limits.iter().filter(move |limit| (limit.t.midpoint() - t).abs() < 1e-7);
+    assert!(beside(top).next().is_some() && beside(top).all(|limit| limit.proven), "{all}");
+    // The kink is not, and nothing is claimed of it.
+    assert!(!all.is_complete() && beside(kink).all(|limit| !limit.proven) && beside(kink).next().is_some(), "{all}");
+}

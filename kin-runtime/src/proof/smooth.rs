@@ -1,0 +1,18 @@
+//! Intervals for proofs that need second derivatives.
+
+use super::wrapped::wrap;
+use crate::scalar::{Interval, Scalar};
+
+/// An interval with no sign where it holds 0: the derivative of |x| jumps there, which the second derivative does not show.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Smooth(pub(crate) Interval);
+
+wrap! { Smooth {
+    fn atan2(self, x: Self) -> Self {
+        Self(self.0.atan2(x.0))
+    }
+
+    fn signum(self) -> Self {
+        Self(if self.0.contains(0.0) { Interval::UNDEFINED } else { self.0.signum() })
+    }
+} }
