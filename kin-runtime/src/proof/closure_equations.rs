@@ -47,8 +47,6 @@ pub(super) struct Closure {
     pub(super) f_u: Vec<Vec<Interval>>,
     /// By t, known coordinates moving with it; empty unless asked for.
     pub(super) f_t: Vec<Interval>,
-    /// Whether an equation, those of known coordinates included, has no zero.
-    pub(super) excluded: bool,
     /// g of every eliminated angle, and its derivatives.
     vectors: Vec<Vector>,
 }
@@ -79,7 +77,8 @@ impl<'s> ClosureEquations<'s> {
     fn determine(&mut self, region: &[Interval]) {
         let m = self.reduced.left.len();
         let everywhere = everywhere(region);
-        let Ok(Values { phi_q: mut jacobian, .. }) = self.evaluate(&everywhere, Subset::JACOBIAN) else { return };
+        let Ok(Values { phi_q, .. }) = self.evaluate(&everywhere, Subset::JACOBIAN) else { return };
+        let mut jacobian: Vec<Vec<Interval>> = self.rows.iter().map(|&i| self.reduced.gradient(&phi_q, i)).collect();
         let number = |entry: &Interval| entry.lower() == entry.upper();
         let mut is_known = vec![false; m];
         loop {
@@ -124,8 +123,8 @@ impl<'s> ClosureEquations<'s> {
             let mut q =
                 self.coordinates(&self.unknown.iter().map(|&k| everywhere[self.reduced.left[k]]).collect::<Vec<_>>());
             q[column] = angle;
-            let jacobian = self.evaluate(&q, Subset::JACOBIAN).ok()?.phi_q;
-            Some(rows.map(|i| jacobian[i][k]))
+            let phi_q = self.evaluate(&q, Subset::JACOBIAN).ok()?.phi_q;
+            Some(rows.map(|i| self.reduced.derivative(&phi_q, i, k)))
         };
         let quarter = Interval::new(FRAC_PI_2, FRAC_PI_2.next_up());
         let (at_zero, at_quarter) = (derivatives(ZERO)?, derivatives(quarter)?);
@@ -183,29 +182,48 @@ impl<'s> ClosureEquations<'s> {
 
     /// f and its derivatives over a box, the one by t if `with_time`.
     pub(super) fn closure(&mut self, u: &[Interval], with_time: bool) -> Result<Closure, Uncertified> {
+        self.closure_of(u, with_time, false)?.ok_or(Uncertified::Malformed)
+    }
+
+    /// The same; none where an equation, those of known coordinates included, has no zero.
+    pub(super) fn possible_closure(&mut self, u: &[Interval], with_time: bool) -> Result<Option<Closure>, Uncertified> {
+        self.closure_of(u, with_time, true)
+    }
+
+    /// f and its derivatives over a box; none if `only_possible` and an equation has no zero.
+    fn closure_of(
+        &mut self,
+        u: &[Interval],
+        with_time: bool,
+        only_possible: bool,
+    ) -> Result<Option<Closure>, Uncertified> {
         let q = self.coordinates(u);
-        let Values { phi: values, phi_q: jacobian, phi_t } =
+        let Values { phi: values, phi_q, phi_t } =
             self.evaluate(&q, Subset { phi_t: with_time, ..Subset::POSITION })?;
+        let vectors = self.vectors(&values);
+        let angles = vectors.iter().map(|&g| eliminated::closure(g));
+        let f: Vec<Interval> = self.rows.iter().map(|&i| values[i]).chain(angles).collect();
+        let known = self.determined.iter().map(|(_, row, _)| values[*row]);
+        if only_possible && known.chain(f.iter().copied()).any(Interval::excludes_zero) {
+            return Ok(None);
+        }
+        let derivative = |i: usize, k: usize| self.reduced.derivative(&phi_q, i, k);
         let rates = if with_time { self.rates(&phi_t) } else { Vec::new() };
-        let by_t = |i: usize| self.with_known(phi_t[i], &jacobian[i], &rates);
+        let by_t = |i: usize| self.with_known(phi_t[i], &self.reduced.gradient(&phi_q, i), &rates);
         let vector = |((angle, _), g): (&(EliminatedAngle, f64), [Interval; 2])| Vector {
             g,
-            by_u: self.unknown.iter().map(|&k| angle.change(angle.rows.map(|i| jacobian[i][k]))).collect(),
+            by_u: self.unknown.iter().map(|&k| angle.change(angle.rows.map(|i| derivative(i, k)))).collect(),
             by_t: if with_time { angle.change(angle.rows.map(by_t)) } else { [ZERO; 2] },
         };
-        let vectors: Vec<Vector> = self.eliminated.iter().zip(self.vectors(&values)).map(vector).collect();
-        let mut f: Vec<Interval> = self.rows.iter().map(|&i| values[i]).collect();
+        let vectors: Vec<Vector> = self.eliminated.iter().zip(vectors).map(vector).collect();
         let mut f_u: Vec<Vec<Interval>> =
-            self.rows.iter().map(|&i| self.unknown.iter().map(|&k| jacobian[i][k]).collect()).collect();
+            self.rows.iter().map(|&i| self.unknown.iter().map(|&k| derivative(i, k)).collect()).collect();
         let mut f_t: Vec<Interval> = self.rows.iter().filter(|_| with_time).map(|&i| by_t(i)).collect();
         for Vector { g, by_u, by_t } in &vectors {
-            f.push(eliminated::closure(*g));
             f_u.push(by_u.iter().map(|&dg| eliminated::derivative(*g, dg)).collect());
             f_t.extend(with_time.then(|| eliminated::derivative(*g, *by_t)));
         }
-        let known = self.determined.iter().map(|(_, row, _)| values[*row]);
-        let excluded = known.chain(f.iter().copied()).any(Interval::excludes_zero);
-        Ok(Closure { f, f_u, f_t, excluded, vectors })
+        Ok(Some(Closure { f, f_u, f_t, vectors }))
     }
 
     /// Whether the equations are the same after a whole turn of each number of u: not those of lengths, and not those of
@@ -323,8 +341,7 @@ impl<'s> ClosureEquations<'s> {
             values.phi = reduced.values(of_rows);
         }
         if subset.phi_q {
-            square.matrix(rows.phi_q, of_rows)?;
-            values.phi_q = reduced.jacobian(of_rows);
+            square.matrix(rows.phi_q, &mut values.phi_q)?;
         }
         if subset.phi_t {
             square.kept(rows.phi_t, of_rows)?;
@@ -339,10 +356,10 @@ fn everywhere(region: &[Interval]) -> Vec<Interval> {
     region.iter().map(|x| x.hull(Interval::new(-1e6, 1e6))).collect()
 }
 
-/// The equations of [`Reduced`], and their derivatives by all remaining coordinates and by t.
+/// The equations of [`Reduced`] and their derivatives by t, and the entries of the rows from which those by coordinates follow.
 #[derive(Default)]
 struct Values {
     phi: Vec<Interval>,
-    phi_q: Vec<Vec<Interval>>,
+    phi_q: Vec<Interval>,
     phi_t: Vec<Interval>,
 }

@@ -166,12 +166,11 @@ impl Search<'_> {
         let m = self.equations.count();
         self.equations.at(now[m]);
         // A box without an enclosure can still be divided.
-        let Ok(Closure { mut f_u, f_t, excluded, .. }) = self.equations.closure(&now[..m], true) else {
-            return Shrunk::Unknown;
+        let Closure { mut f_u, f_t, .. } = match self.equations.possible_closure(&now[..m], true) {
+            Ok(Some(closure)) if !self.is_regular(&closure.f_u) => closure,
+            Ok(_) => return Shrunk::Without,
+            Err(_) => return Shrunk::Unknown,
         };
-        if excluded || self.is_regular(&f_u) {
-            return Shrunk::Without;
-        }
         f_u.iter_mut().zip(f_t).for_each(|(row, by_t)| row.push(by_t));
         let a = f_u;
         *smear = (0..=m).map(|k| a.iter().map(|row| row[k].magnitude()).sum()).collect();

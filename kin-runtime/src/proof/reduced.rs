@@ -84,10 +84,14 @@ impl Reduced {
         self.equations.iter().map(|sum| total(sum, rows)).collect()
     }
 
-    /// The derivatives of the reduced equations by the remaining coordinates, row by row, given the entries of the
-    /// rows.
-    pub(super) fn jacobian(&self, entries: &[Interval]) -> Vec<Vec<Interval>> {
-        self.derivatives.iter().map(|row| row.iter().map(|sum| total(sum, entries)).collect()).collect()
+    /// The derivative of a reduced equation by a remaining coordinate, given the entries of the rows.
+    pub(super) fn derivative(&self, entries: &[Interval], equation: usize, coordinate: usize) -> Interval {
+        total(&self.derivatives[equation][coordinate], entries)
+    }
+
+    /// The derivatives of a reduced equation by all remaining coordinates.
+    pub(super) fn gradient(&self, entries: &[Interval], equation: usize) -> Vec<Interval> {
+        (0..self.left.len()).map(|k| self.derivative(entries, equation, k)).collect()
     }
 
     /// Writes the eliminated coordinates, given the values of the rows with these coordinates at 0.

@@ -52,7 +52,10 @@ pub(crate) fn search(
     let places: Vec<usize> = equations.places().collect();
     let start: Vec<Interval> = places.iter().map(|&k| region[k]).collect();
     let searched = places.into_iter().zip(start.iter().copied()).collect();
-    let mut search = Search { equations };
+    let count = equations.count();
+    let entries = (0..count).flat_map(|i| (0..count).map(move |k| (i, k))).collect();
+    let inverse = Preconditioner::with_room(count);
+    let mut search = Search { equations, entries, inverse, exchanges: Vec::with_capacity(count) };
     let mut outcome = Outcome { searched, ..Outcome::default() };
     let (mut boxes, mut seen) = (vec![start], 0);
     while let Some(now) = boxes.pop() {
@@ -71,6 +74,11 @@ pub(crate) fn search(
 /// The state of a search.
 struct Search<'s> {
     equations: ClosureEquations<'s>,
+    /// (row, column) of all derivatives of the equations.
+    entries: Vec<(usize, usize)>,
+    /// Buffers.
+    inverse: Preconditioner,
+    exchanges: Vec<usize>,
 }
 
 impl Search<'_> {
@@ -113,10 +121,11 @@ impl Search<'_> {
     /// One step of the interval Newton method; the sums of the derivatives' sizes by every coordinate are left in `smear`.
     fn shrink(&mut self, now: &mut [Interval], smear: &mut Vec<f64>) -> Shrunk {
         // A box without an enclosure can still be divided.
-        let Ok(Closure { f_u: a, excluded, .. }) = self.equations.closure(now, false) else { return Shrunk::Unknown };
-        if excluded {
-            return Shrunk::Empty;
-        }
+        let Closure { f_u: a, .. } = match self.equations.possible_closure(now, false) {
+            Ok(Some(closure)) => closure,
+            Ok(None) => return Shrunk::Empty,
+            Err(_) => return Shrunk::Unknown,
+        };
         let count = self.equations.count();
         *smear = (0..count).map(|k| a.iter().map(|row| row[k].magnitude()).sum()).collect();
         let centre: Vec<Interval> = now.iter().map(|x| Interval::from(x.midpoint())).collect();
@@ -127,10 +136,10 @@ impl Search<'_> {
         if f.iter().zip(&a).map(mean).any(Interval::excludes_zero) {
             return Shrunk::Empty;
         }
-        let entries: Vec<(usize, usize)> = (0..count).flat_map(|i| (0..count).map(move |k| (i, k))).collect();
-        let Some(mut inverse) = Preconditioner::new(count, &entries, a.iter().flatten().map(|a| a.midpoint())) else {
+        let Self { inverse, entries, exchanges, .. } = self;
+        if !inverse.set(entries, a.iter().flatten().map(|a| a.midpoint()), exchanges) {
             return Shrunk::Unknown;
-        };
+        }
         let f = inverse.times(&f);
         let columns: Vec<Vec<Interval>> =
             (0..count).map(|k| inverse.times(&a.iter().map(|row| row[k]).collect::<Vec<_>>())).collect();

@@ -1,7 +1,9 @@
 //! All ways in which a mechanism closes.
 
 use super::Solver;
+use crate::analysis::acceleration::acceleration;
 use crate::analysis::position::position;
+use crate::analysis::velocity::velocity;
 use crate::assembly::{Assemblies, Assembly, Undecided};
 use crate::certificate::{Certificate, Uncertified};
 use crate::equations::scale::Scale;
@@ -157,10 +159,14 @@ impl<M: Mechanism> Solver<'_, M> {
 
     /// q near a configuration, with its q̇ and q̈.
     fn analysed(&self, at: &Instant<'_>, near: &[f64]) -> Option<[Vec<f64>; 3]> {
-        let q = self.analyse(at, |equations| position(equations, near)).ok()?.q;
-        let q_dot = self.velocity(at, &q).ok()?;
-        let q_ddot = self.acceleration(at, &q, &q_dot).ok()?;
-        Some([q, q_dot, q_ddot])
+        let all = self.analyse(at, |equations| {
+            let q = position(equations, near)?.q;
+            equations.scale = Scale::around(equations, &q);
+            let (q_dot, factor) = velocity(equations, &q, None)?;
+            let q_ddot = acceleration(equations, &q, &q_dot, &factor)?;
+            Ok([q, q_dot, q_ddot])
+        });
+        all.ok()
     }
 }
 

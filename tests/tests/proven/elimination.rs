@@ -9,6 +9,8 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 pub(crate) trait Field:
     Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self> + Neg<Output = Self>
 {
+    /// 0.
+    const ZERO: Self;
     /// 1.
     const ONE: Self;
 
@@ -24,6 +26,7 @@ pub(crate) enum Which {
 }
 
 impl Field for Complex<f64> {
+    const ZERO: Self = Self::new(0.0, 0.0);
     const ONE: Self = Self::new(1.0, 0.0);
 
     fn root(self, _: Which) -> Self {
@@ -81,7 +84,7 @@ pub(crate) fn triad<F: Field>(pins: &[Place<F>; 9], angle: [F; 2]) -> F {
     let [a, b, c, elbows @ ..] = corners;
     let away = [a, b, c].into_iter().zip(elbows).map(|(corner, elbow)| {
         let length = square(corner, elbow);
-        (difference(elbow, turned([F::ONE - F::ONE; 2], difference(centre, corner), angle)), length)
+        (difference(elbow, turned([F::ZERO; 2], difference(centre, corner), angle)), length)
     });
     let away: Vec<([F; 2], F)> = away.collect();
     let ([x, y], own) = away[0];

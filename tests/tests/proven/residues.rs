@@ -127,6 +127,7 @@ impl Div for Number {
 }
 
 impl Field for Number {
+    const ZERO: Self = Self { a: [0; 2], b: [0; 2], first: 0, second: [0; 2] };
     const ONE: Self = Self { a: [1, 0], b: [0; 2], first: 0, second: [0; 2] };
 
     /// A root that is there is not looked for: both roots are new numbers.
