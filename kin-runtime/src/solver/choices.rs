@@ -7,6 +7,7 @@
 use super::Solver;
 use super::assemblies::{is_angle, is_length};
 use crate::mechanism::Mechanism;
+use crate::plan::Plan;
 use crate::planned::lists::{Margins, Modes};
 use crate::workspace::{Array, Instant};
 use std::f64::consts::{PI, TAU};
@@ -17,6 +18,8 @@ use std::f64::consts::{PI, TAU};
 const STARTS: [f64; 2] = [PI + 0.3, 2.5 * PI];
 /// Numbers that differ by less, relative to their size, are the same but for rounding.
 const SAME: f64 = 1e-9;
+/// Modes of which all combinations are tried until one closes.
+const VARIED: usize = 10;
 
 impl<M: Mechanism> Solver<'_, M> {
     /// The angles whose whole turns are closures of their own, if every combination of signs is one closure as long as these
@@ -26,12 +29,22 @@ impl<M: Mechanism> Solver<'_, M> {
             return None;
         }
         let parameters = self.mechanism.parameters::<f64>();
-        let from = |shift: &dyn Fn(usize) -> f64| {
+        let solved = |modes: &Modes<M>, shift: &dyn Fn(usize) -> f64, margins: &mut Margins<M>| {
             let start =
                 M::Coordinates::<f64>::generate(|k| if is_length::<M>(k) { guess[k] } else { guess[k] + shift(k) });
-            self.solved(&parameters, at, &start, &Modes::filled(1.0), &mut Margins::filled(0.0))
+            self.solved(&parameters, at, &start, modes, margins)
         };
-        let here = from(&|_| 0.0)?;
+        // The first combination that closes; where none does, there are no closures to be told apart.
+        let closed = (0..1_u32 << M::model().plan.modes.len().min(VARIED)).find_map(|combination| {
+            let (mut modes, mut margins) = (Modes::filled(1.0), Margins::filled(0.0));
+            let signs = modes.as_mut().iter_mut().take(VARIED).enumerate();
+            signs.for_each(|(k, sign)| *sign = if combination >> k & 1 == 0 { 1.0 } else { -1.0 });
+            let q = solved(&modes, &|_| 0.0, &mut margins)?;
+            let closes = margins.as_ref().iter().all(|margin| *margin > Plan::SMALLEST_MARGIN);
+            (closes && q.as_ref().iter().all(|x| x.is_finite())).then_some((modes, q))
+        });
+        let Some((modes, here)) = closed else { return Some(Vec::new()) };
+        let from = |shift: &dyn Fn(usize) -> f64| solved(&modes, shift, &mut Margins::filled(0.0));
         // False for NaN, too.
         let is_small = |k: usize, moved: f64| moved.abs() <= SAME * (1.0 + here.as_ref()[k].abs());
         let is_turned = |k: usize, moved: f64| is_small(k, moved - TAU * (moved / TAU).round());

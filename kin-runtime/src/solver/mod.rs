@@ -97,7 +97,7 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     /// [`Plan`](SolveError::Plan) where there is no plan; [`NonFinite`](SolveError::NonFinite) and
     /// [`Length`](SolveError::Length).
     pub fn modes(&self, at: &Instant<'_>, q: &[f64]) -> Result<Vec<Mode>, SolveError> {
-        modes(&mut self.equations(at)?, q)
+        modes(&self.equations(at)?, q)
     }
 
     /// Assembles the mechanism from the guesses and returns it as [`Planned`], which follows the plan from there.
@@ -218,7 +218,7 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     /// # Errors
     /// For a mechanism without masses and loads, and when a list has another length.
     pub fn loads(&self, state: &State) -> Result<Vec<Load>, SolveError> {
-        analysis::forces::loads(&mut self.equations(&state.instant())?, state)
+        analysis::forces::loads(&self.equations(&state.instant())?, state)
     }
 
     fn shared_forces(&self, state: &State, sharing: Sharing) -> Result<Forces, SolveError> {
