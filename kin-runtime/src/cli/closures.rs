@@ -55,11 +55,16 @@ impl Choice {
     /// signs, which may or may not close.
     pub(super) fn all(engine: &dyn Engine, setup: &Setup, first: &State, most: usize) -> Self {
         let model = engine.model();
-        let searched = model.plan.steps.iter().all(|step| match step.kind {
-            StepKind::Newton(unknowns) => unknowns <= SEARCHED,
-            _ => true,
+        let mut iterated = model.plan.steps.iter().filter_map(|step| match step.kind {
+            StepKind::Newton(unknowns) => Some(unknowns),
+            _ => None,
         });
-        let proven = setup.given.is_empty() && model.plan.exists() && searched && model.plan.modes.len() <= FEW;
+        // What takes no time to find, or at least not long.
+        let quick = match iterated.next() {
+            None => engine.closes_by_signs(setup, first.t),
+            Some(unknowns) => unknowns <= SEARCHED && iterated.all(|unknowns| unknowns <= SEARCHED),
+        };
+        let proven = setup.given.is_empty() && model.plan.exists() && quick && model.plan.modes.len() <= FEW;
         let all = proven.then(|| engine.assemblies(setup, first.t).ok()).flatten();
         let all = all.filter(|all| all.undecided.is_empty());
         match all {

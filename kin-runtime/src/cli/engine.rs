@@ -161,6 +161,8 @@ pub(super) trait Engine {
     /// The modes of a configuration; none if there is no plan.
     fn modes(&self, at: &Instant<'_>, q: &[f64]) -> Vec<Mode>;
     fn assemblies(&self, setup: &Setup, t: f64) -> Result<Assemblies, SolveError>;
+    /// Whether the closures are those of the signs of a plan in closed form, which are found without a search.
+    fn closes_by_signs(&self, setup: &Setup, t: f64) -> bool;
     fn ranges(&self, setup: &Setup, from: f64, to: f64) -> Result<Ranges, SolveError>;
     /// Local points, axes, values and radii at an instant.
     fn geometry(&self, at: &Instant<'_>) -> Result<Vec<f64>, SolveError>;
@@ -342,6 +344,10 @@ impl<M: Mechanism + Default> Engine for Bound<M> {
 
     fn assemblies(&self, setup: &Setup, t: f64) -> Result<Assemblies, SolveError> {
         self.solver(setup).assemblies(&Instant { t, inputs: &setup.inputs })
+    }
+
+    fn closes_by_signs(&self, setup: &Setup, t: f64) -> bool {
+        self.solver(setup).closes_by_signs(&Instant { t, inputs: &setup.inputs })
     }
 
     fn ranges(&self, setup: &Setup, from: f64, to: f64) -> Result<Ranges, SolveError> {

@@ -22,6 +22,14 @@ const SAME: f64 = 1e-9;
 const VARIED: usize = 10;
 
 impl<M: Mechanism> Solver<'_, M> {
+    /// Whether the closures are those of the signs of a plan in closed form, which are found without a search.
+    #[cfg(feature = "cli")]
+    pub(crate) fn closes_by_signs(&self, at: &Instant<'_>) -> bool {
+        let guess = self.checked_guess().unwrap_or_default();
+        let guess: Vec<f64> = guess.into_iter().map(|guess| guess.unwrap_or(0.0)).collect();
+        guess.len() == M::COORDINATES && self.told_by_signs(at, &guess).is_some()
+    }
+
     /// The angles whose whole turns are closures of their own, if every combination of signs is one closure as long as these
     /// angles are within half a turn of their guesses. None if there may be other closures, or if the plan has no closed form.
     pub(super) fn told_by_signs(&self, at: &Instant<'_>, guess: &[f64]) -> Option<Vec<usize>> {
