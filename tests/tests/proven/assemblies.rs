@@ -188,6 +188,22 @@ fn a_motion_begins_in_the_closure_that_modes_names() {
     assert_ne!(format!("{far:?}"), format!("{:?}", ExitCode::SUCCESS));
 }
 
+/// A page offers every closure, each with its motion.
+#[test]
+fn a_page_has_all_closures_as_a_choice() {
+    let all = json("modes --at 0.002");
+    let count = all.as_array().expect("a list").len();
+    let out = tempfile("page").with_extension("html");
+    let words = format!("robot animate --from 0.002 --to 0.003 --steps 2 --out {}", out.display());
+    let code = run_from::<Forward>(words.split(' '));
+    assert_eq!(format!("{code:?}"), format!("{:?}", ExitCode::SUCCESS));
+    let page = std::fs::read_to_string(&out).expect("the page is there");
+    std::fs::remove_file(&out).expect("it can be removed");
+    for k in 1..=count {
+        assert!(page.contains(&format!("closure {k} of {count}")), "{k} of {count}");
+    }
+}
+
 /// A dyad that is exactly stretched: its two closures coincide, so that none can be certified.
 #[mechanism]
 #[bodies(left, right)]
