@@ -3,7 +3,6 @@
 use super::engine::{Engine, Setup};
 use super::examples::{Help, Names};
 use super::failure::{Failure, Ledger, zip3};
-use super::instants::{natural_end, turn_of};
 use super::names::{Kind, find};
 use super::number::Measured;
 use super::options::SetupArgs;
@@ -11,6 +10,7 @@ use super::output::{Form, OutputArgs, json};
 use super::places::{PLACES, columns};
 use super::session::Session;
 use super::trial::quoted;
+use super::turns::{natural_end, turn_of};
 use super::values;
 use super::wishes::{INSTANTS, Wish, Wishes};
 use crate::design::{DesignError, Designed, Direction, Search, Shortest};

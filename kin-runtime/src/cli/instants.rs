@@ -1,14 +1,14 @@
 //! The instants of a motion: a grid, a list, or up to the limits of the mechanism.
 
-use std::f64::consts::TAU;
 use std::ops::ControlFlow;
 
 use super::engine::{Arc, Engine, Setup};
 use super::failure::{Failure, Ledger};
-use super::solved::{analysis, driven_state};
+use super::solved::analysis;
+use super::turns::{natural_end, speed, turn};
 use super::values::{self, Moment};
 use crate::error::SolveError;
-use crate::model::{Component, CoordinateKind, Model};
+use crate::model::Model;
 use crate::planned::Limit;
 use crate::present::number::rounded;
 
@@ -211,13 +211,11 @@ impl Asked {
                 }
             }
             Self::Grid { from: End::Limit, to, steps } => {
-                let (start, to) = match to {
-                    Some(End::At(to)) => {
-                        let to = at("--to", to)?;
-                        (to.min(0.0), Some(to))
-                    }
-                    Some(End::Limit) => (0.0, None),
-                    None => (0.0, Some(natural_end(engine, setup, 0.0))),
+                let start = self.first(engine, setup)?;
+                let to = match to {
+                    Some(End::At(to)) => Some(at("--to", to)?),
+                    Some(End::Limit) => None,
+                    None => Some(natural_end(engine, setup, start)),
                 };
                 as_far(engine, setup, (start, [None, to]), *steps)
             }
@@ -268,9 +266,9 @@ fn as_far(
                 out.limits[k] = Some(stop);
             }
             Sought::None(searched) => {
-                let turn = natural_end(engine, setup, start) - start;
-                times[k] = start + direction * turn;
-                whole[k] = speed(engine, setup, start).is_some();
+                let own = turn(engine, setup, start);
+                times[k] = start + direction * own.unwrap_or(1.0);
+                whole[k] = own.is_some();
                 let until = rounded(searched);
                 out.notes.push(match whole[k] {
                     true => {
@@ -335,8 +333,7 @@ enum Sought {
 /// The limit that a motion from `start` reaches in a direction of time, or how far it was followed without reaching
 /// one.
 fn limit(engine: &dyn Engine, setup: &Setup, start: f64, direction: f64) -> Result<Sought, Failure> {
-    let turn = speed(engine, setup, start).map(|speed| TAU / speed);
-    let ranges = turn.map_or(FAR.to_vec(), |turn| vec![turn]);
+    let ranges = turn(engine, setup, start).map_or(FAR.to_vec(), |turn| vec![turn]);
     for far in &ranges {
         let times = [start, start + direction * far];
         let go_on = |_: crate::observer::Reached<'_>| ControlFlow::Continue(());
@@ -363,46 +360,4 @@ fn short(limit: &Limit) -> String {
     let joints: Vec<&str> = limit.joints().collect();
     let kind = limit.kind().map_or_else(|| "limit".to_owned(), |kind| kind.to_string());
     if joints.is_empty() { kind } else { format!("{kind} of {}", joints.join(", ")) }
-}
-
-/// The default end of a motion that begins at `from`: after one turn of the slowest crank that is driven at constant
-/// speed, or after one unit of time.
-pub(super) fn natural_end(engine: &dyn Engine, setup: &Setup, from: f64) -> f64 {
-    from + speed(engine, setup, from).map_or(1.0, |speed| TAU / speed)
-}
-
-/// How long a turn of this driver takes, if it drives an angle at constant speed.
-#[cfg(feature = "design")]
-pub(super) fn turn_of(engine: &dyn Engine, setup: &Setup, driver: &str) -> Option<f64> {
-    slowest(engine, setup, 0.0, &|name| name == driver).map(|speed| TAU / speed)
-}
-
-/// The speed of the slowest of the cranks that are driven at constant speed.
-fn speed(engine: &dyn Engine, setup: &Setup, from: f64) -> Option<f64> {
-    slowest(engine, setup, from, &|_| true)
-}
-
-/// The speed of the slowest of the cranks that these drivers drive at constant speed.
-fn slowest(engine: &dyn Engine, setup: &Setup, from: f64, counts: &dyn Fn(&str) -> bool) -> Option<f64> {
-    let model = engine.model();
-    let (state, _) = driven_state(engine, setup, from, true).ok()?;
-    let angle = |column: usize| {
-        let kind = model.coordinates.get(column).map(|coordinate| coordinate.kind);
-        matches!(kind, Some(CoordinateKind::Pose { component: Component::Phi, .. } | CoordinateKind::Scalar))
-    };
-    let driven =
-        model.rows.iter().enumerate().filter(|(_, row)| row.driving || row.rheonomic).filter_map(|(place, row)| {
-            model.joints.get(row.joint).filter(|joint| counts(joint.name))?;
-            let mut entries = model.constraint_pattern.entries.iter().filter(|(row, _)| *row == place);
-            match (entries.next(), entries.next()) {
-                (Some(&(_, column)), None) if angle(column) => Some(column),
-                _ => None,
-            }
-        });
-    let speeds = driven.filter_map(|column| {
-        let (speed, acceleration) = (state.q_dot.get(column)?.abs(), state.q_ddot.get(column)?.abs());
-        (speed > 0.0 && acceleration <= 1e-9 * speed * speed).then_some(speed)
-    });
-    let slowest = speeds.fold(f64::INFINITY, f64::min);
-    slowest.is_finite().then_some(slowest)
 }

@@ -77,6 +77,7 @@ mod sweep;
 mod task;
 mod tolerance;
 mod trial;
+mod turns;
 mod values;
 mod vary;
 mod watch;

@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
 use super::engine::{Arc, Engine, Setup};
-use super::instants::natural_end;
+use super::turns::natural_end;
 use crate::model::Model;
 use crate::observer::Reached;
 use crate::plan::StepKind;
