@@ -29,9 +29,9 @@ impl<M: Mechanism> Solver<'_, M> {
     ///
     /// Where the plan has a closed form for every group, all combinations of signs are solved, and one that has no
     /// closure is proven to have none by the plan in interval arithmetic. All other mechanisms, and those in which signs do
-    /// not tell all closures apart (because an angle φ occurs as 2φ only, say), are searched by branch and prune: all angles that remain unknown cover a full turn around their guess, boxes without a solution are
-    /// excluded, and in every other box the solution is proven to be unique. Boxes for which neither can be proven are
-    /// reported as undecided.
+    /// not tell all closures apart (because an angle φ occurs as 2φ only, say), are searched by branch and prune: all angles
+    /// that remain unknown cover a full turn around their guess, boxes without a solution are excluded, and in every other
+    /// box the solution is proven to be unique. Boxes for which neither can be proven are reported as undecided.
     ///
     /// ```
     /// use kin_runtime::{Instant, Kinematics, mechanism};

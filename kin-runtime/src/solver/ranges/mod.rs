@@ -20,12 +20,12 @@ impl<M: Mechanism> Solver<'_, M> {
     /// limits at which that ends: dead centres, which come with the joints that are in line, and branch points. Inputs go
     /// on from the instant with constant acceleration ([`Signal::after`]), as those of a sweep from the command line do.
     ///
-    /// Where every group has a closed form and closes in one way for each combination of signs, the plan is evaluated over intervals of t. Where all its margins are positive on
-    /// an interval the mechanism closes on all of it, where one is negative it closes nowhere; what is neither is halved. All
-    /// other mechanisms are searched for every t and configuration in which two closures come together: boxes without such a
-    /// place are excluded, and in every other box it is proven to be the only one. In between, no closure begins or ends, and
-    /// those of one t are all there are ([`assemblies`](Self::assemblies)). So ranges are proven, and limits are enclosed to
-    /// about ten digits of the way.
+    /// Where every group has a closed form and closes in one way for each combination of signs, the plan is evaluated over
+    /// intervals of t. Where all its margins are positive on an interval the mechanism closes on all of it, where one is
+    /// negative it closes nowhere; what is neither is halved. All other mechanisms are searched for every t and
+    /// configuration in which two closures come together: boxes without such a place are excluded, and in every other box
+    /// it is proven to be the only one. In between, no closure begins or ends, and those of one t are all there are
+    /// ([`assemblies`](Self::assemblies)). So ranges are proven, and limits are enclosed to about ten digits of the way.
     ///
     /// ```
     /// use kin_runtime::planned::LimitKind;
