@@ -1,6 +1,6 @@
 //! The equations that are left when everything that follows by sums and single rows is taken out of a mechanism.
 
-use super::eliminated::{self, EliminatedAngle};
+use super::eliminated::{EliminatedAngle, dot};
 use super::enclosures::Enclosures;
 use super::krawczyk::Square;
 use super::reduced::Reduced;
@@ -35,9 +35,11 @@ pub(super) struct ClosureEquations<'s> {
     unknown: Vec<usize>,
     /// The equations f among those of [`Reduced`]; the ones of eliminated angles come after them.
     rows: Vec<usize>,
-    /// Buffers: zeros, and what the mechanism's rows are.
+    /// Buffers: zeros, all coordinates over the box that is looked at, and what the mechanism's rows and the equations are there.
     still: Vec<Interval>,
+    q: Vec<Interval>,
     of_rows: Vec<Interval>,
+    values: Values,
 }
 
 /// f, its derivatives by u, and the one by t.
@@ -47,13 +49,13 @@ pub(super) struct Closure {
     pub(super) f_u: Vec<Vec<Interval>>,
     /// By t, known coordinates moving with it; empty unless asked for.
     pub(super) f_t: Vec<Interval>,
-    /// g of every eliminated angle, and its derivatives.
-    vectors: Vec<Vector>,
+    /// Those of the constant parts of eliminated angles.
+    constant_parts: Vec<ConstantPart>,
 }
 
-/// g of an eliminated angle, its derivatives by u, and the one by t; 0 unless asked for.
-struct Vector {
-    g: [Interval; 2],
+/// 2 N a of an eliminated angle, the derivatives of a by u, and the one by t; 0 unless asked for.
+struct ConstantPart {
+    slope: [Interval; 2],
     by_u: Vec<[Interval; 2]>,
     by_t: [Interval; 2],
 }
@@ -65,9 +67,10 @@ impl<'s> ClosureEquations<'s> {
         let m = reduced.left.len();
         let (known, unknown, rows) = (vec![None; m], (0..m).collect(), (0..m).collect());
         let (determined, eliminated) = (Vec::new(), Vec::new());
-        let (still, of_rows) = (vec![ZERO; square.coordinates()], Vec::new());
+        let [still, q] = [const { ZERO }; 2].map(|zero| vec![zero; square.coordinates()]);
+        let (of_rows, values) = (Vec::new(), Values::default());
         let mut equations =
-            Self { square, system, reduced, determined, known, eliminated, unknown, rows, still, of_rows };
+            Self { square, system, reduced, determined, known, eliminated, unknown, rows, still, q, of_rows, values };
         equations.determine(region);
         equations.eliminate(region);
         equations
@@ -76,9 +79,12 @@ impl<'s> ClosureEquations<'s> {
     /// Finds the known coordinates.
     fn determine(&mut self, region: &[Interval]) {
         let m = self.reduced.left.len();
-        let everywhere = everywhere(region);
-        let Ok(Values { phi_q, .. }) = self.evaluate(&everywhere, Subset::JACOBIAN) else { return };
-        let mut jacobian: Vec<Vec<Interval>> = self.rows.iter().map(|&i| self.reduced.gradient(&phi_q, i)).collect();
+        self.q = everywhere(region);
+        if self.evaluate(Subset::JACOBIAN).is_err() {
+            return;
+        }
+        let gradient = |&i: &usize| self.reduced.gradient(&self.values.phi_q, i);
+        let mut jacobian: Vec<Vec<Interval>> = self.rows.iter().map(gradient).collect();
         let number = |entry: &Interval| entry.lower() == entry.upper();
         let mut is_known = vec![false; m];
         loop {
@@ -119,12 +125,12 @@ impl<'s> ClosureEquations<'s> {
     fn eliminated_angle(&mut self, k: usize, rows: [usize; 2], region: &[Interval]) -> Option<EliminatedAngle> {
         let column = self.reduced.left[k];
         let everywhere = everywhere(region);
+        let others: Vec<Interval> = self.unknown.iter().map(|&k| everywhere[self.reduced.left[k]]).collect();
         let mut derivatives = |angle: Interval| {
-            let mut q =
-                self.coordinates(&self.unknown.iter().map(|&k| everywhere[self.reduced.left[k]]).collect::<Vec<_>>());
-            q[column] = angle;
-            let phi_q = self.evaluate(&q, Subset::JACOBIAN).ok()?.phi_q;
-            Some(rows.map(|i| self.reduced.derivative(&phi_q, i, k)))
+            self.go_to(&others);
+            self.q[column] = angle;
+            self.evaluate(Subset::JACOBIAN).ok()?;
+            Some(rows.map(|i| self.reduced.derivative(&self.values.phi_q, i, k)))
         };
         let quarter = Interval::new(FRAC_PI_2, FRAC_PI_2.next_up());
         let (at_zero, at_quarter) = (derivatives(ZERO)?, derivatives(quarter)?);
@@ -141,9 +147,9 @@ impl<'s> ClosureEquations<'s> {
         (is_same && at_zero.iter().chain(&at_quarter).all(is_narrow)).then_some(found)
     }
 
-    /// The vectors g of eliminated angles, given the values of all equations.
-    fn vectors(&self, values: &[Interval]) -> Vec<[Interval; 2]> {
-        self.eliminated.iter().map(|(angle, _)| angle.vector(angle.rows.map(|i| values[i]))).collect()
+    /// Eliminated angles with the constant parts of their equations, once all equations have values.
+    fn constant_parts(&self) -> impl Iterator<Item = (&EliminatedAngle, [Interval; 2])> {
+        self.eliminated.iter().map(|(angle, _)| (angle, angle.constant_part(angle.rows.map(|i| self.values.phi[i]))))
     }
 
     /// Sets the instant, by its t, and computes the known coordinates there.
@@ -155,11 +161,11 @@ impl<'s> ClosureEquations<'s> {
     /// Computes the known coordinates: their equations are linear in them, and have no others.
     fn follow(&mut self) {
         self.known.fill(None);
-        let q = self.coordinates(&[]);
-        let values = self.evaluate(&q, Subset::PHI).map(|values| values.phi);
+        self.go_to(&[]);
+        let has_values = self.evaluate(Subset::PHI).is_ok();
         for (k, row, factors) in &self.determined {
             // Where there are no values, nothing is known of them.
-            let value = values.as_ref().map_or(Interval::ENTIRE, |values| values[*row]);
+            let value = if has_values { self.values.phi[*row] } else { Interval::ENTIRE };
             self.known[*k] = Some(-self.with_known(value, factors, &self.known) / factors[*k]);
         }
     }
@@ -197,33 +203,30 @@ impl<'s> ClosureEquations<'s> {
         with_time: bool,
         only_possible: bool,
     ) -> Result<Option<Closure>, Uncertified> {
-        let q = self.coordinates(u);
-        let Values { phi: values, phi_q, phi_t } =
-            self.evaluate(&q, Subset { phi_t: with_time, ..Subset::POSITION })?;
-        let vectors = self.vectors(&values);
-        let angles = vectors.iter().map(|&g| eliminated::closure(g));
-        let f: Vec<Interval> = self.rows.iter().map(|&i| values[i]).chain(angles).collect();
-        let known = self.determined.iter().map(|(_, row, _)| values[*row]);
+        self.over(u, Subset { phi_t: with_time, ..Subset::POSITION })?;
+        let Values { phi, phi_q, phi_t } = &self.values;
+        let f = self.f();
+        let known = self.determined.iter().map(|(_, row, _)| phi[*row]);
         if only_possible && known.chain(f.iter().copied()).any(Interval::excludes_zero) {
             return Ok(None);
         }
-        let derivative = |i: usize, k: usize| self.reduced.derivative(&phi_q, i, k);
-        let rates = if with_time { self.rates(&phi_t) } else { Vec::new() };
-        let by_t = |i: usize| self.with_known(phi_t[i], &self.reduced.gradient(&phi_q, i), &rates);
-        let vector = |((angle, _), g): (&(EliminatedAngle, f64), [Interval; 2])| Vector {
-            g,
-            by_u: self.unknown.iter().map(|&k| angle.change(angle.rows.map(|i| derivative(i, k)))).collect(),
-            by_t: if with_time { angle.change(angle.rows.map(by_t)) } else { [ZERO; 2] },
+        let derivative = |i: usize, k: usize| self.reduced.derivative(phi_q, i, k);
+        let rates = if with_time { self.rates() } else { Vec::new() };
+        let by_t = |i: usize| self.with_known(phi_t[i], &self.reduced.gradient(phi_q, i), &rates);
+        let part = |(angle, a): (&EliminatedAngle, [Interval; 2])| ConstantPart {
+            slope: angle.slope(a),
+            by_u: self.unknown.iter().map(|&k| angle.rows.map(|i| derivative(i, k))).collect(),
+            by_t: if with_time { angle.rows.map(by_t) } else { [ZERO; 2] },
         };
-        let vectors: Vec<Vector> = self.eliminated.iter().zip(vectors).map(vector).collect();
+        let constant_parts: Vec<ConstantPart> = self.constant_parts().map(part).collect();
         let mut f_u: Vec<Vec<Interval>> =
             self.rows.iter().map(|&i| self.unknown.iter().map(|&k| derivative(i, k)).collect()).collect();
         let mut f_t: Vec<Interval> = self.rows.iter().filter(|_| with_time).map(|&i| by_t(i)).collect();
-        for Vector { g, by_u, by_t } in &vectors {
-            f_u.push(by_u.iter().map(|&dg| eliminated::derivative(*g, dg)).collect());
-            f_t.extend(with_time.then(|| eliminated::derivative(*g, *by_t)));
+        for ConstantPart { slope, by_u, by_t } in &constant_parts {
+            f_u.push(by_u.iter().map(|&da| dot(*slope, da)).collect());
+            f_t.extend(with_time.then(|| dot(*slope, *by_t)));
         }
-        Ok(Some(Closure { f, f_u, f_t, vectors }))
+        Ok(Some(Closure { f, f_u, f_t, constant_parts }))
     }
 
     /// Whether the equations are the same after a whole turn of each number of u: not those of lengths, and not those of
@@ -231,8 +234,7 @@ impl<'s> ClosureEquations<'s> {
     pub(super) fn turns(&mut self, u: &[Interval]) -> Vec<bool> {
         let turn = Interval::new(std::f64::consts::TAU, std::f64::consts::TAU.next_up());
         let of = |equations: &mut Self, u: &[Interval]| {
-            let q = equations.coordinates(u);
-            equations.evaluate(&q, Subset::PHI).map(|values| values.phi).unwrap_or_default()
+            equations.over(u, Subset::PHI).map(|()| equations.values.phi.clone()).unwrap_or_default()
         };
         let here = of(self, u);
         let is_same = |k: usize| {
@@ -248,27 +250,32 @@ impl<'s> ClosureEquations<'s> {
 
     /// f over a box.
     pub(super) fn values(&mut self, u: &[Interval]) -> Result<Vec<Interval>, Uncertified> {
-        let q = self.coordinates(u);
-        let phi = self.evaluate(&q, Subset::PHI)?.phi;
-        let angles = self.vectors(&phi).into_iter().map(eliminated::closure);
-        Ok(self.rows.iter().map(|&i| phi[i]).chain(angles).collect())
+        self.over(u, Subset::PHI)?;
+        Ok(self.f())
     }
 
-    /// The rates of known coordinates, given the derivatives of the equations by t.
-    fn rates(&self, phi_t: &[Interval]) -> Vec<Option<Interval>> {
+    /// f, once all equations have values.
+    fn f(&self) -> Vec<Interval> {
+        let mut f = Vec::with_capacity(self.rows.len() + self.eliminated.len());
+        f.extend(self.rows.iter().map(|&i| self.values.phi[i]));
+        f.extend(self.constant_parts().map(|(angle, a)| angle.closure(a)));
+        f
+    }
+
+    /// The rates of known coordinates, once the equations have derivatives by t.
+    fn rates(&self) -> Vec<Option<Interval>> {
         let mut rates = vec![None; self.known.len()];
         for (k, row, factors) in &self.determined {
-            rates[*k] = Some(-self.with_known(phi_t[*row], factors, &rates) / factors[*k]);
+            rates[*k] = Some(-self.with_known(self.values.phi_t[*row], factors, &rates) / factors[*k]);
         }
         rates
     }
 
     /// The rates of the known coordinates over a box, among all coordinates of the mechanism.
     pub(super) fn known_rates(&mut self, u: &[Interval]) -> Result<Vec<Interval>, Uncertified> {
-        let q = self.coordinates(u);
-        let phi_t = self.evaluate(&q, Subset::TIME_DERIVATIVE)?.phi_t;
-        let mut of_all = vec![ZERO; q.len()];
-        for (&column, rate) in self.reduced.left.iter().zip(self.rates(&phi_t)) {
+        self.over(u, Subset::TIME_DERIVATIVE)?;
+        let mut of_all = vec![ZERO; self.q.len()];
+        for (&column, rate) in self.reduced.left.iter().zip(self.rates()) {
             of_all[column] = rate.unwrap_or(ZERO);
         }
         Ok(of_all)
@@ -282,35 +289,39 @@ impl<'s> ClosureEquations<'s> {
         (u, rates): (&[Interval], &[Interval]),
         w: &[Interval],
     ) -> Result<Vec<Interval>, Uncertified> {
-        let q = self.coordinates(u);
+        self.go_to(u);
         let mut q_dot = rates.to_vec();
         for (&k, &w) in self.unknown.iter().zip(w) {
             q_dot[self.reduced.left[k]] = w;
         }
-        let evaluated = self.system.evaluate(Subset::GAMMA, &q, &q_dot).map_err(|_| Uncertified::Malformed)?;
+        let evaluated = self.system.evaluate(Subset::GAMMA, &self.q, &q_dot).map_err(|_| Uncertified::Malformed)?;
         self.square.kept(evaluated.gamma, &mut self.of_rows)?;
-        let gamma = self.reduced.values(&self.of_rows);
+        let mut gamma = Vec::with_capacity(self.of_rows.len());
+        self.reduced.values(&self.of_rows, &mut gamma);
         let mut of_all: Vec<Interval> = self.rows.iter().map(|&i| gamma[i]).collect();
-        for ((angle, _), Vector { g, by_u, by_t }) in self.eliminated.iter().zip(&closure.vectors) {
+        for ((angle, _), part) in self.eliminated.iter().zip(&closure.constant_parts) {
+            let ConstantPart { slope, by_u, by_t } = part;
             let along = |i: usize| by_u.iter().zip(w).fold(by_t[i], |sum, (by, &w)| sum + by[i] * w);
-            let second = angle.change(angle.rows.map(|i| -gamma[i]));
-            of_all.push(-eliminated::second_derivative(*g, [along(0), along(1)], second));
+            let second = angle.rows.map(|i| -gamma[i]);
+            of_all.push(-angle.second_derivative(*slope, [along(0), along(1)], second));
         }
         Ok(of_all)
     }
 
     /// True if the derivatives f_u are proven to have no jumps over a box.
-    pub(super) fn is_smooth(&self, u: &[Interval]) -> bool {
-        self.system.is_smooth(&self.coordinates(u))
+    pub(super) fn is_smooth(&mut self, u: &[Interval]) -> bool {
+        self.go_to(u);
+        self.system.is_smooth(&self.q)
     }
 
     /// All coordinates over a box, the eliminated ones included.
     pub(super) fn complete(&mut self, u: &[Interval]) -> Option<Vec<Interval>> {
-        let mut q = self.coordinates(u);
+        self.go_to(u);
+        let mut q = self.q.clone();
         if !self.eliminated.is_empty() {
-            let phi = self.evaluate(&q, Subset::PHI).ok()?.phi;
-            for ((angle, near), g) in self.eliminated.iter().zip(self.vectors(&phi)) {
-                q[self.reduced.left[angle.angle]] = EliminatedAngle::direction(g, *near);
+            self.evaluate(Subset::PHI).ok()?;
+            for ((angle, a), (_, near)) in self.constant_parts().zip(&self.eliminated) {
+                q[self.reduced.left[angle.angle]] = angle.direction(a, *near);
             }
         }
         let evaluated = self.system.evaluate(Subset::PHI, &q, &self.still).ok()?;
@@ -319,35 +330,39 @@ impl<'s> ClosureEquations<'s> {
         Some(q)
     }
 
-    /// All coordinates, with 0 for the eliminated ones.
-    fn coordinates(&self, u: &[Interval]) -> Vec<Interval> {
-        let mut q = vec![ZERO; self.square.coordinates()];
+    /// Writes all coordinates over a box of u, 0 for eliminated ones.
+    fn go_to(&mut self, u: &[Interval]) {
+        self.q.fill(ZERO);
         for (&column, known) in self.reduced.left.iter().zip(&self.known) {
-            q[column] = known.unwrap_or(ZERO);
+            self.q[column] = known.unwrap_or(ZERO);
         }
         for (&k, &x) in self.unknown.iter().zip(u) {
-            q[self.reduced.left[k]] = x;
+            self.q[self.reduced.left[k]] = x;
         }
-        q
     }
 
-    /// The equations over a box of all coordinates; lists that are not in the subset are empty.
-    fn evaluate(&mut self, q: &[Interval], subset: Subset) -> Result<Values, Uncertified> {
-        let Self { system, reduced, square, still, of_rows, .. } = self;
+    /// Evaluates the equations over a box of u.
+    fn over(&mut self, u: &[Interval], subset: Subset) -> Result<(), Uncertified> {
+        self.go_to(u);
+        self.evaluate(subset)
+    }
+
+    /// Evaluates the equations over the box of all coordinates; lists that are not in the subset stay what they are.
+    fn evaluate(&mut self, subset: Subset) -> Result<(), Uncertified> {
+        let Self { system, reduced, square, still, q, of_rows, values, .. } = self;
         let rows = system.evaluate(subset, q, still).map_err(|_| Uncertified::Malformed)?;
-        let mut values = Values::default();
         if subset.phi {
             square.phi(rows.phi, q, of_rows)?;
-            values.phi = reduced.values(of_rows);
+            reduced.values(of_rows, &mut values.phi);
         }
         if subset.phi_q {
             square.matrix(rows.phi_q, &mut values.phi_q)?;
         }
         if subset.phi_t {
             square.kept(rows.phi_t, of_rows)?;
-            values.phi_t = reduced.values(of_rows);
+            reduced.values(of_rows, &mut values.phi_t);
         }
-        Ok(values)
+        Ok(())
     }
 }
 

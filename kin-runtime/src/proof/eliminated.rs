@@ -6,12 +6,14 @@
 //! f = a(u) + M (cos φ, sin φ)        M constant
 //! ```
 //!
-//! where a depends on the other coordinates u. So f = 0 has a solution φ exactly if g = −M⁻¹ a is a unit vector, and φ is its
+//! where a depends on the other coordinates u. So f = 0 has a solution φ exactly if −M⁻¹ a is a unit vector, and φ is its
 //! direction:
 //!
 //! ```text
-//! h(u) = g·g − 1 = 0        dh = 2 g·dg        d²h = 2 dg·dg + 2 g·d²g
+//! h(u) = a·N a − 1 = 0        N = M⁻ᵀ M⁻¹        dh = 2 N a·da        d²h = 2 da·N da + 2 N a·d²a
 //! ```
+//!
+//! Where both equations are sums of the same pins, M is a rotation and a length, and N nearly a number.
 //!
 //! For the coupler of a four-bar this is the equation of F. Freudenstein (An analytical approach to the design of four-link
 //! mechanisms, Transactions of the ASME 76 (1954)). One equation takes the place of two, and a search has one coordinate
@@ -36,6 +38,8 @@ pub(super) struct EliminatedAngle {
     by_sine: Pair,
     /// M⁻¹.
     inverse: [Pair; 2],
+    /// N₀₀, 2 N₀₁ and N₁₁.
+    form: [Interval; 3],
 }
 
 impl EliminatedAngle {
@@ -46,7 +50,9 @@ impl EliminatedAngle {
         let determinant = a * d - b * c;
         let inverse = [[d / determinant, -b / determinant], [-c / determinant, a / determinant]];
         let bounded = inverse.iter().flatten().all(|x| x.is_bounded());
-        (bounded && !determinant.contains(0.0)).then_some(Self { angle, rows, by_cosine, by_sine, inverse })
+        let [[a, b], [c, d]] = inverse;
+        let form = [square(a) + square(c), TWO * (a * b + c * d), square(b) + square(d)];
+        (bounded && !determinant.contains(0.0)).then_some(Self { angle, rows, by_cosine, by_sine, inverse, form })
     }
 
     /// The derivatives of the two equations by φ.
@@ -55,18 +61,30 @@ impl EliminatedAngle {
         [0, 1].map(|i| self.by_sine[i] * cos - self.by_cosine[i] * sin)
     }
 
-    /// g, given the values of the two equations at φ = 0.
-    pub(super) fn vector(&self, at_zero: Pair) -> Pair {
-        self.change([0, 1].map(|i| at_zero[i] - self.by_cosine[i]))
+    /// a, given the values of the two equations at φ = 0.
+    pub(super) fn constant_part(&self, at_zero: Pair) -> Pair {
+        [0, 1].map(|i| at_zero[i] - self.by_cosine[i])
     }
 
-    /// dg, given da.
-    pub(super) fn change(&self, da: Pair) -> Pair {
-        self.inverse.map(|[a, b]| -(a * da[0] + b * da[1]))
+    /// h, given a.
+    pub(super) fn closure(&self, a: Pair) -> Interval {
+        self.product(a) - ONE
     }
 
-    /// φ over a whole turn around `near`, given g; undefined where g may vanish.
-    pub(super) fn direction(g: Pair, near: f64) -> Interval {
+    /// 2 N a, of which dh is the product with da.
+    pub(super) fn slope(&self, a: Pair) -> Pair {
+        let [p, q, r] = self.form;
+        [TWO * p * a[0] + q * a[1], q * a[0] + TWO * r * a[1]]
+    }
+
+    /// d²h, given 2 N a, da and d²a.
+    pub(super) fn second_derivative(&self, slope: Pair, da: Pair, dda: Pair) -> Interval {
+        TWO * self.product(da) + dot(slope, dda)
+    }
+
+    /// φ over a whole turn around `near`, given a; undefined where a may vanish.
+    pub(super) fn direction(&self, a: Pair, near: f64) -> Interval {
+        let g = self.inverse.map(|row| -dot(row, a));
         // Measured from the middle, so that the jump of the angle at π is far away.
         let middle = Interval::from(g[1].midpoint().atan2(g[0].midpoint()));
         let (sin, cos) = middle.sin_cos();
@@ -74,30 +92,25 @@ impl EliminatedAngle {
         let turns = ((near - angle.midpoint()) / core::f64::consts::TAU).round();
         angle + Interval::from(turns) * Interval::new(core::f64::consts::TAU, core::f64::consts::TAU.next_up())
     }
+
+    /// a·N a.
+    fn product(&self, a: Pair) -> Interval {
+        let [p, q, r] = self.form;
+        p * square(a[0]) + r * square(a[1]) + q * (a[0] * a[1])
+    }
 }
 
-/// h.
-pub(super) fn closure(g: Pair) -> Interval {
-    Scalar::powi(g[0], 2) + Scalar::powi(g[1], 2) - ONE
+fn square(x: Interval) -> Interval {
+    Scalar::powi(x, 2)
 }
 
-/// dh.
-pub(super) fn derivative(g: Pair, dg: Pair) -> Interval {
-    TWO * product(g, dg)
-}
-
-/// d²h.
-pub(super) fn second_derivative(g: Pair, dg: Pair, ddg: Pair) -> Interval {
-    TWO * (Scalar::powi(dg[0], 2) + Scalar::powi(dg[1], 2) + product(g, ddg))
-}
-
-fn product(a: Pair, b: Pair) -> Interval {
+pub(super) fn dot(a: Pair, b: Pair) -> Interval {
     a[0] * b[0] + a[1] * b[1]
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{EliminatedAngle, Pair, closure, derivative, second_derivative};
+    use super::{EliminatedAngle, Pair, dot};
     use crate::scalar::Interval;
 
     const M: [[f64; 2]; 2] = [[0.4, -0.1], [0.2, 0.3]];
@@ -117,10 +130,10 @@ mod tests {
         EliminatedAngle::new(0, [0, 1], at_zero, at_quarter).unwrap()
     }
 
-    /// g where the constant part of the equations is a.
-    fn g(a: [f64; 2]) -> Pair {
+    /// The constant part of the equations, found from their values at φ = 0.
+    fn found(a: [f64; 2]) -> Pair {
         let at_zero = turned(0.0)[0];
-        angle().vector(points([0, 1].map(|i| a[i] + at_zero[i])))
+        angle().constant_part(points([0, 1].map(|i| a[i] + at_zero[i])))
     }
 
     #[track_caller]
@@ -133,10 +146,10 @@ mod tests {
         for k in 0..100 {
             let phi = 0.0628 * f64::from(k) - 3.1;
             let [of_angle, by_angle] = turned(phi);
-            let g = g(of_angle.map(|x| -x));
-            same(closure(g), 0.0, 1e-14);
+            let a = found(of_angle.map(|x| -x));
+            same(angle().closure(a), 0.0, 1e-14);
             for near in [0.0, phi + 3.0, -40.0] {
-                let found = EliminatedAngle::direction(g, near);
+                let found = angle().direction(a, near);
                 let turns = (found.midpoint() - phi) / core::f64::consts::TAU;
                 same(found, phi + core::f64::consts::TAU * turns.round(), 1e-12);
                 assert!((found.midpoint() - near).abs() < 3.15, "{found} near {near}");
@@ -148,13 +161,13 @@ mod tests {
     #[test]
     fn derivatives_are_those_of_the_equation() {
         let a = |t: f64| [0.3 * t - 0.2, 0.25 - 0.6 * t * t];
-        let h = |t: f64| closure(g(a(t))).midpoint();
+        let h = |t: f64| angle().closure(found(a(t))).midpoint();
         for t in [-0.7, 0.1, 0.4, 0.9] {
             let angle = angle();
-            let (dg, ddg) = (angle.change(points([0.3, -1.2 * t])), angle.change(points([0.0, -1.2])));
+            let (slope, da, dda) = (angle.slope(found(a(t))), points([0.3, -1.2 * t]), points([0.0, -1.2]));
             let e = 1e-4;
-            same(derivative(g(a(t)), dg), (h(t + e) - h(t - e)) / (2.0 * e), 1e-6);
-            same(second_derivative(g(a(t)), dg, ddg), (h(t + e) - 2.0 * h(t) + h(t - e)) / (e * e), 1e-5);
+            same(dot(slope, da), (h(t + e) - h(t - e)) / (2.0 * e), 1e-6);
+            same(angle.second_derivative(slope, da, dda), (h(t + e) - 2.0 * h(t) + h(t - e)) / (e * e), 1e-5);
         }
     }
 

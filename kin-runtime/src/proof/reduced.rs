@@ -79,9 +79,10 @@ impl Reduced {
         !self.derivatives[equation][coordinate].is_empty()
     }
 
-    /// The reduced equations' values, given those of the rows.
-    pub(super) fn values(&self, rows: &[Interval]) -> Vec<Interval> {
-        self.equations.iter().map(|sum| total(sum, rows)).collect()
+    /// Writes the reduced equations' values, given those of the rows.
+    pub(super) fn values(&self, rows: &[Interval], values: &mut Vec<Interval>) {
+        values.clear();
+        values.extend(self.equations.iter().map(|sum| total(sum, rows)));
     }
 
     /// The derivative of a reduced equation by a remaining coordinate, given the entries of the rows.

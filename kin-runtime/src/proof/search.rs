@@ -55,7 +55,9 @@ pub(crate) fn search(
     let count = equations.count();
     let entries = (0..count).flat_map(|i| (0..count).map(move |k| (i, k))).collect();
     let inverse = Preconditioner::with_room(count);
-    let mut search = Search { equations, entries, inverse, exchanges: Vec::with_capacity(count) };
+    let exchanges = Vec::with_capacity(count);
+    let [newton, columns, column] = [count, count * count, count].map(|length| vec![Interval::ZERO; length]);
+    let mut search = Search { equations, entries, inverse, exchanges, newton, columns, column };
     let mut outcome = Outcome { searched, ..Outcome::default() };
     let (mut boxes, mut seen) = (vec![start], 0);
     while let Some(now) = boxes.pop() {
@@ -79,6 +81,9 @@ struct Search<'s> {
     /// Buffers.
     inverse: Preconditioner,
     exchanges: Vec<usize>,
+    newton: Vec<Interval>,
+    columns: Vec<Interval>,
+    column: Vec<Interval>,
 }
 
 impl Search<'_> {
@@ -127,7 +132,8 @@ impl Search<'_> {
             Err(_) => return Shrunk::Unknown,
         };
         let count = self.equations.count();
-        *smear = (0..count).map(|k| a.iter().map(|row| row[k].magnitude()).sum()).collect();
+        smear.clear();
+        smear.extend((0..count).map(|k| a.iter().map(|row| row[k].magnitude()).sum::<f64>()));
         let centre: Vec<Interval> = now.iter().map(|x| Interval::from(x.midpoint())).collect();
         let Ok(f) = self.equations.values(&centre) else { return Shrunk::Unknown };
         let away: Vec<Interval> = now.iter().zip(&centre).map(|(&x, &c)| x - c).collect();
@@ -136,19 +142,23 @@ impl Search<'_> {
         if f.iter().zip(&a).map(mean).any(Interval::excludes_zero) {
             return Shrunk::Empty;
         }
-        let Self { inverse, entries, exchanges, .. } = self;
+        let Self { inverse, entries, exchanges, newton, columns, column, .. } = self;
         if !inverse.set(entries, a.iter().flatten().map(|a| a.midpoint()), exchanges) {
             return Shrunk::Unknown;
         }
-        let f = inverse.times(&f);
-        let columns: Vec<Vec<Interval>> =
-            (0..count).map(|k| inverse.times(&a.iter().map(|row| row[k]).collect::<Vec<_>>())).collect();
+        inverse.times_to(&f, newton);
+        for (k, product) in columns.chunks_exact_mut(count).enumerate() {
+            column.clear();
+            column.extend(a.iter().map(|row| row[k]));
+            inverse.times_to(column, product);
+        }
         for i in 0..count {
-            if columns[i][i].contains(0.0) {
+            let of = |k: usize| columns[k * count + i];
+            if of(i).contains(0.0) {
                 continue;
             }
-            let others = &mut (0..count).filter(|&k| k != i).map(|k| columns[k][i] * (now[k] - centre[k]));
-            let newton = centre[i] - (f[i] + sum(others)) / columns[i][i];
+            let others = &mut (0..count).filter(|&k| k != i).map(|k| of(k) * (now[k] - centre[k]));
+            let newton = centre[i] - (newton[i] + sum(others)) / of(i);
             match now[i].intersection(newton) {
                 Some(smaller) => now[i] = smaller,
                 None if newton.is_defined() => return Shrunk::Empty,

@@ -4,9 +4,11 @@
 //! are exact for |k| < 2²⁰, and so is x − k P₁, because the two are within a factor of 2 of one another. What is left are
 //! the rounding of r and the rest of π/2 behind P₃, below 2⁻¹¹² k: together at most u |r| + 2⁻⁸⁰, u = 2⁻⁵³.
 //!
-//! For |r| ≤ 0.79 the Taylor polynomials of degree 17 and 16 have remainders below 0.03 u. In Horner's form the terms beyond
-//! the first fall quickly, so that their rounding errors add up to less than 1.6 u |r| for the sine and 1.8 u for the cosine;
-//! with the error of r that is less than 4 u |r| + 2⁻⁸⁰ and 4 u + 2⁻⁸⁰. None of it depends on a library.
+//! For |r| ≤ 0.79 the Taylor polynomials of degree 17 and 16 have remainders below 0.03 u. The terms beyond the first fall
+//! quickly, so that their rounding errors add up to less than 1.8 u |r| for the sine and 1.8 u for the cosine; with the error
+//! of r that is less than 4 u |r| + 2⁻⁸⁰ and 4 u + 2⁻⁸⁰. None of it depends on a library.
+//!
+//! In which quadrant an angle is cannot be predicted, so that nothing here branches on it.
 
 use super::Interval;
 use super::rounding::{integer, sum_down, sum_up};
@@ -40,7 +42,7 @@ const SINE: [f64; 8] = [
     1.0 / 355_687_428_096_000.0,
 ];
 /// 1/4!, 1/6!, … with signs.
-const COSINE: [f64; 7] = [
+const COSINE: [f64; 8] = [
     1.0 / 24.0,
     -1.0 / 720.0,
     1.0 / 40_320.0,
@@ -48,6 +50,7 @@ const COSINE: [f64; 7] = [
     1.0 / 479_001_600.0,
     -1.0 / 87_178_291_200.0,
     1.0 / 20_922_789_888_000.0,
+    0.0,
 ];
 
 /// An angle with its sine and cosine.
@@ -80,17 +83,32 @@ fn turned(x: f64) -> Turned {
     let lost = (first - (difference - part)) - (second + part);
     let r = difference + (lost - k * HALF_PI[2]);
     let z = r * r;
-    let tail = |coefficients: &[f64]| coefficients.iter().rev().fold(0.0, |sum, c| sum * z + c);
-    let sin = near(r + r * (z * tail(&SINE)), RELATIVE * r.abs() + ABSOLUTE);
-    let cos = near(1.0 - (0.5 * z - z * (z * tail(&COSINE))), RELATIVE + ABSOLUTE);
+    let sin = (r + r * (z * polynomial(&SINE, z)), RELATIVE * r.abs() + ABSOLUTE);
+    let cos = (1.0 - (0.5 * z - z * (z * polynomial(&COSINE, z))), RELATIVE + ABSOLUTE);
     let k = k as i64;
-    let (sin, cos) = match k.rem_euclid(4) {
-        0 => (sin, cos),
-        1 => (cos, -sin),
-        2 => (-sin, -cos),
-        _ => (-cos, sin),
-    };
-    Turned { k, r, sin, cos }
+    let odd = k & 1 != 0;
+    let enclosed = |(value, error): (f64, f64), negative: i64| near(signed(value, negative), error);
+    Turned { k, r, sin: enclosed(choose(odd, cos, sin), k & 2), cos: enclosed(choose(odd, sin, cos), (k + 1) & 2) }
+}
+
+/// Σ cₖ zᵏ, the terms added in pairs, which do not wait for one another.
+#[inline]
+fn polynomial(c: &[f64; 8], z: f64) -> f64 {
+    let (z2, pair) = (z * z, |k: usize| c[k] + c[k + 1] * z);
+    (pair(0) + pair(2) * z2) + (pair(4) + pair(6) * z2) * (z2 * z2)
+}
+
+/// `a` if `first`, `b` otherwise, by bits: a choice of integers needs no branch.
+#[inline]
+fn choose(first: bool, a: (f64, f64), b: (f64, f64)) -> (f64, f64) {
+    let of = |a: f64, b: f64| f64::from_bits(if first { a.to_bits() } else { b.to_bits() });
+    (of(a.0, b.0), of(a.1, b.1))
+}
+
+/// −`value` if `two` is 2, `value` if it is 0.
+#[inline]
+fn signed(value: f64, two: i64) -> f64 {
+    f64::from_bits(value.to_bits() ^ ((two as u64) << 62))
 }
 
 /// The values that a function has within `radius` of a place, where it has `value` and a derivative of the size of `slope`, if
@@ -127,14 +145,12 @@ pub(super) fn sin_cos(x: Interval) -> (Interval, Interval) {
     // The multiples of π/2 in between; where it is not certain whether one is, it counts.
     let first = if from.r > ABSOLUTE { from.k + 1 } else { from.k };
     let last = if to.r < -ABSOLUTE { to.k - 1 } else { to.k };
-    for k in first..=last.min(first + 3) {
-        match k.rem_euclid(4) {
-            0 => cos.upper = 1.0,
-            1 => sin.upper = 1.0,
-            2 => cos.lower = -1.0,
-            _ => sin.lower = -1.0,
-        }
-    }
+    // Whether one of them is at this many quarters of a turn.
+    let has = |quarter: i64| (quarter - first) & 3 <= last - first;
+    cos.upper = if has(0) { 1.0 } else { cos.upper };
+    sin.upper = if has(1) { 1.0 } else { sin.upper };
+    cos.lower = if has(2) { -1.0 } else { cos.lower };
+    sin.lower = if has(3) { -1.0 } else { sin.lower };
     (sin, cos)
 }
 
