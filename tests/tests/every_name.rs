@@ -15,71 +15,80 @@ impl ScalarFunction for Identity {
     }
 }
 
-/// One mechanism for every role of a name; rows have the same names.
+/// Mechanisms in which several names have one role, for every role; rows have the same names. As an index a name is alone.
 macro_rules! roles {
-    ($($name:ident)*) => { $({
-        #[mechanism]
-        #[bodies(first__, $name)]
-        #[fixed(root__: ground @ (0, 0), first__ @ (0, 0))]
-        #[revolute($name: first__ @ (1, 0), $name @ (0, 0))]
-        #[driver(drive: $name.phi = t)]
-        #[guess($name.phi = 0)]
-        struct OfBody;
-        compiles(&OfBody, 6);
+    ($([$($name:ident)*])*) => { $({
+        const NAMES: usize = [$(stringify!($name)),*].len();
 
         #[mechanism]
-        #[coordinates(first__, $name)]
-        #[constraint($name: $name = 2 * first__)]
+        #[bodies(first__, $($name),*)]
+        #[fixed(root__: ground @ (0, 0), first__ @ (0, 0))]
+        $(#[revolute($name: first__ @ (1, 0), $name @ (0, 0))])*
+        $(#[guess($name.phi = 0)])*
+        struct OfBodies;
+        compiles(&OfBodies, 3 + 3 * NAMES);
+
+        #[mechanism]
+        #[coordinates(first__, $($name),*)]
+        $(#[constraint($name: $name = 2 * first__)])*
         #[driver(drive: first__ = t)]
-        struct OfCoordinate;
-        compiles(&OfCoordinate, 2);
+        struct OfCoordinates;
+        compiles(&OfCoordinates, 1 + NAMES);
 
         #[mechanism]
         #[bodies(body__)]
         #[fixed(root__: ground @ (1, 0), body__ @ (0, 0))]
-        #[point($name = body__ @ (1, 0))]
-        #[define(reach__ = $name.x)]
-        struct OfPoint;
-        compiles(&OfPoint, 3);
+        $(#[point($name = body__ @ (1, 0))])*
+        #[define(reach__ = 0 $(+ $name.x)*)]
+        struct OfPoints;
+        compiles(&OfPoints, 3);
 
         #[mechanism]
         #[coordinates(first__, second__)]
-        #[define($name = first__ + 1)]
-        #[constraint($name: second__ = $name)]
+        $(#[define($name = first__ + 1)])*
+        #[constraint(sum__: second__ = 0 $(+ $name)*)]
         #[driver(drive: first__ = t)]
-        struct OfDefine;
-        compiles(&OfDefine, 2);
+        struct OfDefines;
+        compiles(&OfDefines, 2);
 
         #[mechanism]
         #[coordinates(first__[2])]
-        #[driver($name[i in 0..2]: first__[i] = $name * t)]
-        struct OfParameter {
-            #[param(2)]
-            $name: f64,
+        #[driver(drive[i in 0..2]: first__[i] = (0 $(+ $name)*) * t)]
+        struct OfParameters {
+            $(#[param(2)]
+            $name: f64,)*
         }
-        compiles(&OfParameter::default(), 2);
+        compiles(&OfParameters::default(), 2);
 
         #[mechanism]
         #[coordinates(first__)]
-        #[input($name)]
-        #[driver(drive: first__ = $name)]
-        struct OfInput;
-        compiles(&OfInput, 1);
+        $(#[input($name)])*
+        #[driver(drive: first__ = 0 $(+ $name)*)]
+        struct OfInputs;
+        compiles(&OfInputs, 1);
 
         #[mechanism]
         #[coordinates(first__)]
-        #[function($name)]
-        #[driver(drive: first__ = $name(t))]
-        struct OfFunction {
-            $name: Identity,
+        $(#[function($name)])*
+        #[driver(drive: first__ = 0 $(+ $name(t))*)]
+        struct OfFunctions {
+            $($name: Identity,)*
         }
-        compiles(&OfFunction { $name: Identity }, 1);
+        compiles(&OfFunctions { $($name: Identity),* }, 1);
 
         #[mechanism]
-        #[coordinates(first__[2])]
-        #[driver(drive[$name in 0..2]: first__[$name] = t)]
-        struct OfIndex;
-        compiles(&OfIndex, 2);
+        #[coordinates($($name[2]),*)]
+        $(#[driver($name[i__ in 0..2]: $name[i__] = i__ * t)])*
+        struct OfFamilies;
+        compiles(&OfFamilies, 2 * NAMES);
+
+        $({
+            #[mechanism]
+            #[coordinates(first__[2])]
+            #[driver(drive[$name in 0..2]: first__[$name] = t)]
+            struct OfIndex;
+            compiles(&OfIndex, 2);
+        })*
     })* };
 }
 
@@ -89,24 +98,39 @@ fn compiles<M: Mechanism>(_: &M, coordinates: usize) {
 
 #[test]
 fn names_of_generated_code() {
-    roles!(gamma modes jacobian q q_dot e default default_ evaluate constraints parameters model set_parameter observations
-        workspace solver at p u w k x y phi phi_q phi_t out index value this subset guesses geometry values everything
-        observe write body);
+    roles!(
+        [gamma modes jacobian q q_dot e default default_]
+        [evaluate constraints parameters model set_parameter observations workspace solver]
+        [at p u w k x y phi]
+        [phi_q phi_t out index value this subset guesses]
+        [geometry values everything observe write body]
+    );
 }
 
 #[test]
 fn names_of_the_prelude() {
     #![expect(non_snake_case, reason = "names of types")]
-    roles!(Option Some None Result Ok Err Vec Box String Default Clone Copy Send Sized Drop Fn Iterator From Into drop
-        f32 f64 usize bool str char i32 T U X Y theta core std alloc kin_runtime self_ main test derive mechanism);
+    roles!(
+        [Option Some None Result Ok Err Vec Box]
+        [String Default Clone Copy Send Sized Drop Fn]
+        [Iterator From Into drop f32 f64 usize bool]
+        [str char i32 T U X Y theta]
+        [core std alloc kin_runtime self_ main test derive]
+        [mechanism]
+    );
 }
 
 #[test]
 fn words_of_rust() {
-    roles!(r#as r#async r#await r#break r#const r#continue r#do r#dyn r#else r#enum r#extern r#false r#fn r#for r#if
-        r#impl r#in r#let r#loop r#match r#mod r#move r#mut r#pub r#ref r#return r#static r#struct r#trait r#true r#type
-        r#unsafe r#use r#where r#while r#abstract r#become r#box r#final r#macro r#override r#priv r#try r#typeof
-        r#unsized r#virtual r#yield r#gen union auto raw macro_rules safe);
+    roles!(
+        [r#as r#async r#await r#break r#const r#continue r#do r#dyn]
+        [r#else r#enum r#extern r#false r#fn r#for r#if r#impl]
+        [r#in r#let r#loop r#match r#mod r#move r#mut r#pub]
+        [r#ref r#return r#static r#struct r#trait r#true r#type r#unsafe]
+        [r#use r#where r#while r#abstract r#become r#box r#final r#macro]
+        [r#override r#priv r#try r#typeof r#unsized r#virtual r#yield r#gen]
+        [union auto raw macro_rules safe]
+    );
 }
 
 /// Handles whose names collide with `default` and with one another.

@@ -1,6 +1,7 @@
 //! All ways in which a mechanism closes.
 
 use super::Solver;
+use super::any_solver::AnySolver;
 use crate::analysis::acceleration::acceleration;
 use crate::analysis::position::position;
 use crate::analysis::velocity::velocity;
@@ -9,13 +10,13 @@ use crate::certificate::{Certificate, Uncertified};
 use crate::equations::scale::Scale;
 use crate::error::SolveError;
 use crate::mechanism::Mechanism;
-use crate::model::{Component, CoordinateKind};
+use crate::model::{Component, CoordinateKind, Model};
+use crate::modes::modes;
 use crate::plan::{Depth, Plan, Solved, StepKind};
 use crate::planned::Sign;
-use crate::planned::lists::Margins;
-use crate::proof::{Certified, Closing, Enclosures, Outcome, OverBoxes, Prover, Seen, combinations, search};
+use crate::proof::{Certified, Closing, Outcome, Prover, Seen, combinations, search};
 use crate::scalar::Interval;
-use crate::workspace::{Array, Instant, Subset};
+use crate::workspace::{Instant, Subset};
 
 /// Half the width of the search for lengths that no row determines, relative to the size of the mechanism.
 const REACH: f64 = 16.0;
@@ -57,28 +58,33 @@ impl<M: Mechanism> Solver<'_, M> {
     /// supplied functions; [`NonFinite`](SolveError::NonFinite), [`Length`](SolveError::Length) and
     /// [`UnknownCoordinate`](SolveError::UnknownCoordinate).
     pub fn assemblies(&self, at: &Instant<'_>) -> Result<Assemblies, SolveError> {
-        let guess: Vec<f64> = self.checked_guess()?.into_iter().map(|guess| guess.unwrap_or(0.0)).collect();
-        let parameters = self.mechanism.parameters::<f64>();
+        (self as &dyn AnySolver).closures(at)
+    }
+}
+
+impl dyn AnySolver + '_ {
+    /// All ways in which the mechanism closes.
+    pub(super) fn closures(&self, at: &Instant<'_>) -> Result<Assemblies, SolveError> {
+        let (model, guess) = (self.model(), self.start()?);
         let by_plan = self.told_by_signs(at, &guess);
         // What the plan solves at once is checked at once.
-        let is_sound = by_plan.is_some() && self.goes_by_plan(at) && parameters.as_ref().iter().all(|x| x.is_finite());
-        let length =
-            if is_sound { 0.0 } else { self.analyse(at, |equations| Ok(Scale::around(equations, &guess).length))? };
+        let is_sound = by_plan.is_some() && self.is_sound_plan(at);
+        let length = if is_sound { 0.0 } else { Scale::around(&mut self.equations_at(at)?, &guess).length };
         let refuse = |why| SolveError::NotCertified { t: at.t, why };
         // Fails if degrees of freedom are open: then there is no list of closures.
         let square = self.square(at, &guess).map_err(refuse)?;
-        let mut system = Box::new(OverBoxes::new(self.mechanism, at));
+        let mut system = self.boxes(at);
         let (is_same, mut prover) = (self.redundant_everywhere().is_some(), Prover::new(&square));
         let mut prove = |q: &[f64]| match is_same {
             true => prover.position(&mut *system, q),
             false => Prover::new(&self.square(at, q)?).position(&mut *system, q),
         };
         if let Some(bounded) = by_plan {
-            let (found, undecided) = combinations(M::model(), &mut |signs| self.close(at, signs, &guess, &mut prove));
-            return Ok(Assemblies { found, undecided, searched: half_turns::<M>(&bounded, &guess) });
+            let (found, undecided) = combinations(model, &mut |signs| self.close(at, signs, &guess, &mut prove));
+            return Ok(Assemblies { found, undecided, searched: half_turns(model, &bounded, &guess) });
         }
-        let region = region::<M>(&guess, length);
-        let mut boxes = Box::new(OverBoxes::new(self.mechanism, at));
+        let region = region(model, &guess, length);
+        let mut boxes = self.boxes(at);
         let prove = &mut |q: &[f64]| {
             let lists = self.analysed(at, q).ok_or(Uncertified::Malformed)?;
             let certificate = prove(&lists[0])?;
@@ -89,11 +95,11 @@ impl<M: Mechanism> Solver<'_, M> {
         found.sort_by(|([a, ..], _), ([b, ..], _)| b.partial_cmp(a).unwrap_or(std::cmp::Ordering::Equal));
         let mut apart: Vec<Certified> = Vec::new();
         for closure in found {
-            if !apart.iter().any(|(_, other)| is_turned::<M>(&closure.1, other)) {
+            if !apart.iter().any(|(_, other)| is_turned(model, &closure.1, other)) {
                 apart.push(closure);
             }
         }
-        let name = |k: usize| M::model().coordinates[k].name;
+        let name = |k: usize| model.coordinates[k].name;
         let searched: Vec<(&'static str, Interval)> = searched.into_iter().map(|(k, x)| (name(k), x)).collect();
         let left = |region: Vec<Interval>| Undecided::Region {
             coordinates: searched.iter().map(|(name, _)| *name).zip(region).collect(),
@@ -101,7 +107,7 @@ impl<M: Mechanism> Solver<'_, M> {
         let undecided = undecided.into_iter().map(left).chain(unfinished.map(|seen| Undecided::Unfinished { seen }));
         let undecided = undecided.collect();
         let assembly = |([q, q_dot, q_ddot], certificate): ([Vec<f64>; 3], Certificate)| {
-            let modes = self.modes(at, &q).unwrap_or_default();
+            let modes = self.equations_at(at).and_then(|equations| modes(&equations, &q)).unwrap_or_default();
             let modes = modes.iter().filter_map(|mode| Some((mode.name, mode.sign?))).collect();
             Assembly { modes, q, q_dot, q_ddot, certificate: Ok(certificate) }
         };
@@ -110,28 +116,24 @@ impl<M: Mechanism> Solver<'_, M> {
 
     /// Whether the plan solves every group in closed form.
     pub(super) fn is_closed_form(&self) -> bool {
-        let plan = &M::model().plan;
+        let plan = &self.model().plan;
         let is_iterated = plan.steps.iter().any(|step| matches!(step.kind, StepKind::Newton(_)));
-        plan.exists() && self.given.is_empty() && !is_iterated
+        plan.exists() && self.set().1.is_empty() && !is_iterated
     }
 
     /// The plan with these signs.
     fn close(&self, at: &Instant<'_>, signs: &[f64], start: &[f64], prove: &mut Prove<'_>) -> Closing<Assembly> {
-        let plan = &M::model().plan;
-        let zeros = || M::Coordinates::<f64>::filled(0.0);
-        let ([mut q, mut q_dot, mut q_ddot], mut margins) = ([zeros(), zeros(), zeros()], Margins::<M>::filled(0.0));
-        let solved =
-            Solved { q: q.as_mut(), q_dot: q_dot.as_mut(), q_ddot: q_ddot.as_mut(), margins: margins.as_mut() };
-        let parameters = self.mechanism.parameters::<f64>();
-        let done = self.mechanism.solve_with(parameters.as_ref(), at, signs, start, Depth::Acceleration, solved);
+        let plan = &self.model().plan;
+        let [mut q, mut q_dot, mut q_ddot] = self.zeros();
+        let mut margins = vec![0.0; plan.margins];
+        let solved = Solved { q: &mut q, q_dot: &mut q_dot, q_ddot: &mut q_ddot, margins: &mut margins };
+        let done = self.solve(at, signs, start, Depth::Acceleration, solved);
         // NaN is not positive either.
         let is_good = |margin: &f64| *margin > Plan::SMALLEST_MARGIN;
-        match margins.as_ref().iter().position(|margin| !is_good(margin)) {
+        match margins.iter().position(|margin| !is_good(margin)) {
             None if self.violates(at, signs, start) => Closing::Violated,
             None if done.is_ok() => {
-                let lists = [q.as_ref(), q_dot.as_ref(), q_ddot.as_ref()];
-                let certificate = prove(q.as_ref());
-                let [q, q_dot, q_ddot] = lists.map(<[f64]>::to_vec);
+                let certificate = prove(&q);
                 let modes = plan.modes.iter().zip(signs).filter_map(|(mode, &sign)| Some((mode.name, Sign::of(sign)?)));
                 Closing::Closed(Assembly { q, q_dot, q_ddot, modes: modes.collect(), certificate })
             }
@@ -146,43 +148,46 @@ impl<M: Mechanism> Solver<'_, M> {
     /// True if it is proven that the only configuration that the plan has with these signs violates a row that the plan leaves
     /// out as redundant. An antiparallelogram violates the third crank of a parallelogram, for example.
     fn violates(&self, at: &Instant<'_>, signs: &[f64], start: &[f64]) -> bool {
-        let watched: Vec<usize> = M::model().plan.watched().collect();
+        let watched: Vec<usize> = self.model().plan.watched().collect();
         if watched.is_empty() {
             return false;
         }
         let Some([q, _]) = self.enclosed([at.t, at.t], at, signs, start) else { return false };
-        let rest = vec![Interval::from(0.0); M::COORDINATES];
-        let mut boxes = OverBoxes::new(self.mechanism, at);
+        let rest = vec![Interval::from(0.0); q.len()];
+        let mut boxes = self.boxes(at);
         let Ok(rows) = boxes.evaluate(Subset::PHI, &q, &rest) else { return false };
         watched.iter().any(|&row| rows.phi.get(row).is_some_and(|phi| phi.excludes_zero()))
     }
 
     /// q near a configuration, with its q̇ and q̈.
     fn analysed(&self, at: &Instant<'_>, near: &[f64]) -> Option<[Vec<f64>; 3]> {
-        let all = self.analyse(at, |equations| {
-            let q = position(equations, near)?.q;
-            equations.scale = Scale::around(equations, &q);
-            let (q_dot, factor) = velocity(equations, &q, None)?;
-            let q_ddot = acceleration(equations, &q, &q_dot, &factor)?;
-            Ok([q, q_dot, q_ddot])
-        });
-        all.ok()
+        let equations = &mut self.equations_at(at).ok()?;
+        let q = position(equations, near).ok()?.q;
+        equations.scale = Scale::around(equations, &q);
+        let (q_dot, factor) = velocity(equations, &q, None).ok()?;
+        let q_ddot = acceleration(equations, &q, &q_dot, &factor).ok()?;
+        Some([q, q_dot, q_ddot])
+    }
+
+    /// Room for q, q̇ and q̈.
+    pub(super) fn zeros(&self) -> [Vec<f64>; 3] {
+        [const { 0.0 }; 3].map(|zero| vec![zero; self.model().coordinates.len()])
     }
 }
 
 /// True for a coordinate that is a length: the x or y of a body.
-pub(super) fn is_length<M: Mechanism>(k: usize) -> bool {
-    matches!(M::model().coordinates[k].kind, CoordinateKind::Pose { component: Component::X | Component::Y, .. })
+pub(super) fn is_length(model: &Model, k: usize) -> bool {
+    matches!(model.coordinates[k].kind, CoordinateKind::Pose { component: Component::X | Component::Y, .. })
 }
 
 /// True for the angle of a body.
-pub(super) fn is_angle<M: Mechanism>(k: usize) -> bool {
-    matches!(M::model().coordinates[k].kind, CoordinateKind::Pose { component: Component::Phi, .. })
+pub(super) fn is_angle(model: &Model, k: usize) -> bool {
+    matches!(model.coordinates[k].kind, CoordinateKind::Pose { component: Component::Phi, .. })
 }
 
 /// The names of angles, with half a turn around their guesses.
-pub(super) fn half_turns<M: Mechanism>(angles: &[usize], guess: &[f64]) -> Vec<(&'static str, Interval)> {
-    let around = |&k: &usize| (M::model().coordinates[k].name, half_turn(guess[k]));
+pub(super) fn half_turns(model: &Model, angles: &[usize], guess: &[f64]) -> Vec<(&'static str, Interval)> {
+    let around = |&k: &usize| (model.coordinates[k].name, half_turn(guess[k]));
     angles.iter().map(around).collect()
 }
 
@@ -192,8 +197,8 @@ fn half_turn(angle: f64) -> Interval {
 }
 
 /// Where coordinates are searched around their guesses.
-pub(super) fn region<M: Mechanism>(guess: &[f64], length: f64) -> Vec<Interval> {
-    let around = |(k, &guess): (usize, &f64)| match is_length::<M>(k) {
+pub(super) fn region(model: &Model, guess: &[f64], length: f64) -> Vec<Interval> {
+    let around = |(k, &guess): (usize, &f64)| match is_length(model, k) {
         true => Interval::around(guess, REACH * length),
         false => half_turn(guess),
     };
@@ -201,11 +206,11 @@ pub(super) fn region<M: Mechanism>(guess: &[f64], length: f64) -> Vec<Interval> 
 }
 
 /// True if a certified closure is another one but for whole turns of angles: then it lies where that one is alone.
-fn is_turned<M: Mechanism>(closure: &Certificate, other: &Certificate) -> bool {
+fn is_turned(model: &Model, closure: &Certificate, other: &Certificate) -> bool {
     const TURN: Interval = Interval::new(std::f64::consts::TAU, std::f64::consts::TAU.next_up());
     closure.q.iter().zip(&other.unique).enumerate().all(|(k, (&x, alone))| {
         let turns =
-            if is_angle::<M>(k) { ((alone.midpoint() - x.midpoint()) / std::f64::consts::TAU).round() } else { 0.0 };
+            if is_angle(model, k) { ((alone.midpoint() - x.midpoint()) / std::f64::consts::TAU).round() } else { 0.0 };
         let turned = x + Interval::from(turns) * TURN;
         alone.lower() <= turned.lower() && turned.upper() <= alone.upper()
     })
@@ -213,11 +218,11 @@ fn is_turned<M: Mechanism>(closure: &Certificate, other: &Certificate) -> bool {
 
 /// The largest difference of two configurations, relative to a radian and to the size of the mechanism, whole turns of angles
 /// left out.
-pub(super) fn difference<M: Mechanism>(a: &[f64], b: &[f64], length: f64) -> f64 {
+pub(super) fn difference(model: &Model, a: &[f64], b: &[f64], length: f64) -> f64 {
     let of = |(k, (a, b)): (usize, (&f64, &f64))| {
         let turns =
-            if is_angle::<M>(k) { ((a - b) / std::f64::consts::TAU).round() * std::f64::consts::TAU } else { 0.0 };
-        (a - b - turns).abs() / if is_length::<M>(k) { length } else { 1.0 }
+            if is_angle(model, k) { ((a - b) / std::f64::consts::TAU).round() * std::f64::consts::TAU } else { 0.0 };
+        (a - b - turns).abs() / if is_length(model, k) { length } else { 1.0 }
     };
     a.iter().zip(b).enumerate().map(of).fold(0.0, f64::max)
 }

@@ -1,9 +1,11 @@
 //! Certificates of solutions.
 
 use super::Solver;
+use super::any_solver::AnySolver;
 use crate::certificate::{Certificate, Uncertified};
 use crate::mechanism::Mechanism;
-use crate::proof::{OverBoxes, Prover, Square};
+use crate::mobility::mobility;
+use crate::proof::{Prover, Square};
 use crate::state::State;
 use crate::workspace::Instant;
 
@@ -41,35 +43,42 @@ impl<M: Mechanism> Solver<'_, M> {
     /// The reason why there is no certificate. Only [`NotASolution`](Uncertified::NotASolution) means that the state is
     /// wrong.
     pub fn certify(&self, state: &State) -> Result<Certificate, Uncertified> {
+        (self as &dyn AnySolver).certificate(state)
+    }
+}
+
+impl dyn AnySolver + '_ {
+    fn certificate(&self, state: &State) -> Result<Certificate, Uncertified> {
         let square = self.square(&state.instant(), &state.q)?;
-        let mut system = Box::new(OverBoxes::new(self.mechanism, &state.instant()));
+        let mut system = self.boxes(&state.instant());
         Prover::new(&square).certify(&mut *system, [&state.q, &state.q_dot, &state.q_ddot])
     }
 
     /// The rows to which a certificate applies.
     pub(super) fn square(&self, at: &Instant<'_>, q: &[f64]) -> Result<Square, Uncertified> {
-        if at.inputs.len() != M::model().inputs.len() || self.given.iter().any(|&(k, _)| k >= M::COORDINATES) {
+        let (model, (_, given)) = (self.model(), self.set());
+        if at.inputs.len() != model.inputs.len() || given.iter().any(|&(k, _)| k >= model.coordinates.len()) {
             return Err(Uncertified::Malformed);
         }
-        Square::new(M::model(), self.redundant(at, q), &self.given)
+        Square::new(model, self.redundant(at, q), given)
     }
 
     /// Rows that a certificate leaves out, because there are more rows than coordinates and others imply them.
     fn redundant(&self, at: &Instant<'_>, q: &[f64]) -> Vec<usize> {
         self.redundant_everywhere().unwrap_or_else(|| {
-            let mobility = self.mobility(at, q);
+            let mobility = self.equations_at(at).and_then(|mut equations| mobility(&mut equations, q));
             mobility.map_or_else(|_| Vec::new(), |mobility| mobility.redundant.iter().map(|row| row.row).collect())
         })
     }
 
     /// These rows where they are the same in every configuration: those that the plan leaves out, or none.
     pub(super) fn redundant_everywhere(&self) -> Option<Vec<usize>> {
-        let model = M::model();
-        match (model.rows.len() + self.given.len()).checked_sub(M::COORDINATES) {
+        let (model, (_, given)) = (self.model(), self.set());
+        match (model.rows.len() + given.len()).checked_sub(model.coordinates.len()) {
             None | Some(0) => Some(Vec::new()),
             Some(too_many) => {
                 let watched: Vec<usize> = model.plan.watched().collect();
-                (self.given.is_empty() && watched.len() == too_many).then_some(watched)
+                (given.is_empty() && watched.len() == too_many).then_some(watched)
             }
         }
     }

@@ -4,12 +4,14 @@
 //! nearest to its start. And where others follow an angle in a ratio, as gears have it, each of its whole turns is another
 //! closure. Where there are such choices, the plan gives others of them from other starts.
 
+#[cfg(feature = "cli")]
 use super::Solver;
+use super::any_solver::AnySolver;
 use super::assemblies::{is_angle, is_length};
+#[cfg(feature = "cli")]
 use crate::mechanism::Mechanism;
-use crate::plan::Plan;
-use crate::planned::lists::{Margins, Modes};
-use crate::workspace::{Array, Instant};
+use crate::plan::{Depth, Plan, Solved};
+use crate::workspace::Instant;
 use std::f64::consts::{PI, TAU};
 
 /// Other starts, relative to the guess. Where directions are a whole turn apart, the second start leads to another one; half a turn
@@ -21,44 +23,52 @@ const SAME: f64 = 1e-9;
 /// Modes of which all combinations are tried until one closes.
 const VARIED: usize = 10;
 
+#[cfg(feature = "cli")]
 impl<M: Mechanism> Solver<'_, M> {
     /// Whether the closures are those of the signs of a plan in closed form, which are found without a search.
-    #[cfg(feature = "cli")]
     pub(crate) fn closes_by_signs(&self, at: &Instant<'_>) -> bool {
-        let guess = self.checked_guess().unwrap_or_default();
-        let guess: Vec<f64> = guess.into_iter().map(|guess| guess.unwrap_or(0.0)).collect();
-        guess.len() == M::COORDINATES && self.told_by_signs(at, &guess).is_some()
+        let solver = self as &dyn AnySolver;
+        solver.start().is_ok_and(|guess| solver.told_by_signs(at, &guess).is_some())
     }
+}
 
+impl dyn AnySolver + '_ {
     /// The angles whose whole turns are closures of their own, if every combination of signs is one closure as long as these
     /// angles are within half a turn of their guesses. None if there may be other closures, or if the plan has no closed form.
     pub(super) fn told_by_signs(&self, at: &Instant<'_>, guess: &[f64]) -> Option<Vec<usize>> {
         if !self.is_closed_form() {
             return None;
         }
-        let parameters = self.mechanism.parameters::<f64>();
-        let solved = |modes: &Modes<M>, shift: &dyn Fn(usize) -> f64, margins: &mut Margins<M>| {
-            let start =
-                M::Coordinates::<f64>::generate(|k| if is_length::<M>(k) { guess[k] } else { guess[k] + shift(k) });
-            self.solved(&parameters, at, &start, modes, margins)
+        let model = self.model();
+        let (plan, n) = (&model.plan, guess.len());
+        let mut start = vec![0.0; n];
+        let ([mut q_dot, mut q_ddot, _], mut margins) = (self.zeros(), vec![0.0; plan.margins]);
+        // q and whether it closes, from a shifted guess.
+        let mut solved = |signs: &[f64], shift: &dyn Fn(usize) -> f64| {
+            let shifted = guess.iter().enumerate();
+            let shifted = shifted.map(|(k, guess)| if is_length(model, k) { *guess } else { guess + shift(k) });
+            start.iter_mut().zip(shifted).for_each(|(start, shifted)| *start = shifted);
+            margins.fill(0.0);
+            let mut q = vec![0.0; n];
+            let solved = Solved { q: &mut q, q_dot: &mut q_dot, q_ddot: &mut q_ddot, margins: &mut margins };
+            self.solve(at, signs, &start, Depth::Position, solved).ok()?;
+            Some((q, margins.iter().all(|margin| *margin > Plan::SMALLEST_MARGIN)))
         };
         // The first combination that closes; where none does, there are no closures to be told apart.
-        let closed = (0..1_u32 << M::model().plan.modes.len().min(VARIED)).find_map(|combination| {
-            let (mut modes, mut margins) = (Modes::filled(1.0), Margins::filled(0.0));
-            let signs = modes.as_mut().iter_mut().take(VARIED).enumerate();
-            signs.for_each(|(k, sign)| *sign = if combination >> k & 1 == 0 { 1.0 } else { -1.0 });
-            let q = solved(&modes, &|_| 0.0, &mut margins)?;
-            let closes = margins.as_ref().iter().all(|margin| *margin > Plan::SMALLEST_MARGIN);
-            (closes && q.as_ref().iter().all(|x| x.is_finite())).then_some((modes, q))
+        let closed = (0..1_u32 << plan.modes.len().min(VARIED)).find_map(|combination| {
+            let sign = |k: usize| if k < VARIED && combination >> k & 1 == 1 { -1.0 } else { 1.0 };
+            let signs: Vec<f64> = (0..plan.modes.len()).map(sign).collect();
+            let (q, closes) = solved(&signs, &|_| 0.0)?;
+            (closes && q.iter().all(|x| x.is_finite())).then_some((signs, q))
         });
-        let Some((modes, here)) = closed else { return Some(Vec::new()) };
-        let from = |shift: &dyn Fn(usize) -> f64| solved(&modes, shift, &mut Margins::filled(0.0));
+        let Some((signs, here)) = closed else { return Some(Vec::new()) };
+        let mut from = |shift: &dyn Fn(usize) -> f64| Some(solved(&signs, shift)?.0);
         // False for NaN, too.
-        let is_small = |k: usize, moved: f64| moved.abs() <= SAME * (1.0 + here.as_ref()[k].abs());
+        let is_small = |k: usize, moved: f64| moved.abs() <= SAME * (1.0 + here[k].abs());
         let is_turned = |k: usize, moved: f64| is_small(k, moved - TAU * (moved / TAU).round());
-        let is_same = |k: usize, moved: f64| is_small(k, moved) || is_angle::<M>(k) && is_turned(k, moved);
-        let moved = |there: &M::Coordinates<f64>, k: usize| there.as_ref()[k] - here.as_ref()[k];
-        let all = 0..guess.len();
+        let is_same = |k: usize, moved: f64| is_small(k, moved) || is_angle(model, k) && is_turned(k, moved);
+        let moved = |there: &[f64], k: usize| there[k] - here[k];
+        let all = 0..n;
         // Mostly all starts lead to the same closure.
         let mut choices = false;
         for shift in STARTS {
@@ -66,7 +76,7 @@ impl<M: Mechanism> Solver<'_, M> {
             choices |= !all.clone().all(|k| is_same(k, moved(&there, k)));
         }
         let mut bounded = Vec::new();
-        for k in all.clone().filter(|&k| choices && !is_length::<M>(k)) {
+        for k in all.clone().filter(|&k| choices && !is_length(model, k)) {
             for shift in STARTS {
                 let there = from(&|other| if other == k { shift } else { 0.0 })?;
                 if !is_turned(k, moved(&there, k)) {

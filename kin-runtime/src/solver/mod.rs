@@ -30,6 +30,7 @@ use crate::transmission::{TransmissionAngle, transmission_angles};
 use crate::workspace::{Instant, Signal};
 use nalgebra::DMatrix;
 
+mod any_solver;
 mod arc;
 mod assemblies;
 mod by_plan;
@@ -312,15 +313,6 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     /// The guesses, and the indices of the modes that are asked for.
     pub(crate) fn wanted(&self) -> Result<Wanted, SolveError> {
         wanted(&M::model().plan, self.checked_guess()?, &self.modes)
-    }
-
-    /// Runs an analysis with the equations at `at`.
-    pub(crate) fn analyse<R>(
-        &self,
-        at: &Instant<'_>,
-        analysis: impl FnOnce(&mut Equations<'_>) -> Result<R, SolveError>,
-    ) -> Result<R, SolveError> {
-        analysis(&mut self.equations(at)?)
     }
 
     /// The equations at an instant.

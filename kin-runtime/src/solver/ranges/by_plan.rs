@@ -1,13 +1,14 @@
 //! Ranges of motion where every group has a closed form: the plan over intervals of t.
 
-use super::{Solver, driven};
-use crate::mechanism::Mechanism;
+use super::super::any_solver::AnySolver;
+use super::driven;
+use crate::model::Model;
 use crate::plan::{Depth, Plan, Solved};
 use crate::planned::{Limit, LimitKind, Sign, Step};
 use crate::proof::{Seen, Stretch, Winding, refined, stretches};
 use crate::ranges::{Range, RangeLimit, Ranges};
 use crate::scalar::Interval;
-use crate::workspace::{Array, Instant, Signal};
+use crate::workspace::{Instant, Signal};
 
 /// How narrow a stretch becomes of which nothing is known, relative to the whole way, and one with a limit.
 const NARROWEST: [f64; 2] = [1e-8, 1e-12];
@@ -16,11 +17,11 @@ const MOST: [usize; 2] = [50_000, 4_000];
 /// How far from a limit the motion towards it begins, relative to the range.
 const BEFORE: f64 = 1e-2;
 
-impl<M: Mechanism> Solver<'_, M> {
+impl dyn AnySolver + '_ {
     /// The ranges in all combinations of modes. The plan is evaluated over intervals of t. Where all its margins are positive
     /// on an interval the mechanism closes on all of it, where one is negative it closes nowhere; what is neither is halved.
     pub(super) fn ranges_by_plan(&self, from: &Instant<'_>, to: f64, guess: &[f64]) -> Ranges {
-        let plan = &M::model().plan;
+        let plan = &self.model().plan;
         let way = [from.t.min(to), from.t.max(to)];
         let narrowest = NARROWEST.map(|narrowest| narrowest * (way[1] - way[0]));
         let mut all = Collected { ranges: Vec::new(), limits: Vec::new() };
@@ -43,7 +44,7 @@ impl<M: Mechanism> Solver<'_, M> {
         }
         let middle =
             |signs: &[f64], range: &Stretch| self.near_by_plan(0.5 * range.from + 0.5 * range.to, from, signs, guess);
-        all.finish::<M>(&middle)
+        all.finish(self.model(), &middle)
     }
 
     /// What the plan says of an interval of t, in the modes with these signs. Inputs go on from the instant `start`.
@@ -74,28 +75,22 @@ impl<M: Mechanism> Solver<'_, M> {
         let interval = |list: &[f64]| list.iter().map(|&x| Winding(Interval::from(x))).collect::<Vec<_>>();
         let at = Instant { t: Winding(Interval::new(from, to)), inputs: &inputs };
         let all = Winding(Interval::ENTIRE);
-        let mut lists: [Vec<Winding>; 3] = std::array::from_fn(|_| vec![all; M::COORDINATES]);
-        let mut margins = vec![all; M::model().plan.margins];
+        let mut lists: [Vec<Winding>; 3] = std::array::from_fn(|_| vec![all; near.len()]);
+        let mut margins = vec![all; self.model().plan.margins];
         let [q, q_dot, q_ddot] = &mut lists;
         let solved = Solved { q, q_dot, q_ddot, margins: &mut margins };
-        let parameters = self.mechanism.parameters::<Winding>();
-        let (signs, near) = (interval(signs), interval(&near));
-        self.mechanism.solve_with(parameters.as_ref(), &at, &signs, &near, Depth::Position, solved).ok()?;
+        self.solve_over(&at, &interval(signs), &interval(&near), solved).ok()?;
         let [q, ..] = lists;
         Some([q, margins].map(|list| list.into_iter().map(|x| x.0).collect()))
     }
 
     /// q by the plan, with the guess where it has none.
     fn near_by_plan(&self, t: f64, start: &Instant<'_>, signs: &[f64], guess: &[f64]) -> Vec<f64> {
-        let zeros = || M::Coordinates::<f64>::filled(0.0);
-        let ([mut q, mut q_dot, mut q_ddot], mut margins) =
-            ([zeros(), zeros(), zeros()], vec![0.0; M::model().plan.margins]);
-        let solved = Solved { q: q.as_mut(), q_dot: q_dot.as_mut(), q_ddot: q_ddot.as_mut(), margins: &mut margins };
-        let parameters = self.mechanism.parameters::<f64>();
+        let ([mut q, mut q_dot, mut q_ddot], mut margins) = (self.zeros(), vec![0.0; self.model().plan.margins]);
+        let solved = Solved { q: &mut q, q_dot: &mut q_dot, q_ddot: &mut q_ddot, margins: &mut margins };
         let inputs: Vec<Signal> = start.inputs.iter().map(|u| u.after(t - start.t)).collect();
-        let at = Instant { t, inputs: &inputs };
-        let done = self.mechanism.solve_with(parameters.as_ref(), &at, signs, guess, Depth::Position, solved);
-        let found = q.as_ref().iter().zip(guess).map(|(&x, &guess)| if x.is_finite() { x } else { guess });
+        let done = self.solve(&Instant { t, inputs: &inputs }, signs, guess, Depth::Position, solved);
+        let found = q.iter().zip(guess).map(|(&x, &guess)| if x.is_finite() { x } else { guess });
         if done.is_ok() { found.collect() } else { guess.to_vec() }
     }
 
@@ -135,11 +130,7 @@ impl<M: Mechanism> Solver<'_, M> {
     /// The limit that ends a motion in these modes, and the configuration there.
     fn approached(&self, start: &Instant<'_>, signs: &[f64], way: [f64; 2]) -> (Option<Limit>, Vec<f64>) {
         let modes = signs.iter().enumerate().filter_map(|(place, &sign)| Some((place, Sign::of(sign)?)));
-        let ended = self.moved(start, way, |solver| {
-            let solver = self.guesses.iter().fold(solver, |solver, &(place, guess)| solver.with_guess(place, guess));
-            modes.fold(solver, |solver, (place, sign)| solver.with_mode(place, sign))
-        });
-        match ended {
+        match self.moved(start, way, self.set().0, &modes.collect::<Vec<_>>()) {
             Ok(_) => (None, Vec::new()),
             Err(end) => (end.limit, end.q),
         }
@@ -164,8 +155,8 @@ struct Collected {
 
 impl Collected {
     /// In the order of t, with circuits; `middle` gives q in the middle of a range.
-    fn finish<M: Mechanism>(mut self, middle: &dyn Fn(&[f64], &Stretch) -> Vec<f64>) -> Ranges {
-        let plan = &M::model().plan;
+    fn finish(mut self, model: &'static Model, middle: &dyn Fn(&[f64], &Stretch) -> Vec<f64>) -> Ranges {
+        let plan = &model.plan;
         self.ranges.sort_by(|(_, a), (_, b)| a.from.total_cmp(&b.from));
         self.limits.sort_by(|a, b| a.stretch.from.total_cmp(&b.stretch.from));
         let circuit = self.circuits(plan);
@@ -188,13 +179,13 @@ impl Collected {
         };
         let ranges = self.ranges.iter().zip(&circuit).map(range).collect();
         let limit = |found: FoundLimit| {
-            let step = Step::of_margin(M::model(), found.margin);
+            let step = Step::of_margin(model, found.margin);
             let drivers = step.map_or_else(Vec::new, |step| step.drivers().collect());
             RangeLimit {
                 t: Interval::new(found.stretch.from, found.stretch.to),
                 modes: modes(&found.signs),
                 joints: step.map_or_else(Vec::new, |step| step.joints().collect()),
-                drivers: drivers.into_iter().map(|name| (name, driven::<M>(name, &found.q))).collect(),
+                drivers: drivers.into_iter().map(|name| (name, driven(model, name, &found.q))).collect(),
                 kind: found.kind,
                 q: found.q,
                 proven: found.proven,

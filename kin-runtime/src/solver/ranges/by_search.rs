@@ -3,15 +3,15 @@
 //! Between two neighbouring folds no closure begins or ends, so that all closures of one t there are all that there are on
 //! the whole way from fold to fold. A sweep connects each of them with one on the other side of a fold, or ends at it.
 
+use super::super::any_solver::{AnySolver, End};
 use super::super::assemblies::{difference, is_length, region};
-use super::{End, Solver, driven};
+use super::driven;
 use crate::assembly::Assembly;
 use crate::certificate::Uncertified;
 use crate::equations::scale::Scale;
 use crate::error::SolveError;
-use crate::mechanism::Mechanism;
 use crate::planned::{Limit, LimitKind, Sign};
-use crate::proof::{Fold, OverBoxes, folds};
+use crate::proof::{Fold, folds};
 use crate::ranges::{Range, RangeLimit, Ranges};
 use crate::scalar::Interval;
 use crate::workspace::{Instant, Signal};
@@ -61,19 +61,19 @@ struct Ended {
     limit: Option<Limit>,
 }
 
-impl<M: Mechanism> Solver<'_, M> {
+impl dyn AnySolver + '_ {
     /// The ranges of all closures.
     pub(super) fn ranges_by_search(&self, start: &Instant<'_>, to: f64, guess: &[f64]) -> Result<Ranges, SolveError> {
         let refuse = |why| SolveError::NotCertified { t: start.t, why };
-        let length = self.analyse(start, |equations| Ok(Scale::around(equations, guess).length))?;
+        let (model, length) = (self.model(), Scale::around(&mut self.equations_at(start)?, guess).length);
         let square = self.square(start, guess).map_err(refuse)?;
         if let Some(row) = square.left_out().first() {
             return Err(refuse(Uncertified::Redundant { row }));
         }
         let way = Interval::new(start.t.min(to), start.t.max(to));
-        let sizes: Vec<f64> = (0..guess.len()).map(|k| if is_length::<M>(k) { length } else { 1.0 }).collect();
-        let mut system = Box::new(OverBoxes::new(self.mechanism, start));
-        let all = folds(&square, &mut *system, &region::<M>(guess, length), &sizes, way).map_err(refuse)?;
+        let sizes: Vec<f64> = (0..guess.len()).map(|k| if is_length(model, k) { length } else { 1.0 }).collect();
+        let mut system = self.boxes(start);
+        let all = folds(&square, &mut *system, &region(model, guess, length), &sizes, way).map_err(refuse)?;
         let mut places: Vec<Place> = Vec::new();
         let place =
             |proven: bool| move |Fold { q, t }: Fold| Place { t, q: q.iter().map(|x| x.midpoint()).collect(), proven };
@@ -81,7 +81,7 @@ impl<M: Mechanism> Solver<'_, M> {
             // A place is found twice where an angle is half a turn from its guess, and in several boxes if it is undecided.
             let most = SAME[usize::from(!place.proven)];
             let same = |other: &&mut Place| {
-                other.t.intersection(place.t).is_some() && difference::<M>(&other.q, &place.q, length) < most
+                other.t.intersection(place.t).is_some() && difference(model, &other.q, &place.q, length) < most
             };
             match places.iter_mut().find(same) {
                 Some(other) => (other.t, other.proven) = (other.t.hull(place.t), other.proven && place.proven),
@@ -105,7 +105,7 @@ impl<M: Mechanism> Solver<'_, M> {
             let middle = 0.5 * from + 0.5 * to;
             if from < middle && middle < to {
                 let inputs: Vec<Signal> = start.inputs.iter().map(|u| u.after(middle - start.t)).collect();
-                let all = self.assemblies(&Instant { t: middle, inputs: &inputs })?;
+                let all = self.closures(&Instant { t: middle, inputs: &inputs })?;
                 gaps.push(Gap { from, to, complete: all.is_complete(), closures: all.found });
             }
             from = from.max(next);
@@ -115,9 +115,7 @@ impl<M: Mechanism> Solver<'_, M> {
 
     /// A motion from a configuration.
     fn moved_from(&self, start: &Instant<'_>, q: &[f64], way: [f64; 2]) -> Result<Vec<f64>, End> {
-        self.moved(start, way, |solver| {
-            q.iter().enumerate().fold(solver, |solver, (place, &x)| solver.with_guess(place, x))
-        })
+        self.moved(start, way, &q.iter().copied().enumerate().collect::<Vec<_>>(), &[])
     }
 }
 
@@ -128,8 +126,8 @@ impl Gap {
 }
 
 /// All ways, while they are connected to ranges.
-struct Ways<'s, 'm, M: Mechanism> {
-    solver: &'s Solver<'m, M>,
+struct Ways<'s> {
+    solver: &'s dyn AnySolver,
     start: &'s Instant<'s>,
     length: f64,
     places: Vec<Place>,
@@ -140,7 +138,7 @@ struct Ways<'s, 'm, M: Mechanism> {
     ended: Vec<Ended>,
 }
 
-impl<M: Mechanism> Ways<'_, '_, M> {
+impl Ways<'_> {
     /// Follows every closure to both ends of its gap, if the search has an end in some coordinate: beyond it a closure can meet
     /// another at a place that was not searched.
     fn pass_gaps(&mut self) {
@@ -191,7 +189,7 @@ impl<M: Mechanism> Ways<'_, '_, M> {
         let (from, to) = (&self.gaps[gap], &self.gaps[other]);
         let q = &from.closures[closure].q;
         let reached = self.solver.moved_from(self.start, q, [from.middle(), to.middle()])?;
-        let same = |other: &Assembly| difference::<M>(&other.q, &reached, self.length) < SAME[0];
+        let same = |other: &Assembly| difference(self.solver.model(), &other.q, &reached, self.length) < SAME[0];
         Ok(to.closures.iter().position(same))
     }
 
@@ -224,7 +222,7 @@ impl<M: Mechanism> Ways<'_, '_, M> {
 
     /// The place whose configuration is much nearer than those of the others.
     fn nearest(&self, among: &[usize], q: &[f64]) -> Option<usize> {
-        let away = |place: usize| difference::<M>(&self.places[place].q, q, self.length);
+        let away = |place: usize| difference(self.solver.model(), &self.places[place].q, q, self.length);
         let mut all: Vec<(f64, usize)> = among.iter().map(|&place| (away(place), place)).collect();
         all.sort_by(|a, b| a.0.total_cmp(&b.0));
         match all[..] {
@@ -281,7 +279,7 @@ impl<M: Mechanism> Ways<'_, '_, M> {
             self.range(&self.chains[k], number)
         });
         let ranges = ranges.collect();
-        let name = |&(k, region): &(usize, Interval)| (M::model().coordinates[k].name, region);
+        let name = |&(k, region): &(usize, Interval)| (self.solver.model().coordinates[k].name, region);
         let searched = self.bounded.iter().map(name).collect();
         Ranges { ranges, limits, circuits: numbers.len(), searched }
     }
@@ -325,7 +323,7 @@ impl<M: Mechanism> Ways<'_, '_, M> {
             t,
             modes,
             joints: limit.into_iter().flat_map(Limit::joints).collect(),
-            drivers: drivers.map(|name| (name, driven::<M>(name, q))).collect(),
+            drivers: drivers.map(|name| (name, driven(self.solver.model(), name, q))).collect(),
             kind: kind.or(limit.and_then(Limit::kind)),
             q: q.to_vec(),
             proven,

@@ -4,13 +4,14 @@ mod by_plan;
 mod by_search;
 
 use super::Solver;
+use super::any_solver::AnySolver;
 use super::assemblies::half_turns;
 use crate::certificate::Uncertified;
 use crate::error::SolveError;
 use crate::mechanism::Mechanism;
-use crate::planned::Limit;
+use crate::model::Model;
 use crate::ranges::Ranges;
-use crate::workspace::{Instant, Signal};
+use crate::workspace::Instant;
 
 /// Most modes whose combinations are gone through.
 const MODES: usize = 12;
@@ -18,7 +19,7 @@ const MODES: usize = 12;
 impl<M: Mechanism> Solver<'_, M> {
     /// Where the mechanism closes between the time of an instant and another, in every combination of its modes, and the
     /// limits at which that ends: dead centres, which come with the joints that are in line, and branch points. Inputs go
-    /// on from the instant with constant acceleration ([`Signal::after`]), as those of a sweep from the command line do.
+    /// on from the instant with constant acceleration ([`Signal::after`](crate::Signal::after)), as those of a sweep from the command line do.
     ///
     /// Where every group has a closed form and closes in one way for each combination of signs, the plan is evaluated over
     /// intervals of t. Where all its margins are positive on an interval the mechanism closes on all of it, where one is
@@ -56,15 +57,21 @@ impl<M: Mechanism> Solver<'_, M> {
     /// [`NonFinite`](SolveError::NonFinite), [`Length`](SolveError::Length) and
     /// [`UnknownCoordinate`](SolveError::UnknownCoordinate).
     pub fn ranges(&self, from: &Instant<'_>, to: f64) -> Result<Ranges, SolveError> {
-        let guess: Vec<f64> = self.checked_guess()?.into_iter().map(|guess| guess.unwrap_or(0.0)).collect();
-        self.analyse(&Instant { t: to, inputs: from.inputs }, |_| Ok(()))?;
-        self.analyse(from, |_| Ok(()))?;
+        (self as &dyn AnySolver).ranges_to(from, to)
+    }
+}
+
+impl dyn AnySolver + '_ {
+    fn ranges_to(&self, from: &Instant<'_>, to: f64) -> Result<Ranges, SolveError> {
+        let guess = self.start()?;
+        self.equations_at(&Instant { t: to, inputs: from.inputs })?;
+        self.equations_at(from)?;
         if let Some(why) = self.unproven() {
             return Err(SolveError::NotCertified { t: from.t, why });
         }
         match self.told_by_signs(from, &guess) {
             Some(bounded) => {
-                let searched = half_turns::<M>(&bounded, &guess);
+                let searched = half_turns(self.model(), &bounded, &guess);
                 Ok(Ranges { searched, ..self.ranges_by_plan(from, to, &guess) })
             }
             None => self.ranges_by_search(from, to, &guess),
@@ -73,9 +80,9 @@ impl<M: Mechanism> Solver<'_, M> {
 
     /// Why nothing can be proven along t.
     fn unproven(&self) -> Option<Uncertified> {
-        let model = M::model();
+        let model = self.model();
         let plan = &model.plan;
-        if !self.given.is_empty() {
+        if !self.set().1.is_empty() {
             return Some(Uncertified::Prescribed);
         }
         if let Some(row) = plan.watched().next() {
@@ -84,39 +91,10 @@ impl<M: Mechanism> Solver<'_, M> {
         let modes = plan.modes.len();
         (modes > MODES).then_some(Uncertified::TooManyModes { modes, most: MODES })
     }
-
-    /// A sweep from one time to another with inputs that go on from the instant `start`: q at its end, or what ended it.
-    fn moved(
-        &self,
-        start: &Instant<'_>,
-        way: [f64; 2],
-        set: impl for<'a> FnOnce(Solver<'a, M>) -> Solver<'a, M>,
-    ) -> Result<Vec<f64>, End> {
-        let later = |t: f64, out: &mut [Signal]| {
-            out.iter_mut().zip(start.inputs).for_each(|(out, u)| *out = u.after(t - start.t));
-        };
-        let solver = Solver::new(self.mechanism).with_options(self.options).with_inputs(&later);
-        match set(solver).sweep(&way) {
-            Ok(trajectory) => Ok(trajectory.states.last().map(|state| state.q.clone()).unwrap_or_default()),
-            Err(error) => {
-                let q = error.q_at_limit().map(<[f64]>::to_vec).unwrap_or_default();
-                Err(End { limit: error.source.limit().copied(), q })
-            }
-        }
-    }
-}
-
-/// What ended a motion.
-#[derive(Default)]
-struct End {
-    limit: Option<Limit>,
-    /// q there; empty where it is not known.
-    q: Vec<f64>,
 }
 
 /// The value of the one coordinate that a driver drives.
-fn driven<M: Mechanism>(name: &str, q: &[f64]) -> Option<f64> {
-    let model = M::model();
+fn driven(model: &Model, name: &str, q: &[f64]) -> Option<f64> {
     let row = model.rows.iter().position(|row| model.joints.get(row.joint).is_some_and(|joint| joint.name == name))?;
     let mut entries = model.constraint_pattern.entries.iter().filter(|(of, _)| *of == row);
     let (Some(&(_, column)), None) = (entries.next(), entries.next()) else { return None };

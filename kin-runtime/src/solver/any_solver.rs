@@ -1,0 +1,141 @@
+//! The thin generic layer of searches: a solver without the type of its mechanism.
+//!
+//! Searches for closures and for ranges work on `dyn AnySolver`, so that they are compiled once, in this crate, and not again
+//! for every mechanism of the user.
+
+use super::Solver;
+use crate::equations::Equations;
+use crate::error::SolveError;
+use crate::mechanism::{LengthError, Mechanism};
+use crate::model::Model;
+use crate::plan::{Depth, Solved};
+use crate::planned::{Limit, Sign};
+use crate::proof::{Enclosures, OverBoxes, Winding};
+use crate::workspace::{Instant, Signal};
+
+/// A solver, whatever its mechanism is.
+pub(super) trait AnySolver {
+    /// The names, rows and patterns of the mechanism.
+    fn model(&self) -> &'static Model;
+
+    /// The guesses of the user, and the coordinates that are prescribed.
+    fn set(&self) -> (&[(usize, f64)], &[(usize, Signal)]);
+
+    /// All guesses, 0 for coordinates without one; an error if one of them is for a coordinate that does not exist.
+    fn start(&self) -> Result<Vec<f64>, SolveError>;
+
+    /// The equations at an instant.
+    fn equations_at(&self, at: &Instant<'_>) -> Result<Equations<'_>, SolveError>;
+
+    /// The rows over boxes, at an instant.
+    fn boxes(&self, at: &Instant<'_>) -> Box<dyn Enclosures + '_>;
+
+    /// True if parameters are finite and the plan solves the mechanism without further checks.
+    fn is_sound_plan(&self, at: &Instant<'_>) -> bool;
+
+    /// Computes q, q̇ and q̈ by the plan.
+    fn solve(
+        &self,
+        at: &Instant<'_>,
+        signs: &[f64],
+        start: &[f64],
+        depth: Depth,
+        solved: Solved<'_, f64>,
+    ) -> Result<(), LengthError>;
+
+    /// Computes q by the plan over intervals.
+    fn solve_over(
+        &self,
+        at: &Instant<'_, Winding>,
+        signs: &[Winding],
+        start: &[Winding],
+        solved: Solved<'_, Winding>,
+    ) -> Result<(), LengthError>;
+
+    /// A sweep from one time to another with these guesses and modes and with inputs that go on from the instant `start`: q at
+    /// its end, or what ended it.
+    fn moved(
+        &self,
+        start: &Instant<'_>,
+        way: [f64; 2],
+        guesses: &[(usize, f64)],
+        modes: &[(usize, Sign)],
+    ) -> Result<Vec<f64>, End>;
+}
+
+/// What ended a motion.
+#[derive(Default)]
+pub(super) struct End {
+    pub(super) limit: Option<Limit>,
+    /// q there; empty where it is not known.
+    pub(super) q: Vec<f64>,
+}
+
+impl<M: Mechanism> AnySolver for Solver<'_, M> {
+    fn model(&self) -> &'static Model {
+        M::model()
+    }
+
+    fn set(&self) -> (&[(usize, f64)], &[(usize, Signal)]) {
+        (&self.guesses, &self.given)
+    }
+
+    fn start(&self) -> Result<Vec<f64>, SolveError> {
+        Ok(self.checked_guess()?.into_iter().map(|guess| guess.unwrap_or(0.0)).collect())
+    }
+
+    fn equations_at(&self, at: &Instant<'_>) -> Result<Equations<'_>, SolveError> {
+        self.equations(at)
+    }
+
+    fn boxes(&self, at: &Instant<'_>) -> Box<dyn Enclosures + '_> {
+        Box::new(OverBoxes::new(self.mechanism, at))
+    }
+
+    fn is_sound_plan(&self, at: &Instant<'_>) -> bool {
+        self.goes_by_plan(at) && self.mechanism.parameters::<f64>().as_ref().iter().all(|x| x.is_finite())
+    }
+
+    fn solve(
+        &self,
+        at: &Instant<'_>,
+        signs: &[f64],
+        start: &[f64],
+        depth: Depth,
+        solved: Solved<'_, f64>,
+    ) -> Result<(), LengthError> {
+        self.mechanism.solve_with(self.mechanism.parameters().as_ref(), at, signs, start, depth, solved)
+    }
+
+    fn solve_over(
+        &self,
+        at: &Instant<'_, Winding>,
+        signs: &[Winding],
+        start: &[Winding],
+        solved: Solved<'_, Winding>,
+    ) -> Result<(), LengthError> {
+        self.mechanism.solve_with(self.mechanism.parameters().as_ref(), at, signs, start, Depth::Position, solved)
+    }
+
+    fn moved(
+        &self,
+        start: &Instant<'_>,
+        way: [f64; 2],
+        guesses: &[(usize, f64)],
+        modes: &[(usize, Sign)],
+    ) -> Result<Vec<f64>, End> {
+        let later = |t: f64, out: &mut [Signal]| {
+            out.iter_mut().zip(start.inputs).for_each(|(out, u)| *out = u.after(t - start.t));
+        };
+        let solver = Solver::new(self.mechanism).with_options(self.options).with_inputs(&later);
+        let solver = guesses.iter().fold(solver, |solver, &(place, guess)| solver.with_guess(place, guess));
+        let solver = modes.iter().fold(solver, |solver, &(place, sign)| solver.with_mode(place, sign));
+        match solver.sweep(&way) {
+            Ok(trajectory) => Ok(trajectory.states.into_iter().next_back().map(|state| state.q).unwrap_or_default()),
+            Err(error) => {
+                let q = error.q_at_limit().map(<[f64]>::to_vec).unwrap_or_default();
+                Err(End { limit: error.source.limit().copied(), q })
+            }
+        }
+    }
+}
