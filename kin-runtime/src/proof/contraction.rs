@@ -14,6 +14,11 @@ const LANES: usize = 4;
 /// slow.
 const TINY: f64 = f64::from_bits((1023 - 960) << 52);
 
+/// A list of zeros. Memory that the allocator has cleared, which `vec!` asks for, is slower where lists are short.
+pub(crate) fn zeros(n: usize) -> Vec<f64> {
+    core::iter::repeat_n(0.0, n).collect()
+}
+
 /// An upper bound of the exact value of a computed sum of m nonnegative products.
 fn up(sum: f64, m: usize) -> f64 {
     (sum + m as f64 * TINY) * (1.0 + (m + 4) as f64 * f64::EPSILON)
@@ -105,8 +110,8 @@ impl Preconditioner {
     /// Room for n×n matrices.
     pub(super) fn with_room(n: usize) -> Self {
         let height = n.next_multiple_of(LANES).max(LANES);
-        let [columns, product] = [const { 0.0 }; 2].map(|zero| vec![zero; n * height]);
-        Self { n, height, columns, product, sums: vec![0.0; height], errors: vec![0.0; height] }
+        let [columns, product] = [(); 2].map(|()| zeros(n * height));
+        Self { n, height, columns, product, sums: zeros(height), errors: zeros(height) }
     }
 
     /// An approximate inverse of the n×n matrix with these entries; none if it is singular in `f64`.

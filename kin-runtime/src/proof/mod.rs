@@ -30,6 +30,7 @@ mod smooth;
 mod winding;
 mod wrapped;
 
+pub(crate) use contraction::zeros;
 pub(crate) use enclosures::{Enclosures, OverBoxes};
 pub(crate) use folds::{Fold, folds};
 pub(crate) use krawczyk::{Prover, Square};

@@ -18,8 +18,11 @@ pub(super) trait AnySolver {
     /// The names, rows and patterns of the mechanism.
     fn model(&self) -> &'static Model;
 
-    /// The guesses of the user, and the coordinates that are prescribed.
-    fn set(&self) -> (&[(usize, f64)], &[(usize, Signal)]);
+    /// The guesses of the user.
+    fn guesses(&self) -> &[(usize, f64)];
+
+    /// Coordinates that are prescribed.
+    fn prescribed(&self) -> &[(usize, Signal)];
 
     /// All guesses, 0 for coordinates without one; an error if one of them is for a coordinate that does not exist.
     fn start(&self) -> Result<Vec<f64>, SolveError>;
@@ -76,8 +79,12 @@ impl<M: Mechanism> AnySolver for Solver<'_, M> {
         M::model()
     }
 
-    fn set(&self) -> (&[(usize, f64)], &[(usize, Signal)]) {
-        (&self.guesses, &self.given)
+    fn guesses(&self) -> &[(usize, f64)] {
+        &self.guesses
+    }
+
+    fn prescribed(&self) -> &[(usize, Signal)] {
+        &self.given
     }
 
     fn start(&self) -> Result<Vec<f64>, SolveError> {

@@ -14,7 +14,7 @@ use crate::model::{Component, CoordinateKind, Model};
 use crate::modes::modes;
 use crate::plan::{Depth, Plan, Solved, StepKind};
 use crate::planned::Sign;
-use crate::proof::{Certified, Closing, Outcome, Prover, Seen, combinations, search};
+use crate::proof::{Certified, Closing, Outcome, Prover, Seen, combinations, search, zeros};
 use crate::scalar::Interval;
 use crate::workspace::{Instant, Subset};
 
@@ -80,7 +80,9 @@ impl dyn AnySolver + '_ {
             false => Prover::new(&self.square(at, q)?).position(&mut *system, q),
         };
         if let Some(bounded) = by_plan {
-            let (found, undecided) = combinations(model, &mut |signs| self.close(at, signs, &guess, &mut prove));
+            let mut margins = zeros(model.plan.margins);
+            let close = &mut |signs: &[f64]| self.close(at, signs, &guess, &mut margins, &mut prove);
+            let (found, undecided) = combinations(model, close);
             return Ok(Assemblies { found, undecided, searched: half_turns(model, &bounded, &guess) });
         }
         let region = region(model, &guess, length);
@@ -118,15 +120,22 @@ impl dyn AnySolver + '_ {
     pub(super) fn is_closed_form(&self) -> bool {
         let plan = &self.model().plan;
         let is_iterated = plan.steps.iter().any(|step| matches!(step.kind, StepKind::Newton(_)));
-        plan.exists() && self.set().1.is_empty() && !is_iterated
+        plan.exists() && self.prescribed().is_empty() && !is_iterated
     }
 
     /// The plan with these signs.
-    fn close(&self, at: &Instant<'_>, signs: &[f64], start: &[f64], prove: &mut Prove<'_>) -> Closing<Assembly> {
+    fn close(
+        &self,
+        at: &Instant<'_>,
+        signs: &[f64],
+        start: &[f64],
+        margins: &mut [f64],
+        prove: &mut Prove<'_>,
+    ) -> Closing<Assembly> {
         let plan = &self.model().plan;
+        margins.fill(0.0);
         let [mut q, mut q_dot, mut q_ddot] = self.zeros();
-        let mut margins = vec![0.0; plan.margins];
-        let solved = Solved { q: &mut q, q_dot: &mut q_dot, q_ddot: &mut q_ddot, margins: &mut margins };
+        let solved = Solved { q: &mut q, q_dot: &mut q_dot, q_ddot: &mut q_ddot, margins: &mut *margins };
         let done = self.solve(at, signs, start, Depth::Acceleration, solved);
         // NaN is not positive either.
         let is_good = |margin: &f64| *margin > Plan::SMALLEST_MARGIN;
@@ -171,7 +180,7 @@ impl dyn AnySolver + '_ {
 
     /// Room for q, q̇ and q̈.
     pub(super) fn zeros(&self) -> [Vec<f64>; 3] {
-        [const { 0.0 }; 3].map(|zero| vec![zero; self.model().coordinates.len()])
+        [(); 3].map(|()| zeros(self.model().coordinates.len()))
     }
 }
 

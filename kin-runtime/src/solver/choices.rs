@@ -11,6 +11,7 @@ use super::assemblies::{is_angle, is_length};
 #[cfg(feature = "cli")]
 use crate::mechanism::Mechanism;
 use crate::plan::{Depth, Plan, Solved};
+use crate::proof::zeros;
 use crate::workspace::Instant;
 use std::f64::consts::{PI, TAU};
 
@@ -41,28 +42,31 @@ impl dyn AnySolver + '_ {
         }
         let model = self.model();
         let (plan, n) = (&model.plan, guess.len());
-        let mut start = vec![0.0; n];
-        let ([mut q_dot, mut q_ddot, _], mut margins) = (self.zeros(), vec![0.0; plan.margins]);
-        // q and whether it closes, from a shifted guess.
-        let mut solved = |signs: &[f64], shift: &dyn Fn(usize) -> f64| {
-            let shifted = guess.iter().enumerate();
-            let shifted = shifted.map(|(k, guess)| if is_length(model, k) { *guess } else { guess + shift(k) });
-            start.iter_mut().zip(shifted).for_each(|(start, shifted)| *start = shifted);
+        let mut room = zeros(5 * n + plan.margins);
+        let (margins, lists) = room.split_at_mut(plan.margins);
+        let mut lists = lists.chunks_exact_mut(n.max(1));
+        let [Some(start), Some(q_dot), Some(q_ddot), Some(here), Some(there)] = [(); 5].map(|()| lists.next()) else {
+            return Some(Vec::new());
+        };
+        // Writes q from a shifted guess; whether it closes.
+        let mut solve = |signs: &[f64], shift: &dyn Fn(usize) -> f64, q: &mut [f64]| {
+            for (k, (start, guess)) in start.iter_mut().zip(guess).enumerate() {
+                *start = if is_length(model, k) { *guess } else { guess + shift(k) };
+            }
             margins.fill(0.0);
-            let mut q = vec![0.0; n];
-            let solved = Solved { q: &mut q, q_dot: &mut q_dot, q_ddot: &mut q_ddot, margins: &mut margins };
-            self.solve(at, signs, &start, Depth::Position, solved).ok()?;
-            Some((q, margins.iter().all(|margin| *margin > Plan::SMALLEST_MARGIN)))
+            self.solve(at, signs, start, Depth::Position, Solved { q, q_dot, q_ddot, margins }).ok()?;
+            Some(margins.iter().all(|margin| *margin > Plan::SMALLEST_MARGIN))
         };
         // The first combination that closes; where none does, there are no closures to be told apart.
-        let closed = (0..1_u32 << plan.modes.len().min(VARIED)).find_map(|combination| {
-            let sign = |k: usize| if k < VARIED && combination >> k & 1 == 1 { -1.0 } else { 1.0 };
-            let signs: Vec<f64> = (0..plan.modes.len()).map(sign).collect();
-            let (q, closes) = solved(&signs, &|_| 0.0)?;
-            (closes && q.iter().all(|x| x.is_finite())).then_some((signs, q))
+        let mut signs = vec![1.0; plan.modes.len()];
+        let closes = (0..1_u32 << plan.modes.len().min(VARIED)).any(|combination| {
+            let varied = signs.iter_mut().take(VARIED).enumerate();
+            varied.for_each(|(k, sign)| *sign = if combination >> k & 1 == 0 { 1.0 } else { -1.0 });
+            solve(&signs, &|_| 0.0, here) == Some(true) && here.iter().all(|x| x.is_finite())
         });
-        let Some((signs, here)) = closed else { return Some(Vec::new()) };
-        let mut from = |shift: &dyn Fn(usize) -> f64| Some(solved(&signs, shift)?.0);
+        if !closes {
+            return Some(Vec::new());
+        }
         // False for NaN, too.
         let is_small = |k: usize, moved: f64| moved.abs() <= SAME * (1.0 + here[k].abs());
         let is_turned = |k: usize, moved: f64| is_small(k, moved - TAU * (moved / TAU).round());
@@ -72,17 +76,17 @@ impl dyn AnySolver + '_ {
         // Mostly all starts lead to the same closure.
         let mut choices = false;
         for shift in STARTS {
-            let there = from(&|_| shift)?;
-            choices |= !all.clone().all(|k| is_same(k, moved(&there, k)));
+            solve(&signs, &|_| shift, there)?;
+            choices |= !all.clone().all(|k| is_same(k, moved(there, k)));
         }
         let mut bounded = Vec::new();
         for k in all.clone().filter(|&k| choices && !is_length(model, k)) {
             for shift in STARTS {
-                let there = from(&|other| if other == k { shift } else { 0.0 })?;
-                if !is_turned(k, moved(&there, k)) {
+                solve(&signs, &|other| if other == k { shift } else { 0.0 }, there)?;
+                if !is_turned(k, moved(there, k)) {
                     return None;
                 }
-                let follows = all.clone().any(|other| other != k && !is_same(other, moved(&there, other)));
+                let follows = all.clone().any(|other| other != k && !is_same(other, moved(there, other)));
                 if follows && !bounded.contains(&k) {
                     bounded.push(k);
                 }

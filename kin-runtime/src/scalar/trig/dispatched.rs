@@ -13,7 +13,7 @@ use core::ops::{Add, BitAnd, BitXor, Div, Mul, Sub};
 use multiversion::{multiversion, target::target_cfg_f};
 
 /// Runs `work`, which is compiled for every instruction set as far as it is inlined, by the best one of the processor.
-#[cfg(not(target_feature = "avx2"))]
+#[cfg(all(not(target_feature = "avx2"), any(test, not(debug_assertions))))]
 #[multiversion(targets("x86_64+avx2+fma"))]
 pub(crate) fn by_processor<R, F: FnOnce() -> R>(work: F) -> R {
     work()

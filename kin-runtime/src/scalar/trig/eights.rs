@@ -57,9 +57,17 @@ mod of_this_build {
 #[cfg(all(feature = "dispatch", target_arch = "x86_64", not(target_feature = "avx2")))]
 mod of_this_processor {
     use super::SinesAndCosines;
+    #[cfg(not(debug_assertions))]
     pub(crate) use crate::scalar::trig::dispatched::by_processor;
     use crate::scalar::trig::dispatched::{best, best_angles};
     use crate::scalar::trig::{arctangent, beyond};
+
+    /// Without optimisation a copy for another instruction set is not faster, and takes long to compile.
+    #[cfg(debug_assertions)]
+    #[inline(always)]
+    pub(crate) fn by_processor<R>(work: impl FnOnce() -> R) -> R {
+        work()
+    }
 
     #[inline(always)]
     pub(crate) fn sin_cos_eights<const N: usize>(x: &[[f64; 8]; N]) -> SinesAndCosines<N> {
@@ -82,8 +90,12 @@ mod of_this_processor {
 
 #[cfg(all(test, feature = "std"))]
 mod tests {
-    use super::{atan2_eights, by_processor, sin_cos_eights};
+    #[cfg(not(all(feature = "dispatch", target_arch = "x86_64", not(target_feature = "avx2"))))]
+    use super::by_processor;
+    use super::{atan2_eights, sin_cos_eights};
     use crate::random::Random;
+    #[cfg(all(feature = "dispatch", target_arch = "x86_64", not(target_feature = "avx2")))]
+    use crate::scalar::trig::dispatched::by_processor;
 
     /// The distance between two numbers in units in the last place; zeros of different signs are far apart.
     fn ulps(a: f64, b: f64) -> u64 {

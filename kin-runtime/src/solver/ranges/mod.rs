@@ -82,7 +82,7 @@ impl dyn AnySolver + '_ {
     fn unproven(&self) -> Option<Uncertified> {
         let model = self.model();
         let plan = &model.plan;
-        if !self.set().1.is_empty() {
+        if !self.prescribed().is_empty() {
             return Some(Uncertified::Prescribed);
         }
         if let Some(row) = plan.watched().next() {
