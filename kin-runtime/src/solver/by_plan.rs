@@ -39,7 +39,7 @@ impl<M: Mechanism> Solver<'_, M> {
         }
         let parameters = self.mechanism.parameters::<f64>();
         let start = self.start_of_guess(&parameters, at)?;
-        self.finished(&parameters, at, &self.poses(&parameters, at, &start)?)
+        self.state_of(&parameters, at, &start)
     }
 
     /// The state near a complete start; none if the general path must be used.
@@ -49,7 +49,7 @@ impl<M: Mechanism> Solver<'_, M> {
         }
         let parameters = self.mechanism.parameters::<f64>();
         let start = self.start_of(&parameters, at, start)?;
-        self.finished(&parameters, at, &self.poses(&parameters, at, &start)?)
+        self.state_of(&parameters, at, &start)
     }
 
     /// The follower of the plan at the configuration that the guesses lead to, or why the plan has no solution there; none
@@ -224,21 +224,33 @@ impl<M: Mechanism> Solver<'_, M> {
         Some(q)
     }
 
-    /// The solution of the plan at an instant; none if it has no answer.
-    fn poses(&self, parameters: &M::Parameters<f64>, at: &Instant<'_>, start: &Start<M>) -> Option<Poses<M>> {
-        let mut poses = Poses::<M>::nothing();
-        let Poses { q, q_dot, q_ddot, margins } = &mut poses;
+    /// The state that the plan finds at an instant, if it satisfies all rows.
+    fn state_of(&self, parameters: &M::Parameters<f64>, at: &Instant<'_>, start: &Start<M>) -> Option<State> {
+        let mut poses = Poses::nothing();
+        self.solve_poses(parameters, at, start, &mut poses)?;
+        self.finished(parameters, at, &poses)
+    }
+
+    /// Writes the solution of the plan at an instant; none if it has no answer.
+    fn solve_poses(
+        &self,
+        parameters: &M::Parameters<f64>,
+        at: &Instant<'_>,
+        start: &Start<M>,
+        poses: &mut Poses<M>,
+    ) -> Option<()> {
+        let Poses { q, q_dot, q_ddot, margins } = poses;
         let solved =
             Solved { q: q.as_mut(), q_dot: q_dot.as_mut(), q_ddot: q_ddot.as_mut(), margins: margins.as_mut() };
         let modes = start.modes.of_closures();
         let depth = Depth::Acceleration;
         self.mechanism.solve_with(parameters.as_ref(), at, modes, start.q.as_ref(), depth, solved).ok()?;
-        if margins.as_ref().iter().fold(true, |all, margin| all & (*margin > FAR)) {
-            return Some(poses);
+        if !margins.as_ref().iter().fold(true, |all, margin| all & (*margin > FAR)) {
+            // Near a limit, or if redundant rows contradict, the follower decides.
+            let follower = Follower::begin(self.mechanism, *parameters, at, start.q.as_ref(), start.modes).ok()?;
+            *poses = *follower.state();
         }
-        // Near a limit, or if redundant rows contradict, the follower decides.
-        let follower = Follower::begin(self.mechanism, *parameters, at, start.q.as_ref(), start.modes).ok()?;
-        Some(*follower.state())
+        Some(())
     }
 
     /// The state with these rates, if it satisfies all rows.
