@@ -67,6 +67,7 @@ impl<M: Mechanism> Enclosures for OverBoxes<'_, M> {
         let w = &self.workspace;
         Ok(Evaluated { phi: w.phi(), phi_q: w.phi_q(), phi_t: w.phi_t(), gamma: w.gamma() })
     }
+
     fn is_smooth(&self, q: &[Interval]) -> bool {
         let parameters = self.mechanism.parameters::<Smooth>();
         let inputs = M::Inputs::<Smooth>::generate(|k| self.inputs.as_ref()[k].map(Smooth));
