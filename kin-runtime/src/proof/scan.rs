@@ -1,5 +1,7 @@
 //! The intervals of t in which a plan closes.
 
+use std::collections::VecDeque;
+
 /// The result for a stretch of t.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Seen {
@@ -20,26 +22,30 @@ pub(crate) struct Stretch {
 }
 
 /// The stretches from `from` to `to`, in order; neighbours with the same result are joined. A stretch with an unknown
-/// result is halved until it is narrower than `narrowest`. After `most` evaluations the rest is unknown.
+/// result is halved until it is narrower than `narrowest`, the widest ones first, so that after `most` evaluations only
+/// narrow ones are still unknown: where a margin touches 0, those are many.
 pub(crate) fn stretches(
     [from, to]: [f64; 2],
     narrowest: f64,
     most: usize,
     look: &mut dyn FnMut(f64, f64) -> Seen,
 ) -> Vec<Stretch> {
-    let (mut waiting, mut known): (Vec<(f64, f64)>, Vec<Stretch>) = (vec![(from, to)], Vec::new());
+    let (mut waiting, mut found): (VecDeque<(f64, f64)>, Vec<Stretch>) = (VecDeque::from([(from, to)]), Vec::new());
     let mut looked = 0;
-    while let Some((from, to)) = waiting.pop() {
+    while let Some((from, to)) = waiting.pop_front() {
         looked += 1;
         let seen = look(from, to);
         let middle = 0.5 * from + 0.5 * to;
         let wide = to - from > narrowest && from < middle && middle < to;
         if matches!(seen, Seen::Unknown(_)) && wide && looked < most {
-            waiting.extend([(middle, to), (from, middle)]);
+            waiting.extend([(from, middle), (middle, to)]);
             continue;
         }
-        push(&mut known, Stretch { from, to, seen });
+        found.push(Stretch { from, to, seen });
     }
+    found.sort_by(|a, b| a.from.total_cmp(&b.from));
+    let mut known = Vec::new();
+    found.into_iter().for_each(|stretch| push(&mut known, stretch));
     known
 }
 
@@ -122,5 +128,22 @@ mod tests {
         let Stretch { from, to, .. } = found[3];
         assert!(found.len() == 5 && from <= 0.5 && 0.5 <= to && to - from < 1e-12, "{from} {to}");
         assert_eq!((found[0].from, found[4].to), (-1.0, 1.0));
+    }
+
+    /// (t − 1/3)², with an enclosure that is too wide, touches 0: with few evaluations, what is unknown is still narrow, and
+    /// on both sides of it everything is known.
+    #[test]
+    fn a_margin_that_touches_zero_leaves_little_unknown() {
+        let touch = 1.0 / 3.0;
+        let mut look = |from: f64, to: f64| {
+            let least = if from < touch && touch < to { 0.0 } else { (from - touch).abs().min((to - touch).abs()) };
+            if least * least - 0.1 * (to - from) > 0.0 { Seen::Closed } else { Seen::Unknown(0) }
+        };
+        let found = stretches([0.0, 1.0], 1e-12, 2000, &mut look);
+        let kinds: Vec<Seen> = found.iter().map(|stretch| stretch.seen).collect();
+        assert_eq!(kinds, [Seen::Closed, Seen::Unknown(0), Seen::Closed]);
+        let Stretch { from, to, .. } = found[1];
+        assert!(from < touch && touch < to && to - from < 1e-2, "{from} {to}");
+        assert_eq!((found[0].from, found[2].to), (0.0, 1.0));
     }
 }
