@@ -147,7 +147,7 @@ impl Search<'_> {
             return Shrunk::Unknown;
         }
         inverse.times_to(&f, newton);
-        for (k, product) in columns.chunks_exact_mut(count).enumerate() {
+        for (k, product) in columns.chunks_exact_mut(count.max(1)).enumerate() {
             column.clear();
             column.extend(a.iter().map(|row| row[k]));
             inverse.times_to(column, product);

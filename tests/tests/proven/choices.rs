@@ -2,7 +2,7 @@
 //! that others follow in a ratio.
 
 use super::ranges::closures;
-use kin_runtime::{Assemblies, Instant, Kinematics, Ranges, mechanism};
+use kin_runtime::{Assemblies, Instant, Kinematics, Ranges, Signal, mechanism};
 use std::f64::consts::{PI, TAU};
 
 /// An angle that occurs as its multiple only.
@@ -108,4 +108,19 @@ fn a_rack_has_a_place_for_every_whole_turn() {
     for closure in &all.found {
         assert!((closure.q[6] - 0.05 * closure.q[5]).abs() < 1e-12, "{all}");
     }
+}
+
+/// A pendulum.
+#[mechanism]
+#[bodies(bob)]
+#[revolute(O: ground @ (0, 0), bob @ (-1, 0))]
+struct Pendulum;
+
+/// Where nothing is left to be searched, because the only angle is prescribed, there is one closure.
+#[test]
+fn a_prescribed_angle_leaves_one_closure() {
+    let given = Pendulum.solver().with_given(2, Signal::new(0.3, 1.0, 0.0));
+    let all = given.assemblies(&Instant::at(0.0)).unwrap();
+    assert!(all.is_complete() && all.found.len() == 1, "{all:?}");
+    assert!((all.found[0].q[0] - 0.3_f64.cos()).abs() < 1e-12);
 }
