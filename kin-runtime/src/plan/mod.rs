@@ -101,6 +101,11 @@ impl Plan {
         self.modes.get(sign).or_else(of_iteration).map(|info| info.margin)
     }
 
+    /// The sign to which a margin belongs, if it is the margin of a group.
+    pub(crate) fn sign_of_margin(&self, margin: usize) -> Option<usize> {
+        self.modes.iter().chain(self.orientations).position(|info| info.margin == margin)
+    }
+
     /// True if there is a plan.
     pub const fn exists(&self) -> bool {
         self.absent.is_none()

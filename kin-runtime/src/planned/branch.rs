@@ -56,9 +56,44 @@ pub(crate) fn resolves<V: Compare>(nearest: V, turn: V) -> V {
     nearest - V::from_f64(THIRD_ORDER) * turn * turn * turn
 }
 
+/// The first group whose closure has not the sign of its mode or does not agree with its prediction. The arguments are
+/// modes, predicted closures and closures.
+pub(super) fn first_uncertain(modes: &[f64], foretold: &[f64], found: &[f64]) -> Option<usize> {
+    let on_branch = |group: usize| {
+        let now = modes[group] * found[group];
+        now > 0.0 && certainty_of(now, modes[group] * foretold[group]) >= 0.0
+    };
+    (0..modes.len()).find(|group| !on_branch(*group))
+}
+
 /// True if a group may have reached its limit and returned within a step. The arguments are its distances at both ends.
-pub(super) const fn may_dip(before: f64, after: f64) -> bool {
+const fn may_dip(before: f64, after: f64) -> bool {
     before < CLOSE || after < CLOSE
+}
+
+/// [`may_dip`] for any group.
+pub(super) fn one_may_dip(before: &[f64], after: &[f64]) -> bool {
+    before.iter().zip(after).any(|(before, after)| may_dip(*before, *after))
+}
+
+/// Smallest distance of a group from its limit in the middle of a step, relative to the smaller of its distances at
+/// both ends.
+const MIDDLE: f64 = 0.25;
+
+/// The first group that is nearer to its limit in the middle of a step than at its ends, of those that may have reached
+/// it; the closures are those of the configuration predicted there. With redundant rows a motion may pass limits of the
+/// rows that the plan uses; then w changes its sign within the step, and the modes differ from those before.
+pub(super) fn first_dip(
+    [before, after]: [&[f64]; 2],
+    closures: &[f64],
+    [modes, modes_before]: [&[f64]; 2],
+) -> Option<usize> {
+    let dips = |sign: usize| {
+        let stays = closures[sign].abs() >= MIDDLE * before[sign].min(after[sign]);
+        !stays
+    };
+    let near = |sign: &usize| may_dip(before[*sign], after[*sign]);
+    (0..modes.len()).filter(near).find(|&sign| dips(sign) && modes[sign] == modes_before[sign])
 }
 
 #[cfg(test)]

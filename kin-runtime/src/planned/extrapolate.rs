@@ -83,11 +83,9 @@ impl<M: Mechanism> Follower<M> {
         // Moves away from the limit in steps that grow with the distance.
         let [start, _] = course.ends();
         let (mut s, mut from, mut w) = (blocked.places[0], blocked.here, 0.0);
-        let least = 4.0 * f64::EPSILON * at.abs().max(start.abs());
         for _ in 0..DOUBLINGS {
-            let stride = if (at - s).abs() > least { at - s } else { least.copysign(at - start) };
             // With inputs, nothing is known before the start of the course.
-            let back = if M::INPUTS > 0 && (stride > 0.0) == (s - stride < start) { start } else { s - stride };
+            let back = farther_back((at, s), start, M::INPUTS > 0);
             if w >= width || back == s {
                 break;
             }
@@ -107,37 +105,21 @@ impl<M: Mechanism> Follower<M> {
             s = place;
             *sample = (w, s, from.q);
         }
-        if !samples.is_sorted_by(|a, b| a.0 < b.0) {
+        let w = core::array::from_fn(|k| samples[k].0);
+        if !w.is_sorted_by(|a, b| a < b) {
             return None;
         }
-        let all = weights(&samples.map(|sample| sample.0));
-        let nearer: [f64; SAMPLES - 1] = core::array::from_fn(|k| samples[k].0);
-        let fewer = weights(&nearer);
-        let sum = |weights: &[f64], of: &dyn Fn(usize) -> f64| -> f64 {
-            weights.iter().enumerate().map(|(k, weight)| weight * of(k)).sum()
-        };
-        let first = &samples[0];
-        let s = |k: usize| samples[k].1 - first.1;
-        let place = first.1 + sum(&all, &s);
-        let mut error = ((sum(&all, &s) - sum(&fewer, &s)) / reach).abs();
-        let q = M::Coordinates::<f64>::generate(|k| {
-            let first = first.2.as_ref()[k];
-            let of = |sample: usize| samples[sample].2.as_ref()[k] - first;
-            let (found, other) = (sum(&all, &of), sum(&fewer, &of));
-            error = error.max((found - other).abs() / (1.0 + first.abs()));
-            first + found
-        });
-        // At a fold the slope ds/dw is 0, and w is proportional to the square root of the distance.
-        let slope = |k: usize| (samples[k].1 - place) / samples[k].0;
-        let is_flat = sum(&all, &slope).abs() < FLAT * slope(SAMPLES - 1).abs();
-        let [near, far] = [samples[SAMPLES / 2], samples[SAMPLES - 1]].map(|(w, s, _)| (w, (s - place).abs()));
-        let is_root = far.1 * near.0 * Scalar::sqrt(near.0) > near.1 * far.0 * Scalar::sqrt(far.0);
-        let kind = match (is_flat, is_root) {
-            (true, true) => Some(LimitKind::DeadCentre),
-            (false, false) => Some(LimitKind::BranchPoint),
-            _ => None,
-        };
-        error.is_finite().then_some(Found { place, q, kind, error })
+        let places = core::array::from_fn(|k| samples[k].1);
+        let mut found = Found::<M> { place: 0.0, q: from.q, error: 0.0, kind: None };
+        (found.place, found.error, found.kind) = at_limit(&w, &places, reach);
+        let q: &mut [f64] = found.q.as_mut();
+        for (k, q) in q.iter_mut().enumerate() {
+            let values = core::array::from_fn(|sample| samples[sample].2.as_ref()[k]);
+            let (value, error) = extrapolated(&w, &values);
+            *q = value;
+            found.error = found.error.max(error);
+        }
+        found.error.is_finite().then_some(found)
     }
 
     /// w, as the root of a margin, and the state at a place of the course that the motion has passed; the prediction
@@ -160,23 +142,67 @@ impl<M: Mechanism> Follower<M> {
     }
 }
 
-/// The weights of the values at `places` in the interpolating polynomial at 0.
-fn weights<const N: usize>(places: &[f64; N]) -> [f64; N] {
-    core::array::from_fn(|k| {
-        let others = places.iter().enumerate().filter(|(j, _)| *j != k);
-        others.map(|(_, other)| other / (other - places[k])).product()
-    })
+/// The next place on the way back from a limit near `at`, in steps that grow with the distance, and never before the
+/// start of the course if `stops_there`.
+fn farther_back((at, s): (f64, f64), start: f64, stops_there: bool) -> f64 {
+    let least = 4.0 * f64::EPSILON * at.abs().max(start.abs());
+    let stride = if (at - s).abs() > least { at - s } else { least.copysign(at - start) };
+    if stops_there && (stride > 0.0) == (s - stride < start) { start } else { s - stride }
+}
+
+/// A number of every sample, the nearest to the limit first.
+type Samples = [f64; SAMPLES];
+
+/// The value at the limit, w = 0, and the change that leaving out the farthest sample causes, relative to 1 plus the
+/// size of the values.
+fn extrapolated(w: &Samples, values: &Samples) -> (f64, f64) {
+    let (found, other) = sums(w, values);
+    (values[0] + found, (found - other).abs() / (1.0 + values[0].abs()))
+}
+
+/// The differences between the value at w = 0 and the first one: by all samples, and by all but the farthest.
+fn sums(w: &Samples, values: &Samples) -> (f64, f64) {
+    let sum = |count: usize| {
+        let terms = (0..count).map(|k| weight(&w[..count], k) * (values[k] - values[0]));
+        terms.sum::<f64>()
+    };
+    (sum(SAMPLES), sum(SAMPLES - 1))
+}
+
+/// The place of the limit, the change that leaving out the farthest sample causes, relative to the interval, and the
+/// kind of limit, where it is clear.
+fn at_limit(w: &Samples, places: &Samples, reach: f64) -> (f64, f64, Option<LimitKind>) {
+    let (found, other) = sums(w, places);
+    let place = places[0] + found;
+    // At a fold the slope ds/dw is 0, and w is proportional to the square root of the distance.
+    let slope = |k: usize| (places[k] - place) / w[k];
+    let slope_at_0: f64 = (0..SAMPLES).map(|k| weight(w, k) * slope(k)).sum();
+    let is_flat = slope_at_0.abs() < FLAT * slope(SAMPLES - 1).abs();
+    let [near, far] = [SAMPLES / 2, SAMPLES - 1].map(|k| (w[k], (places[k] - place).abs()));
+    let is_root = far.1 * near.0 * Scalar::sqrt(near.0) > near.1 * far.0 * Scalar::sqrt(far.0);
+    let kind = match (is_flat, is_root) {
+        (true, true) => Some(LimitKind::DeadCentre),
+        (false, false) => Some(LimitKind::BranchPoint),
+        _ => None,
+    };
+    (place, ((found - other) / reach).abs(), kind)
+}
+
+/// The weight of the value at `places[k]` in the interpolating polynomial at 0.
+fn weight(places: &[f64], k: usize) -> f64 {
+    let others = places.iter().enumerate().filter(|(j, _)| *j != k);
+    others.map(|(_, other)| other / (other - places[k])).product()
 }
 
 #[cfg(test)]
 mod tests {
-    use super::weights;
+    use super::weight;
 
     #[test]
     fn a_polynomial_of_lower_degree_is_met() {
         let places = [0.1, 0.15, 0.3, 0.45, 0.7];
         let f = |x: f64| 3.0 + x * (2.0 - x * (1.0 + x * (4.0 - 5.0 * x)));
-        let at_0: f64 = weights(&places).iter().zip(places).map(|(weight, x)| weight * f(x)).sum();
+        let at_0: f64 = (0..places.len()).map(|k| weight(&places, k) * f(places[k])).sum();
         assert!((at_0 - 3.0).abs() < 1e-12, "{at_0}");
     }
 }

@@ -6,7 +6,7 @@
 use crate::mechanism::{LengthError, Mechanism};
 use crate::plan::Plan;
 use crate::scalar::Scalar;
-use crate::scalar::compare::Compare;
+use crate::scalar::compare::{Compare, all_above};
 use crate::signal::Instant;
 use crate::workspace::Array;
 
@@ -91,7 +91,7 @@ impl<M: Mechanism, V: Compare> Closures<M, V> {
     #[inline]
     pub(crate) fn modes(&self) -> Modes<M, V> {
         let mut modes = Modes::filled(V::from_f64(0.0));
-        modes.as_mut().iter_mut().zip(self.as_ref()).for_each(|(mode, closure)| *mode = closure.direction());
+        write_directions(self.as_ref(), modes.as_mut());
         modes
     }
 }
@@ -115,21 +115,13 @@ impl<M: Mechanism, V: Compare> Margins<M, V> {
     #[cfg(any(feature = "std", all(feature = "simd", feature = "alloc")))]
     #[inline(always)]
     pub(crate) fn least(&self) -> V {
-        self.as_ref().iter().fold(V::from_f64(1.0), |least, margin| least.least(*margin))
+        least_of(self.as_ref())
     }
 
     /// Writes |w| of every group; returns the smallest.
     #[inline(always)]
     pub(crate) fn write_distances(&self, distances: &mut Distances<M, V>) -> V {
-        let plan = &M::model().plan;
-        let margins = self.as_ref();
-        let mut least = V::from_f64(1.0);
-        for (sign, distance) in distances.as_mut().iter_mut().enumerate() {
-            let Some(margin) = plan.margin_of_sign(sign) else { continue };
-            *distance = margins[margin].abs().sqrt();
-            least = least.least(*distance);
-        }
-        least
+        write_roots(&M::model().plan, self.as_ref(), distances.as_mut())
     }
 }
 
@@ -137,14 +129,44 @@ impl<M: Mechanism> Margins<M> {
     /// True where all margins are large enough for the solution to be valid.
     #[inline]
     pub(crate) fn are_good(&self) -> bool {
-        // The loop has no early exit, so that it vectorises.
-        self.as_ref().iter().fold(true, |all, margin| all & (*margin > Plan::SMALLEST_MARGIN))
+        all_above(self.as_ref(), Plan::SMALLEST_MARGIN)
     }
 
     /// The index of the first margin that is too small.
     pub(crate) fn first_bad(&self) -> Option<usize> {
-        self.as_ref().iter().position(|margin| *margin <= Plan::SMALLEST_MARGIN)
+        first_small(self.as_ref())
     }
+}
+
+// These do not depend on the mechanism, so that they are compiled once for all.
+
+/// Writes the signs of closures.
+#[inline]
+fn write_directions<V: Compare>(closures: &[V], modes: &mut [V]) {
+    modes.iter_mut().zip(closures).for_each(|(mode, closure)| *mode = closure.direction());
+}
+
+/// The smallest number, at most 1; NaN is ignored.
+#[cfg(any(feature = "std", all(feature = "simd", feature = "alloc")))]
+#[inline]
+fn least_of<V: Compare>(margins: &[V]) -> V {
+    margins.iter().fold(V::from_f64(1.0), |least, margin| least.least(*margin))
+}
+
+/// Writes the root of the margin of every group; returns the smallest, at most 1.
+#[inline]
+fn write_roots<V: Compare>(plan: &Plan, margins: &[V], distances: &mut [V]) -> V {
+    let mut least = V::from_f64(1.0);
+    for (sign, distance) in distances.iter_mut().enumerate() {
+        let Some(margin) = plan.margin_of_sign(sign) else { continue };
+        *distance = margins[margin].abs().sqrt();
+        least = least.least(*distance);
+    }
+    least
+}
+
+fn first_small(margins: &[f64]) -> Option<usize> {
+    margins.iter().position(|margin| *margin <= Plan::SMALLEST_MARGIN)
 }
 
 #[cfg(test)]

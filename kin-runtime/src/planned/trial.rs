@@ -1,11 +1,12 @@
 //! The trial state: the solution of the plan at an instant, and the check whether it is on the branch of the motion.
 
-use super::branch::{certainty_of, may_dip};
+use super::branch::{first_uncertain, one_may_dip};
 use super::follower::{Follower, Poses};
 use super::lists::Closures;
 use super::passed::{self, Passed};
 use crate::mechanism::{LengthError, Mechanism};
 use crate::plan::{Depth, Solved};
+use crate::scalar::compare::all_finite;
 use crate::signal::Instant;
 
 impl<M: Mechanism> Follower<M> {
@@ -20,10 +21,8 @@ impl<M: Mechanism> Follower<M> {
         let depth = Depth::Acceleration;
         mechanism.solve_with(parameters.as_ref(), at, modes, predicted.as_ref(), depth, solved)?;
         let Poses { q, q_dot, q_ddot, margins } = &states[1 - *good];
-        // The loops have no early exit, so that they vectorise.
-        let finite = |numbers: &[f64]| numbers.iter().fold(true, |all, x| all & x.is_finite());
-        let all = margins.are_good() & finite(q.as_ref()) & finite(q_dot.as_ref()) & finite(q_ddot.as_ref());
-        Ok(all & at.t.is_finite())
+        let finite = all_finite(q.as_ref()) & all_finite(q_dot.as_ref()) & all_finite(q_ddot.as_ref());
+        Ok(margins.are_good() & finite & at.t.is_finite())
     }
 
     /// Solves by the plan with other signs of closures, for a motion that has passed limits of the rows that the plan
@@ -32,8 +31,7 @@ impl<M: Mechanism> Follower<M> {
     #[inline(never)]
     pub(super) fn retry_in_other_modes(&mut self, mechanism: &M, at: &Instant<'_>) -> Result<bool, LengthError> {
         let plan = &M::model().plan;
-        let margins = self.states[1 - self.good].margins;
-        if !passed::is_missed(plan, |place| margins.as_ref()[place]) {
+        if !passed::is_missed(plan, self.states[1 - self.good].margins.as_ref()) {
             return Ok(false);
         }
         let kept = self.branch.modes;
@@ -65,8 +63,8 @@ impl<M: Mechanism> Follower<M> {
         }
         let q = &self.states[1 - self.good].q;
         let found = Closures::at(mechanism, self.parameters.as_ref(), at, q.as_ref())?;
-        let mut groups = self.branch.modes.as_ref().iter().zip(found.as_ref()).skip(plan.modes.len());
-        Ok(groups.all(|(mode, found)| mode * found > 0.0))
+        let iterated = plan.modes.len()..plan.signs();
+        Ok(have_signs(&self.branch.modes.as_ref()[iterated.clone()], &found.as_ref()[iterated]))
     }
 
     /// True if every group agrees with its prediction; false where a group may have reached its limit and returned, and
@@ -79,10 +77,8 @@ impl<M: Mechanism> Follower<M> {
         at: &Instant<'_>,
         resolution: f64,
     ) -> Result<bool, LengthError> {
-        let plan = &M::model().plan;
-        let (before, now) = (self.branch.distances.as_ref(), self.distances.as_ref());
         let is_resolved = resolution >= 0.0;
-        if !is_resolved || (0..plan.signs()).any(|sign| may_dip(before[sign], now[sign])) {
+        if !is_resolved || one_may_dip(self.branch.distances.as_ref(), self.distances.as_ref()) {
             return Ok(false);
         }
         self.uncertain(mechanism, at, self.predicted.as_ref()).map(|uncertain| uncertain.is_none())
@@ -97,11 +93,11 @@ impl<M: Mechanism> Follower<M> {
     ) -> Result<Option<usize>, LengthError> {
         let of = |q: &[f64]| Closures::at(mechanism, self.parameters.as_ref(), at, q);
         let (foretold, found) = (of(predicted)?, of(self.states[1 - self.good].q.as_ref())?);
-        let (modes, foretold, found) = (self.branch.modes.as_ref(), foretold.as_ref(), found.as_ref());
-        let on_branch = |group: usize| {
-            let now = modes[group] * found[group];
-            now > 0.0 && certainty_of(now, modes[group] * foretold[group]) >= 0.0
-        };
-        Ok((0..modes.len()).find(|group| !on_branch(*group)))
+        Ok(first_uncertain(self.branch.modes.as_ref(), foretold.as_ref(), found.as_ref()))
     }
+}
+
+/// True if all closures have the signs of their modes.
+fn have_signs(modes: &[f64], closures: &[f64]) -> bool {
+    modes.iter().zip(closures).all(|(mode, closure)| mode * closure > 0.0)
 }

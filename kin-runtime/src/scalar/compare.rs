@@ -34,3 +34,17 @@ impl Compare for f64 {
         }
     }
 }
+
+// The loops have no early exit, so that they vectorise.
+
+/// True if all numbers are finite.
+#[inline]
+pub(crate) fn all_finite(numbers: &[f64]) -> bool {
+    numbers.iter().fold(true, |all, x| all & x.is_finite())
+}
+
+/// True if all numbers are above a limit; false where one is NaN.
+#[inline]
+pub(crate) fn all_above(numbers: &[f64], limit: f64) -> bool {
+    numbers.iter().fold(true, |all, x| all & (*x > limit))
+}

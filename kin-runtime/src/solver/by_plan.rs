@@ -7,29 +7,28 @@
 //! group with guessed coordinates takes the closure that is nearer to them, group by group in the order of the plan. If
 //! nothing is guessed of a group, the general path is used.
 
+use super::guessed_modes::Guess;
 use super::{Position, Solver};
 use crate::analysis::poses::{write_coordinates, write_poses};
 use crate::equations::contact::has_curves;
 use crate::equations::residual::{Row, Tolerances, closed, closed_position, write_lengths, write_sizes};
 use crate::equations::system::Parts;
 use crate::mechanism::Mechanism;
-use crate::model::{Component, CoordinateKind, JointKind, Model, Role};
-use crate::plan::{Depth, Solved, StepKind};
+use crate::model::{JointKind, Model, Role};
+use crate::plan::{Depth, Solved};
 #[cfg(feature = "design")]
 use crate::planned::PlanError;
 use crate::planned::follower::{Follower, Poses};
 use crate::planned::lists::{Closures, Margins, Modes};
+use crate::scalar::compare::{all_above, all_finite};
 use crate::state::State;
-use crate::workspace::{Array, Evaluation, Instant, Subset};
+use crate::workspace::{Array, Evaluation, Instant, Signal, Subset};
 
 /// The start of the plan: its modes, and a configuration within half a turn of which the angles of the result are.
 struct Start<M: Mechanism> {
     q: M::Coordinates<f64>,
     modes: Modes<M>,
 }
-
-/// If the squared distances of both closures from a guess differ by less than this, the guess does not decide the mode.
-const UNDECIDED: f64 = 1e-9;
 
 impl<M: Mechanism> Solver<'_, M> {
     /// The state that the guesses lead to; none if the general path must be used.
@@ -84,12 +83,9 @@ impl<M: Mechanism> Solver<'_, M> {
 
     /// True if the plan determines all coordinates and the geometry of the joints is not degenerate.
     pub(super) fn goes_by_plan(&self, at: &Instant<'_>) -> bool {
-        let plan = &M::model().plan;
-        let usable = self.options.use_plan && plan.exists() && self.given.is_empty();
-        let sound = || !has_curves(M::model()) && (!has_sizes(M::model()) || self.is_sound(at));
-        let signals = at.inputs.iter().flat_map(|u| [u.value, u.rate, u.acceleration]);
-        let finite = at.t.is_finite() && signals.into_iter().all(f64::is_finite);
-        usable && finite && self.options.check().is_ok() && at.inputs.len() == M::INPUTS && sound()
+        let model = M::model();
+        let usable = self.options.use_plan && self.given.is_empty() && self.options.check().is_ok();
+        usable && fits(model, at) && (!has_sizes(model) || self.is_sound(at))
     }
 
     /// True if no dimension of a joint is degenerate at these parameters.
@@ -100,24 +96,12 @@ impl<M: Mechanism> Solver<'_, M> {
         if self.mechanism.write_geometry(parameters.as_ref(), at, &mut numbers).is_err() {
             return false;
         }
-        model.joints.iter().all(|joint| {
-            let radii = joint.geometry.iter().filter(|piece| piece.role == Role::Radius);
-            let sum: f64 = radii.filter_map(|piece| numbers.get(piece.offset)).sum();
-            let has_centres = joint.kind != JointKind::RollingOnDisc || sum != 0.0;
-            has_centres
-                && joint.geometry.iter().all(|piece| match (piece.role, numbers.get(piece.offset..)) {
-                    (Role::Axis, Some([x, y, ..])) => (x * x + y * y - 1.0).abs() <= 1e-9,
-                    (Role::Radius, Some([radius, ..])) => *radius != 0.0,
-                    (Role::Value, Some([value, ..])) => value.is_finite() && (*value >= 0.0 || !joint.keeps_distance()),
-                    _ => true,
-                })
-        })
+        are_sound(model, &numbers)
     }
 
     /// A complete start and its modes.
     fn start_of(&self, parameters: &M::Parameters<f64>, at: &Instant<'_>, start: &[f64]) -> Option<Start<M>> {
-        let finite = |numbers: &[f64]| numbers.iter().all(|x| x.is_finite());
-        if !finite(parameters.as_ref()) || !finite(start) {
+        if !all_finite(parameters.as_ref()) || !all_finite(start) {
             return None;
         }
         let modes = Closures::at(self.mechanism, parameters.as_ref(), at, start).ok()?.modes();
@@ -127,57 +111,22 @@ impl<M: Mechanism> Solver<'_, M> {
 
     /// The start that the guesses stand for.
     fn start_of_guess(&self, parameters: &M::Parameters<f64>, at: &Instant<'_>) -> Option<Start<M>> {
-        let plan = &M::model().plan;
-        // NaN for coordinates without a guess.
         let guess = self.guessed(parameters)?;
-        let finite = |numbers: &[f64]| numbers.iter().all(|x| x.is_finite());
-        let guesses = self.guesses.iter().all(|(_, guess)| guess.is_finite());
-        if !finite(parameters.as_ref()) || !guesses {
+        if !all_finite(parameters.as_ref()) {
             return None;
         }
-        let start = M::Coordinates::<f64>::generate(|k| {
-            let guess = guess.as_ref()[k];
-            if guess.is_nan() { 0.0 } else { guess }
-        });
-        let is_guessed = |k: usize| !guess.as_ref()[k].is_nan();
-        for step in plan.steps {
-            if let StepKind::Newton(unknowns) = step.kind
-                && !step.coordinates.iter().take(unknowns).all(|&(k, _)| is_guessed(k))
-            {
-                return None;
-            }
-        }
-        if self.modes.iter().any(|(_, place, _)| place.is_none()) {
-            return None;
-        }
-        let mut modes = Modes::filled(1.0);
-        for (place, mode) in plan.modes.iter().enumerate() {
-            if let Some((.., sign)) = self.modes.iter().rev().find(|(_, asked, _)| *asked == Some(place)) {
-                modes.as_mut()[place] = sign.value();
-                continue;
-            }
-            let coordinates = plan.steps.get(mode.step)?.coordinates;
-            if !coordinates.iter().any(|&(k, _)| is_guessed(k)) {
-                return None;
-            }
-            let [plus, minus] = [1.0, -1.0].map(|sign| {
-                modes.as_mut()[place] = sign;
-                let q = self.closed_in(parameters, at, &start, &modes)?;
-                let guessed = coordinates.iter().map(|&(k, _)| k).filter(|&k| is_guessed(k));
-                Some(guessed.map(|k| squared_distance::<M>(k, start.as_ref()[k], q.as_ref()[k])).sum::<f64>())
-            });
-            let (plus, minus) = (plus?, minus?);
-            // False for NaN, too.
-            let is_decided = (plus - minus).abs() > UNDECIDED;
-            if !is_decided {
-                return None;
-            }
-            modes.as_mut()[place] = if plus < minus { 1.0 } else { -1.0 };
-        }
+        let mut start = guess;
+        without_nan(start.as_mut());
+        let (mut modes, mut q) = (Modes::<M>::filled(1.0), start);
+        Guess { model: M::model(), q: guess.as_ref(), modes: &self.modes }.write_modes(
+            modes.of_closures_mut(),
+            q.as_mut(),
+            &mut |modes, q| self.solved(parameters, at, start.as_ref(), modes, q, &mut Margins::filled(0.0)),
+        )?;
         Some(Start { q: start, modes })
     }
 
-    /// The guesses, NaN for coordinates without one; none if there is one for a coordinate that does not exist.
+    /// The guesses, NaN for coordinates without one; none if one is not finite or for a coordinate that does not exist.
     fn guessed(&self, parameters: &M::Parameters<f64>) -> Option<M::Coordinates<f64>> {
         let own = M::model().guesses;
         // There are never more guesses than coordinates.
@@ -185,43 +134,25 @@ impl<M: Mechanism> Solver<'_, M> {
         let values = values.as_mut().get_mut(..own.len())?;
         self.mechanism.write_guesses(parameters.as_ref(), values).ok()?;
         let mut guess = M::Coordinates::<f64>::filled(f64::NAN);
-        let all = own.iter().copied().zip(values.iter().copied()).chain(self.guesses.iter().copied());
-        for (coordinate, value) in all {
-            *guess.as_mut().get_mut(coordinate)? = value;
-        }
+        write_guess(own, values, &self.guesses, guess.as_mut())?;
         Some(guess)
     }
 
-    /// q by the plan, whatever its margins.
-    fn closed_in(
-        &self,
-        parameters: &M::Parameters<f64>,
-        at: &Instant<'_>,
-        start: &M::Coordinates<f64>,
-        modes: &Modes<M>,
-    ) -> Option<M::Coordinates<f64>> {
-        self.solved(parameters, at, start, modes, &mut Margins::filled(0.0))
-    }
-
-    /// q by the plan, with the margins of positions.
+    /// Writes q by the plan, and the margins of positions, whatever these are.
     pub(super) fn solved(
         &self,
         parameters: &M::Parameters<f64>,
         at: &Instant<'_>,
-        start: &M::Coordinates<f64>,
-        modes: &Modes<M>,
+        start: &[f64],
+        modes: &[f64],
+        q: &mut [f64],
         margins: &mut Margins<M>,
-    ) -> Option<M::Coordinates<f64>> {
-        let plan = &M::model().plan;
-        let [mut q, mut q_dot, mut q_ddot] = [M::Coordinates::<f64>::filled(0.0); 3];
-        let solved =
-            Solved { q: q.as_mut(), q_dot: q_dot.as_mut(), q_ddot: q_ddot.as_mut(), margins: margins.as_mut() };
-        let modes = modes.of_closures();
-        let (parameters, start) = (parameters.as_ref(), start.as_ref());
+    ) -> Option<()> {
+        let [mut q_dot, mut q_ddot] = [M::Coordinates::<f64>::filled(0.0); 2];
+        let solved = Solved { q, q_dot: q_dot.as_mut(), q_ddot: q_ddot.as_mut(), margins: margins.as_mut() };
         // Margins of iterations and of redundant rows need velocities.
-        let depth = if plan.orientations.is_empty() { Depth::Position } else { Depth::Velocity };
-        self.mechanism.solve_with(parameters, at, modes, start, depth, solved).ok()?;
-        Some(q)
+        let depth = if M::model().plan.orientations.is_empty() { Depth::Position } else { Depth::Velocity };
+        self.mechanism.solve_with(parameters.as_ref(), at, modes, start, depth, solved).ok()
     }
 
     /// The state that the plan finds at an instant, if it satisfies all rows.
@@ -245,7 +176,7 @@ impl<M: Mechanism> Solver<'_, M> {
         let modes = start.modes.of_closures();
         let depth = Depth::Acceleration;
         self.mechanism.solve_with(parameters.as_ref(), at, modes, start.q.as_ref(), depth, solved).ok()?;
-        if !margins.as_ref().iter().fold(true, |all, margin| all & (*margin > FAR)) {
+        if !all_above(margins.as_ref(), FAR) {
             // Near a limit, or if redundant rows contradict, the follower decides.
             let follower = Follower::begin(self.mechanism, *parameters, at, start.q.as_ref(), start.modes).ok()?;
             *poses = *follower.state();
@@ -257,9 +188,9 @@ impl<M: Mechanism> Solver<'_, M> {
     fn finished(&self, parameters: &M::Parameters<f64>, at: &Instant<'_>, poses: &Poses<M>) -> Option<State> {
         let model = M::model();
         let solution = [poses.q.as_ref(), poses.q_dot.as_ref(), poses.q_ddot.as_ref()];
-        let [q, q_dot, q_ddot] = solution;
+        let [q, q_dot, _] = solution;
         let mut workspace = M::workspace::<f64>();
-        let residual = if poses.margins.as_ref().iter().all(|margin| *margin > FAR) {
+        let residual = if all_above(poses.margins.as_ref(), FAR) {
             // Far from all limits, rates need no check if q satisfies the rows.
             self.mechanism.evaluate_with(parameters.as_ref(), Subset::POSITION, at, q, q_dot, &mut workspace).ok()?;
             self.position_residual(&parts(&workspace), q)?
@@ -267,23 +198,7 @@ impl<M: Mechanism> Solver<'_, M> {
             self.mechanism.evaluate_with(parameters.as_ref(), Subset::ALL, at, q, q_dot, &mut workspace).ok()?;
             self.residual(&parts(&workspace), solution)?
         };
-        if !solution.iter().all(|numbers| numbers.iter().fold(true, |all, x| all & x.is_finite())) {
-            return None;
-        }
-        let mut state = State {
-            model,
-            t: at.t,
-            inputs: at.inputs.to_vec(),
-            q: q.to_vec(),
-            q_dot: q_dot.to_vec(),
-            q_ddot: q_ddot.to_vec(),
-            bodies: Vec::with_capacity(model.bodies.len()),
-            points: Vec::with_capacity(model.points.len()),
-            residual,
-            iterations: 1,
-            condition: None,
-            degrees_of_freedom_left: 0,
-        };
+        let mut state = state_of_numbers(model, at, solution, residual)?;
         if model.poses_are_coordinates() {
             write_coordinates(&mut state);
         } else {
@@ -311,24 +226,15 @@ impl<M: Mechanism> Solver<'_, M> {
         let mut lengths = M::Coordinates::<f64>::filled(0.0);
         write_lengths(model, lengths.as_mut());
         let tolerances = Tolerances { position: self.options.tolerance, rates: self.options.consistency_tolerance };
-        // Usually the rows fit on the stack.
-        let mut few = [Row::default(); FEW];
-        let mut many = Vec::new();
-        let rows = match few.get_mut(..M::ROWS) {
-            Some(rows) => rows,
-            None => {
-                many.resize(M::ROWS, Row::default());
-                &mut many[..]
-            }
-        };
-        closed(model, parts, solution, lengths.as_ref(), tolerances, rows)
+        all_closed(model, parts, solution, lengths.as_ref(), tolerances)
     }
 
     /// The position by the plan, if it satisfies all rows.
     fn position_of(&self, parameters: &M::Parameters<f64>, at: &Instant<'_>, start: &Start<M>) -> Option<Position> {
         let model = M::model();
         let mut margins = Margins::filled(0.0);
-        let q = self.solved(parameters, at, &start.q, &start.modes, &mut margins)?;
+        let mut q = M::Coordinates::<f64>::filled(0.0);
+        self.solved(parameters, at, start.q.as_ref(), start.modes.of_closures(), q.as_mut(), &mut margins)?;
         // Rows that the plan leaves out are checked with rates, which positions alone do not have.
         if !margins.are_good() || model.plan.watched().next().is_some() {
             return None;
@@ -354,18 +260,91 @@ fn parts<R: AsRef<[f64]>, J: AsRef<[f64]>>(evaluation: &Evaluation<R, J>) -> Par
     Parts { phi, phi_q, phi_t: evaluation.phi_t(), gamma: evaluation.gamma() }
 }
 
+/// True if the plan can be used for this mechanism at such an instant.
+fn fits(model: &Model, at: &Instant<'_>) -> bool {
+    let finite = |u: &Signal| u.value.is_finite() && u.rate.is_finite() && u.acceleration.is_finite();
+    let is_usable = at.t.is_finite() && at.inputs.len() == model.inputs.len() && at.inputs.iter().all(finite);
+    is_usable && model.plan.exists() && !has_curves(model)
+}
+
 /// True if a joint has an axis, a radius or a length that may be degenerate for some parameters.
 fn has_sizes(model: &Model) -> bool {
     let pieces = model.joints.iter().flat_map(|joint| joint.geometry);
     pieces.into_iter().any(|piece| matches!(piece.role, Role::Axis | Role::Radius | Role::Value))
 }
 
-/// The squared distance of a coordinate from its guess; of lengths relative to their size.
-fn squared_distance<M: Mechanism>(k: usize, guess: f64, found: f64) -> f64 {
-    let square = (guess - found) * (guess - found);
-    match M::model().coordinates[k].kind {
-        CoordinateKind::Pose { component: Component::Phi, .. } => square,
-        CoordinateKind::Pose { .. } => square / (guess * guess + found * found + f64::MIN_POSITIVE),
-        CoordinateKind::Scalar => square / (1.0 + guess * guess),
+/// True if no dimension of a joint is degenerate; `numbers` is the geometry.
+fn are_sound(model: &Model, numbers: &[f64]) -> bool {
+    model.joints.iter().all(|joint| {
+        let radii = joint.geometry.iter().filter(|piece| piece.role == Role::Radius);
+        let sum: f64 = radii.filter_map(|piece| numbers.get(piece.offset)).sum();
+        let has_centres = joint.kind != JointKind::RollingOnDisc || sum != 0.0;
+        has_centres
+            && joint.geometry.iter().all(|piece| match (piece.role, numbers.get(piece.offset..)) {
+                (Role::Axis, Some([x, y, ..])) => (x * x + y * y - 1.0).abs() <= 1e-9,
+                (Role::Radius, Some([radius, ..])) => *radius != 0.0,
+                (Role::Value, Some([value, ..])) => value.is_finite() && (*value >= 0.0 || !joint.keeps_distance()),
+                _ => true,
+            })
+    })
+}
+
+/// Writes the mechanism's own guesses and those of the caller, which prevail; none if one of these is not finite or for
+/// a coordinate that does not exist.
+fn write_guess(own: &[usize], values: &[f64], guesses: &[(usize, f64)], guess: &mut [f64]) -> Option<()> {
+    for (&coordinate, &value) in own.iter().zip(values) {
+        *guess.get_mut(coordinate)? = value;
     }
+    for &(coordinate, value) in guesses {
+        *guess.get_mut(coordinate)? = Some(value).filter(|value| value.is_finite())?;
+    }
+    Some(())
+}
+
+/// Writes 0 for coordinates without a guess.
+fn without_nan(guess: &mut [f64]) {
+    guess.iter_mut().filter(|guess| guess.is_nan()).for_each(|guess| *guess = 0.0);
+}
+
+/// A state without the motion of bodies and points; none if a number is not finite.
+fn state_of_numbers(model: &'static Model, at: &Instant<'_>, solution: [&[f64]; 3], residual: f64) -> Option<State> {
+    if !solution.iter().all(|numbers| all_finite(numbers)) {
+        return None;
+    }
+    let [q, q_dot, q_ddot] = solution.map(<[f64]>::to_vec);
+    Some(State {
+        model,
+        t: at.t,
+        inputs: at.inputs.to_vec(),
+        q,
+        q_dot,
+        q_ddot,
+        bodies: Vec::with_capacity(model.bodies.len()),
+        points: Vec::with_capacity(model.points.len()),
+        residual,
+        iterations: 1,
+        condition: None,
+        degrees_of_freedom_left: 0,
+    })
+}
+
+/// The largest residual if all rows are satisfied; otherwise none.
+fn all_closed(
+    model: &Model,
+    parts: &Parts<'_>,
+    solution: [&[f64]; 3],
+    lengths: &[f64],
+    tolerances: Tolerances,
+) -> Option<f64> {
+    // Usually the rows fit on the stack.
+    let mut few = [Row::default(); FEW];
+    let mut many = Vec::new();
+    let rows = match few.get_mut(..parts.phi.len()) {
+        Some(rows) => rows,
+        None => {
+            many.resize(parts.phi.len(), Row::default());
+            &mut many[..]
+        }
+    };
+    closed(model, parts, solution, lengths, tolerances, rows)
 }

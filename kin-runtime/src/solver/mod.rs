@@ -37,6 +37,7 @@ mod by_plan;
 mod certify;
 mod choices;
 mod contacts;
+mod guessed_modes;
 mod input_ranges;
 mod ranges;
 mod settings;
@@ -303,11 +304,8 @@ impl<'m, M: Mechanism> Solver<'m, M> {
 
     /// The guesses; an error if one of them is for a coordinate that does not exist.
     pub(crate) fn checked_guess(&self) -> Result<Vec<Option<f64>>, SolveError> {
-        let coordinates = M::COORDINATES;
-        match self.guesses.iter().find(|(index, _)| *index >= coordinates) {
-            Some(&(index, _)) => Err(SolveError::UnknownCoordinate { index, coordinates }),
-            None => Ok(self.guess()),
-        }
+        are_of_coordinates(&self.guesses, M::COORDINATES)?;
+        Ok(self.guess())
     }
 
     /// The guesses, and the indices of the modes that are asked for.
@@ -319,6 +317,14 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     pub(crate) fn equations(&self, at: &Instant<'_>) -> Result<Equations<'_>, SolveError> {
         let evaluator = Box::new(Evaluator::<_, M>::new(self.mechanism));
         Equations::new(evaluator, self.options, &self.given, self.inputs, at)
+    }
+}
+
+/// An error if a guess is for a coordinate that does not exist.
+fn are_of_coordinates(guesses: &[(usize, f64)], coordinates: usize) -> Result<(), SolveError> {
+    match guesses.iter().find(|(index, _)| *index >= coordinates) {
+        Some(&(index, _)) => Err(SolveError::UnknownCoordinate { index, coordinates }),
+        None => Ok(()),
     }
 }
 

@@ -3,6 +3,7 @@
 use super::Solver;
 use crate::analysis::forces::Sharing;
 use crate::mechanism::Mechanism;
+use crate::model::Model;
 use crate::observer::Observer;
 use crate::options::Options;
 use crate::planned::{ModeKey, Sign};
@@ -83,15 +84,20 @@ impl<'m, M: Mechanism> Solver<'m, M> {
         let mut values = vec![0.0; model.guesses.len()];
         let parameters = self.mechanism.parameters::<f64>();
         let written = self.mechanism.write_guesses(parameters.as_ref(), &mut values).is_ok();
-        let own = model.guesses.iter().copied().zip(values).filter(|_| written);
-        let mut guess = vec![None; model.coordinates.len()];
-        for (coordinate, value) in own.chain(self.guesses.iter().copied()) {
-            if let Some(place) = guess.get_mut(coordinate) {
-                *place = Some(value);
-            }
-        }
-        guess
+        overridden(model, if written { &values } else { &[] }, &self.guesses)
     }
+}
+
+/// The guesses of the mechanism, with these values, and those that override them, for every coordinate.
+fn overridden(model: &Model, values: &[f64], guesses: &[(usize, f64)]) -> Vec<Option<f64>> {
+    let own = model.guesses.iter().copied().zip(values.iter().copied());
+    let mut guess = vec![None; model.coordinates.len()];
+    for (coordinate, value) in own.chain(guesses.iter().copied()) {
+        if let Some(place) = guess.get_mut(coordinate) {
+            *place = Some(value);
+        }
+    }
+    guess
 }
 
 impl<M: Mechanism> Clone for Solver<'_, M> {

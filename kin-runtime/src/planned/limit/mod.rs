@@ -6,12 +6,12 @@
 //! margin, or its minimum.
 
 use super::error::{Limit, LimitKind, Located, PlanError};
-use super::extrapolate::Found;
-use super::follower::{Fault, Follower};
+use super::follower::{Fault, Follower, Poses};
 use super::step::Step;
 use super::walk::Blocked;
 use crate::course::Course;
 use crate::mechanism::Mechanism;
+use crate::model::Model;
 use crate::plan::{Depth, Plan, Solved, StepKind};
 use crate::signal::{Instant, Signal};
 use crate::workspace::Array;
@@ -36,18 +36,7 @@ const SECTIONS: usize = 90;
 impl<M: Mechanism> Follower<M> {
     /// The error if the instant or a parameter is not finite.
     pub(super) fn unusable(&self, at: &Instant<'_>) -> Option<PlanError> {
-        let (model, t) = (M::model(), at.t);
-        let error = |what, index, name| Some(PlanError::NonFinite { what, index, name, t });
-        if !t.is_finite() {
-            return error("t", 0, "t");
-        }
-        for (index, u) in at.inputs.iter().enumerate() {
-            if ![u.value, u.rate, u.acceleration].iter().all(|x| x.is_finite()) {
-                return error("inputs", index, model.inputs.get(index).copied().unwrap_or(""));
-            }
-        }
-        let index = self.parameters.as_ref().iter().position(|x| !x.is_finite())?;
-        error("parameters", index, model.parameters.get(index).map_or("", |p| p.name))
+        unusable(M::model(), self.parameters.as_ref(), at)
     }
 
     /// The reason why the trial state is not valid: arguments are checked first, then the steps of the plan in their
@@ -58,37 +47,10 @@ impl<M: Mechanism> Follower<M> {
         if let Some(error) = self.unusable(at) {
             return error;
         }
-        let model = M::model();
-        let tried = &self.states[1 - self.good];
-        let t = at.t;
-        let error = |what, index, name| PlanError::NonFinite { what, index, name, t };
-        let place = |numbers: &[f64]| numbers.iter().position(|x| !x.is_finite());
-        let coordinate = |index: usize| model.coordinates.get(index).map_or("", |c| c.name);
-        if let Some(index) = place(self.predicted.as_ref()).filter(|_| self.anew) {
-            // The q from which a restart begins.
-            return error("q", index, coordinate(index));
-        }
-        let margins = tried.margins.as_ref();
-        for (mode, sign) in model.plan.modes.iter().zip(self.branch.modes.as_ref()) {
-            if sign.is_nan() && margins.get(mode.margin).is_some_and(|margin| *margin > Plan::SMALLEST_MARGIN) {
-                return PlanError::Undecided { t, mode: mode.name };
-            }
-        }
-        for (index, &margin) in margins.iter().enumerate() {
-            match Step::of_margin(model, index) {
-                Some(step) if margin <= Plan::SMALLEST_MARGIN => {
-                    return of_kind(t, Limit::new(step, margin));
-                }
-                _ if margin.is_nan() => return error("margins", index, ""),
-                _ => {}
-            }
-        }
-        for (what, numbers) in [("q", &tried.q), ("q_dot", &tried.q_dot), ("q_ddot", &tried.q_ddot)] {
-            if let Some(index) = place(numbers.as_ref()) {
-                return error(what, index, coordinate(index));
-            }
-        }
-        error("margins", 0, "")
+        let Poses { q, q_dot, q_ddot, margins } = &self.states[1 - self.good];
+        let start = if self.anew { self.predicted.as_ref() } else { &[] };
+        let tried = [q.as_ref(), q_dot.as_ref(), q_ddot.as_ref()];
+        explain(M::model(), at.t, start, self.branch.modes.as_ref(), (tried, margins.as_ref()))
     }
 
     /// The reason why a walk to the instant `at` was stopped: the group at its limit, with the location of the limit.
@@ -125,14 +87,7 @@ impl<M: Mechanism> Follower<M> {
         let reached = course.at(blocked.places[0], inputs.as_mut());
         let Some(fault) = blocked.fault else { return (PlanError::TooManySteps { t: reached, t_refused: t }, last) };
         let plan = &M::model().plan;
-        let place = match fault {
-            Fault::Margin(place) => Some(place),
-            Fault::Sign(sign) => plan.margin_of_sign(sign),
-            Fault::Coarse | Fault::NonFinite => None,
-        };
-        let step = place.and_then(|place| Step::of_margin(M::model(), place).map(|step| (place, step)));
-        let Some((place, step)) = step else {
-            // No step of the plan is at its limit where the walk was stopped.
+        let Some((place, step)) = step_of(M::model(), fault) else {
             self.predicted = blocked.here.q;
             let why = match self.solve_in_modes(mechanism, at) {
                 Ok(false) => self.explain(at),
@@ -141,8 +96,7 @@ impl<M: Mechanism> Follower<M> {
             };
             return (why, last);
         };
-        let sign = (0..plan.signs()).find(|sign| plan.margin_of_sign(*sign) == Some(place));
-        let Some(sign) = sign else {
+        let Some(sign) = plan.sign_of_margin(place) else {
             let margin = self.margin_at(mechanism, course, blocked.places[1], place, blocked);
             return (of_kind(t, Limit { step, margin, located: Some(Located { at: reached, kind: None }) }), last);
         };
@@ -165,14 +119,18 @@ impl<M: Mechanism> Follower<M> {
         let is_there = closes && margin <= TOUCHES;
         let found = self.extrapolate(mechanism, course, (sign, s), blocked);
         self.limit = found.as_ref().map(|found| found.q);
-        let kind = match &found {
+        let extrapolated = found.as_ref().and_then(|found| found.kind);
+        let kind = match extrapolated {
             _ if is_there && least < -NO_MARGIN => Some(LimitKind::DeadCentre),
-            Some(Found { kind: Some(kind), .. }) => Some(*kind),
-            _ => is_there.then_some(LimitKind::BranchPoint),
+            Some(kind) => Some(kind),
+            None => is_there.then_some(LimitKind::BranchPoint),
         };
         // A minimum is accurate to half of the digits, a root of the margin to all of them.
         let is_root = is_there && kind == Some(LimitKind::DeadCentre);
-        let s = found.filter(|_| !is_root).map_or(s, |found| found.place);
+        let s = match &found {
+            Some(found) if !is_root => found.place,
+            _ => s,
+        };
         let limit_at = course.at(s, inputs.as_mut());
         // The margin at the instant requested says how far beyond its limit the group would be.
         let asked = self.margin_at(mechanism, course, course.ends()[1], place, blocked);
@@ -208,11 +166,25 @@ impl<M: Mechanism> Follower<M> {
 
     /// The place beyond the last place reached at which a margin is zero or has its minimum.
     fn locate(&mut self, mechanism: &M, course: &dyn Course, place: usize, blocked: &Blocked<M>) -> Spot {
-        let [from, refused] = blocked.places;
+        Spot::beyond(blocked.places, course.ends(), &mut |s| self.margin_at(mechanism, course, s, place, blocked))
+    }
+}
+
+/// A place at which a margin is zero or has its minimum.
+struct Spot {
+    s: f64,
+    /// The margin at that place.
+    margin: f64,
+    /// The smallest margin found.
+    least: f64,
+}
+
+impl Spot {
+    /// The place of a course between these ends at which a margin is zero or has its minimum, beyond the last place
+    /// reached; the next one could not be reached.
+    fn beyond([from, refused]: [f64; 2], [start, end]: [f64; 2], margin: &mut dyn FnMut(f64) -> f64) -> Self {
         // The limit may lie a little beyond the end of the course.
-        let [start, end] = course.ends();
         let end = end + (end - start);
-        let mut margin = |s: f64| self.margin_at(mechanism, course, s, place, blocked);
         // Moves away from the last place reached in growing steps, until the margin is not positive or grows again.
         let direction = if end < start { -1.0 } else { 1.0 };
         let least = LITTLE * (end - from).abs();
@@ -227,8 +199,8 @@ impl<M: Mechanism> Follower<M> {
             }
             let at_c = margin(c);
             if at_c <= 0.0 {
-                let (s, margin) = root(&mut margin, b, c);
-                return Spot { s, margin, least: at_c };
+                let (s, margin) = root(margin, b, c);
+                return Self { s, margin, least: at_c };
             }
             if at_c > at_b || beyond {
                 break;
@@ -236,19 +208,72 @@ impl<M: Mechanism> Follower<M> {
             (a, b, at_b) = (b, c, at_c);
             stride *= 2.0;
         }
-        let (lowest, least) = minimum(&mut margin, a, c);
-        let (s, margin) = if least < 0.0 { root(&mut margin, a, lowest) } else { (lowest, least) };
-        Spot { s, margin, least }
+        let (lowest, least) = minimum(margin, a, c);
+        let (s, margin) = if least < 0.0 { root(margin, a, lowest) } else { (lowest, least) };
+        Self { s, margin, least }
     }
 }
 
-/// A place at which a margin is zero or has its minimum.
-struct Spot {
-    s: f64,
-    /// The margin at that place.
-    margin: f64,
-    /// The smallest margin found.
-    least: f64,
+/// The error if the instant or a parameter is not finite.
+fn unusable(model: &Model, parameters: &[f64], at: &Instant<'_>) -> Option<PlanError> {
+    let t = at.t;
+    let error = |what, index, name| Some(PlanError::NonFinite { what, index, name, t });
+    if !t.is_finite() {
+        return error("t", 0, "t");
+    }
+    for (index, u) in at.inputs.iter().enumerate() {
+        if ![u.value, u.rate, u.acceleration].iter().all(|x| x.is_finite()) {
+            return error("inputs", index, model.inputs.get(index).copied().unwrap_or(""));
+        }
+    }
+    let index = parameters.iter().position(|x| !x.is_finite())?;
+    error("parameters", index, model.parameters.get(index).map_or("", |p| p.name))
+}
+
+/// The reason why a solution is not valid: `start` is the q from which a restart begins, `tried` are q, q̇, q̈ and the
+/// margins.
+fn explain(
+    model: &'static Model,
+    t: f64,
+    start: &[f64],
+    modes: &[f64],
+    (tried, margins): ([&[f64]; 3], &[f64]),
+) -> PlanError {
+    let error = |what, index, name| PlanError::NonFinite { what, index, name, t };
+    let place = |numbers: &[f64]| numbers.iter().position(|x| !x.is_finite());
+    let coordinate = |index: usize| model.coordinates.get(index).map_or("", |c| c.name);
+    if let Some(index) = place(start) {
+        return error("q", index, coordinate(index));
+    }
+    for (mode, sign) in model.plan.modes.iter().zip(modes) {
+        if sign.is_nan() && margins.get(mode.margin).is_some_and(|margin| *margin > Plan::SMALLEST_MARGIN) {
+            return PlanError::Undecided { t, mode: mode.name };
+        }
+    }
+    for (index, &margin) in margins.iter().enumerate() {
+        match Step::of_margin(model, index) {
+            Some(step) if margin <= Plan::SMALLEST_MARGIN => return of_kind(t, Limit::new(step, margin)),
+            _ if margin.is_nan() => return error("margins", index, ""),
+            _ => {}
+        }
+    }
+    for (what, numbers) in ["q", "q_dot", "q_ddot"].into_iter().zip(tried) {
+        if let Some(index) = place(numbers) {
+            return error(what, index, coordinate(index));
+        }
+    }
+    error("margins", 0, "")
+}
+
+/// The margin because of which a step was rejected, and the step of the plan to which it belongs; none where no step of
+/// the plan is at its limit.
+fn step_of(model: &'static Model, fault: Fault) -> Option<(usize, Step)> {
+    let place = match fault {
+        Fault::Margin(place) => place,
+        Fault::Sign(sign) => model.plan.margin_of_sign(sign)?,
+        Fault::Coarse | Fault::NonFinite => return None,
+    };
+    Step::of_margin(model, place).map(|step| (place, step))
 }
 
 /// The error of a step whose margin is not positive.
@@ -262,7 +287,7 @@ fn of_kind(t: f64, limit: Limit) -> PlanError {
 
 /// The place between `a`, where the function is positive, and `b`, where it is not, at which its sign changes; and its
 /// value there.
-fn root(f: &mut impl FnMut(f64) -> f64, mut a: f64, mut b: f64) -> (f64, f64) {
+fn root(f: &mut dyn FnMut(f64) -> f64, mut a: f64, mut b: f64) -> (f64, f64) {
     let mut at_b = f(b);
     for _ in 0..HALVINGS {
         let middle = 0.5 * (a + b);
@@ -280,7 +305,7 @@ fn root(f: &mut impl FnMut(f64) -> f64, mut a: f64, mut b: f64) -> (f64, f64) {
 }
 
 /// The minimum of a function between two places by golden section search (Kiefer 1953), and its value there.
-fn minimum(f: &mut impl FnMut(f64) -> f64, mut a: f64, mut b: f64) -> (f64, f64) {
+fn minimum(f: &mut dyn FnMut(f64) -> f64, mut a: f64, mut b: f64) -> (f64, f64) {
     const SHARE: f64 = 0.618_033_988_749_894_9;
     let (mut c, mut d) = (b - SHARE * (b - a), a + SHARE * (b - a));
     let (mut at_c, mut at_d) = (f(c), f(d));

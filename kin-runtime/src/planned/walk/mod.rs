@@ -5,7 +5,7 @@
 //! distance from its limit. Otherwise the step is halved. So a group whose two closures come near one another is
 //! followed in steps that resolve the bend, and a group that reaches its limit stops the walk just before it.
 
-use super::branch::{may_dip, resolves};
+use super::branch::{first_dip, one_may_dip, resolves};
 use super::follower::{Control, Fault, Follower, NEGLIGIBLE, Poses, most_turn};
 use super::lists::{Closures, Modes};
 use super::predict::{parabola, turned};
@@ -14,10 +14,6 @@ use crate::mechanism::{LengthError, Mechanism};
 use crate::scalar::Scalar;
 use crate::signal::{Instant, Signal};
 use crate::workspace::Array;
-
-/// Smallest distance of a group from its limit in the middle of a step, relative to the smaller of its distances at
-/// both ends.
-const MIDDLE: f64 = 0.25;
 
 /// The place at which a walk was stopped.
 pub(crate) struct Blocked<M: Mechanism> {
@@ -49,7 +45,7 @@ impl<M: Mechanism> Follower<M> {
                 here = self.states[1 - self.good];
             }
         }
-        let (mut proposed, mut smallest, mut nearest) = (f64::INFINITY, None, self.nearest);
+        let (mut proposed, mut smallest, mut nearest) = (f64::INFINITY, f64::NAN, self.nearest);
         for _ in 0..control.max_steps {
             let remaining = end - s;
             if remaining == 0.0 {
@@ -57,18 +53,10 @@ impl<M: Mechanism> Follower<M> {
             }
             let most = most_turn(control, nearest);
             let natural = natural_step([here.q_dot.as_ref(), here.q_ddot.as_ref()], self.weights.as_ref(), most);
-            let smallest = *smallest.get_or_insert_with(|| {
-                let shortest = control.min_step * natural.min(remaining.abs());
-                shortest.max(4.0 * f64::EPSILON * s.abs().max(end.abs()))
-            });
-            let length = natural.min(proposed);
-            let share = remaining.abs() / length;
-            // The remaining distance is split equally between the last two steps, so that none of them is very short.
-            let next = match share {
-                share if share <= 1.0 => end,
-                share if share < 2.0 => s + 0.5 * remaining,
-                _ => s + length.copysign(remaining),
-            };
+            if smallest.is_nan() {
+                smallest = shortest_step(control, natural, [s, end]);
+            }
+            let (next, share) = next_place([s, end], natural.min(proposed));
             let blocked = |fault| Blocked { places: [s, next], here, fault: Some(fault) };
             if next == s {
                 return Err(blocked(Fault::Coarse));
@@ -137,7 +125,7 @@ impl<M: Mechanism> Follower<M> {
         if result.is_err() {
             self.branch.modes = modes;
         }
-        result.map(|effort| if effort <= 0.3 / 64.0 { 4.0 } else { (0.3 / effort).powf(1.0 / 3.0).clamp(0.5, 4.0) })
+        Ok(growth(result?))
     }
 
     /// Solves at the end of a step and checks it; returns its correction relative to the largest one allowed.
@@ -150,11 +138,10 @@ impl<M: Mechanism> Follower<M> {
         (here, kept): (&Poses<M>, &Modes<M>),
         [allowed, turn, nearest]: [f64; 3],
     ) -> Result<f64, Fault> {
-        let wrong = |_: LengthError| Fault::NonFinite;
-        let mut good = self.solve_at(mechanism, course, next, inputs).map_err(wrong)?;
+        let mut good = self.solve_at(mechanism, course, next, inputs)?;
         let t = course.at(next, inputs.as_mut());
         if !good && !course.is_frozen() {
-            good = self.retry_in_other_modes(mechanism, &Instant { t, inputs: inputs.as_ref() }).map_err(wrong)?;
+            good = self.retry_in_other_modes(mechanism, &Instant { t, inputs: inputs.as_ref() })?;
         }
         if !good {
             return Err(self.fault());
@@ -171,28 +158,19 @@ impl<M: Mechanism> Follower<M> {
             return Err(Fault::Sign(self.nearest_group()));
         }
         let at = Instant { t, inputs: inputs.as_ref() };
-        if let Some(sign) = self.uncertain(mechanism, &at, self.predicted.as_ref()).map_err(wrong)? {
+        if let Some(sign) = self.uncertain(mechanism, &at, self.predicted.as_ref())? {
             return Err(Fault::Sign(sign));
         }
-        let signs = M::model().plan.signs();
-        let (before, now) = (self.branch.distances, self.distances);
-        let near = |sign: &usize| may_dip(before.as_ref()[*sign], now.as_ref()[*sign]);
-        if (0..signs).any(|sign| near(&sign)) {
+        let distances = [self.branch.distances.as_ref(), self.distances.as_ref()];
+        if one_may_dip(distances[0], distances[1]) {
             let mut middle = M::Coordinates::<f64>::filled(0.0);
             let rates = [here.q.as_ref(), here.q_dot.as_ref(), here.q_ddot.as_ref()];
             parabola(middle.as_mut(), rates, self.weights.as_ref(), 0.5 * (next - s));
             let t = course.at(s + 0.5 * (next - s), inputs.as_mut());
             let at = Instant { t, inputs: inputs.as_ref() };
-            let closures = Closures::at(mechanism, self.parameters.as_ref(), &at, middle.as_ref()).map_err(wrong)?;
-            let dips = |sign: &usize| {
-                let w = closures.as_ref()[*sign].abs();
-                let stays = w >= MIDDLE * before.as_ref()[*sign].min(now.as_ref()[*sign]);
-                !stays
-            };
-            // With redundant rows a motion may pass limits of the rows that the plan uses; then w changes its sign
-            // within the step.
-            let passed = |sign: &usize| self.branch.modes.as_ref()[*sign] != kept.as_ref()[*sign];
-            if let Some(sign) = (0..signs).filter(near).find(|sign| dips(sign) && !passed(sign)) {
+            let closures = Closures::<M>::at(mechanism, self.parameters.as_ref(), &at, middle.as_ref())?;
+            let modes = [self.branch.modes.as_ref(), kept.as_ref()];
+            if let Some(sign) = first_dip(distances, closures.as_ref(), modes) {
                 return Err(Fault::Sign(sign));
             }
         }
@@ -216,36 +194,79 @@ impl<M: Mechanism> Follower<M> {
         // Removes the contribution of time itself: velocities are linear in the rates of the inputs, accelerations
         // quadratic.
         let along = self.states[1 - self.good];
-        let other = |this: &mut Self, factor: f64| {
+        let (mut others, mut good) = ([along; 2], true);
+        for (other, factor) in others.iter_mut().zip([0.0, -1.0]) {
             let mut changed = *inputs;
-            changed.as_mut().iter_mut().for_each(|u| *u = Signal::new(u.value, factor * u.rate, 0.0));
-            let good = this.solve_in_modes(mechanism, &Instant { t, inputs: changed.as_ref() })?;
-            Ok::<_, LengthError>((good, this.states[1 - this.good]))
-        };
-        let ((first, still), (second, back)) = (other(self, 0.0)?, other(self, -1.0)?);
+            scale_rates(changed.as_mut(), factor);
+            good &= self.solve_in_modes(mechanism, &Instant { t, inputs: changed.as_ref() })?;
+            *other = self.states[1 - self.good];
+        }
+        let [still, back] = &others;
         let tried = &mut self.states[1 - self.good];
         *tried = along;
-        for (v, still) in tried.q_dot.as_mut().iter_mut().zip(still.q_dot.as_ref()) {
-            *v -= still;
-        }
-        let others = still.q_ddot.as_ref().iter().zip(back.q_ddot.as_ref());
-        for (a, (still, back)) in tried.q_ddot.as_mut().iter_mut().zip(others) {
-            *a = 0.5 * (*a + back) - still;
-        }
-        Ok(first && second)
+        let rates = [tried.q_dot.as_mut(), tried.q_ddot.as_mut()];
+        without_time(rates, [still.q_dot.as_ref(), still.q_ddot.as_ref()], back.q_ddot.as_ref());
+        Ok(good)
     }
 
     /// The group of the trial state that is nearest to its limit.
     fn nearest_group(&self) -> usize {
-        let distances = self.distances.as_ref();
-        let least = distances.iter().copied().fold(f64::INFINITY, f64::min);
-        distances.iter().position(|w| *w <= least).unwrap_or(0)
+        place_of_least(self.distances.as_ref())
     }
 
     /// The reason why the trial state is not valid.
     pub(super) fn fault(&self) -> Fault {
         self.states[1 - self.good].margins.first_bad().map_or(Fault::NonFinite, Fault::Margin)
     }
+}
+
+impl From<LengthError> for Fault {
+    fn from(_: LengthError) -> Self {
+        Self::NonFinite
+    }
+}
+
+/// The shortest step of a walk between two places whose first step could have the length `natural`.
+fn shortest_step(control: &Control, natural: f64, [s, end]: [f64; 2]) -> f64 {
+    let shortest = control.min_step * natural.min((end - s).abs());
+    shortest.max(4.0 * f64::EPSILON * s.abs().max(end.abs()))
+}
+
+/// The next place of a walk in steps of this length, and the remaining distance in such steps.
+fn next_place([s, end]: [f64; 2], length: f64) -> (f64, f64) {
+    let remaining = end - s;
+    let share = remaining.abs() / length;
+    // The remaining distance is split equally between the last two steps, so that none of them is very short.
+    let next = match share {
+        share if share <= 1.0 => end,
+        share if share < 2.0 => s + 0.5 * remaining,
+        _ => s + length.copysign(remaining),
+    };
+    (next, share)
+}
+
+/// The factor by which the next step may be longer, from the correction of this one relative to the largest allowed.
+fn growth(effort: f64) -> f64 {
+    if effort <= 0.3 / 64.0 { 4.0 } else { (0.3 / effort).powf(1.0 / 3.0).clamp(0.5, 4.0) }
+}
+
+/// Multiplies the rates of inputs; their accelerations become 0.
+fn scale_rates(inputs: &mut [Signal], factor: f64) {
+    inputs.iter_mut().for_each(|u| *u = Signal::new(u.value, factor * u.rate, 0.0));
+}
+
+/// Takes the contribution of time itself from q̇ and q̈: `still` are the rates with inputs at rest, and `back` is q̈ with
+/// inputs that move backwards.
+fn without_time([q_dot, q_ddot]: [&mut [f64]; 2], still: [&[f64]; 2], back: &[f64]) {
+    q_dot.iter_mut().zip(still[0]).for_each(|(v, still)| *v -= still);
+    for (a, (still, back)) in q_ddot.iter_mut().zip(still[1].iter().zip(back)) {
+        *a = 0.5 * (*a + back) - still;
+    }
+}
+
+fn place_of_least(distances: &[f64]) -> usize {
+    let least = distances.iter().copied().fold(f64::INFINITY, f64::min);
+    distances.iter().position(|w| *w <= least).unwrap_or(0)
 }
 
 /// The longest step in which no body turns by more than `most`.
