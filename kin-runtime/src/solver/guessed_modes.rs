@@ -7,6 +7,9 @@ use crate::planned::Sign;
 /// If the squared distances of both closures from a guess differ by less than this, the guess does not decide the mode.
 const UNDECIDED: f64 = 1e-9;
 
+/// Writes q as the plan closes it in given modes.
+type Closed<'c> = dyn FnMut(&[f64], &mut [f64]) -> Option<()> + 'c;
+
 /// A guess: NaN for coordinates without one, and the modes that the caller asked for.
 pub(super) struct Guess<'g> {
     pub(super) model: &'static Model,
@@ -15,14 +18,9 @@ pub(super) struct Guess<'g> {
 }
 
 impl Guess<'_> {
-    /// Writes the modes that the guess means, one for every group in the order of the plan. `closed` writes q as the
-    /// plan closes it in given modes, and `q` has room for it. `None` where the guess does not decide.
-    pub(super) fn write_modes(
-        &self,
-        modes: &mut [f64],
-        q: &mut [f64],
-        closed: &mut dyn FnMut(&[f64], &mut [f64]) -> Option<()>,
-    ) -> Option<()> {
+    /// Writes the modes that the guess means, one for every group in the order of the plan. `q` has room for
+    /// what `closed` writes. `None` where the guess does not decide.
+    pub(super) fn write_modes(&self, modes: &mut [f64], q: &mut [f64], closed: &mut Closed<'_>) -> Option<()> {
         let plan = &self.model.plan;
         if !self.starts_iterations() || self.modes.iter().any(|(_, place, _)| place.is_none()) {
             return None;
