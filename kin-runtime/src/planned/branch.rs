@@ -56,8 +56,7 @@ pub(crate) fn resolves<V: Compare>(nearest: V, turn: V) -> V {
     nearest - V::from_f64(THIRD_ORDER) * turn * turn * turn
 }
 
-/// The first group whose closure has not the sign of its mode or does not agree with its prediction. The arguments are
-/// modes, predicted closures and closures.
+/// The first group whose w does not have the sign of its mode, or does not agree with its prediction.
 pub(super) fn first_uncertain(modes: &[f64], foretold: &[f64], found: &[f64]) -> Option<usize> {
     let on_branch = |group: usize| {
         let now = modes[group] * found[group];
@@ -80,16 +79,16 @@ pub(super) fn one_may_dip(before: &[f64], after: &[f64]) -> bool {
 /// both ends.
 const MIDDLE: f64 = 0.25;
 
-/// The first group that is nearer to its limit in the middle of a step than at its ends, of those that may have reached
-/// it; the closures are those of the configuration predicted there. With redundant rows a motion may pass limits of the
-/// rows that the plan uses; then w changes its sign within the step, and the modes differ from those before.
+/// The first group that comes much nearer to its limit in the middle of a step than at its ends, of those that may have
+/// reached it; `middle` is w as predicted there. Groups whose mode has changed do not count: with redundant rows a
+/// motion may pass limits of the rows that the plan uses, and w changes its sign within the step.
 pub(super) fn first_dip(
     [before, after]: [&[f64]; 2],
-    closures: &[f64],
+    middle: &[f64],
     [modes, modes_before]: [&[f64]; 2],
 ) -> Option<usize> {
     let dips = |sign: usize| {
-        let stays = closures[sign].abs() >= MIDDLE * before[sign].min(after[sign]);
+        let stays = middle[sign].abs() >= MIDDLE * before[sign].min(after[sign]);
         !stays
     };
     let near = |sign: &usize| may_dip(before[*sign], after[*sign]);
@@ -125,5 +124,27 @@ mod tests {
     fn a_group_that_is_close_at_either_end_may_have_been_at_its_limit() {
         assert!(may_dip(0.149, 0.9) && may_dip(0.9, 0.149) && may_dip(0.1, 0.1));
         assert!(!may_dip(0.151, 0.151));
+        assert!(one_may_dip(&[0.9, 0.1], &[0.9, 0.2]) && one_may_dip(&[0.9, 0.9], &[0.1, 0.9]));
+        assert!(!one_may_dip(&[0.9, 0.2], &[0.2, 0.9]) && !one_may_dip(&[], &[]));
+    }
+
+    #[test]
+    fn the_first_group_off_its_branch_is_named() {
+        let of = |found: [f64; 3]| first_uncertain(&[1.0, -1.0, 1.0], &[0.5, -0.5, 0.5], &found);
+        assert_eq!(None, of([0.5, -0.4, 0.6]));
+        // The wrong sign, too far from the prediction, undecided.
+        assert_eq!([Some(0), Some(1), Some(2)], [[-0.5, 0.5, 0.5], [0.5, -0.2, 0.5], [0.5, -0.5, f64::NAN]].map(of));
+    }
+
+    /// Group 1 is close at its start and group 2 at its end, group 0 at neither.
+    #[test]
+    fn a_dip_in_the_middle_counts_for_close_groups_that_keep_their_mode() {
+        let distances = [&[0.5, 0.1, 0.4][..], &[0.5, 0.3, 0.12]];
+        let of = |middle: [f64; 3], now: [f64; 3]| first_dip(distances, &middle, [&now, &[1.0, -1.0, 1.0]]);
+        let kept = [1.0, -1.0, 1.0];
+        assert_eq!(None, of([0.0, -0.026, 0.031], kept));
+        assert_eq!([Some(1), Some(2)], [[0.5, -0.024, 0.031], [0.5, -0.2, 0.029]].map(|middle| of(middle, kept)));
+        assert_eq!(Some(2), of([0.5, 0.2, f64::NAN], kept));
+        assert_eq!([None, Some(2)], [0.031, 0.029].map(|middle| of([0.5, 0.0, middle], [1.0, 1.0, 1.0])));
     }
 }

@@ -109,15 +109,14 @@ impl<M: Mechanism> Follower<M> {
         if !w.is_sorted_by(|a, b| a < b) {
             return None;
         }
-        let places = core::array::from_fn(|k| samples[k].1);
-        let mut found = Found::<M> { place: 0.0, q: from.q, error: 0.0, kind: None };
-        (found.place, found.error, found.kind) = at_limit(&w, &places, reach);
+        let at_limit = Interpolation::new(w);
+        let (place, error, kind) = at_limit.limit(&core::array::from_fn(|k| samples[k].1), reach);
+        let mut found = Found::<M> { place, q: from.q, error, kind };
         let q: &mut [f64] = found.q.as_mut();
         for (k, q) in q.iter_mut().enumerate() {
-            let values = core::array::from_fn(|sample| samples[sample].2.as_ref()[k]);
-            let (value, error) = extrapolated(&w, &values);
-            *q = value;
-            found.error = found.error.max(error);
+            let error;
+            (*q, error) = at_limit.value(&core::array::from_fn(|sample| samples[sample].2.as_ref()[k]));
+            found.error = found.error.max(error / (1.0 + samples[0].2.as_ref()[k].abs()));
         }
         found.error.is_finite().then_some(found)
     }
@@ -150,59 +149,103 @@ fn farther_back((at, s): (f64, f64), start: f64, stops_there: bool) -> f64 {
     if stops_there && (stride > 0.0) == (s - stride < start) { start } else { s - stride }
 }
 
-/// A number of every sample, the nearest to the limit first.
+/// One number of every sample; the nearest to the limit comes first.
 type Samples = [f64; SAMPLES];
 
-/// The value at the limit, w = 0, and the change that leaving out the farthest sample causes, relative to 1 plus the
-/// size of the values.
-fn extrapolated(w: &Samples, values: &Samples) -> (f64, f64) {
-    let (found, other) = sums(w, values);
-    (values[0] + found, (found - other).abs() / (1.0 + values[0].abs()))
+/// The interpolating polynomial at w = 0: the weights of its values, for all samples and for all but the farthest.
+struct Interpolation {
+    w: Samples,
+    all: Samples,
+    fewer: Samples,
 }
 
-/// The differences between the value at w = 0 and the first one: by all samples, and by all but the farthest.
-fn sums(w: &Samples, values: &Samples) -> (f64, f64) {
-    let sum = |count: usize| {
-        let terms = (0..count).map(|k| weight(&w[..count], k) * (values[k] - values[0]));
-        terms.sum::<f64>()
-    };
-    (sum(SAMPLES), sum(SAMPLES - 1))
+impl Interpolation {
+    fn new(w: Samples) -> Self {
+        let [mut all, mut fewer] = [[0.0; SAMPLES]; 2];
+        write_weights(&w, &mut all);
+        write_weights(&w[..SAMPLES - 1], &mut fewer[..SAMPLES - 1]);
+        Self { w, all, fewer }
+    }
+
+    /// The value at w = 0, and the change that leaving out the farthest sample causes.
+    fn value(&self, values: &Samples) -> (f64, f64) {
+        // Differences from the first value, so that no digits are lost.
+        let differences = values.map(|value| value - values[0]);
+        let found = dot(&self.all, &differences);
+        (values[0] + found, (found - dot(&self.fewer, &differences)).abs())
+    }
+
+    /// The place of the limit, the change that leaving out the farthest sample causes, relative to `reach`, the length
+    /// of the interval, and the kind of limit, where it is clear.
+    fn limit(&self, places: &Samples, reach: f64) -> (f64, f64, Option<LimitKind>) {
+        let (place, change) = self.value(places);
+        // At a fold the slope ds/dw is 0, and w is proportional to the square root of the distance.
+        let slopes = core::array::from_fn(|k| (places[k] - place) / self.w[k]);
+        let is_flat = dot(&self.all, &slopes).abs() < FLAT * slopes[SAMPLES - 1].abs();
+        let [near, far] = [SAMPLES / 2, SAMPLES - 1].map(|k| (self.w[k], (places[k] - place).abs()));
+        let is_root = far.1 * near.0 * Scalar::sqrt(near.0) > near.1 * far.0 * Scalar::sqrt(far.0);
+        let kind = match (is_flat, is_root) {
+            (true, true) => Some(LimitKind::DeadCentre),
+            (false, false) => Some(LimitKind::BranchPoint),
+            _ => None,
+        };
+        (place, change / reach.abs(), kind)
+    }
 }
 
-/// The place of the limit, the change that leaving out the farthest sample causes, relative to the interval, and the
-/// kind of limit, where it is clear.
-fn at_limit(w: &Samples, places: &Samples, reach: f64) -> (f64, f64, Option<LimitKind>) {
-    let (found, other) = sums(w, places);
-    let place = places[0] + found;
-    // At a fold the slope ds/dw is 0, and w is proportional to the square root of the distance.
-    let slope = |k: usize| (places[k] - place) / w[k];
-    let slope_at_0: f64 = (0..SAMPLES).map(|k| weight(w, k) * slope(k)).sum();
-    let is_flat = slope_at_0.abs() < FLAT * slope(SAMPLES - 1).abs();
-    let [near, far] = [SAMPLES / 2, SAMPLES - 1].map(|k| (w[k], (places[k] - place).abs()));
-    let is_root = far.1 * near.0 * Scalar::sqrt(near.0) > near.1 * far.0 * Scalar::sqrt(far.0);
-    let kind = match (is_flat, is_root) {
-        (true, true) => Some(LimitKind::DeadCentre),
-        (false, false) => Some(LimitKind::BranchPoint),
-        _ => None,
-    };
-    (place, ((found - other) / reach).abs(), kind)
+fn dot(a: &Samples, b: &Samples) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
-/// The weight of the value at `places[k]` in the interpolating polynomial at 0.
-fn weight(places: &[f64], k: usize) -> f64 {
-    let others = places.iter().enumerate().filter(|(j, _)| *j != k);
-    others.map(|(_, other)| other / (other - places[k])).product()
+/// Writes the weights of the values at `places` in the interpolating polynomial at 0.
+fn write_weights(places: &[f64], weights: &mut [f64]) {
+    for (k, weight) in weights.iter_mut().enumerate() {
+        let others = places.iter().enumerate().filter(|(j, _)| *j != k);
+        *weight = others.map(|(_, other)| other / (other - places[k])).product();
+    }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::weight;
+    use super::*;
 
     #[test]
     fn a_polynomial_of_lower_degree_is_met() {
         let places = [0.1, 0.15, 0.3, 0.45, 0.7];
         let f = |x: f64| 3.0 + x * (2.0 - x * (1.0 + x * (4.0 - 5.0 * x)));
-        let at_0: f64 = (0..places.len()).map(|k| weight(&places, k) * f(places[k])).sum();
+        let mut weights = [0.0; 5];
+        write_weights(&places, &mut weights);
+        let at_0: f64 = weights.iter().zip(places).map(|(weight, x)| weight * f(x)).sum();
         assert!((at_0 - 3.0).abs() < 1e-12, "{at_0}");
+    }
+
+    /// The distances w of seven states at a fold or at a crossing; places are 0.7 − s.
+    const W: Samples = [0.01, 0.02, 0.03, 0.04, 0.05, 0.06, 0.07];
+
+    /// At a fold the place is quadratic in w, at a crossing linear; both with terms of higher order.
+    #[test]
+    fn a_fold_is_told_from_a_crossing_and_both_are_met() {
+        let of = |s: &dyn Fn(f64) -> f64| Interpolation::new(W).limit(&W.map(|w| 0.7 - s(w)), 0.01);
+        let is = |expected: LimitKind, (place, error, kind): (f64, f64, Option<LimitKind>)| {
+            assert!((place - 0.7).abs() < 1e-14 && error < 1e-11 && kind == Some(expected), "{place} {error} {kind:?}");
+        };
+        is(LimitKind::DeadCentre, of(&|w| w * w * (2.0 + w)));
+        is(LimitKind::BranchPoint, of(&|w| w * (0.2 - w * w)));
+        // A term that is not smooth counts as an error, relative to the interval.
+        let (_, rough, _) = of(&|w| w + 1e-4 * (900.0 * w).sin());
+        let (_, wider, _) = Interpolation::new(W).limit(&W.map(|w| 0.7 - w - 1e-4 * (900.0 * w).sin()), -0.02);
+        assert!(rough > 1e-3 && (wider - 0.5 * rough).abs() < 1e-12, "{rough} {wider}");
+    }
+
+    #[test]
+    fn the_way_back_doubles_and_ends_at_the_start_where_nothing_is_known_before() {
+        let back = |at: f64, s: f64, stops: bool| farther_back((at, s), 0.0, stops);
+        assert_eq!([0.75, 0.5], [back(1.0, 0.875, true), back(1.0, 0.75, true)]);
+        assert_eq!([0.0, -0.5], [back(1.0, 0.25, true), back(1.0, 0.25, false)]);
+        // Backwards in time.
+        assert_eq!([0.0, 0.5], [back(-1.0, -0.25, true), back(-1.0, -0.25, false)]);
+        // At the limit itself the first step is the smallest that changes a number.
+        let first = 1.0 - back(1.0, 1.0, false);
+        assert!(first > 0.0 && first < 2e-15, "{first}");
     }
 }

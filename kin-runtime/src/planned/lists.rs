@@ -138,23 +138,24 @@ impl<M: Mechanism> Margins<M> {
     }
 }
 
-// These do not depend on the mechanism, so that they are compiled once for all.
+// These do not depend on the mechanism, so that they are compiled once for all. Batches call them with lanes, in code for
+// one processor, into which they must be inlined.
 
 /// Writes the signs of closures.
-#[inline]
+#[inline(always)]
 fn write_directions<V: Compare>(closures: &[V], modes: &mut [V]) {
     modes.iter_mut().zip(closures).for_each(|(mode, closure)| *mode = closure.direction());
 }
 
 /// The smallest number, at most 1; NaN is ignored.
 #[cfg(any(feature = "std", all(feature = "simd", feature = "alloc")))]
-#[inline]
+#[inline(always)]
 fn least_of<V: Compare>(margins: &[V]) -> V {
     margins.iter().fold(V::from_f64(1.0), |least, margin| least.least(*margin))
 }
 
 /// Writes the root of the margin of every group; returns the smallest, at most 1.
-#[inline]
+#[inline(always)]
 fn write_roots<V: Compare>(plan: &Plan, margins: &[V], distances: &mut [V]) -> V {
     let mut least = V::from_f64(1.0);
     for (sign, distance) in distances.iter_mut().enumerate() {
@@ -165,6 +166,7 @@ fn write_roots<V: Compare>(plan: &Plan, margins: &[V], distances: &mut [V]) -> V
     least
 }
 
+/// The index of the first margin that is too small for the solution to be valid.
 fn first_small(margins: &[f64]) -> Option<usize> {
     margins.iter().position(|margin| *margin <= Plan::SMALLEST_MARGIN)
 }

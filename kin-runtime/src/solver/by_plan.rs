@@ -3,9 +3,8 @@
 //! This avoids the set-up of the general path (common scale, order of elimination). The plan solves, and all rows are
 //! evaluated at its answer; if one is not satisfied, or if there is no answer, the general path is used.
 //!
-//! **What a guess means.** A complete configuration determines the signs of all modes. With a partial guess, every
-//! group with guessed coordinates takes the closure that is nearer to them, group by group in the order of the plan. If
-//! nothing is guessed of a group, the general path is used.
+//! A complete configuration determines the signs of all modes; what a partial guess means is said by
+//! [`guessed_modes`](super::guessed_modes).
 
 use super::guessed_modes::Guess;
 use super::{Position, Solver};
@@ -85,7 +84,7 @@ impl<M: Mechanism> Solver<'_, M> {
     pub(super) fn goes_by_plan(&self, at: &Instant<'_>) -> bool {
         let model = M::model();
         let usable = self.options.use_plan && self.given.is_empty() && self.options.check().is_ok();
-        usable && fits(model, at) && (!has_sizes(model) || self.is_sound(at))
+        usable && has_plan_for(model, at) && (!has_sizes(model) || self.is_sound(at))
     }
 
     /// True if no dimension of a joint is degenerate at these parameters.
@@ -116,7 +115,7 @@ impl<M: Mechanism> Solver<'_, M> {
             return None;
         }
         let mut start = guess;
-        without_nan(start.as_mut());
+        write_zeros(start.as_mut());
         let (mut modes, mut q) = (Modes::<M>::filled(1.0), start);
         Guess { model: M::model(), q: guess.as_ref(), modes: &self.modes }.write_modes(
             modes.of_closures_mut(),
@@ -198,7 +197,7 @@ impl<M: Mechanism> Solver<'_, M> {
             self.mechanism.evaluate_with(parameters.as_ref(), Subset::ALL, at, q, q_dot, &mut workspace).ok()?;
             self.residual(&parts(&workspace), solution)?
         };
-        let mut state = state_of_numbers(model, at, solution, residual)?;
+        let mut state = state_without_poses(model, at, solution, residual)?;
         if model.poses_are_coordinates() {
             write_coordinates(&mut state);
         } else {
@@ -260,8 +259,8 @@ fn parts<R: AsRef<[f64]>, J: AsRef<[f64]>>(evaluation: &Evaluation<R, J>) -> Par
     Parts { phi, phi_q, phi_t: evaluation.phi_t(), gamma: evaluation.gamma() }
 }
 
-/// True if the plan can be used for this mechanism at such an instant.
-fn fits(model: &Model, at: &Instant<'_>) -> bool {
+/// True if the plan solves the mechanism, and the instant has all inputs and only finite numbers.
+fn has_plan_for(model: &Model, at: &Instant<'_>) -> bool {
     let finite = |u: &Signal| u.value.is_finite() && u.rate.is_finite() && u.acceleration.is_finite();
     let is_usable = at.t.is_finite() && at.inputs.len() == model.inputs.len() && at.inputs.iter().all(finite);
     is_usable && model.plan.exists() && !has_curves(model)
@@ -301,13 +300,13 @@ fn write_guess(own: &[usize], values: &[f64], guesses: &[(usize, f64)], guess: &
     Some(())
 }
 
-/// Writes 0 for coordinates without a guess.
-fn without_nan(guess: &mut [f64]) {
+/// Writes 0 for coordinates without a guess, which are NaN.
+fn write_zeros(guess: &mut [f64]) {
     guess.iter_mut().filter(|guess| guess.is_nan()).for_each(|guess| *guess = 0.0);
 }
 
 /// A state without the motion of bodies and points; none if a number is not finite.
-fn state_of_numbers(model: &'static Model, at: &Instant<'_>, solution: [&[f64]; 3], residual: f64) -> Option<State> {
+fn state_without_poses(model: &'static Model, at: &Instant<'_>, solution: [&[f64]; 3], residual: f64) -> Option<State> {
     if !solution.iter().all(|numbers| all_finite(numbers)) {
         return None;
     }

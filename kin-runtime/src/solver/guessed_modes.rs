@@ -1,4 +1,6 @@
-//! What a partial guess means: for every group that closes in two ways the closure that is nearer to the guess.
+//! What a partial guess means: every group with guessed coordinates takes the closure that is nearer to them, group by
+//! group in the order of the plan. If nothing is guessed of a group, or both closures are equally near, the guess does
+//! not decide, and the general path is used.
 
 use crate::model::{Component, CoordinateKind, Model};
 use crate::plan::StepKind;
@@ -18,8 +20,8 @@ pub(super) struct Guess<'g> {
 }
 
 impl Guess<'_> {
-    /// Writes the modes that the guess means, one for every group in the order of the plan. `q` has room for
-    /// what `closed` writes. `None` where the guess does not decide.
+    /// Writes the mode of every group, in the order of the plan. `q` has room for what `closed` writes. `None` where the
+    /// guess does not decide.
     pub(super) fn write_modes(&self, modes: &mut [f64], q: &mut [f64], closed: &mut Closed<'_>) -> Option<()> {
         let plan = &self.model.plan;
         if !self.starts_iterations() || self.modes.iter().any(|(_, place, _)| place.is_none()) {
@@ -31,7 +33,7 @@ impl Guess<'_> {
                 continue;
             }
             let coordinates = plan.steps.get(mode.step)?.coordinates;
-            if !coordinates.iter().any(|&(k, _)| self.has(k)) {
+            if !coordinates.iter().any(|&(k, _)| self.is_guessed(k)) {
                 return None;
             }
             let mut distances = [0.0; 2];
@@ -51,14 +53,14 @@ impl Guess<'_> {
         Some(())
     }
 
-    fn has(&self, k: usize) -> bool {
+    fn is_guessed(&self, k: usize) -> bool {
         self.q.get(k).is_some_and(|guess| !guess.is_nan())
     }
 
     /// True if all unknowns of iterations are guessed.
     fn starts_iterations(&self) -> bool {
         self.model.plan.steps.iter().all(|step| match step.kind {
-            StepKind::Newton(unknowns) => step.coordinates.iter().take(unknowns).all(|&(k, _)| self.has(k)),
+            StepKind::Newton(unknowns) => step.coordinates.iter().take(unknowns).all(|&(k, _)| self.is_guessed(k)),
             _ => true,
         })
     }
@@ -67,7 +69,7 @@ impl Guess<'_> {
     fn squared_distance(&self, coordinates: &[(usize, usize)], q: &[f64]) -> f64 {
         let mut sum = 0.0;
         for &(k, _) in coordinates {
-            if !self.has(k) {
+            if !self.is_guessed(k) {
                 continue;
             }
             let (guess, found) = (self.q[k], q[k]);
@@ -79,5 +81,51 @@ impl Guess<'_> {
             };
         }
         sum
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Mechanism;
+    use crate::fixture::PlannedFourBar;
+
+    /// The mode that a guess of the coupler's and the rocker's angle means, where these are ±0.5 and ±1 in the two modes.
+    fn mode(guess: [f64; 2], modes: &[(String, Option<usize>, Sign)]) -> Option<f64> {
+        let mut q = [f64::NAN; 9];
+        (q[5], q[8]) = (guess[0], guess[1]);
+        let (mut found, mut room) = ([0.0], [0.0; 9]);
+        let guess = Guess { model: PlannedFourBar::model(), q: &q, modes };
+        let mut closed = |modes: &[f64], q: &mut [f64]| {
+            (q[5], q[8]) = (0.5 * modes[0], modes[0]);
+            Some(())
+        };
+        guess.write_modes(&mut found, &mut room, &mut closed)?;
+        Some(found[0])
+    }
+
+    #[test]
+    fn a_guess_means_the_closure_that_is_nearer() {
+        const NONE: f64 = f64::NAN;
+        assert_eq!([Some(1.0), Some(-1.0)], [[0.1, NONE], [-0.1, NONE]].map(|guess| mode(guess, &[])));
+        // All guessed coordinates of the group count: 0.3 from one closure and 0.7 from the other, and so on.
+        assert_eq!([Some(1.0), Some(-1.0)], [[-0.2, 0.2], [0.2, -0.2]].map(|guess| mode(guess, &[])));
+        // Nothing is guessed, or both closures are equally near.
+        assert_eq!([None; 3], [[NONE, NONE], [0.0, 0.0], [0.4, -0.2]].map(|guess| mode(guess, &[])));
+    }
+
+    #[test]
+    fn what_is_asked_for_prevails_and_the_last_one_counts() {
+        let asked = |sign, place| ("ABD".to_owned(), place, sign);
+        assert_eq!(Some(-1.0), mode([0.5, 1.0], &[asked(Sign::Minus, Some(0))]));
+        assert_eq!(Some(1.0), mode([f64::NAN; 2], &[asked(Sign::Minus, Some(0)), asked(Sign::Plus, Some(0))]));
+        assert_eq!(None, mode([0.5, 1.0], &[asked(Sign::Plus, None)]));
+    }
+
+    /// Without the closure in one of the modes nothing can be compared.
+    #[test]
+    fn a_guess_means_nothing_where_the_plan_does_not_close() {
+        let guess = Guess { model: PlannedFourBar::model(), q: &[0.0; 9], modes: &[] };
+        assert_eq!(None, guess.write_modes(&mut [0.0], &mut [0.0; 9], &mut |_, _| None));
     }
 }

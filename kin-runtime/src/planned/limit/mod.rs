@@ -49,8 +49,8 @@ impl<M: Mechanism> Follower<M> {
         }
         let Poses { q, q_dot, q_ddot, margins } = &self.states[1 - self.good];
         let start = if self.anew { self.predicted.as_ref() } else { &[] };
-        let tried = [q.as_ref(), q_dot.as_ref(), q_ddot.as_ref()];
-        explain(M::model(), at.t, start, self.branch.modes.as_ref(), (tried, margins.as_ref()))
+        let solution = [q.as_ref(), q_dot.as_ref(), q_ddot.as_ref()];
+        explain(M::model(), at.t, start, self.branch.modes.as_ref(), (solution, margins.as_ref()))
     }
 
     /// The reason why a walk to the instant `at` was stopped: the group at its limit, with the location of the limit.
@@ -230,14 +230,14 @@ fn unusable(model: &Model, parameters: &[f64], at: &Instant<'_>) -> Option<PlanE
     error("parameters", index, model.parameters.get(index).map_or("", |p| p.name))
 }
 
-/// The reason why a solution is not valid: `start` is the q from which a restart begins, `tried` are q, q̇, q̈ and the
-/// margins.
+/// The reason why the solution q, q̇, q̈ with these margins is not valid; `start` is the q from which a restart begins,
+/// empty if it was no restart.
 fn explain(
     model: &'static Model,
     t: f64,
     start: &[f64],
     modes: &[f64],
-    (tried, margins): ([&[f64]; 3], &[f64]),
+    (solution, margins): ([&[f64]; 3], &[f64]),
 ) -> PlanError {
     let error = |what, index, name| PlanError::NonFinite { what, index, name, t };
     let place = |numbers: &[f64]| numbers.iter().position(|x| !x.is_finite());
@@ -257,7 +257,7 @@ fn explain(
             _ => {}
         }
     }
-    for (what, numbers) in ["q", "q_dot", "q_ddot"].into_iter().zip(tried) {
+    for (what, numbers) in ["q", "q_dot", "q_ddot"].into_iter().zip(solution) {
         if let Some(index) = place(numbers) {
             return error(what, index, coordinate(index));
         }

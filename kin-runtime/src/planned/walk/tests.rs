@@ -158,3 +158,34 @@ fn a_group_is_looked_at_half_way() {
     // One direction leads towards the limit, the other away from it.
     assert!(matches!(faults, [Some(Fault::Sign(0)), None] | [None, Some(Fault::Sign(0))]), "{faults:?}");
 }
+
+#[test]
+fn the_last_two_steps_of_a_way_share_the_rest() {
+    let next = |length: f64| [next_place([2.0, 3.0], length).0, next_place([3.0, 2.0], length).0];
+    assert_eq!([3.0, 2.0], next(f64::INFINITY));
+    assert_eq!([3.0, 2.0], next(1.0));
+    assert_eq!([[2.5, 2.5]; 2], [0.9, 0.51].map(next));
+    assert_eq!([2.25, 2.75], next(0.25));
+    assert_eq!(4.0, next_place([2.0, 3.0], 0.25).1);
+}
+
+#[test]
+fn a_step_grows_with_the_cube_root_of_what_its_correction_leaves() {
+    assert_eq!([4.0, 4.0, 0.5, 0.5], [0.0, 0.3 / 64.0, 2.4, 100.0].map(growth));
+    assert!((growth(0.3) - 1.0).abs() < 1e-15 && (growth(0.3 / 8.0) - 2.0).abs() < 1e-15);
+}
+
+/// Of q(u, t) with u̇ = 3 and ü = 0: q̇ = q_u u̇ + q_t and q̈ = q_uu u̇² + 2 q_ut u̇ + q_tt, of which q_u u̇ and q_uu u̇² are
+/// left.
+#[test]
+fn what_time_itself_contributes_is_taken_out() {
+    let (q_u, q_t, q_uu, q_ut, q_tt) = (0.5, 7.0, 0.25, 2.0, -1.0);
+    let of = |u_dot: f64| (q_u * u_dot + q_t, q_uu * u_dot * u_dot + 2.0 * q_ut * u_dot + q_tt);
+    let ((v, a), still, back) = (of(3.0), of(0.0), of(-3.0));
+    let (mut q_dot, mut q_ddot) = ([v], [a]);
+    without_time([&mut q_dot, &mut q_ddot], [&[still.0], &[still.1]], &[back.1]);
+    assert_eq!([1.5, 2.25], [q_dot[0], q_ddot[0]]);
+    let mut inputs = [Signal::new(1.0, 3.0, 5.0)];
+    scale_rates(&mut inputs, -1.0);
+    assert_eq!([Signal::new(1.0, -3.0, 0.0)], inputs);
+}
