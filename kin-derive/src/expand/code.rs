@@ -8,7 +8,8 @@
 //! compiler can eliminate bounds checks. If the angles of a loop are known before the loop, their sines and cosines are
 //! computed for all members at once.
 
-use super::instructions::{definition, literal, load_at, name, names_of, number, target_at};
+use super::elements::Elements;
+use super::instructions::{definition, literal, load_at, load_of, name, names_of, number, target_at};
 use super::statements::{Statement, blocks};
 use kin_core::program::{Angles, Instruction, Keep, Part, Piece, Rolled, Source, Step, Value};
 use proc_macro2::{Ident, Literal, Span, TokenStream};
@@ -28,19 +29,22 @@ pub(super) fn body(rolled: &Rolled) -> TokenStream {
         let literals = literals.iter().map(|bits| literal(bits.value()));
         quote! { static #table: [f64; #length] = [#(#literals),*]; }
     });
+    let elements = &Elements::of(rolled);
+    let straight = Emitter { rolled, elements, member: Member::ONE };
+    let emitter = Emitter { rolled, elements, member: Member { varies: true } };
     let mut statements = Vec::new();
     let mut pieces = rolled.pieces.as_slice();
     while let [piece, tail @ ..] = pieces {
         let gathers = gathers(rolled, pieces);
         pieces = if gathers.is_empty() { tail } else { &pieces[gathers.len()..] };
         match piece {
-            _ if !gathers.is_empty() => statements.push(gathered(rolled, &gathers)),
-            Piece::Straight(steps) => statements.extend(Emitter { rolled, member: Member::ONE }.steps(steps)),
-            Piece::Loop { count, body } => statements.push(repeated(rolled, *count, body)),
+            _ if !gathers.is_empty() => statements.push(emitter.gathered(&gathers)),
+            Piece::Straight(steps) => statements.extend(straight.steps(steps)),
+            Piece::Loop { count, body } => statements.push(emitter.repeated(*count, body)),
         }
     }
-    let statements = blocks(&statements);
-    quote! { #(#tables)* #(#lengths)* #statements }
+    let (bindings, statements) = (elements.bindings(), blocks(&statements));
+    quote! { #(#tables)* #(#lengths)* #bindings #statements }
 }
 
 fn array(number: usize) -> Ident {
@@ -49,14 +53,6 @@ fn array(number: usize) -> Ident {
 
 fn table(number: usize) -> Ident {
     format_ident!("__TABLE{number}")
-}
-
-/// A loop as a statement.
-fn repeated(rolled: &Rolled, count: usize, body: &[Step]) -> Statement {
-    let emitter = Emitter { rolled, member: Member { varies: true } };
-    let statements = emitter.steps(body);
-    let (uses, tokens) = (uses(&statements), blocks(&statements));
-    Statement { uses, tokens: members(count, &tokens), ..Statement::default() }
 }
 
 /// A loop with the body `tokens` over all members.
@@ -86,47 +82,6 @@ impl Call {
         };
         behind(self.sines, next.sines) && behind(self.cosines, next.cosines)
     }
-}
-
-/// The statement for loops that only compute sines and cosines: one call for the angles of all members, directly in the
-/// arrays that keep the results.
-fn gathered(rolled: &Rolled, loops: &[(usize, Vec<Angles<'_>>)]) -> Statement {
-    let emitter = Emitter { rolled, member: Member { varies: true } };
-    let mut uses = Vec::new();
-    let mut calls: Vec<(Call, TokenStream)> = Vec::new();
-    for (count, Angles { angle, keeps }) in
-        loops.iter().flat_map(|(count, steps)| steps.iter().map(|step| (*count, step)))
-    {
-        uses.extend(local_value(rolled, *angle));
-        let kept = |part: Part| keeps.iter().find(|keep| keep.part == part).map(|keep| (keep.array, keep.first));
-        let call = Call { sines: kept(Part::Sin), cosines: kept(Part::Cos), count };
-        let (angles, first) = kept_in(call.sines);
-        let (place, angle) = (emitter.member.index(first, 1), emitter.operand(*angle));
-        let fill = members(count, &quote! { #angles[#place] = #angle; });
-        match calls.last_mut() {
-            Some((last, fills)) if last.is_before(&call) => {
-                last.count += count;
-                fills.extend(fill);
-            }
-            _ => calls.push((call, fill)),
-        }
-    }
-    let tokens = calls.iter().map(|(call, fills)| {
-        let Call { sines, cosines, count } = *call;
-        // At least one of the two is kept; the other one is written to a temporary array.
-        let spare = (sines.is_none() || cosines.is_none()).then(|| {
-            let length = Literal::usize_unsuffixed(count);
-            quote! { let mut __spare = [<__T as __kin::Scalar>::from_f64(0.0); #length]; }
-        });
-        let ((sines, first), (cosines, first_cosine)) = (kept_in(sines), kept_in(cosines));
-        let [sine_places, cosine_places] = [first, first_cosine].map(|first| places(first, count));
-        quote! { {
-            #spare
-            #fills
-            __kin::Scalar::sin_cos_in_place(&mut #sines[#sine_places], &mut #cosines[#cosine_places]);
-        } }
-    });
-    Statement { tokens: tokens.collect(), uses, ..Statement::default() }
 }
 
 /// The name of the array and the first element.
@@ -196,10 +151,58 @@ impl Member {
 
 struct Emitter<'r> {
     rolled: &'r Rolled,
+    elements: &'r Elements,
     member: Member,
 }
 
 impl Emitter<'_> {
+    /// A loop as a statement.
+    fn repeated(&self, count: usize, body: &[Step]) -> Statement {
+        let statements = self.steps(body);
+        let (uses, tokens) = (uses(&statements), blocks(&statements));
+        Statement { uses, tokens: members(count, &tokens), ..Statement::default() }
+    }
+
+    /// The statement for loops that only compute sines and cosines: one call for the angles of all members, directly in the
+    /// arrays that keep the results.
+    fn gathered(&self, loops: &[(usize, Vec<Angles<'_>>)]) -> Statement {
+        let mut uses = Vec::new();
+        let mut calls: Vec<(Call, TokenStream)> = Vec::new();
+        for (count, Angles { angle, keeps }) in
+            loops.iter().flat_map(|(count, steps)| steps.iter().map(|step| (*count, step)))
+        {
+            uses.extend(local_value(self.rolled, *angle));
+            let kept = |part: Part| keeps.iter().find(|keep| keep.part == part).map(|keep| (keep.array, keep.first));
+            let call = Call { sines: kept(Part::Sin), cosines: kept(Part::Cos), count };
+            let (angles, first) = kept_in(call.sines);
+            let (place, angle) = (self.member.index(first, 1), self.operand(*angle));
+            let fill = members(count, &quote! { #angles[#place] = #angle; });
+            match calls.last_mut() {
+                Some((last, fills)) if last.is_before(&call) => {
+                    last.count += count;
+                    fills.extend(fill);
+                }
+                _ => calls.push((call, fill)),
+            }
+        }
+        let tokens = calls.iter().map(|(call, fills)| {
+            let Call { sines, cosines, count } = *call;
+            // At least one of the two is kept; the other one is written to a temporary array.
+            let spare = (sines.is_none() || cosines.is_none()).then(|| {
+                let length = Literal::usize_unsuffixed(count);
+                quote! { let mut __spare = [<__T as __kin::Scalar>::from_f64(0.0); #length]; }
+            });
+            let ((sines, first), (cosines, first_cosine)) = (kept_in(sines), kept_in(cosines));
+            let [sine_places, cosine_places] = [first, first_cosine].map(|first| places(first, count));
+            quote! { {
+                #spare
+                #fills
+                __kin::Scalar::sin_cos_in_place(&mut #sines[#sine_places], &mut #cosines[#cosine_places]);
+            } }
+        });
+        Statement { tokens: tokens.collect(), uses, ..Statement::default() }
+    }
+
     fn steps(&self, steps: &[Step]) -> Vec<Statement> {
         let mut out = Vec::new();
         let mut rest = steps;
@@ -274,7 +277,11 @@ impl Emitter<'_> {
                 Statement { defines: vec![(*value, names_of(*value, instruction))], uses, tokens }
             }
             Step::Write { slot, step, source } => {
-                let target = target_at(*slot, &self.member.index(slot.index(), *step));
+                let constant = !self.member.varies || *step == 0;
+                let target = match self.elements.write(*slot).filter(|_| constant) {
+                    Some(element) => quote! { *#element },
+                    None => target_at(*slot, &self.member.index(slot.index(), *step)),
+                };
                 let source = self.operand(*source);
                 Statement { uses, tokens: quote! { #target = #source; }, ..Statement::default() }
             }
@@ -293,7 +300,13 @@ impl Emitter<'_> {
                 let (table, place) = (table(number), self.member.index(0, 1));
                 quote! { <__T as __kin::Scalar>::from_f64(#table[#place]) }
             }
-            Source::Load(symbol, step) => load_at(symbol, &self.member.index(symbol.index() as usize, step)),
+            Source::Load(symbol, step) => {
+                let constant = !self.member.varies || step == 0;
+                match self.elements.read(symbol).filter(|_| constant) {
+                    Some(element) => load_of(symbol, &element),
+                    None => load_at(symbol, &self.member.index(symbol.index() as usize, step)),
+                }
+            }
             Source::Local(value, part) => {
                 let name = local(value, part);
                 quote! { #name }

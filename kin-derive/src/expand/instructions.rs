@@ -132,8 +132,7 @@ pub(super) fn load_at(symbol: Symbol, at: &TokenStream) -> TokenStream {
         Symbol::Coarseness => quote! { <__T as __kin::Scalar>::from_f64(__kin::coarseness::<__T>()) },
         Symbol::Time | Symbol::ARGUMENT => argument().into_token_stream(),
         Symbol::Input(_, order) => {
-            let (inputs, part) = (argument(), ["value", "rate", "acceleration"][usize::from(order.min(2))]);
-            let part = Ident::new(part, Span::call_site());
+            let (inputs, part) = (argument(), part_of_input(order));
             quote! { #inputs[#at].#part }
         }
         _ => {
@@ -141,6 +140,22 @@ pub(super) fn load_at(symbol: Symbol, at: &TokenStream) -> TokenStream {
             quote! { #array[#at] }
         }
     }
+}
+
+/// The expression that reads a symbol whose element of an array has a name.
+pub(super) fn load_of(symbol: Symbol, element: &Ident) -> TokenStream {
+    match symbol {
+        Symbol::Input(_, order) => {
+            let part = part_of_input(order);
+            quote! { #element.#part }
+        }
+        _ => quote! { *#element },
+    }
+}
+
+/// The field of an input that holds its derivative of this order.
+fn part_of_input(order: u8) -> Ident {
+    Ident::new(["value", "rate", "acceleration"][usize::from(order.min(2))], Span::call_site())
 }
 
 fn function(f: Function) -> Ident {

@@ -5,6 +5,7 @@
 
 mod code;
 mod derivation;
+mod elements;
 mod entries;
 mod forces;
 mod functions;
