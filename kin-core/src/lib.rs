@@ -1,24 +1,28 @@
 //! Symbolic kinematics of planar mechanisms: the part of `#[mechanism]` between parsing and emitting code.
 //!
 //! ```text
-//! Mechanism → ConstraintSet → KinematicSystem → SolutionPlan → Kernels
-//!    assemble      differentiate        plan        kernels
+//! Mechanism → ConstraintSet → KinematicSystem → SolutionPlan (→ Forces) → Kernels
+//!    assemble      differentiate        plan          forces      kernels
 //! ```
 //!
-//! Each arrow is one function from one type to the next; no stage calls an earlier one.
+//! Each arrow is one function from one type to the next; no stage calls an earlier one. All other modules need the
+//! feature `compiler`, which the macro enables.
 //!
-//! - [`vocabulary`]: the kinds and names shared with kin-runtime; the only module without the feature `compiler`.
+//! - [`vocabulary`]: the kinds and names shared with kin-runtime; the only module that needs no feature.
+//! - `hash`, [`error`]: a table that is fast without optimisation; errors with the place that they are about.
 //! - [`expr`]: hash-consed expressions, their total derivatives, and the fold that evaluates and rewrites them.
 //! - [`mechanism`]: the mechanism as the user declared it, with names resolved; a joint is a list of operands for its
 //!   slots.
 //! - [`constraint`]: the constraint set Φ with everything that is reported, and the assembly state for writing rows.
 //! - [`notation`], [`vectors`]: formulas, and the vector equations of joints, as Unicode text, LaTeX and MathML.
 //! - [`joints`]: one file for each kind of joint (operands, rows of Φ, rules, vector equations), and the assembly.
-//! - [`check`], [`units`]: the rules of a mechanism, and the consistency of its units.
+//! - [`check`], [`units`]: the rules of a mechanism, and the consistency of its units; reading units needs only the
+//!   feature `units`.
 //! - [`system`]: Φ_q, Φ_t, γ and the class of every row.
 //! - [`structure`]: structural analysis without numbers: generic rank, redundant rows.
 //! - [`program`]: straight-line code shared by all outputs, and loops for its repetition.
 //! - [`mod@plan`]: how the mechanism is solved, step by step.
+//! - [`loads`]: masses and loads, the multipliers λ along the plan, and what drivers and joints exert.
 //! - [`mod@kernels`]: all programs of the mechanism in final form, which generated code consists of.
 //! - [`sheet`]: the derivation as a document.
 //!

@@ -38,7 +38,7 @@ fn a_sum_of_ten_thousand_terms() {
     drop_flat(mechanism);
 }
 
-/// Takes a long sum apart from its outside.
+/// OperandType a long sum apart from its outside.
 fn drop_flat(mechanism: Mechanism) {
     for operand in mechanism.joints.into_iter().flat_map(|joint| joint.operands.into_values()) {
         if let Operand::Value(Value { value: mut rest, .. }) = operand {

@@ -1,5 +1,5 @@
 //! From tokens to a checked model, through two gates: first the description is parsed and its names are resolved, then
-//! the rules of [`kin_core::mechanism::check`] are applied. All errors are reported together. The third gate checks the
+//! the rules of [`kin_core::check`] are applied. All errors are reported together. The third gate checks the
 //! structure of the equations of the model.
 
 use crate::lower::{Lowered, Outcome, lower};
@@ -60,7 +60,7 @@ fn check_model(lowered: &Lowered, report: &Report) {
 
 /// The third gate: differentiates the equations and diagnoses their structure. An equation that cannot be assembled is
 /// an error.
-pub(crate) fn system(lowered: &Lowered) -> syn::Result<(kin_core::KinematicSystem, kin_core::Structure)> {
+pub(crate) fn derive_equations(lowered: &Lowered) -> syn::Result<(kin_core::KinematicSystem, kin_core::Structure)> {
     let spanned = |errors: Vec<kin_core::ModelError>| {
         let spanned = errors.into_iter().map(|error| syn::Error::new(lowered.span(error.origin), error));
         spanned.reduce(|mut all, error| {

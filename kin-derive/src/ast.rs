@@ -3,7 +3,7 @@
 //! A part that could not be parsed is a hole ([`ExprKind::Hole`], [`PointExpr::Hole`]): its error has been reported,
 //! and the rest of its row is still checked.
 
-use kin_core::mechanism::{Function, Relation, StatementForm, Takes};
+use kin_core::mechanism::{Function, OperandType, Relation, StatementForm};
 use proc_macro2::Span;
 use syn::ext::IdentExt;
 use syn::{Ident, Type};
@@ -33,11 +33,11 @@ pub(crate) struct Flags {
     pub(crate) cross_check: bool,
     /// Accept redundant rows.
     pub(crate) allow_redundant: bool,
-    /// Check that units are consistent.
+    /// Accepted for the sake of old descriptions; units are always checked.
     pub(crate) check_units: bool,
 }
 
-/// One declaration or row of a description.
+/// One declaration or statement of a description.
 #[derive(Debug)]
 pub(crate) enum Item {
     /// A member of `bodies(…)` or a `body(…)`.
@@ -52,8 +52,8 @@ pub(crate) enum Item {
     Define(DefineDecl),
     /// A member of `function(…)`: a field that holds a supplied function.
     Function(FunctionDecl),
-    /// A joint, driver or equation.
-    Row(Box<Row>),
+    /// A joint, driver, equation, mass or load.
+    Statement(Box<Statement>),
     /// `unilateral(N: a > b)`.
     Condition(Box<ConditionDecl>),
     /// One entry of `guess(…)`.
@@ -166,12 +166,12 @@ pub(crate) struct ConditionDecl {
     pub(crate) right: Expr,
 }
 
-/// A joint, driver or equation.
+/// A joint, driver, equation, mass or load.
 #[derive(Debug)]
-pub(crate) struct Row {
+pub(crate) struct Statement {
     pub(crate) keyword: Ident,
     pub(crate) name: NewName,
-    /// The form of the joint's kind, which defines its slots.
+    /// The form of its kind, which defines its slots.
     pub(crate) form: &'static StatementForm,
     /// The operands in the slots of the form.
     pub(crate) operands: Vec<OperandExpr>,
@@ -195,15 +195,15 @@ pub(crate) enum OperandExpr {
 
 impl OperandExpr {
     /// A placeholder for an operand that could not be read.
-    pub(crate) const fn hole(takes: Takes, span: Span) -> Self {
+    pub(crate) const fn hole(takes: OperandType, span: Span) -> Self {
         match takes {
-            Takes::Point | Takes::Points => Self::Point(PointExpr::Hole),
-            Takes::Body | Takes::Carrier | Takes::Bodies => Self::Body(BodyExpr::Hole),
-            Takes::Scalar(_) => Self::Scalar(None),
-            Takes::Vector | Takes::Axis | Takes::Radii => {
+            OperandType::Point | OperandType::Points => Self::Point(PointExpr::Hole),
+            OperandType::Body | OperandType::Carrier | OperandType::Bodies => Self::Body(BodyExpr::Hole),
+            OperandType::Scalar(_) => Self::Scalar(None),
+            OperandType::Vector | OperandType::Axis | OperandType::Radii => {
                 Self::Pair(PairExpr { x: Expr::hole(span), y: Expr::hole(span), span })
             }
-            Takes::Curve => Self::Curve(CurveExpr::Hole),
+            OperandType::Curve => Self::Curve(CurveExpr::Hole),
             _ => Self::Value(Expr::hole(span)),
         }
     }

@@ -1,7 +1,7 @@
 //! The equations in the generated documentation of the struct.
 
 #[cfg(any(feature = "equations", test))]
-use crate::analyse::{analyse, system};
+use crate::analyse::{analyse, derive_equations};
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -21,7 +21,7 @@ pub(crate) fn text(input: TokenStream) -> String {
     let mut tokens = input.into_iter();
     let Some(proc_macro2::TokenTree::Group(args)) = tokens.next() else { return String::new() };
     let (_, Ok(lowered)) = analyse(args.stream(), tokens.collect()) else { return String::new() };
-    let Ok((system, structure)) = system(&lowered) else { return String::new() };
+    let Ok((system, structure)) = derive_equations(&lowered) else { return String::new() };
     let plan = kin_core::plan::plan_with_formulas(&system, structure.rank);
     let sections = kin_core::sheet::Sheet::of_system(&lowered.mechanism, &system, &plan).docs();
     // Lists of items show the first paragraph of the documentation, which must not be a heading.

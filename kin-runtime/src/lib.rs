@@ -73,8 +73,8 @@ pub use kin_derive::mechanism;
 pub use scalar::lanes::Lanes;
 #[cfg(feature = "std")]
 pub use {
-    analysis::modes,
-    report::{measure, mobility, ratios, transmission},
+    analysis::{mobility, modes},
+    report::{measure, ratios, transmission},
     results::{
         arc, assembly, certificate, error, forces, motion, observer, options, ranges, sensitivities, state, trajectory,
     },

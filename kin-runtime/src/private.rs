@@ -30,7 +30,7 @@ pub mod locals {
     }
     names! {
         arguments at eta forces gamma generalized geometry guesses index joint k lengths observations out p parameters phi phi_q phi_t q q_ddot
-        acceleration b branches closures correction depth held margins modes position q_dot right s solved start subset t this u unknowns value velocity w
+        acceleration b branches closures correction depth held margins modes position q_dot right s solved start subset t this u unknowns value velocity
         workspace x
     }
 }

@@ -13,7 +13,7 @@ use crate::ratios::{VelocityRatios, velocity_ratios};
 use crate::report::motion::motion;
 use crate::solver::{Position, Solver};
 use crate::state::State;
-use crate::sweep::continuation::Follower;
+use crate::sweep::continuation::Continuation;
 use crate::trajectory::Fallback;
 use crate::workspace::Instant;
 
@@ -21,8 +21,9 @@ use crate::workspace::Instant;
 ///
 /// It is made by [`Solver::tracker`], which assembles the mechanism at the first instant. Every
 /// [`update`](Self::update) follows the branch from the last good instant to the new one and never leaves it, in the
-/// same way as a sweep: predict with q̇ and q̈, correct, judge by contraction, velocity and the sign of the determinant
-/// of Φ_q, and halve the step if that fails. Between the two instants the inputs follow, with x from 0 to 1,
+/// same way as a sweep: by the plan where there is one that has a solution, otherwise by Newton's method in steps that
+/// are halved until they are certain to stay on the branch. Between the two instants the inputs follow, with x from 0
+/// to 1,
 ///
 /// - the quintic with the values, rates and accelerations of both instants, if t increases and the rates agree with the
 ///   values: if u + h u̇ + ½ h² ü from either instant predicts the other's value to within a quarter of the change;
@@ -81,7 +82,7 @@ use crate::workspace::Instant;
 /// ```
 pub struct Tracker<'m> {
     equations: Equations<'m>,
-    follower: Follower,
+    follower: Continuation,
     wanted: Wanted,
     /// Whether the last update ended at a limit that was located.
     is_at_limit: bool,
@@ -98,7 +99,7 @@ impl<'m> Tracker<'m> {
         let wanted = solver.wanted()?;
         let mut equations = Equations::new(system, solver.options, &solver.given, None, at)?;
         let follower = match by_plan {
-            Some(state) => Follower::new(&mut equations, state, None)?,
+            Some(state) => Continuation::new(&mut equations, state, None)?,
             None => begin(&mut equations, &wanted, first)?,
         };
         Ok(Self { equations, follower, wanted, is_at_limit: false })
@@ -273,10 +274,10 @@ fn begin(
     equations: &mut Equations<'_>,
     wanted: &Wanted,
     first: impl FnOnce(&mut Equations<'_>, &Wanted) -> Result<Position, SolveError>,
-) -> Result<Follower, SolveError> {
+) -> Result<Continuation, SolveError> {
     let position = first(equations, wanted)?;
     let (state, factor) = analysis::state(equations, position)?;
-    Follower::new(equations, state, Some(factor))
+    Continuation::new(equations, state, Some(factor))
 }
 
 /// The last good instant.

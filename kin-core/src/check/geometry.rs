@@ -2,7 +2,7 @@
 
 use super::scope::scopes;
 use crate::error::ModelError;
-use crate::mechanism::{BodyRef, Formula, Joint, Mechanism, Operand, Slot, Takes};
+use crate::mechanism::{BodyRef, Formula, Joint, Mechanism, Operand, OperandType, Slot};
 
 /// True if the joint connects the ground with itself.
 pub(super) fn is_within_ground(joint: &Joint) -> bool {
@@ -56,7 +56,7 @@ pub(super) fn radii_are_not_zero(mechanism: &Mechanism, errors: &mut Vec<ModelEr
     for (slot, operand) in operands(mechanism) {
         let radii = match operand {
             Operand::Radii(radii) => vec![&radii.i, &radii.j],
-            Operand::Value(radius) if slot.takes == Takes::Radius => vec![radius],
+            Operand::Value(radius) if slot.takes == OperandType::Radius => vec![radius],
             _ => continue,
         };
         for radius in radii.into_iter().filter(|radius| radius.value.literal() == Some(0.0)) {

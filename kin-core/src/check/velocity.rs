@@ -5,13 +5,13 @@
 
 use super::mention::{changes, moves};
 use crate::error::{ModelError, Origin};
-use crate::mechanism::{Formula, Mechanism, Takes};
+use crate::mechanism::{Formula, Mechanism, OperandType};
 
 /// Rule: a row of velocity level is linear in the rates of coordinates and contains at least one.
 pub(super) fn velocity_rows_are_linear(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
     for joint in &mechanism.joints {
         let sides: Vec<&Formula> = (joint.operands.iter())
-            .filter(|(slot, _)| slot.takes == Takes::SideOfRates)
+            .filter(|(slot, _)| slot.takes == OperandType::SideOfRates)
             .flat_map(|(_, operand)| operand.formulas())
             .collect();
         if sides.is_empty() {

@@ -126,7 +126,7 @@ impl<N: Names> Shown<'_, N> {
             Node::Call(function, a) => (ATOM, call(function.name().to_owned(), &[a])),
             Node::Sign(a) => (ATOM, call("sign".to_owned(), &[a])),
             Node::Atan2(y, x) => (ATOM, call("atan2".to_owned(), &[y, x])),
-            Node::Whole(a) => self.pieces(a),
+            Node::Opaque(a) => self.pieces(a),
             Node::Nearest(a, b) => (ATOM, call("nearest".to_owned(), &[a, b])),
             Node::RotX(r) => match (self.term(r.x, "cos", r.angle), self.minus_sine(id)) {
                 (x, Some(y)) if x.is_empty() => (UNARY, [vec![Text("-")], y].into_iter().flatten().collect()),

@@ -39,7 +39,7 @@ pub(crate) trait Algebra {
     fn div(&mut self, id: ExprId, a: Self::Value, b: Self::Value) -> Self::Value;
     /// The value of aⁿ.
     fn powi(&mut self, id: ExprId, a: Self::Value, n: i32) -> Self::Value;
-    /// The value of an opaque expression, see [`Node::Whole`].
+    /// The value of an opaque expression, see [`Node::Opaque`].
     fn whole(&mut self, a: Self::Value) -> Self::Value {
         a
     }
@@ -119,7 +119,7 @@ pub(crate) trait Algebra {
                 let a = self.value(a);
                 self.powi(id, a, n)
             }
-            Node::Whole(a) => {
+            Node::Opaque(a) => {
                 let a = self.value(a);
                 self.whole(a)
             }

@@ -121,7 +121,7 @@ fn derive(graph: &mut Graph, jets: &[Rc<Jet>], id: ExprId) -> Jet {
             _ => of_atan2(graph, [x, y], &jet(x), &jet(y)),
         },
         // The number of whole turns is constant during a motion.
-        Node::Nearest(a, _) | Node::Whole(a) => linear(graph, &[(None, &jet(a))]),
+        Node::Nearest(a, _) | Node::Opaque(a) => linear(graph, &[(None, &jet(a))]),
         Node::RotX(r) | Node::RotY(r) => {
             let along = graph.rotate(r.angle, [r.x, r.y]);
             rotated(

@@ -27,7 +27,7 @@ pub enum Symbol {
     /// An input: its value, rate or acceleration (order 0, 1, 2). Differentiation may write a higher order, up to
     /// twice the highest; [`differentiate`](crate::system::differentiate) reports results that need it as errors.
     Input(u32, u8),
-    /// A generalized coordinate q_k.
+    /// A generalized coordinate q_k; or [`ARGUMENT`](Self::ARGUMENT), which a `match` must therefore name first.
     Coordinate(u32),
     /// The rate q̇_k of a coordinate.
     Rate(u32),
@@ -52,7 +52,8 @@ pub enum Symbol {
 const ARGUMENT: u32 = u32::MAX;
 
 impl Symbol {
-    /// The free argument of a curve.
+    /// The free argument of a curve. It is a coordinate without a place in q, so that [`partial`](super::partial)
+    /// differentiates by it as by any other.
     pub const ARGUMENT: Self = Self::Coordinate(ARGUMENT);
 
     /// The index of the symbol in its array; 0 for time.
@@ -159,7 +160,7 @@ pub enum Node {
     /// The angle a + 2πn that is nearest to b.
     Nearest(ExprId, ExprId),
     /// The value a as an opaque unit: products and sums that contain it are not rearranged with its parts.
-    Whole(ExprId),
+    Opaque(ExprId),
     /// cos φ·s_x − sin φ·s_y.
     RotX(Rotation),
     /// sin φ·s_x + cos φ·s_y.
@@ -204,7 +205,7 @@ impl Node {
             | Self::Powf(a, _)
             | Self::Call(_, a)
             | Self::Sign(a)
-            | Self::Whole(a)
+            | Self::Opaque(a)
             | Self::Supplied(_, _, a) => f(a),
             Self::Add(a, b)
             | Self::Sub(a, b)

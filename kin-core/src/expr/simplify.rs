@@ -319,9 +319,9 @@ impl Graph {
     pub fn whole(&mut self, a: ExprId) -> ExprId {
         let (negative, inner) = self.unsigned(a);
         match self.node(inner) {
-            Node::Number(_) | Node::Symbol(_) | Node::Whole(_) => a,
+            Node::Number(_) | Node::Symbol(_) | Node::Opaque(_) => a,
             _ => {
-                let whole = self.intern(Node::Whole(inner));
+                let whole = self.intern(Node::Opaque(inner));
                 self.signed(negative, whole)
             }
         }

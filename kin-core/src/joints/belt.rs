@@ -11,7 +11,7 @@ use super::gear::{carrier_is_a_third_body, coupled, coupled_angles};
 use super::joint::{JointType, Reaction, joint};
 use crate::constraint::{Assembly, Rows};
 use crate::error::ModelError;
-use crate::mechanism::{BodyRef, Dimension, Formula, Joint, Mechanism, Radii, Slot, Takes};
+use crate::mechanism::{BodyRef, Dimension, Formula, Joint, Mechanism, OperandType, Radii, Slot};
 use crate::vectors::{Equation, NamedJoint};
 
 joint! {
@@ -22,9 +22,9 @@ joint! {
         /// The body b.
         b: BodyRef = Slot::body("b"),
         /// The radii R_a and R_b.
-        radii: Radii = Slot::required("radii", Takes::Radii).measured_in(Dimension::CommonLength),
+        radii: Radii = Slot::required("radii", OperandType::Radii).measured_in(Dimension::CommonLength),
         /// The body that carries both axles, by default the ground.
-        carrier: BodyRef = Slot::required("carrier", Takes::Carrier),
+        carrier: BodyRef = Slot::required("carrier", OperandType::Carrier),
         /// The offset e.
         offset: Formula = Slot::offset("offset", Dimension::CommonLength),
     }

@@ -11,7 +11,7 @@ use super::joint::{JointType, joint};
 use crate::constraint::{Assembly, PlacedPoint, RowMeaning, Rows};
 use crate::error::Origin;
 use crate::expr::ExprId;
-use crate::mechanism::{Function, Place, Slot, Takes, Value};
+use crate::mechanism::{Function, OperandType, Place, Slot, Value};
 use crate::vectors::{Equation, NamedJoint, Terms, equals};
 use crate::vocabulary::Role;
 
@@ -23,7 +23,7 @@ joint! {
         /// The point Q of body j.
         q: Place = Slot::frame("q"),
         /// The length e.
-        length: Value = Slot::required("length", Takes::Signal).positive(),
+        length: Value = Slot::required("length", OperandType::Signal).positive(),
     }
     example: "#[distance(A: crank @ (l1, 0), rocker @ (0, 0), length = l2)]"
 }

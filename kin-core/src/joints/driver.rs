@@ -10,15 +10,15 @@
 use super::distance;
 use super::joint::{JointType, Reaction, joint};
 use crate::constraint::{Assembly, Rows};
-use crate::mechanism::{Formula, Slot, Takes, Value};
+use crate::mechanism::{Formula, OperandType, Slot, Value};
 
 joint! {
     /// The sides of a driving constraint.
     Driver {
         /// The left side.
-        left: Formula = Slot::left(Takes::Side),
+        left: Formula = Slot::left(OperandType::Side),
         /// The right side.
-        right: Value = Slot::right(Takes::Side),
+        right: Value = Slot::right(OperandType::Side),
     }
     example: "#[driver(drive: crank.phi = phi0 + omega*t)]"
 }

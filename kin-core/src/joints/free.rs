@@ -7,15 +7,15 @@
 
 use super::joint::{JointType, Reaction, joint};
 use crate::constraint::{Assembly, Rows};
-use crate::mechanism::{Formula, Slot, Takes};
+use crate::mechanism::{Formula, OperandType, Slot};
 
 joint! {
     /// The sides of an equation.
     Constraint {
         /// The left side.
-        left: Formula = Slot::left(Takes::Side),
+        left: Formula = Slot::left(OperandType::Side),
         /// The right side.
-        right: Formula = Slot::right(Takes::Side),
+        right: Formula = Slot::right(OperandType::Side),
     }
     example: "#[constraint(close_x: l1*cos(phi1) + l2*cos(phi2) = d1)]"
 }

@@ -14,7 +14,7 @@ use super::joint::{JointType, Reaction, joint};
 use crate::constraint::{Assembly, Frame, RowMeaning, Rows};
 use crate::error::{ModelError, Origin};
 use crate::expr::ExprId;
-use crate::mechanism::{BodyRef, Dimension, Formula, Joint, Mechanism, Radii, Slot, Takes};
+use crate::mechanism::{BodyRef, Dimension, Formula, Joint, Mechanism, OperandType, Radii, Slot};
 use crate::vectors::{Equation, NamedJoint, Piece, Symbol, Terms, equals};
 use crate::vocabulary::Role;
 
@@ -26,9 +26,9 @@ joint! {
         /// The body b.
         b: BodyRef = Slot::body("b"),
         /// The radii R_a and R_b.
-        radii: Radii = Slot::required("radii", Takes::Radii).measured_in(Dimension::CommonLength),
+        radii: Radii = Slot::required("radii", OperandType::Radii).measured_in(Dimension::CommonLength),
         /// The body that carries both axles, by default the ground.
-        carrier: BodyRef = Slot::required("carrier", Takes::Carrier),
+        carrier: BodyRef = Slot::required("carrier", OperandType::Carrier),
         /// The offset e.
         offset: Formula = Slot::offset("offset", Dimension::CommonLength),
     }

@@ -11,16 +11,16 @@
 use super::joint::{JointType, Reaction, joint};
 use crate::constraint::{Assembly, PlacedPoint, Rows, VelocityRow};
 use crate::expr::ExprId;
-use crate::mechanism::{Formula, Place, Slot, Takes};
+use crate::mechanism::{Formula, OperandType, Place, Slot};
 use crate::vocabulary::Role;
 
 joint! {
     /// The sides of an equation of velocity level.
     Nonholonomic {
         /// The left side.
-        left: Formula = Slot::left(Takes::SideOfRates),
+        left: Formula = Slot::left(OperandType::SideOfRates),
         /// The right side.
-        right: Formula = Slot::right(Takes::SideOfRates),
+        right: Formula = Slot::right(OperandType::SideOfRates),
     }
     example: "#[nonholonomic(A: dot(wheel.x) = -R*dot(wheel.phi))]"
 }

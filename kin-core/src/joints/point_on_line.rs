@@ -10,7 +10,7 @@
 use super::joint::{JointType, joint};
 use super::translational::{across, along};
 use crate::constraint::{Assembly, RowMeaning, Rows};
-use crate::mechanism::{Axis, Dimension, Formula, Place, Slot, Takes};
+use crate::mechanism::{Axis, Dimension, Formula, OperandType, Place, Slot};
 use crate::vectors::{Equation, NamedJoint, Terms, equals};
 use crate::vocabulary::Role;
 
@@ -22,7 +22,7 @@ joint! {
         /// The point Q of body j.
         q: Place = Slot::frame("q"),
         /// The direction v of the line in body i.
-        axis: Axis = Slot::required("axis", Takes::Axis),
+        axis: Axis = Slot::required("axis", OperandType::Axis),
         /// The offset e.
         offset: Formula = Slot::offset("offset", Dimension::Length),
     }

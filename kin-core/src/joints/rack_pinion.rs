@@ -14,7 +14,7 @@ use super::translational::along;
 use crate::constraint::{Assembly, Frame, RowMeaning, Rows};
 use crate::error::ModelError;
 use crate::expr::ExprId;
-use crate::mechanism::{Axis, BodyRef, Dimension, Formula, Joint, Mechanism, Place, Slot, Takes, Value};
+use crate::mechanism::{Axis, BodyRef, Dimension, Formula, Joint, Mechanism, OperandType, Place, Slot, Value};
 use crate::vectors::{Equation, NamedJoint, Piece, Symbol, Terms, equals};
 use crate::vocabulary::Role;
 
@@ -26,11 +26,11 @@ joint! {
         /// The point Q of the rack, body j.
         q: Place = Slot::point("q"),
         /// The direction v in body i.
-        axis: Axis = Slot::required("axis", Takes::Axis),
+        axis: Axis = Slot::required("axis", OperandType::Axis),
         /// The pinion, whose axle is on the guide.
-        pinion: BodyRef = Slot::required("pinion", Takes::Body),
+        pinion: BodyRef = Slot::required("pinion", OperandType::Body),
         /// The radius R.
-        radius: Value = Slot::required("radius", Takes::Radius),
+        radius: Value = Slot::required("radius", OperandType::Radius),
         /// The offset e.
         offset: Formula = Slot::offset("offset", Dimension::Length),
     }

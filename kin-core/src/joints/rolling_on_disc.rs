@@ -16,7 +16,7 @@ use super::joint::{JointType, joint};
 use super::rolling_on_line::WAYS;
 use crate::constraint::{Assembly, RowMeaning, Rows};
 use crate::error::ModelError;
-use crate::mechanism::{Dimension, Formula, Joint, Mechanism, Member, Place, Radii, Slot, Takes};
+use crate::mechanism::{Dimension, Formula, Joint, Mechanism, Member, OperandType, Place, Radii, Slot};
 use crate::vocabulary::Role;
 
 joint! {
@@ -27,10 +27,10 @@ joint! {
         /// The point Q, the centre of the disc of body j.
         q: Place = Slot::frame("q"),
         /// The radii R_i and R_j.
-        radii: Radii = Slot::required("radii", Takes::Radii),
+        radii: Radii = Slot::required("radii", OperandType::Radii),
         /// The scalar coordinate ψ, the direction of d in the inertial frame.
         along: Member =
-            Slot::required("along", Takes::Scalar("`along` names a scalar coordinate, `#[coordinates(psi)]`"))
+            Slot::required("along", OperandType::Scalar("`along` names a scalar coordinate, `#[coordinates(psi)]`"))
                 .measured_in(Dimension::Angle),
         /// The offset e.
         offset: Formula = Slot::offset("offset", Dimension::Length).in_last_row(),

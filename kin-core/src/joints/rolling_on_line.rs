@@ -14,7 +14,7 @@ use super::contact::{Contact, Normal, side};
 use super::joint::{JointType, joint};
 use super::translational::{across, along};
 use crate::constraint::{Assembly, RowMeaning, Rows};
-use crate::mechanism::{Axis, Dimension, Formula, Place, Slot, Takes, Value};
+use crate::mechanism::{Axis, Dimension, Formula, OperandType, Place, Slot, Value};
 use crate::vectors::{Equation, NamedJoint, Piece, Symbol, Terms, equals};
 use crate::vocabulary::Role;
 
@@ -30,9 +30,9 @@ joint! {
         /// The point Q of body j, the centre of the disc.
         q: Place = Slot::frame("q"),
         /// The direction v of the line in body i.
-        axis: Axis = Slot::required("axis", Takes::Axis),
+        axis: Axis = Slot::required("axis", OperandType::Axis),
         /// The radius R.
-        radius: Value = Slot::required("radius", Takes::Radius),
+        radius: Value = Slot::required("radius", OperandType::Radius),
         /// The offset e.
         offset: Formula = Slot::offset("offset", Dimension::Length).in_last_row(),
     }

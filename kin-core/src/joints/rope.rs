@@ -12,7 +12,7 @@
 use super::joint::{JointType, joint};
 use crate::constraint::{Assembly, Frame, RowMeaning, Rows};
 use crate::error::ModelError;
-use crate::mechanism::{Joint, Mechanism, Place, Slot, Takes, Value};
+use crate::mechanism::{Joint, Mechanism, OperandType, Place, Slot, Value};
 use crate::vocabulary::Role;
 
 joint! {
@@ -21,7 +21,7 @@ joint! {
         /// The points, in their order along the rope.
         points: Vec<Place> = Slot::points("points"),
         /// The length e.
-        length: Value = Slot::required("length", Takes::Signal).positive(),
+        length: Value = Slot::required("length", OperandType::Signal).positive(),
     }
     example: "#[rope(N: ground @ (0, 0), hook @ (0, 0), ground @ (0.2, 0), length = l)]"
 }

@@ -14,7 +14,7 @@ use super::joint::{JointType, Reaction, joint};
 use super::rack_pinion::{guide_does_not_turn, stroke_by_angle};
 use crate::constraint::{Assembly, Rows};
 use crate::error::ModelError;
-use crate::mechanism::{Axis, BodyRef, Dimension, Formula, Joint, Mechanism, Place, Slot, Takes};
+use crate::mechanism::{Axis, BodyRef, Dimension, Formula, Joint, Mechanism, OperandType, Place, Slot};
 
 joint! {
     /// Operands of a screw.
@@ -24,11 +24,11 @@ joint! {
         /// The point Q of the carriage, body j.
         q: Place = Slot::point("q"),
         /// The direction v in body i.
-        axis: Axis = Slot::required("axis", Takes::Axis),
+        axis: Axis = Slot::required("axis", OperandType::Axis),
         /// The lead p, the stroke per turn.
-        lead: Formula = Slot::required("lead", Takes::Signal),
+        lead: Formula = Slot::required("lead", OperandType::Signal),
         /// The rotating body b.
-        nut: BodyRef = Slot::required("nut", Takes::Body),
+        nut: BodyRef = Slot::required("nut", OperandType::Body),
         /// The offset e.
         offset: Formula = Slot::offset("offset", Dimension::Length),
     }

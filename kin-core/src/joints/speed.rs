@@ -9,7 +9,7 @@
 use super::joint::{JointType, joint};
 use super::nonholonomic::{Heading, velocity_row};
 use crate::constraint::{Assembly, Rows};
-use crate::mechanism::{Dimension, Formula, Place, Slot, Takes};
+use crate::mechanism::{Dimension, Formula, OperandType, Place, Slot};
 use crate::vocabulary::Role;
 
 joint! {
@@ -20,7 +20,7 @@ joint! {
         /// The angle α.
         angle: Formula = Slot::offset("angle", Dimension::Angle),
         /// The prescribed speed f.
-        value: Formula = Slot::required("value", Takes::Signal).measured_in(Dimension::Speed),
+        value: Formula = Slot::required("value", OperandType::Signal).measured_in(Dimension::Speed),
     }
     example: "#[speed(A: sleigh @ (0, 0), angle = 0, value = v)]"
 }

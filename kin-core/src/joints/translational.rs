@@ -11,7 +11,7 @@
 use super::joint::{JointType, joint};
 use crate::constraint::{Assembly, PlacedAxis, PlacedPoint, RowMeaning, Rows};
 use crate::expr::ExprId;
-use crate::mechanism::{Axis, Dimension, Formula, Place, Slot, Takes};
+use crate::mechanism::{Axis, Dimension, Formula, OperandType, Place, Slot};
 use crate::vectors::{Equation, NamedJoint, Terms, equals, zero};
 use crate::vocabulary::Role;
 
@@ -23,7 +23,7 @@ joint! {
         /// The point Q of body j.
         q: Place = Slot::frame("q"),
         /// The direction v of the axis in body i.
-        axis: Axis = Slot::required("axis", Takes::Axis),
+        axis: Axis = Slot::required("axis", OperandType::Axis),
         /// The angle c.
         angle: Formula = Slot::offset("angle", Dimension::Angle).in_last_row(),
     }

@@ -62,7 +62,7 @@ pub fn kernels(system: &KinematicSystem, plan: &SolutionPlan, forces: Option<&Fo
     let everything = constraints.program.only(|_| true);
     let (functions, arguments): (Vec<usize>, Vec<ExprId>) = arguments(system).into_iter().unzip();
     let mut lists = list::lists(set, &arguments);
-    lists.extend(solution::closures(plan));
+    lists.extend(solution::branch_values(plan));
     lists.extend(forces.into_iter().flat_map(list::of_forces));
     Kernels {
         operations: everything.operations(),

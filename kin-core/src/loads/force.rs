@@ -7,7 +7,7 @@
 
 use super::free_bodies::FreeBodies;
 use super::load::{Acting, Exerted, LoadType, Work, load};
-use crate::mechanism::{BodyRef, Dimension, Place, Slot, Takes, Vector};
+use crate::mechanism::{BodyRef, Dimension, OperandType, Place, Slot, Vector};
 
 load! {
     /// Operands of a force.
@@ -15,9 +15,9 @@ load! {
         /// P.
         point: Place = Slot::frame("p"),
         /// F.
-        force: Vector = Slot::operand("force", Takes::Vector).measured_in(Dimension::Derived([1, 1, -2])),
+        force: Vector = Slot::operand("force", OperandType::Vector).measured_in(Dimension::Derived([1, 1, -2])),
         /// The body whose frame the components are in.
-        frame: BodyRef = Slot::required("frame", Takes::Carrier),
+        frame: BodyRef = Slot::required("frame", OperandType::Carrier),
     }
     named: true,
     example: "#[force(load: coupler @ (l2, 0), (0, -f))]"

@@ -8,7 +8,7 @@
 
 use super::free_bodies::FreeBodies;
 use super::load::{Acting, Exerted, LoadType, Work, load};
-use crate::mechanism::{Dimension, Formula, Place, Slot, Takes};
+use crate::mechanism::{Dimension, Formula, OperandType, Place, Slot};
 
 load! {
     /// Operands of a mass.
@@ -16,9 +16,9 @@ load! {
         /// C, the centre of mass.
         centre: Place = Slot::frame("c"),
         /// m.
-        mass: Formula = Slot::required("mass", Takes::Constant).measured_in(Dimension::Derived([1, 0, 0])),
+        mass: Formula = Slot::required("mass", OperandType::Constant).measured_in(Dimension::Derived([1, 0, 0])),
         /// J.
-        inertia: Formula = Slot::offset("inertia", Dimension::Derived([1, 2, 0])).taking(Takes::Constant),
+        inertia: Formula = Slot::offset("inertia", Dimension::Derived([1, 2, 0])).taking(OperandType::Constant),
     }
     named: false,
     example: "#[mass(crank @ (l1/2, 0), mass = m1, inertia = j1)]"

@@ -9,7 +9,7 @@
 use super::elastic::{Elastic, stretched};
 use super::free_bodies::FreeBodies;
 use super::load::{Acting, Exerted, LoadType, load};
-use crate::mechanism::{Dimension, Formula, Place, Slot, Takes};
+use crate::mechanism::{Dimension, Formula, OperandType, Place, Slot};
 
 load! {
     /// Operands of a spring.
@@ -19,11 +19,11 @@ load! {
         /// Q.
         q: Place = Slot::point("q"),
         /// k.
-        stiffness: Formula = Slot::offset("stiffness", Dimension::Derived([1, 0, -2])).taking(Takes::Side),
+        stiffness: Formula = Slot::offset("stiffness", Dimension::Derived([1, 0, -2])).taking(OperandType::Side),
         /// ℓ₀.
-        free_length: Formula = Slot::offset("free_length", Dimension::Length).taking(Takes::Side),
+        free_length: Formula = Slot::offset("free_length", Dimension::Length).taking(OperandType::Side),
         /// c.
-        damping: Formula = Slot::offset("damping", Dimension::Derived([1, 0, -1])).taking(Takes::Side),
+        damping: Formula = Slot::offset("damping", Dimension::Derived([1, 0, -1])).taking(OperandType::Side),
     }
     named: true,
     example: "#[spring(S: ground @ (0, 1), rocker @ (l3, 0), stiffness = k, free_length = l0)]"

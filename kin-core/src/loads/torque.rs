@@ -6,15 +6,15 @@
 
 use super::free_bodies::FreeBodies;
 use super::load::{Acting, Exerted, LoadType, Work, load};
-use crate::mechanism::{BodyRef, Dimension, Formula, Slot, Takes};
+use crate::mechanism::{BodyRef, Dimension, Formula, OperandType, Slot};
 
 load! {
     /// Operands of a couple.
     Torque {
         /// b; or a and b.
-        bodies: Vec<BodyRef> = Slot::operand("b", Takes::Bodies),
+        bodies: Vec<BodyRef> = Slot::operand("b", OperandType::Bodies),
         /// τ.
-        torque: Formula = Slot::right(Takes::SideOfRates).measured_in(Dimension::Derived([1, 2, -2])),
+        torque: Formula = Slot::right(OperandType::SideOfRates).measured_in(Dimension::Derived([1, 2, -2])),
     }
     named: true,
     example: "#[torque(load: rocker = -c*dot(rocker.phi))]"

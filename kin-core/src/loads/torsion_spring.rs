@@ -8,7 +8,7 @@
 use super::elastic::{Elastic, stretched};
 use super::free_bodies::FreeBodies;
 use super::load::{Acting, Exerted, LoadType, load};
-use crate::mechanism::{BodyRef, Dimension, Formula, Slot, Takes};
+use crate::mechanism::{BodyRef, Dimension, Formula, OperandType, Slot};
 
 load! {
     /// Operands of a torsion spring.
@@ -18,11 +18,11 @@ load! {
         /// b.
         b: BodyRef = Slot::body("b"),
         /// k.
-        stiffness: Formula = Slot::offset("stiffness", Dimension::Derived([1, 2, -2])).taking(Takes::Side),
+        stiffness: Formula = Slot::offset("stiffness", Dimension::Derived([1, 2, -2])).taking(OperandType::Side),
         /// α₀.
-        free_angle: Formula = Slot::offset("free_angle", Dimension::Angle).taking(Takes::Side),
+        free_angle: Formula = Slot::offset("free_angle", Dimension::Angle).taking(OperandType::Side),
         /// c.
-        damping: Formula = Slot::offset("damping", Dimension::Derived([1, 2, -1])).taking(Takes::Side),
+        damping: Formula = Slot::offset("damping", Dimension::Derived([1, 2, -1])).taking(OperandType::Side),
     }
     named: true,
     example: "#[torsion_spring(S: ground, rocker, stiffness = k, free_angle = a0)]"

@@ -41,7 +41,7 @@ pub(super) fn transpose(graph: &mut Graph, solution: &[ExprId], r: &[ExprId], ro
                 let weight = graph.neg(weight);
                 add(graph, &mut weights, a, weight);
             }
-            Node::Whole(a) => {
+            Node::Opaque(a) => {
                 let weight = graph.whole(weight);
                 add(graph, &mut weights, a, weight);
             }

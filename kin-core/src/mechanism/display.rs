@@ -1,8 +1,8 @@
 //! Prints a mechanism in the user's language, as it was understood.
 
 use super::{
-    BodyOrigin, BodyRef, Component, Curve, Formula, GuessTarget, Index, Joint, Mechanism, Member, Operand, Place,
-    Takes, Written,
+    BodyOrigin, BodyRef, Component, Curve, Formula, GuessTarget, Index, Joint, Mechanism, Member, Operand, OperandType,
+    Place, Written,
 };
 use core::fmt;
 
@@ -97,7 +97,7 @@ impl Mechanism {
             let key = match (slot.written, operand) {
                 (Written::Operand, _) | (_, Operand::Curve(_)) => String::new(),
                 (Written::Right, _) => " = ".to_owned(),
-                (Written::Option, _) if slot.takes == Takes::Support => format!("{}(theta) = ", slot.key),
+                (Written::Option, _) if slot.takes == OperandType::Support => format!("{}(theta) = ", slot.key),
                 (Written::Option, _) => format!("{} = ", slot.key),
             };
             let comma = if k == 0 || slot.written == Written::Right { "" } else { ", " };

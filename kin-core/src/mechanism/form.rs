@@ -47,7 +47,7 @@ pub enum Written {
 
 /// The type of an operand.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Takes {
+pub enum OperandType {
     /// A point: `body @ (x, y)` or the name of a point.
     Point,
     /// At least two points.
@@ -119,7 +119,7 @@ pub struct Slot {
     /// How the operand is written.
     pub written: Written,
     /// The type of the operand.
-    pub takes: Takes,
+    pub takes: OperandType,
     /// Whether the operand is 0 if it is not given.
     pub or_zero: bool,
     /// The dimension of the operand.
@@ -133,7 +133,7 @@ pub struct Slot {
 }
 
 impl Slot {
-    const fn new(key: &'static str, written: Written, takes: Takes) -> Self {
+    const fn new(key: &'static str, written: Written, takes: OperandType) -> Self {
         Self {
             key,
             written,
@@ -148,7 +148,7 @@ impl Slot {
 
     /// A point whose body's angle also appears in the rows.
     pub const fn frame(letter: &'static str) -> Self {
-        Self::new(letter, Written::Operand, Takes::Point)
+        Self::new(letter, Written::Operand, OperandType::Point)
     }
 
     /// A point whose position alone appears in the rows.
@@ -163,42 +163,42 @@ impl Slot {
 
     /// A list of points whose positions alone appear in the rows.
     pub const fn points(letter: &'static str) -> Self {
-        Self { takes: Takes::Points, ..Self::point(letter) }
+        Self { takes: OperandType::Points, ..Self::point(letter) }
     }
 
     /// A body whose angle appears in the rows.
     pub const fn body(letter: &'static str) -> Self {
-        Self::new(letter, Written::Operand, Takes::Body)
+        Self::new(letter, Written::Operand, OperandType::Body)
     }
 
     /// An operand of another type.
-    pub const fn operand(letter: &'static str, takes: Takes) -> Self {
+    pub const fn operand(letter: &'static str, takes: OperandType) -> Self {
         Self::new(letter, Written::Operand, takes)
     }
 
     /// The left side of an equation.
-    pub const fn left(takes: Takes) -> Self {
+    pub const fn left(takes: OperandType) -> Self {
         Self { dimension: Dimension::Common, ..Self::new("left", Written::Operand, takes) }
     }
 
     /// The right side of an equation.
-    pub const fn right(takes: Takes) -> Self {
+    pub const fn right(takes: OperandType) -> Self {
         Self { dimension: Dimension::Common, ..Self::new("right", Written::Right, takes) }
     }
 
     /// A value after `=`: a formula of parameters, t and inputs.
     pub const fn value(dimension: Dimension) -> Self {
-        Self { dimension, ..Self::new("value", Written::Right, Takes::Signal) }
+        Self { dimension, ..Self::new("value", Written::Right, OperandType::Signal) }
     }
 
     /// A mandatory option.
-    pub const fn required(key: &'static str, takes: Takes) -> Self {
+    pub const fn required(key: &'static str, takes: OperandType) -> Self {
         Self::new(key, Written::Option, takes)
     }
 
     /// An option that is 0 by default: a formula of parameters, t and inputs.
     pub const fn offset(key: &'static str, dimension: Dimension) -> Self {
-        Self { or_zero: true, dimension, ..Self::required(key, Takes::Signal) }
+        Self { or_zero: true, dimension, ..Self::required(key, OperandType::Signal) }
     }
 
     /// The slot with another dimension.
@@ -207,7 +207,7 @@ impl Slot {
     }
 
     /// The slot with another type.
-    pub const fn taking(self, takes: Takes) -> Self {
+    pub const fn taking(self, takes: OperandType) -> Self {
         Self { takes, ..self }
     }
 
@@ -223,6 +223,13 @@ impl Slot {
 
     /// True for formulas that may contain t and inputs, which make the joint a driving one.
     pub const fn may_move(&self) -> bool {
-        matches!(self.takes, Takes::Signal | Takes::Side | Takes::SideOfRates | Takes::Support | Takes::Curve)
+        matches!(
+            self.takes,
+            OperandType::Signal
+                | OperandType::Side
+                | OperandType::SideOfRates
+                | OperandType::Support
+                | OperandType::Curve
+        )
     }
 }

@@ -1,6 +1,6 @@
 //! The operands of a joint, a mass or a load: the values of its slots.
 
-use super::form::{Slot, StatementForm, Takes, Written};
+use super::form::{OperandType, Slot, StatementForm, Written};
 use super::{BodyRef, Curve, Formula, Member, Place};
 use crate::error::Origin;
 use crate::vocabulary::{JointKind, StatementKind};
@@ -111,16 +111,21 @@ impl Operand {
     /// True if `slot` takes an operand of this type.
     fn fits(&self, slot: &Slot) -> bool {
         match slot.takes {
-            Takes::Point => matches!(self, Self::Point(_)),
-            Takes::Points => matches!(self, Self::Points(_)),
-            Takes::Body | Takes::Carrier => matches!(self, Self::Body(_)),
-            Takes::Bodies => matches!(self, Self::Bodies(_)),
-            Takes::Vector => matches!(self, Self::Vector(_)),
-            Takes::Scalar(_) => matches!(self, Self::Scalar(_)),
-            Takes::Axis => matches!(self, Self::Axis(_)),
-            Takes::Radii => matches!(self, Self::Radii(_)),
-            Takes::Curve => matches!(self, Self::Curve(_)),
-            Takes::Constant | Takes::Radius | Takes::Signal | Takes::Side | Takes::SideOfRates | Takes::Support => {
+            OperandType::Point => matches!(self, Self::Point(_)),
+            OperandType::Points => matches!(self, Self::Points(_)),
+            OperandType::Body | OperandType::Carrier => matches!(self, Self::Body(_)),
+            OperandType::Bodies => matches!(self, Self::Bodies(_)),
+            OperandType::Vector => matches!(self, Self::Vector(_)),
+            OperandType::Scalar(_) => matches!(self, Self::Scalar(_)),
+            OperandType::Axis => matches!(self, Self::Axis(_)),
+            OperandType::Radii => matches!(self, Self::Radii(_)),
+            OperandType::Curve => matches!(self, Self::Curve(_)),
+            OperandType::Constant
+            | OperandType::Radius
+            | OperandType::Signal
+            | OperandType::Side
+            | OperandType::SideOfRates
+            | OperandType::Support => {
                 matches!(self, Self::Value(_))
             }
         }

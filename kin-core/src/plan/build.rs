@@ -68,8 +68,8 @@ pub(super) struct Build<'a> {
     pub(super) iterated: Vec<(usize, StepId, usize)>,
     /// The divisors whose margins are still to be written.
     pub(super) divisors: Vec<Divisor>,
-    /// The indicators of all closures at a given q.
-    pub(super) closures: Vec<ExprId>,
+    /// The branch values of all closures at a given q.
+    pub(super) branch_values: Vec<ExprId>,
     /// All margins written so far.
     pub(super) margins: Vec<ExprId>,
     /// The redundant rows, and the sizes that their margins share.
@@ -80,7 +80,7 @@ pub(super) struct Build<'a> {
 impl<'a> Build<'a> {
     pub(super) fn new(system: &'a KinematicSystem, graph: Graph, listed: StepList) -> Self {
         let known = Known::default();
-        let (stages, pending, closures) = (vec![Stage::Closed(Vec::new())], Vec::new(), Vec::new());
+        let (stages, pending, branch_values) = (vec![Stage::Closed(Vec::new())], Vec::new(), Vec::new());
         let (margins, redundant, redundant_sizes) = (Vec::new(), Vec::new(), None);
         Self {
             system,
@@ -92,7 +92,7 @@ impl<'a> Build<'a> {
             pending,
             iterated: Vec::new(),
             divisors: Vec::new(),
-            closures,
+            branch_values,
             margins,
             redundant,
             redundant_sizes,

@@ -1,4 +1,4 @@
-//! Closed-form solutions: roots with a sign for the mode, their margins, and the indicators that give the mode of a
+//! Closed-form solutions: roots with a sign for the mode, their margins, and the branch values that give the mode of a
 //! known configuration.
 //!
 //! A margin is about 1 far from a singular position, 0 where both solutions coincide, and negative where there is
@@ -20,7 +20,7 @@ pub(super) fn sum_of_squared_terms(graph: &mut Graph, id: ExprId, depth: usize) 
         return graph.square(id);
     }
     match graph.node(id) {
-        Node::Neg(a) | Node::Whole(a) => sum_of_squared_terms(graph, a, depth - 1),
+        Node::Neg(a) | Node::Opaque(a) => sum_of_squared_terms(graph, a, depth - 1),
         Node::Add(a, b) | Node::Sub(a, b) => {
             let (a, b) = (sum_of_squared_terms(graph, a, depth - 1), sum_of_squared_terms(graph, b, depth - 1));
             graph.add(a, b)
@@ -44,7 +44,7 @@ pub(super) fn squared_size(graph: &mut Graph, id: ExprId, depth: usize) -> ExprI
         graph.add(x, y)
     };
     match graph.node(id) {
-        Node::Neg(a) | Node::Whole(a) => squared_size(graph, a, depth - 1),
+        Node::Neg(a) | Node::Opaque(a) => squared_size(graph, a, depth - 1),
         Node::Add(a, b) | Node::Sub(a, b) => length(graph, [a, b]),
         Node::Mul(a, b) => {
             let (a, b) = (squared_size(graph, a, depth - 1), squared_size(graph, b, depth - 1));
@@ -192,8 +192,8 @@ pub(super) fn circle(graph: &mut Graph, mode: ExprId, [e, lx, ly, k, nx, ny, m]:
     (at, graph.div(inside, size))
 }
 
-/// The indicator of an angle closure, (a sin nφ − b cos nφ)/√(a² + b²) = ±w/√(a² + b²).
-pub(super) fn angle_indicator(graph: &mut Graph, (k, times): (u32, i32), [a, b]: [ExprId; 2]) -> ExprId {
+/// The branch value of an angle closure, (a sin nφ − b cos nφ)/√(a² + b²) = ±w/√(a² + b²).
+pub(super) fn angle_branch_value(graph: &mut Graph, (k, times): (u32, i32), [a, b]: [ExprId; 2]) -> ExprId {
     let (phi, n) = (graph.symbol(Symbol::Coordinate(k)), graph.number(f64::from(times)));
     let phi = graph.mul(n, phi);
     // The second component of A(φ)(a, −b).
@@ -204,8 +204,8 @@ pub(super) fn angle_indicator(graph: &mut Graph, (k, times): (u32, i32), [a, b]:
     graph.div(w, size)
 }
 
-/// The indicator of a quadratic closure, (a x + b/2)/√(b²/4 + |a c|).
-pub(super) fn quadratic_indicator(graph: &mut Graph, k: u32, [a, b, c]: [ExprId; 3]) -> ExprId {
+/// The branch value of a quadratic closure, (a x + b/2)/√(b²/4 + |a c|).
+pub(super) fn quadratic_branch_value(graph: &mut Graph, k: u32, [a, b, c]: [ExprId; 3]) -> ExprId {
     let (x, half) = (graph.symbol(Symbol::Coordinate(k)), graph.number(0.5));
     let (ax, half) = (graph.mul(a, x), graph.mul(half, b));
     let (square, product) = (graph.square(half), graph.mul(a, c));
@@ -229,8 +229,8 @@ fn centre_and_square(graph: &mut Graph, e: ExprId, l: [ExprId; 2], k: ExprId) ->
     (centre, graph.sub(square, k))
 }
 
-/// The indicator of a circle and a line, perp(n)·(p − centre)/(|n| r).
-pub(super) fn circle_indicator(graph: &mut Graph, at: [u32; 2], [e, lx, ly, k, nx, ny]: [ExprId; 6]) -> ExprId {
+/// The branch value of a circle and a line, perp(n)·(p − centre)/(|n| r).
+pub(super) fn circle_branch_value(graph: &mut Graph, at: [u32; 2], [e, lx, ly, k, nx, ny]: [ExprId; 6]) -> ExprId {
     let ([x0, y0], radius) = centre_and_square(graph, e, [lx, ly], k);
     let [x, y] = at.map(|k| graph.symbol(Symbol::Coordinate(k)));
     let [dx, dy] = [graph.sub(x, x0), graph.sub(y, y0)];

@@ -5,7 +5,7 @@
 //! is taken of the magnitude of its argument, so no result is NaN: the margin says whether the result is valid.
 
 use super::build::{Build, Divisor, Stage};
-use super::closures::{self, angle_indicator, circle_indicator, inverse, quadratic_indicator};
+use super::closures::{self, angle_branch_value, circle_branch_value, inverse, quadratic_branch_value};
 use super::dense;
 use super::known::turned;
 use super::rates::Rates;
@@ -18,10 +18,15 @@ use crate::hash::FastMap;
 use crate::program::Slot;
 use std::collections::BTreeMap;
 
+/// The numbers of the first stages of q̇ and of q̈.
+pub(super) struct FirstStages {
+    pub(super) velocity: usize,
+    pub(super) acceleration: usize,
+}
+
 impl Build<'_> {
-    /// Builds all stages of q, q̇ and q̈ and the margins of the redundant rows. Returns the numbers of the stages at
-    /// which q̇ and q̈ begin.
-    pub(super) fn all(&mut self, tree: &Block, left_out: &[usize], paired: &[PairedRows]) -> [usize; 2] {
+    /// Writes all stages of q, q̇ and q̈ and the margins of the redundant rows.
+    pub(super) fn write_levels(&mut self, tree: &Block, left_out: &[usize], paired: &[PairedRows]) -> FirstStages {
         self.block(tree);
         self.divisor_margins();
         self.add_redundant_rows(left_out, paired);
@@ -45,7 +50,8 @@ impl Build<'_> {
             self.known.rates = (0..).zip(solution).collect();
         }
         self.number_margins();
-        starts
+        let [velocity, acceleration] = starts;
+        FirstStages { velocity, acceleration }
     }
 
     /// The solution x of Φ_q x = `right` and the margins of its cores, when all coordinates are known.
@@ -192,8 +198,8 @@ impl Build<'_> {
             Way::Newton { residuals } => self.newton(step, core, residuals),
             Way::Angle { times, a, b, c } => {
                 let k = core.coordinates[0];
-                let indicator = angle_indicator(&mut self.graph, (k, *times), [*a, *b]);
-                let (mode, place) = self.closure(step, indicator);
+                let value = angle_branch_value(&mut self.graph, (k, *times), [*a, *b]);
+                let (mode, place) = self.closure(step, value);
                 let [a, b, c] = [*a, *b, *c].map(|e| self.known_value(e)).map(|e| self.graph.whole(e));
                 let (turned, inverse, margin) = closures::angle(&mut self.graph, mode, [a, b, c]);
                 self.write(Slot::Margin(place), margin);
@@ -201,8 +207,8 @@ impl Build<'_> {
             }
             Way::Quadratic { a, b, c } => {
                 let k = core.coordinates[0];
-                let indicator = quadratic_indicator(&mut self.graph, k, [*a, *b, *c]);
-                let (mode, place) = self.closure(step, indicator);
+                let value = quadratic_branch_value(&mut self.graph, k, [*a, *b, *c]);
+                let (mode, place) = self.closure(step, value);
                 let known = [*a, *b, *c].map(|e| self.known_value(e));
                 let (value, margin) = closures::quadratic(&mut self.graph, mode, known);
                 self.write(Slot::Margin(place), margin);
@@ -210,8 +216,8 @@ impl Build<'_> {
             }
             Way::Circle { e, l, k, n, m, .. } => {
                 let at = [core.coordinates[0], core.coordinates[1]];
-                let indicator = circle_indicator(&mut self.graph, at, [*e, l[0], l[1], *k, n[0], n[1]]);
-                let (mode, place) = self.closure(step, indicator);
+                let value = circle_branch_value(&mut self.graph, at, [*e, l[0], l[1], *k, n[0], n[1]]);
+                let (mode, place) = self.closure(step, value);
                 let known = [*e, l[0], l[1], *k, n[0], n[1], *m].map(|e| self.known_value(e));
                 let ([x, y], margin) = closures::circle(&mut self.graph, mode, known);
                 self.write(Slot::Margin(place), margin);
@@ -221,9 +227,9 @@ impl Build<'_> {
         }
     }
 
-    /// Adds a mode and its margin to a step. `indicator` gives the mode of a known configuration.
-    fn closure(&mut self, step: StepId, indicator: ExprId) -> (ExprId, usize) {
-        self.closures.push(indicator);
+    /// Adds a mode and its margin to a step. The sign of `value` is the mode of a known configuration.
+    fn closure(&mut self, step: StepId, value: ExprId) -> (ExprId, usize) {
+        self.branch_values.push(value);
         let place = self.listed.margin(step);
         let mode = self.listed.mode(self.system, step, place);
         (self.graph.symbol(Symbol::Mode(mode as u32)), place)
@@ -261,9 +267,9 @@ impl Build<'_> {
     }
 
     /// Expressions for the solution x of Φ_q x = b at a given q, where the entries of b are symbols; the values that
-    /// are 0 where a divisor is 0; and for every iteration, in order, the indicator of its orientation
+    /// are 0 where a divisor is 0; and for every iteration, in order, the value whose sign is its orientation
     /// ([`dense::Solved::orientation`]).
-    pub(super) fn resolve(&mut self, tree: &Block) -> (Vec<(Slot, ExprId)>, Vec<ExprId>, Vec<ExprId>) {
+    pub(super) fn linear_solution(&mut self, tree: &Block) -> (Vec<(Slot, ExprId)>, Vec<ExprId>, Vec<ExprId>) {
         let right = (0..self.system.equations.len()).map(|row| self.graph.symbol(Symbol::Right(row as u32))).collect();
         let entries = self.system.equations.iter().map(|equation| equation.phi_q.iter().copied().collect()).collect();
         let mut rates = Rates::new(&mut self.graph, entries, right, &self.system.set.coordinates, FastMap::default());

@@ -76,9 +76,9 @@ pub struct SolutionPlan {
     pub sections: Vec<(Section, Depth)>,
     /// Number of values that sections store for later sections.
     pub held: u32,
-    /// The indicators of a configuration: one entry per mode, whose sign is the mode, then one per iteration, whose
+    /// The branch values of a configuration: one entry per mode, whose sign is the mode, then one per iteration, whose
     /// sign is its orientation.
-    pub closures: Program,
+    pub branch_values: Program,
     /// Two programs that solve Φ_q x = b at a configuration: the first computes the `factors` values that depend on
     /// Φ_q alone, the second computes x from these values and b.
     pub resolve: [Program; 2],
@@ -145,19 +145,19 @@ fn planned(system: &KinematicSystem, rank: usize, written: bool) -> Result<(Solu
     let listed = StepList::new(system, &graph, &tree, &source_rows);
     let before = written.then(|| graph.clone());
     let mut build = Build::new(system, graph, listed);
-    let [velocity, acceleration] = build.all(&tree, &left_out, &paired);
-    let (resolve, regular, orientations) = build.resolve(&tree);
-    let solution = resolve.iter().map(|(_, x)| *x).collect();
-    let (resolve, factors) = sections::split(&mut build.graph, resolve, &regular);
+    let first = build.write_levels(&tree, &left_out, &paired);
+    let (linear, regular, orientations) = build.linear_solution(&tree);
+    let solution = linear.iter().map(|(_, x)| *x).collect();
+    let (resolve, factors) = sections::split(&mut build.graph, linear, &regular);
     let regular = factors - regular.len()..factors;
-    let Build { mut graph, stages, listed, iterations, closures, iterated, .. } = build;
-    let indicators: Vec<_> =
-        closures.into_iter().chain(orientations).enumerate().map(|(k, id)| (Slot::Entry(k), id)).collect();
-    let closures = lower(&graph, &indicators);
+    let Build { mut graph, stages, listed, iterations, branch_values, iterated, .. } = build;
+    let outputs: Vec<_> =
+        branch_values.into_iter().chain(orientations).enumerate().map(|(k, id)| (Slot::Entry(k), id)).collect();
+    let branch_values = lower(&graph, &outputs);
     let (sections, held) = sections::sections(&mut graph, stages, iterations);
     let depth = |place| match place {
-        place if place >= acceleration => Depth::Acceleration,
-        place if place >= velocity => Depth::Velocity,
+        place if place >= first.acceleration => Depth::Acceleration,
+        place if place >= first.velocity => Depth::Velocity,
         _ => Depth::Position,
     };
     let sections = sections.into_iter().enumerate().map(|(place, section)| (section, depth(place))).collect();
@@ -172,7 +172,7 @@ fn planned(system: &KinematicSystem, rank: usize, written: bool) -> Result<(Solu
         absent: None,
         sections,
         held,
-        closures,
+        branch_values,
         resolve,
         factors,
         regular,

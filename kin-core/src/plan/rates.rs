@@ -31,7 +31,7 @@ pub(super) struct Rates<'g> {
     pub(super) solution: Vec<Option<ExprId>>,
     /// The margins of cores, by the first row of the core.
     pub(super) margins: BTreeMap<usize, ExprId>,
-    /// The indicators of orientation of cores, by first row; see [`dense::Solved::orientation`].
+    /// The branch values of cores, by first row; see [`dense::Solved::orientation`].
     pub(super) orientations: BTreeMap<usize, ExprId>,
     /// For every division by an expression that varies, a value that is 0 where the divisor is 0: its square divided
     /// by the squared size of its terms.

@@ -169,7 +169,7 @@ impl Lowering<'_> {
                 let (Signed { value: y, negative }, x) = (self.signed(y), self.positive(x));
                 Signed { value: self.emit(Instruction::Atan2(y, x)), negative }
             }
-            Node::Whole(a) => self.signed(a),
+            Node::Opaque(a) => self.signed(a),
             Node::Nearest(a, b) => {
                 let (a, b) = (self.positive(a), self.positive(b));
                 plain(self.emit(Instruction::Nearest(a, b)))

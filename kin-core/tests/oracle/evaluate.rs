@@ -36,7 +36,7 @@ pub fn evaluate(graph: &Graph, roots: &[ExprId], environment: &impl Environment)
             Node::Div(a, b) => v(a) / v(b),
             Node::Powi(a, n) => v(a).powi(n),
             Node::Powf(a, n) => v(a).powf(n.value()),
-            Node::Whole(a) => v(a),
+            Node::Opaque(a) => v(a),
             Node::RotX(r) => v(r.angle).cos() * v(r.x) - v(r.angle).sin() * v(r.y),
             Node::RotY(r) => v(r.angle).sin() * v(r.x) + v(r.angle).cos() * v(r.y),
             Node::Dot(t) => {

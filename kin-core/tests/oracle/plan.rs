@@ -105,7 +105,7 @@ pub fn run(plan: &SolutionPlan, environment: &impl Environment, modes: &[f64], s
 
 /// For every mode, what tells it at a configuration, −1 ≤ w ≤ 1: its sign is the mode, 0 where both closures meet.
 pub fn closures(plan: &SolutionPlan, environment: &impl Environment) -> Vec<f64> {
-    entries(&plan.closures, environment)
+    entries(&plan.branch_values, environment)
 }
 
 /// x with Φ_q x = b at a configuration; the entries of b are [`Symbol::Right`].

@@ -298,7 +298,7 @@ pub fn evaluate_over<S: Number>(graph: &Graph, roots: &[ExprId], symbol: impl Fn
             Node::Sign(a) => v(a).sign(),
             Node::Atan2(y, x) => v(y).atan2(v(x)),
             // Of solution plans only, whose numbers are real.
-            Node::Nearest(a, _) | Node::Whole(a) => v(a),
+            Node::Nearest(a, _) | Node::Opaque(a) => v(a),
             Node::RotX(r) => v(r.angle).call(Function::Cos) * v(r.x) - v(r.angle).call(Function::Sin) * v(r.y),
             Node::RotY(r) => v(r.angle).call(Function::Sin) * v(r.x) + v(r.angle).call(Function::Cos) * v(r.y),
             Node::Dot(t) => v(t.u[0]) * v(t.d[0]) + v(t.u[1]) * v(t.d[1]),

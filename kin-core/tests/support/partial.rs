@@ -41,7 +41,7 @@ pub fn partial(graph: &mut Graph, e: ExprId, symbol: Symbol) -> ExprId {
                 let (top, bottom) = (graph.sub(a, b), graph.plain_dot([x, y], [x, y]));
                 graph.div(top, bottom)
             }
-            Node::Nearest(a, _) | Node::Whole(a) => d(a),
+            Node::Nearest(a, _) | Node::Opaque(a) => d(a),
             Node::RotX(r) | Node::RotY(r) => {
                 let (sin, cos) = (graph.sin(r.angle), graph.cos(r.angle));
                 let minus_sin = graph.neg(sin);

@@ -10,11 +10,11 @@ use quote::quote;
 
 /// Whether the derivation is written. In tests it is not, so that snapshots do not depend on the features that other
 /// crates of a workspace enable.
-pub(crate) const WRITTEN: bool = cfg!(feature = "equations") && !cfg!(test);
+pub(crate) const DERIVATION_AS_TEXT: bool = cfg!(feature = "equations") && !cfg!(test);
 
 /// The text of Φ, Φ_q, Φ_t and γ, row by row.
 pub(super) fn equations(system: &KinematicSystem) -> Vec<TokenStream> {
-    if !WRITTEN {
+    if !DERIVATION_AS_TEXT {
         return Vec::new();
     }
     let set = &system.set;
@@ -38,7 +38,9 @@ pub(super) fn equations(system: &KinematicSystem) -> Vec<TokenStream> {
 
 /// The text of M and Q: entries of M that are not 0, and all of Q.
 pub(super) fn dynamics(mechanism: &Mechanism, system: &KinematicSystem) -> [Vec<TokenStream>; 2] {
-    let Some(of) = WRITTEN.then(|| loads::dynamics(mechanism, system)).flatten() else { return Default::default() };
+    let Some(of) = DERIVATION_AS_TEXT.then(|| loads::dynamics(mechanism, system)).flatten() else {
+        return Default::default();
+    };
     let mass = of.mass.iter().map(|(row, column, entry)| quote! { (#row, #column, #entry) });
     [mass.collect(), of.forces.iter().map(|force| quote! { #force }).collect()]
 }

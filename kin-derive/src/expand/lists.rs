@@ -18,8 +18,8 @@ const KNOWN: [(Given, [&str; 3], &str); 6] = [
     (Given::Parameters, ["parameters", "p", "__Parameters"], "parameters"),
     (Given::Instant, ["at", "u", "__Inputs"], "inputs"),
     (Given::Position, ["q", "q", "__Coordinates"], "q"),
-    (Given::Velocity, ["q_dot", "w", "__Coordinates"], "q_dot"),
-    (Given::Acceleration, ["q_ddot", "acceleration", "__Coordinates"], "q_ddot"),
+    (Given::Velocity, ["q_dot", "q_dot", "__Coordinates"], "q_dot"),
+    (Given::Acceleration, ["q_ddot", "q_ddot", "__Coordinates"], "q_ddot"),
     (Given::Multipliers, ["right", "right", "__Rows"], "multipliers"),
 ];
 

@@ -26,7 +26,7 @@ mod table;
 mod tables;
 mod test;
 
-pub(crate) use derivation::WRITTEN;
+pub(crate) use derivation::DERIVATION_AS_TEXT;
 pub(crate) use handles::{mentions, placeholders};
 #[cfg(test)]
 pub(crate) use instructions::literal;

@@ -11,7 +11,7 @@ pub(super) fn lengths(scalar: &Ident) -> TokenStream {
     let position = position_lengths(scalar, "q");
     quote! {
         #position
-        let w: &__Coordinates<#scalar> = __kin::fixed("q_dot", q_dot)?;
+        let q_dot: &__Coordinates<#scalar> = __kin::fixed("q_dot", q_dot)?;
     }
 }
 
@@ -72,7 +72,7 @@ pub(super) fn evaluations(lowered: &Lowered, kernels: &Kernels, parameters: usiz
         items,
         evaluate: quote! {
             let (phi, phi_q, phi_t, gamma) = workspace.parts_mut();
-            let _ = (p, u, q, w, &phi, &phi_q, &phi_t, &gamma);
+            let _ = (p, u, q, q_dot, &phi, &phi_q, &phi_t, &gamma);
             if subset.gamma || subset.phi && subset.phi_t {
                 #all
             } else if subset.phi_t {
@@ -85,7 +85,7 @@ pub(super) fn evaluations(lowered: &Lowered, kernels: &Kernels, parameters: usiz
         },
         observe: quote! {
             let (phi, phi_q, phi_t, gamma) = observations.parts_mut();
-            let _ = (p, u, q, w, &phi, &phi_q, &phi_t, &gamma);
+            let _ = (p, u, q, q_dot, &phi, &phi_q, &phi_t, &gamma);
             #observe
         },
         values,

@@ -53,7 +53,7 @@ impl Lowerer<'_> {
                 Item::Body(_)
                 | Item::Scalar(_)
                 | Item::Input(_)
-                | Item::Row(_)
+                | Item::Statement(_)
                 | Item::Condition(_)
                 | Item::Function(_)
                 | Item::Guess(_) => {}

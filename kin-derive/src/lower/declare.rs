@@ -63,7 +63,7 @@ impl Lowerer<'_> {
                     self.function(decl, description, mechanism, &mut names);
                     IndexRange::None
                 }
-                Item::Row(row) => self.repetition(&row.name, "N[i in 0..3]: …").1,
+                Item::Statement(row) => self.repetition(&row.name, "N[i in 0..3]: …").1,
                 Item::Condition(decl) => self.repetition(&decl.name, "N[i in 0..3]: …").1,
                 Item::Guess(guess) => guess.range.clone().map_or(IndexRange::None, IndexRange::Over),
             };

@@ -161,7 +161,7 @@ fn docs(description: &Description) -> Docs {
             Item::Input(decl) => (&decl.name, &mut docs.names),
             Item::Point(decl) => (&decl.name, &mut docs.names),
             Item::Define(decl) => (&decl.name, &mut docs.names),
-            Item::Row(row) => (&row.name, &mut docs.rows),
+            Item::Statement(row) => (&row.name, &mut docs.rows),
             Item::Condition(decl) => (&decl.name, &mut docs.rows),
             Item::Function(decl) => (&decl.name, &mut docs.names),
             Item::Guess(_) => continue,

@@ -4,10 +4,10 @@ use super::lowerer::Lowerer;
 use super::names::Symbol;
 use super::range::IndexRange;
 use super::scope::{Allow, Scope};
-use crate::ast::{BodyExpr, ConditionDecl, Expr, GuessDecl, Item, OperandExpr, PairExpr, Row, text};
+use crate::ast::{BodyExpr, ConditionDecl, Expr, GuessDecl, Item, OperandExpr, PairExpr, Statement, text};
 use kin_core::mechanism::{
-    Axis, BodyRef, Condition, Formula, Guess, GuessTarget, Joint, Mechanism, Member, Operand, Operands, Radii, Slot,
-    Takes, Value, Vector, Written,
+    Axis, BodyRef, Condition, Formula, Guess, GuessTarget, Joint, Mechanism, Member, Operand, OperandType, Operands,
+    Radii, Slot, Value, Vector, Written,
 };
 use kin_core::vocabulary::StatementKind;
 
@@ -16,7 +16,7 @@ impl Lowerer<'_> {
     pub(super) fn rows(&mut self, items: &[Item], ranges: &[IndexRange], mechanism: &mut Mechanism) {
         for (item, range) in items.iter().zip(ranges) {
             match item {
-                Item::Row(row) => {
+                Item::Statement(row) => {
                     let (keyword, origin) = (self.origin(row.keyword.span()), self.origin(row.name.ident.span()));
                     if let Some(operands) = self.operands(row, range) {
                         let name = text(&row.name.ident);
@@ -40,13 +40,13 @@ impl Lowerer<'_> {
     }
 
     /// Lowers all operands before a failure ends the row, so that all errors are reported.
-    fn operands(&mut self, row: &Row, range: &IndexRange) -> Option<Operands> {
+    fn operands(&mut self, row: &Statement, range: &IndexRange) -> Option<Operands> {
         let slots = row.form.slots.iter().zip(&row.operands);
         let lowered: Vec<Option<Operand>> = slots.map(|(slot, expr)| self.operand(row, slot, expr, range)).collect();
         Operands::new(row.form, lowered.into_iter().collect::<Option<_>>()?)
     }
 
-    fn operand(&mut self, row: &Row, slot: &Slot, expr: &OperandExpr, range: &IndexRange) -> Option<Operand> {
+    fn operand(&mut self, row: &Statement, slot: &Slot, expr: &OperandExpr, range: &IndexRange) -> Option<Operand> {
         Some(match expr {
             OperandExpr::Point(point) => Operand::Point(self.place(point, range)?),
             // The parser has reported that there are too few points.
@@ -59,7 +59,7 @@ impl Lowerer<'_> {
             OperandExpr::Body(BodyExpr::NotGiven) => Operand::Body(BodyRef::Ground(self.origin(row.keyword.span()))),
             OperandExpr::Body(BodyExpr::Hole) | OperandExpr::Scalar(None) => return None,
             OperandExpr::Scalar(Some(name)) => {
-                let right = if let Takes::Scalar(right) = slot.takes { right } else { "" };
+                let right = if let OperandType::Scalar(right) = slot.takes { right } else { "" };
                 Operand::Scalar(self.scalar_operand(name, right, range)?)
             }
             OperandExpr::Bodies(bodies) if bodies.is_empty() => return None,
@@ -76,18 +76,22 @@ impl Lowerer<'_> {
         })
     }
 
-    fn value_of(&mut self, row: &Row, slot: &Slot, expr: &Expr, range: &IndexRange) -> Option<Formula> {
+    fn value_of(&mut self, row: &Statement, slot: &Slot, expr: &Expr, range: &IndexRange) -> Option<Formula> {
         let what = match slot.written {
             Written::Right => format!("the right-hand side of `{}`", row.keyword),
             _ => format!("`{}`", slot.key),
         };
         let scope = match slot.takes {
-            Takes::Support => return self.support(expr, range),
-            Takes::Side if slot.written == Written::Option => Scope { what: &what, allow: Allow::Everything, range },
-            Takes::Side => Scope { what: "an equation", allow: Allow::Everything, range },
-            Takes::SideOfRates if row.form.kind.is_load() => Scope { what: "a couple", allow: Allow::Rates, range },
-            Takes::SideOfRates => Scope { what: "an equation", allow: Allow::Rates, range },
-            Takes::Radius | Takes::Constant => Scope { what: &what, allow: Allow::Parameters, range },
+            OperandType::Support => return self.support(expr, range),
+            OperandType::Side if slot.written == Written::Option => {
+                Scope { what: &what, allow: Allow::Everything, range }
+            }
+            OperandType::Side => Scope { what: "an equation", allow: Allow::Everything, range },
+            OperandType::SideOfRates if row.form.kind.is_load() => {
+                Scope { what: "a couple", allow: Allow::Rates, range }
+            }
+            OperandType::SideOfRates => Scope { what: "an equation", allow: Allow::Rates, range },
+            OperandType::Radius | OperandType::Constant => Scope { what: &what, allow: Allow::Parameters, range },
             _ => Scope { what: &what, allow: Allow::Signals, range },
         };
         self.formula(expr, &scope)
@@ -113,10 +117,10 @@ impl Lowerer<'_> {
         })
     }
 
-    fn pair(&mut self, takes: Takes, pair: &PairExpr, range: &IndexRange) -> Option<Operand> {
+    fn pair(&mut self, takes: OperandType, pair: &PairExpr, range: &IndexRange) -> Option<Operand> {
         let (what, allow) = match takes {
-            Takes::Vector => ("a force", Allow::Rates),
-            Takes::Radii => ("`radii`", Allow::Parameters),
+            OperandType::Vector => ("a force", Allow::Rates),
+            OperandType::Radii => ("`radii`", Allow::Parameters),
             _ => ("an axis", Allow::Parameters),
         };
         let origin = self.origin(pair.span);
@@ -127,8 +131,8 @@ impl Lowerer<'_> {
         let (x, y) = (component(&pair.x), component(&pair.y));
         let (x, y) = (x?, y?);
         Some(match takes {
-            Takes::Vector => Operand::Vector(Vector { x: x.value, y: y.value, origin }),
-            Takes::Radii => Operand::Radii(Radii { i: x, j: y, origin }),
+            OperandType::Vector => Operand::Vector(Vector { x: x.value, y: y.value, origin }),
+            OperandType::Radii => Operand::Radii(Radii { i: x, j: y, origin }),
             _ => Operand::Axis(Axis { x: x.value, y: y.value, origin }),
         })
     }

@@ -1,6 +1,6 @@
 //! Forms of joints, drivers, equations, masses and loads, derived from the kinds and forms of kin-core.
 
-use kin_core::mechanism::{Slot, StatementForm, Takes, Written};
+use kin_core::mechanism::{OperandType, Slot, StatementForm, Written};
 use kin_core::{joints, loads};
 use std::sync::LazyLock;
 
@@ -8,7 +8,7 @@ use std::sync::LazyLock;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum OptionForm {
     /// `key = value`.
-    Value(Takes),
+    Value(OperandType),
     /// `key(theta) = expression`, with the fixed words in the parentheses.
     Curve(&'static [&'static str]),
     /// `key(u) = (ex, ey)`.
@@ -16,20 +16,20 @@ pub(super) enum OptionForm {
 }
 
 /// The form of the rows with one keyword.
-pub(super) struct RowForm {
+pub(super) struct KeywordForm {
     /// The name of the attribute.
     pub(super) keyword: &'static str,
     /// The kinds that share the keyword: they have the same operands and different options.
     pub(super) kinds: Vec<&'static StatementForm>,
     /// The operands after the name, in order.
-    pub(super) operands: Vec<Takes>,
+    pub(super) operands: Vec<OperandType>,
     /// The options `key = value` after the operands.
     pub(super) options: Vec<(&'static str, OptionForm)>,
 }
 
 /// The forms of all rows of the language, in the order of the guide.
-pub(super) static FORMS: LazyLock<Vec<RowForm>> = LazyLock::new(|| {
-    let mut rows: Vec<RowForm> = Vec::new();
+pub(super) static FORMS: LazyLock<Vec<KeywordForm>> = LazyLock::new(|| {
+    let mut rows: Vec<KeywordForm> = Vec::new();
     for form in joints::forms().chain(loads::forms()) {
         let options = form.written(Written::Option).flat_map(options_of);
         match rows.last_mut().filter(|row| row.keyword == form.kind.keyword()) {
@@ -39,7 +39,7 @@ pub(super) static FORMS: LazyLock<Vec<RowForm>> = LazyLock::new(|| {
                     options.filter(|(key, _)| row.options.iter().all(|(known, _)| known != key)).collect();
                 row.options.extend(new);
             }
-            None => rows.push(RowForm {
+            None => rows.push(KeywordForm {
                 keyword: form.kind.keyword(),
                 kinds: vec![form],
                 operands: form.written(Written::Operand).map(|slot| slot.takes).collect(),
@@ -53,18 +53,18 @@ pub(super) static FORMS: LazyLock<Vec<RowForm>> = LazyLock::new(|| {
 /// The options from which a slot is read.
 fn options_of(slot: &Slot) -> Vec<(&'static str, OptionForm)> {
     match slot.takes {
-        Takes::Support => vec![(slot.key, OptionForm::Curve(&["theta"]))],
-        Takes::Curve => vec![
+        OperandType::Support => vec![(slot.key, OptionForm::Curve(&["theta"]))],
+        OperandType::Curve => vec![
             ("polar", OptionForm::Curve(&["theta"])),
             ("implicit", OptionForm::Curve(&["X", "Y"])),
             ("parametric", OptionForm::Path),
-            ("roller", OptionForm::Value(Takes::Radius)),
+            ("roller", OptionForm::Value(OperandType::Radius)),
         ],
         takes => vec![(slot.key, OptionForm::Value(takes))],
     }
 }
 
-impl RowForm {
+impl KeywordForm {
     /// An example of a row.
     pub(super) fn example(&self) -> &'static str {
         self.kinds.first().map_or("", |form| form.example)
@@ -87,7 +87,7 @@ impl RowForm {
     }
 }
 
-impl core::fmt::Debug for RowForm {
+impl core::fmt::Debug for KeywordForm {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         f.write_str(self.keyword)
     }

@@ -1,6 +1,6 @@
 //! The attributes that belong to kin.
 
-use super::forms::{self, RowForm};
+use super::forms::{self, KeywordForm};
 use crate::suggest::{listed, near};
 
 /// The meaning of an attribute of kin.
@@ -16,7 +16,7 @@ pub(super) enum Keyword {
     /// Fields that hold supplied functions.
     Function,
     /// A joint, driver or equation.
-    Row(&'static RowForm),
+    Statement(&'static KeywordForm),
     /// A unilateral condition.
     Condition,
     /// An attribute of a field.
@@ -51,13 +51,13 @@ const WORDS: [(&str, Keyword); 11] = [
 ];
 
 fn words() -> impl Iterator<Item = (&'static str, Keyword)> {
-    WORDS.into_iter().chain(forms::FORMS.iter().map(|form| (form.keyword, Keyword::Row(form))))
+    WORDS.into_iter().chain(forms::FORMS.iter().map(|form| (form.keyword, Keyword::Statement(form))))
 }
 
 /// All keywords of the language, with an example for those of rows.
 #[cfg(test)]
 pub(crate) fn vocabulary() -> Vec<(&'static str, Option<&'static str>)> {
-    let example = |keyword| if let Keyword::Row(form) = keyword { Some(form.example()) } else { None };
+    let example = |keyword| if let Keyword::Statement(form) = keyword { Some(form.example()) } else { None };
     words().map(|(word, keyword)| (word, example(keyword))).collect()
 }
 

@@ -29,9 +29,9 @@ mod written;
 pub(crate) use keyword::vocabulary;
 pub(crate) use strip::without_ours;
 
-use crate::ast::{Description, Flags, Item, Row, text};
+use crate::ast::{Description, Flags, Item, Statement, text};
 use crate::report::Report;
-use forms::RowForm;
+use forms::KeywordForm;
 use keyword::Keyword;
 use list::inside;
 use parts::Parts;
@@ -132,7 +132,7 @@ fn read(attribute: &Attribute, word: &Ident, keyword: Keyword, report: &Report, 
         Keyword::Define => "#[define(stroke = slider.x - d1)]",
         Keyword::Guess => "#[guess(coupler.phi = 0.9)]",
         Keyword::Function => declare::FUNCTION,
-        Keyword::Row(form) => form.example(),
+        Keyword::Statement(form) => form.example(),
         Keyword::Condition => condition::EXAMPLE,
         Keyword::Param => {
             report.error(word.span(), "`param` stands on a field of the struct: `#[param(0.1, unit = \"m\")] l1: f64`");
@@ -156,8 +156,8 @@ fn read(attribute: &Attribute, word: &Ident, keyword: Keyword, report: &Report, 
                 true
             }
             Keyword::Function => declare::functions(input, word, report, items),
-            Keyword::Row(form) => {
-                items.push(Item::Row(Box::new(row(input, word, form, report)?)));
+            Keyword::Statement(form) => {
+                items.push(Item::Statement(Box::new(row(input, word, form, report)?)));
                 true
             }
             Keyword::Condition => {
@@ -171,13 +171,13 @@ fn read(attribute: &Attribute, word: &Ident, keyword: Keyword, report: &Report, 
     complete.unwrap_or(false)
 }
 
-fn row(input: ParseStream, keyword: &Ident, form: &'static RowForm, report: &Report) -> Result<Row> {
+fn row(input: ParseStream, keyword: &Ident, form: &'static KeywordForm, report: &Report) -> Result<Statement> {
     let name = match form.is_named() {
         true => row_name(input, keyword, form.example(), report)?,
         false => row_name_or_keyword(input, keyword, report)?,
     };
     let (form, operands) = Parts::read(input, keyword, form, report).operands();
-    Ok(Row { keyword: keyword.clone(), name, form, operands })
+    Ok(Statement { keyword: keyword.clone(), name, form, operands })
 }
 
 fn fields(

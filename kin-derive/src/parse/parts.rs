@@ -1,17 +1,17 @@
 //! The parts of a row: operands in order, followed by `key = value` in any order; and from them the kind of the row and
 //! the operands in its slots. Where several kinds share a keyword, the options determine the kind.
 
-use super::forms::{OptionForm, RowForm};
+use super::forms::{KeywordForm, OptionForm};
 use crate::ast::{BodyExpr, Expr, OperandExpr, text};
 use crate::report::Report;
-use kin_core::mechanism::{Slot, StatementForm, Takes, Written};
+use kin_core::mechanism::{OperandType, Slot, StatementForm, Written};
 use std::collections::VecDeque;
 use syn::Ident;
 
 /// The parts that were read of a row; a missing part becomes a hole.
 pub(super) struct Parts<'a> {
     pub(super) keyword: &'a Ident,
-    pub(super) form: &'static RowForm,
+    pub(super) form: &'static KeywordForm,
     /// The kind of the row; the first kind of its keyword until the options have been read.
     pub(super) kind: &'static StatementForm,
     pub(super) report: &'a Report,
@@ -31,7 +31,7 @@ pub(super) struct Parts<'a> {
 /// The required options that no other kind of the keyword has.
 fn own_options(kinds: &[&'static StatementForm], form: &'static StatementForm) -> Vec<&'static str> {
     let others = || kinds.iter().filter(|other| **other != form).flat_map(|other| other.slots);
-    let required = form.written(Written::Option).filter(|slot| !slot.or_zero && slot.takes != Takes::Carrier);
+    let required = form.written(Written::Option).filter(|slot| !slot.or_zero && slot.takes != OperandType::Carrier);
     required.map(|slot| slot.key).filter(|key| others().all(|slot| slot.key != *key)).collect()
 }
 
@@ -47,17 +47,17 @@ impl Parts<'_> {
     fn operand(&mut self, slot: &Slot) -> OperandExpr {
         let span = self.keyword.span();
         match (slot.written, slot.takes) {
-            (Written::Operand, Takes::Points) => {
+            (Written::Operand, OperandType::Points) => {
                 let point = |operand| if let OperandExpr::Point(point) = operand { Some(point) } else { None };
                 OperandExpr::Points(self.operands.drain(..).filter_map(point).collect())
             }
-            (Written::Operand, Takes::Bodies) => {
+            (Written::Operand, OperandType::Bodies) => {
                 let body = |operand| if let OperandExpr::Body(body) = operand { Some(body) } else { None };
                 OperandExpr::Bodies(self.operands.drain(..).filter_map(body).collect())
             }
             (Written::Operand, takes) => self.operands.pop_front().unwrap_or(OperandExpr::hole(takes, span)),
             (Written::Right, _) => OperandExpr::Value(self.right.take().unwrap_or(Expr::hole(span))),
-            (Written::Option, Takes::Curve) => OperandExpr::Curve(self.curve()),
+            (Written::Option, OperandType::Curve) => OperandExpr::Curve(self.curve()),
             (Written::Option, _) => self.option(slot),
         }
     }
@@ -68,7 +68,7 @@ impl Parts<'_> {
         let hole = OperandExpr::hole(slot.takes, span);
         match self.take(slot.key) {
             Some(value) => value.unwrap_or(hole),
-            None if slot.takes == Takes::Carrier => OperandExpr::Body(BodyExpr::NotGiven),
+            None if slot.takes == OperandType::Carrier => OperandExpr::Body(BodyExpr::NotGiven),
             // A load with an unreadable option gets a hole, so that it does not seem to be zero.
             None if slot.or_zero && self.lost_option && self.kind.kind.is_load() => hole,
             None if slot.or_zero => OperandExpr::Value(Expr::number(0.0, span)),

@@ -4,23 +4,23 @@ use super::expr::{end_of_expr, expr, pair, point_at_depth};
 use super::index::name_use;
 use super::reject::here;
 use crate::ast::{BodyExpr, NameUse, OperandExpr, PairExpr, PointExpr};
-use kin_core::mechanism::Takes;
+use kin_core::mechanism::OperandType;
 use syn::ext::IdentExt;
 use syn::parse::ParseStream;
 use syn::{Ident, Result, Token};
 
 /// Parses one operand, or the value of an option.
-pub(super) fn operand(input: ParseStream, takes: Takes) -> Result<OperandExpr> {
+pub(super) fn operand(input: ParseStream, takes: OperandType) -> Result<OperandExpr> {
     let pair = |form| pair(input, 0, form).map(|(x, y, span)| OperandExpr::Pair(PairExpr { x, y, span }));
     match takes {
-        Takes::Point | Takes::Points => point(input).map(OperandExpr::Point),
-        Takes::Body | Takes::Carrier | Takes::Bodies => {
+        OperandType::Point | OperandType::Points => point(input).map(OperandExpr::Point),
+        OperandType::Body | OperandType::Carrier | OperandType::Bodies => {
             body(input).map(|body| OperandExpr::Body(BodyExpr::Named(body)))
         }
-        Takes::Scalar(_) => scalar(input).map(|name| OperandExpr::Scalar(Some(name))),
-        Takes::Vector => pair("a force is a pair of components: `(fx, fy)`"),
-        Takes::Axis => pair("an axis is a pair in the frame of its body: `axis = (1, 0)`"),
-        Takes::Radii => pair("radii are a pair, in the order of the operands: `radii = (r1, r2)`"),
+        OperandType::Scalar(_) => scalar(input).map(|name| OperandExpr::Scalar(Some(name))),
+        OperandType::Vector => pair("a force is a pair of components: `(fx, fy)`"),
+        OperandType::Axis => pair("an axis is a pair in the frame of its body: `axis = (1, 0)`"),
+        OperandType::Radii => pair("radii are a pair, in the order of the operands: `radii = (r1, r2)`"),
         _ => {
             let value = expr(input)?;
             end_of_expr(input)?;

@@ -2,7 +2,7 @@
 
 use super::curve::{self, is_bracketed};
 use super::expr::{end_of_expr, expr};
-use super::forms::{OptionForm, RowForm};
+use super::forms::{KeywordForm, OptionForm};
 use super::index::identifier;
 use super::list::{comma, end_of_part, skip_part, skip_to};
 use super::parts::Parts;
@@ -11,14 +11,14 @@ use super::reject::{self, here};
 use crate::ast::{OperandExpr, text};
 use crate::report::Report;
 use crate::suggest::{did_you_mean, listed};
-use kin_core::mechanism::Takes;
+use kin_core::mechanism::OperandType;
 use std::collections::VecDeque;
 use syn::parse::ParseStream;
 use syn::{Error, Ident, Result, Token, token};
 
 impl<'a> Parts<'a> {
     /// Parses everything after `name:`.
-    pub(super) fn read(input: ParseStream, keyword: &'a Ident, form: &'static RowForm, report: &'a Report) -> Self {
+    pub(super) fn read(input: ParseStream, keyword: &'a Ident, form: &'static KeywordForm, report: &'a Report) -> Self {
         let mut parts = Self {
             keyword,
             form,
@@ -38,8 +38,8 @@ impl<'a> Parts<'a> {
 
     fn read_operands(&mut self, input: ParseStream) {
         match self.form.operands[..] {
-            [Takes::Points] => return self.read_points(input),
-            [Takes::Bodies] => return self.read_bodies(input),
+            [OperandType::Points] => return self.read_points(input),
+            [OperandType::Bodies] => return self.read_bodies(input),
             _ => {}
         }
         let count = self.form.operands.len();
@@ -68,7 +68,7 @@ impl<'a> Parts<'a> {
     /// Parses points until the options begin, at least two.
     fn read_points(&mut self, input: ParseStream) {
         while !input.is_empty() && !self.begins_option(input) {
-            if self.read_operand(input, Takes::Points) {
+            if self.read_operand(input, OperandType::Points) {
                 self.finish_part(end_of_part(input), input);
             } else {
                 skip_to(input, |input| input.peek(Token![,]));
@@ -84,7 +84,7 @@ impl<'a> Parts<'a> {
     fn read_bodies(&mut self, input: ParseStream) {
         let mut read = true;
         while !input.is_empty() && !is_equals(input) {
-            if !self.read_operand(input, Takes::Bodies) {
+            if !self.read_operand(input, OperandType::Bodies) {
                 read = false;
                 skip_to(input, |input| input.peek(Token![,]) || is_equals(input));
             }
@@ -101,7 +101,7 @@ impl<'a> Parts<'a> {
     }
 
     /// Parses an operand; false if it becomes a hole.
-    fn read_operand(&mut self, input: ParseStream, takes: Takes) -> bool {
+    fn read_operand(&mut self, input: ParseStream, takes: OperandType) -> bool {
         let read = self.report.ok(operand(input, takes));
         let is_read = read.is_some();
         self.operands.push_back(read.unwrap_or(OperandExpr::hole(takes, self.keyword.span())));
@@ -226,13 +226,13 @@ impl<'a> Parts<'a> {
 
     fn count_message(&self) -> String {
         let operands = match self.form.operands[..] {
-            [Takes::Points, ..] => "two points or more",
-            [Takes::Bodies] => "one body or two, then `=` and an expression",
-            [Takes::Point, Takes::Vector] => "a point and a pair of components",
-            [Takes::Point] => "one point",
-            [Takes::Point, ..] => "two points",
-            [Takes::Body | Takes::Carrier] => "one body",
-            [Takes::Body | Takes::Carrier, ..] => "two bodies",
+            [OperandType::Points, ..] => "two points or more",
+            [OperandType::Bodies] => "one body or two, then `=` and an expression",
+            [OperandType::Point, OperandType::Vector] => "a point and a pair of components",
+            [OperandType::Point] => "one point",
+            [OperandType::Point, ..] => "two points",
+            [OperandType::Body | OperandType::Carrier] => "one body",
+            [OperandType::Body | OperandType::Carrier, ..] => "two bodies",
             [_, _] => "two components",
             _ => "one expression on each side of `=`",
         };

@@ -1,5 +1,5 @@
-//! Analyses of one instant: assembly and assembly modes, position, velocity, acceleration, forces, and singular
-//! configurations.
+//! Analyses of one instant: assembly and assembly modes, position, velocity, acceleration, forces, degrees of
+//! freedom, and singular configurations.
 
 pub(crate) mod acceleration;
 mod assemble;
@@ -7,6 +7,7 @@ pub(crate) mod by_plan;
 pub(crate) mod closure;
 pub(crate) mod fit;
 pub(crate) mod forces;
+pub mod mobility;
 pub mod modes;
 pub(crate) mod poses;
 pub(crate) mod position;

@@ -6,10 +6,11 @@ use super::solution::{Problems, Solutions};
 use crate::measure::{Measure, Needs, Source};
 use crate::mechanism::{LengthError, Mechanism};
 use crate::model::Model;
+use crate::results::varied::{Number, Varied, WIDTH};
 use crate::scalar::Scalar;
 use crate::scalar::lanes::{Octet, Pack};
 use crate::sensitivity::measured::complete;
-use crate::sensitivity::{LARGEST, Number, Varied, Varying, WIDTH, is_integrated, is_same, modes_at};
+use crate::sensitivity::{LARGEST, Varying, is_integrated, is_same, modes_at};
 use crate::signal::{Instant, Signal};
 use core::ops::ControlFlow;
 

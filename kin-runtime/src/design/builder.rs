@@ -6,7 +6,7 @@ use super::objective::{Direction, Objective, Quantity};
 use super::variables::{self, Free};
 use crate::mechanism::Mechanism;
 use crate::planned::Sign;
-use crate::sensitivity::Number;
+use crate::results::varied::Number;
 use core::ops::RangeInclusive;
 use std::sync::Arc;
 

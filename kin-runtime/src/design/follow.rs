@@ -6,9 +6,10 @@ use crate::measure::Needs;
 use crate::mechanism::Mechanism;
 use crate::model::Model;
 use crate::planned::Sign;
-use crate::planned::follower::{Control, Follower};
+use crate::planned::follower::{Control, PlanFollower};
+use crate::results::varied::{Varied, WIDTH};
 use crate::sensitivity::measured::complete;
-use crate::sensitivity::{LARGEST, Variation, Varied, Varying, WIDTH, is_integrated};
+use crate::sensitivity::{LARGEST, Variation, Varying, is_integrated};
 use crate::solver::Solver;
 use crate::workspace::Instant;
 
@@ -90,7 +91,7 @@ impl<'d, M: Mechanism> Follow<'d, M> {
 
     fn by_plan(
         &self,
-        mut follower: Follower<M>,
+        mut follower: PlanFollower<M>,
         times: &[f64],
         slopes: bool,
         needs: Needs,

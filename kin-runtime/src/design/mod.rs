@@ -55,7 +55,7 @@ mod text;
 mod variables;
 mod verify;
 
-pub use crate::sensitivity::Number;
+pub use crate::results::varied::Number;
 pub use builder::Design;
 pub use condition::Shortest;
 pub use error::DesignError;

@@ -9,8 +9,8 @@ use crate::error::SolveError;
 use crate::measure::Needs;
 use crate::mechanism::Mechanism;
 use crate::model::Model;
+use crate::results::varied::{Number, Varied, WIDTH};
 use crate::scalar::Scalar;
-use crate::sensitivity::{Number, Varied, WIDTH};
 
 /// A number with its derivatives by all variables.
 #[derive(Clone, Debug)]

@@ -5,7 +5,7 @@ use super::error::DesignError;
 use crate::measure::{Measure, Needs};
 use crate::mechanism::Mechanism;
 use crate::model::{Component, CoordinateKind, Model};
-use crate::sensitivity::{Number, Varied};
+use crate::results::varied::{Number, Varied};
 use core::f64::consts::TAU;
 use core::fmt;
 use std::sync::Arc;

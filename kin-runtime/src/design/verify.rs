@@ -10,7 +10,7 @@ use crate::error::SolveError;
 use crate::measure::Needs;
 use crate::mechanism::Mechanism;
 use crate::nonlinear::peak::peak;
-use crate::sensitivity::{Number, Varied};
+use crate::results::varied::{Number, Varied};
 
 /// Steps along a period, beside the least of which the motion is looked at more closely.
 const STEPS: usize = 360;

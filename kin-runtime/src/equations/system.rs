@@ -9,7 +9,7 @@ use crate::mechanism::{LengthError, Mechanism, Observations, Workspace};
 use crate::model::{Model, Pattern};
 use crate::plan::{Depth, Solved};
 use crate::planned::PlanError;
-use crate::planned::follower::{Control, Follower, Poses};
+use crate::planned::follower::{Control, PlanFollower, Poses};
 use crate::scalar::Scalar;
 use crate::signal::Signal;
 use crate::state::State;
@@ -79,8 +79,8 @@ pub(crate) trait System {
         Ok(())
     }
     /// Writes the branch value of every group of the plan at q, whose sign tells the branches apart.
-    fn branches(&self, at: &Instant<'_>, q: &[f64], closures: &mut [f64]) -> Result<(), LengthError> {
-        let _ = (at, q, closures);
+    fn branches(&self, at: &Instant<'_>, q: &[f64], branch_values: &mut [f64]) -> Result<(), LengthError> {
+        let _ = (at, q, branch_values);
         Ok(())
     }
     /// The local points, axes and values of joints.
@@ -135,7 +135,7 @@ pub(crate) trait System {
         None
     }
     /// Writes the solution that [`follow`](Self::follow) would find at an instant, without moving the follower.
-    fn glance(
+    fn peek(
         &mut self,
         at: &Instant<'_>,
         inputs: InputFunction<'_>,
@@ -157,7 +157,7 @@ pub(crate) struct Followed {
 
 impl Followed {
     /// Writes the numbers of the last accepted state.
-    fn write<M: Mechanism>(follower: &Follower<M>, state: &mut State) -> Self {
+    fn write<M: Mechanism>(follower: &PlanFollower<M>, state: &mut State) -> Self {
         let Poses { q, q_dot, q_ddot, margins } = follower.state();
         for (to, from) in [(&mut state.q, q), (&mut state.q_dot, q_dot), (&mut state.q_ddot, q_ddot)] {
             let from = from.as_ref();
@@ -179,7 +179,7 @@ pub(crate) struct Evaluator<B, M: Mechanism> {
     parameters: M::Parameters<f64>,
     workspace: Box<Workspace<M>>,
     observations: Box<Observations<M>>,
-    follower: Option<Box<Follower<M>>>,
+    follower: Option<Box<PlanFollower<M>>>,
 }
 
 impl<B: Borrow<M>, M: Mechanism> Evaluator<B, M> {
@@ -238,8 +238,8 @@ impl<B: Borrow<M>, M: Mechanism> System for Evaluator<B, M> {
         self.mechanism.borrow().solve_with(self.parameters.as_ref(), at, modes, start, depth, solved)
     }
 
-    fn branches(&self, at: &Instant<'_>, q: &[f64], closures: &mut [f64]) -> Result<(), LengthError> {
-        self.mechanism.borrow().branches_with(self.parameters.as_ref(), at, q, closures)
+    fn branches(&self, at: &Instant<'_>, q: &[f64], branch_values: &mut [f64]) -> Result<(), LengthError> {
+        self.mechanism.borrow().branches_with(self.parameters.as_ref(), at, q, branch_values)
     }
 
     fn generalized_forces(&self, at: &Instant<'_>, state: &State, generalized: &mut [f64]) -> Result<(), LengthError> {
@@ -267,7 +267,7 @@ impl<B: Borrow<M>, M: Mechanism> System for Evaluator<B, M> {
         match &mut self.follower {
             Some(follower) => follower.restart(mechanism, at, q),
             None => {
-                self.follower = Some(Box::new(Follower::new(mechanism, at, q)?));
+                self.follower = Some(Box::new(PlanFollower::new(mechanism, at, q)?));
                 Ok(())
             }
         }
@@ -293,7 +293,7 @@ impl<B: Borrow<M>, M: Mechanism> System for Evaluator<B, M> {
         self.follower.as_ref()?.q_at_limit()
     }
 
-    fn glance(
+    fn peek(
         &mut self,
         at: &Instant<'_>,
         inputs: InputFunction<'_>,

@@ -1,13 +1,15 @@
 //! The branch of a configuration, and the check whether a step has stayed on it.
 //!
 //! A branch is identified by one sign per group: that of its closure, where the group closes in two ways, or that of
-//! the determinant of the group's system, where it is solved by iteration ([`Plan::signs`]). With
+//! the determinant of the group's system, where it is solved by iteration ([`Plan::signs`]). The number w that has this
+//! sign is the *branch value* of the group. Its size is the distance of the group from the configuration at which its
+//! sign changes, 0 where both closures meet and at most 1, and is read from the margin without another evaluation:
 //!
 //! ```text
-//! |w| = √margin
+//! distance = √margin ≤ about |w|
 //! ```
 //!
-//! every group has a distance from the configuration at which its sign changes: 0 where both closures meet, at most 1.
+//! (The two differ only where a divisor of the group is small, as where its outer pins meet.)
 //! Along a smooth motion w is smooth, and it changes no faster than bodies turn. A step has stayed on its branch if
 //! every group is too far from its limit to have reached it within the step ([`OUT_OF_REACH`]), or if w at its end
 //! agrees with the prediction, in a step so short that the error of the prediction is much smaller than w
@@ -25,6 +27,11 @@ const EXPECTED: f64 = 0.5;
 /// Distance from its limit at which a group cannot reach the limit within one step, in turns of the fastest body by
 /// velocity or by acceleration alone. The factor accounts for two bodies that turn towards one another, by both.
 pub(crate) const OUT_OF_REACH: f64 = 4.0;
+
+/// Margins above this need no check of a branch's neighbourhood where nothing is known of the motion before: for single
+/// states, and for the sets of a batch that are judged together.
+#[cfg(any(feature = "std", all(feature = "alloc", feature = "simd")))]
+pub(crate) const FAR_FROM_LIMITS: f64 = 1e-2;
 
 /// Estimate of the third-order term that the prediction omits: this factor times the cube of the turn.
 const THIRD_ORDER: f64 = 10.0;
@@ -71,7 +78,7 @@ const fn may_dip(before: f64, after: f64) -> bool {
 }
 
 /// [`may_dip`] for any group.
-pub(super) fn one_may_dip(before: &[f64], after: &[f64]) -> bool {
+pub(super) fn may_have_touched_limit(before: &[f64], after: &[f64]) -> bool {
     before.iter().zip(after).any(|(before, after)| may_dip(*before, *after))
 }
 
@@ -124,8 +131,8 @@ mod tests {
     fn a_group_that_is_close_at_either_end_may_have_been_at_its_limit() {
         assert!(may_dip(0.149, 0.9) && may_dip(0.9, 0.149) && may_dip(0.1, 0.1));
         assert!(!may_dip(0.151, 0.151));
-        assert!(one_may_dip(&[0.9, 0.1], &[0.9, 0.2]) && one_may_dip(&[0.9, 0.9], &[0.1, 0.9]));
-        assert!(!one_may_dip(&[0.9, 0.2], &[0.2, 0.9]) && !one_may_dip(&[], &[]));
+        assert!(may_have_touched_limit(&[0.9, 0.1], &[0.9, 0.2]) && may_have_touched_limit(&[0.9, 0.9], &[0.1, 0.9]));
+        assert!(!may_have_touched_limit(&[0.9, 0.2], &[0.2, 0.9]) && !may_have_touched_limit(&[], &[]));
     }
 
     #[test]

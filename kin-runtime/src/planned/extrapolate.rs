@@ -9,7 +9,7 @@
 //! ```
 
 use super::error::LimitKind;
-use super::follower::{Follower, Poses};
+use super::follower::{PlanFollower, Poses};
 use super::predict::parabola;
 use super::walk::Blocked;
 use crate::course::Course;
@@ -48,7 +48,7 @@ pub(super) struct Found<M: Mechanism> {
     pub(super) kind: Option<LimitKind>,
 }
 
-impl<M: Mechanism> Follower<M> {
+impl<M: Mechanism> PlanFollower<M> {
     /// The limit of a group, near the place `at` of the course; `sign` is the index of the group among the signs.
     /// `None` where the motion did not start far enough away, or the states are not on a smooth curve.
     pub(super) fn extrapolate(

@@ -61,7 +61,7 @@ impl<M: Mechanism> Poses<M> {
 }
 
 /// A branch of the motion and the instant reached on it.
-pub(crate) struct Follower<M: Mechanism> {
+pub(crate) struct PlanFollower<M: Mechanism> {
     pub(super) parameters: M::Parameters<f64>,
     pub(super) branch: Branch<M>,
     pub(super) t: f64,
@@ -73,9 +73,9 @@ pub(crate) struct Follower<M: Mechanism> {
     /// The time of the state before the accepted one, if `states` still contains it; otherwise NaN.
     pub(super) before: f64,
     /// True if the next state is unrelated to the last one.
-    pub(super) anew: bool,
-    /// Not 0 for every mode that the caller requested since the last accepted state.
-    pub(super) asked: Modes<M>,
+    pub(super) starts_anew: bool,
+    /// 1 for every mode that the caller has requested since the last accepted state, otherwise 0.
+    pub(super) requested: Modes<M>,
     pub(super) predicted: M::Coordinates<f64>,
     /// The smallest |w| of the accepted state.
     pub(super) nearest: f64,
@@ -87,13 +87,13 @@ pub(crate) struct Follower<M: Mechanism> {
     pub(super) limit: Option<M::Coordinates<f64>>,
 }
 
-impl<M: Mechanism> Clone for Follower<M> {
+impl<M: Mechanism> Clone for PlanFollower<M> {
     fn clone(&self) -> Self {
         *self
     }
 }
 
-impl<M: Mechanism> Copy for Follower<M> {}
+impl<M: Mechanism> Copy for PlanFollower<M> {}
 
 /// Why a step was rejected.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -108,7 +108,7 @@ pub(crate) enum Fault {
     NonFinite,
 }
 
-impl<M: Mechanism> Follower<M> {
+impl<M: Mechanism> PlanFollower<M> {
     /// A follower without any state.
     pub(super) fn empty(parameters: M::Parameters<f64>, t: f64) -> Self {
         let zeros = M::Coordinates::<f64>::filled(0.0);
@@ -120,8 +120,8 @@ impl<M: Mechanism> Follower<M> {
             states: [Poses::nothing(); 2],
             good: 0,
             before: f64::NAN,
-            anew: true,
-            asked: Modes::filled(0.0),
+            starts_anew: true,
+            requested: Modes::filled(0.0),
             predicted: zeros,
             nearest: 1.0,
             distances: Distances::filled(0.0),
@@ -142,7 +142,7 @@ impl<M: Mechanism> Follower<M> {
         let mut follower = Self::empty(parameters, at.t);
         follower.states[0] = Poses { q, q_dot, q_ddot, margins };
         follower.branch.modes = modes;
-        follower.anew = false;
+        follower.starts_anew = false;
         super::predict::weights(M::model(), q.as_ref(), follower.weights.as_mut());
         follower.keep_inputs(at.inputs);
         follower.nearest = margins.write_distances(&mut follower.branch.distances);

@@ -62,7 +62,7 @@ list! {
 
 list! {
     /// w of all groups, the value whose sign is the mode and tells their branches apart.
-    Closures in Coordinates, as many as |plan| plan.signs()
+    BranchValues in Coordinates, as many as |plan| plan.signs()
 }
 
 list! {
@@ -76,17 +76,17 @@ list! {
     Margins in Rows, as many as |plan| plan.margins
 }
 
-impl<M: Mechanism, T: Scalar> Closures<M, T> {
+impl<M: Mechanism, T: Scalar> BranchValues<M, T> {
     /// The closures of a configuration.
     #[inline]
     pub(crate) fn at(mechanism: &M, parameters: &[T], at: &Instant<'_, T>, q: &[T]) -> Result<Self, LengthError> {
-        let mut closures = Self::filled(T::from_f64(0.0));
-        mechanism.branches_with(parameters, at, q, closures.as_mut())?;
-        Ok(closures)
+        let mut branch_values = Self::filled(T::from_f64(0.0));
+        mechanism.branches_with(parameters, at, q, branch_values.as_mut())?;
+        Ok(branch_values)
     }
 }
 
-impl<M: Mechanism, V: Compare> Closures<M, V> {
+impl<M: Mechanism, V: Compare> BranchValues<M, V> {
     /// The modes given by the signs.
     #[inline]
     pub(crate) fn modes(&self) -> Modes<M, V> {
@@ -143,8 +143,8 @@ impl<M: Mechanism> Margins<M> {
 
 /// Writes the signs of closures.
 #[inline(always)]
-fn write_directions<V: Compare>(closures: &[V], modes: &mut [V]) {
-    modes.iter_mut().zip(closures).for_each(|(mode, closure)| *mode = closure.direction());
+fn write_directions<V: Compare>(branch_values: &[V], modes: &mut [V]) {
+    modes.iter_mut().zip(branch_values).for_each(|(mode, closure)| *mode = closure.direction());
 }
 
 /// The smallest number, at most 1; NaN is ignored.

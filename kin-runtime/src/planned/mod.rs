@@ -26,7 +26,7 @@ pub use step::Step;
 use crate::mechanism::Mechanism;
 use crate::model::Model;
 use crate::signal::Instant;
-use follower::{Control, Follower};
+use follower::{Control, PlanFollower};
 
 /// A mechanism that is solved by its plan ([`Model::plan`]) at one instant after the other: q, q̇ and q̈ in closed form
 /// where there is one, without Φ, without an allocator and without `std`.
@@ -85,7 +85,7 @@ use follower::{Control, Follower};
 #[derive(Clone)]
 pub struct Planned<'m, M: Mechanism> {
     mechanism: Held<'m, M>,
-    follower: Follower<M>,
+    follower: PlanFollower<M>,
 }
 
 #[derive(Clone, Copy)]
@@ -114,7 +114,7 @@ impl<'m, M: Mechanism> Planned<'m, M> {
     }
 
     fn begin(mechanism: Held<'m, M>, at: &Instant<'_>, q: &[f64]) -> Result<Self, PlanError> {
-        let follower = Follower::new(mechanism.get(), at, q)?;
+        let follower = PlanFollower::new(mechanism.get(), at, q)?;
         Ok(Self { mechanism, follower })
     }
 
@@ -166,7 +166,7 @@ impl<'m, M: Mechanism> Planned<'m, M> {
         let (sign, asked) = self.mode_mut(mode.into())?;
         *sign = -*sign;
         *asked = 1.0;
-        self.follower.anew = true;
+        self.follower.starts_anew = true;
         Ok(())
     }
 
@@ -175,7 +175,7 @@ impl<'m, M: Mechanism> Planned<'m, M> {
         let modes = M::model().plan.modes;
         let place = mode.place(modes).ok_or(PlanError::UnknownMode { modes })?;
         let follower = &mut self.follower;
-        let both = follower.branch.modes.as_mut().get_mut(place).zip(follower.asked.as_mut().get_mut(place));
+        let both = follower.branch.modes.as_mut().get_mut(place).zip(follower.requested.as_mut().get_mut(place));
         both.ok_or(PlanError::UnknownMode { modes })
     }
 

@@ -4,7 +4,7 @@
 //! then decreases, until a group reaches its limit. [`limit`](super::limit) locates the limit as in any motion.
 
 use super::error::{Limit, PlanError};
-use super::follower::{Control, Follower};
+use super::follower::{Control, PlanFollower};
 use super::walk::natural_step;
 use super::{Held, Planned};
 use crate::course::Course;
@@ -205,7 +205,7 @@ impl<M: Mechanism> Planned<'_, M> {
     }
 }
 
-impl<M: Mechanism> Follower<M> {
+impl<M: Mechanism> PlanFollower<M> {
     /// The value of an input at which the branch ends in one direction, and the limit there; infinite if no limit was
     /// met.
     #[cold]

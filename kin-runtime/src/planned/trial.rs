@@ -1,15 +1,15 @@
 //! The trial state: the solution of the plan at an instant, and the check whether it is on the branch of the motion.
 
-use super::branch::{first_uncertain, one_may_dip};
-use super::follower::{Follower, Poses};
-use super::lists::Closures;
+use super::branch::{first_uncertain, may_have_touched_limit};
+use super::follower::{PlanFollower, Poses};
+use super::lists::BranchValues;
 use super::passed::{self, Passed};
 use crate::mechanism::{LengthError, Mechanism};
 use crate::plan::{Depth, Solved};
 use crate::scalar::compare::all_finite;
 use crate::signal::Instant;
 
-impl<M: Mechanism> Follower<M> {
+impl<M: Mechanism> PlanFollower<M> {
     /// Solves by the plan in the current modes; true where the solution is valid.
     #[inline]
     pub(super) fn solve_in_modes(&mut self, mechanism: &M, at: &Instant<'_>) -> Result<bool, LengthError> {
@@ -35,8 +35,8 @@ impl<M: Mechanism> Follower<M> {
             return Ok(false);
         }
         let kept = self.branch.modes;
-        let closures = Closures::at(mechanism, self.parameters.as_ref(), at, self.predicted.as_ref())?;
-        let passed = Passed::new(kept.of_closures(), closures.as_ref(), self.asked.as_ref());
+        let branch_values = BranchValues::at(mechanism, self.parameters.as_ref(), at, self.predicted.as_ref())?;
+        let passed = Passed::new(kept.of_closures(), branch_values.as_ref(), self.requested.as_ref());
         for attempt in passed.attempts() {
             passed.signs(attempt, self.branch.modes.of_closures_mut());
             if self.solve_in_modes(mechanism, at)? {
@@ -62,7 +62,7 @@ impl<M: Mechanism> Follower<M> {
             return Ok(true);
         }
         let q = &self.states[1 - self.good].q;
-        let found = Closures::at(mechanism, self.parameters.as_ref(), at, q.as_ref())?;
+        let found = BranchValues::at(mechanism, self.parameters.as_ref(), at, q.as_ref())?;
         let iterated = plan.modes.len()..plan.signs();
         Ok(have_signs(&self.branch.modes.as_ref()[iterated.clone()], &found.as_ref()[iterated]))
     }
@@ -78,7 +78,7 @@ impl<M: Mechanism> Follower<M> {
         resolution: f64,
     ) -> Result<bool, LengthError> {
         let is_resolved = resolution >= 0.0;
-        if !is_resolved || one_may_dip(self.branch.distances.as_ref(), self.distances.as_ref()) {
+        if !is_resolved || may_have_touched_limit(self.branch.distances.as_ref(), self.distances.as_ref()) {
             return Ok(false);
         }
         self.uncertain(mechanism, at, self.predicted.as_ref()).map(|uncertain| uncertain.is_none())
@@ -91,13 +91,13 @@ impl<M: Mechanism> Follower<M> {
         at: &Instant<'_>,
         predicted: &[f64],
     ) -> Result<Option<usize>, LengthError> {
-        let of = |q: &[f64]| Closures::at(mechanism, self.parameters.as_ref(), at, q);
+        let of = |q: &[f64]| BranchValues::at(mechanism, self.parameters.as_ref(), at, q);
         let (foretold, found) = (of(predicted)?, of(self.states[1 - self.good].q.as_ref())?);
         Ok(first_uncertain(self.branch.modes.as_ref(), foretold.as_ref(), found.as_ref()))
     }
 }
 
 /// True if all closures have the signs of their modes.
-fn have_signs(modes: &[f64], closures: &[f64]) -> bool {
-    modes.iter().zip(closures).all(|(mode, closure)| mode * closure > 0.0)
+fn have_signs(modes: &[f64], branch_values: &[f64]) -> bool {
+    modes.iter().zip(branch_values).all(|(mode, closure)| mode * closure > 0.0)
 }

@@ -1,7 +1,6 @@
-//! Reports on a solution: degrees of freedom, velocity ratios, transmission angles, motion, and quantities by name.
+//! Reports on a solution: velocity ratios, transmission angles, motion, and quantities by name.
 
 pub mod measure;
-pub mod mobility;
 pub(crate) mod motion;
 pub mod ratios;
 pub mod transmission;

@@ -13,3 +13,4 @@ pub mod ranges;
 pub mod sensitivities;
 pub mod state;
 pub mod trajectory;
+pub(crate) mod varied;

@@ -16,7 +16,8 @@ use core::fmt;
 pub struct Fallback {
     /// Time of the step's end.
     pub t: f64,
-    /// The step of the plan that had no answer there; none if the plan had an answer that did not fit the motion.
+    /// The step of the plan that has no answer there; none if the plan had no answer for another reason, such as a driver
+    /// that jumps, or one that does not satisfy all rows.
     pub limit: Option<Limit>,
 }
 
@@ -24,7 +25,7 @@ impl fmt::Display for Fallback {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match &self.limit {
             Some(limit) => write!(f, "at t = {}: {limit}", self.t),
-            None => write!(f, "at t = {}: its answer does not fit the motion", self.t),
+            None => write!(f, "at t = {}: it has no answer that fits the motion", self.t),
         }
     }
 }

@@ -1,12 +1,13 @@
 //! One objective, many parameters: the plan is evaluated once, its operations are recorded, and one pass backwards gives the
 //! gradient.
 
-use super::variation::{LARGEST, Varied, modes_of};
+use super::variation::{LARGEST, modes_of};
 use super::{SAME, is_integrated};
 use crate::error::SolveError;
 use crate::measure::{Measure, Needs};
 use crate::mechanism::{LengthError, Mechanism, Observations};
 use crate::plan::{Plan, Solved};
+use crate::results::varied::Varied;
 use crate::scalar::Scalar;
 use crate::scalar::recorded::{Recorded, accumulate, variables};
 use crate::signal::Signal;

@@ -1,7 +1,7 @@
 //! Derivatives of forces: Φ_qᵀ λ_p = r_p − (Φ_q)_pᵀ λ, and the numbers of forces evaluated with numbers that carry
 //! derivatives.
 
-use super::variation::{Number, Variation, Varied};
+use super::variation::Variation;
 use crate::analysis::forces::{Numbers, Sharing, collected, numbers};
 use crate::equations::Equations;
 use crate::equations::scale::Scale;
@@ -9,6 +9,7 @@ use crate::error::SolveError;
 use crate::linear::Factorization;
 use crate::model::ForceModel;
 use crate::model::forces::TOTALS;
+use crate::results::varied::{Number, Varied, WIDTH};
 use crate::scalar::Scalar;
 use crate::sensitivities::Sensitivity;
 use crate::state::State;
@@ -74,8 +75,8 @@ fn varied_numbers(
     let all: Vec<usize> = (0..equations.rows()).collect();
     let scaled = equations.scaled(&all).transpose();
     let factor = Factorization::revealing(&scaled, &vec![1.0; all.len()], equations.options.rank_tolerance);
-    let mut by = vec![[0.0; super::WIDTH]; all.len()];
-    for lane in 0..super::WIDTH {
+    let mut by = vec![[0.0; WIDTH]; all.len()];
+    for lane in 0..WIDTH {
         let right = right.iter().zip(&equations.scale.columns).map(|(r, d)| r.by()[lane] * d);
         let y = factor.solve(&DVector::from_iterator(n, right));
         for ((by, y), scale) in by.iter_mut().zip(&y).zip(&equations.scale.rows) {

@@ -1,6 +1,6 @@
 //! Derivatives by linear solves, for mechanisms that no plan solves: one factorisation of Φ_q serves all of them.
 
-use super::variation::{Number, Variation, Varied};
+use super::variation::Variation;
 use crate::analysis::velocity::{factorize, scaled};
 use crate::equations::Equations;
 use crate::equations::scale::Scale;
@@ -8,6 +8,7 @@ use crate::equations::system::Parts;
 use crate::error::SolveError;
 use crate::linear::Factorization;
 use crate::model::Pattern;
+use crate::results::varied::{Number, Varied, WIDTH};
 use crate::scalar::Scalar;
 use crate::state::State;
 use crate::workspace::Subset;
@@ -63,7 +64,7 @@ impl Linear {
         parameters: &[usize],
         x: &mut [Number],
     ) -> Result<(), SolveError> {
-        let mut by = vec![[0.0; super::WIDTH]; x.len()];
+        let mut by = vec![[0.0; WIDTH]; x.len()];
         for (lane, &parameter) in parameters.iter().enumerate() {
             // Rows of prescribed coordinates come after those of the mechanism; they do not depend on parameters.
             let right = |row: usize| rows.values.get(row).map_or(0.0, |value| -value.by()[lane]);
@@ -99,7 +100,7 @@ impl Linear {
 /// rounding errors are estimated.
 struct Rows {
     values: Vec<Number>,
-    terms: Vec<[f64; super::WIDTH]>,
+    terms: Vec<[f64; WIDTH]>,
     sizes: Vec<f64>,
 }
 

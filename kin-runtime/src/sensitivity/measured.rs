@@ -1,9 +1,10 @@
 //! Derivatives of quantities by name.
 
-use super::{Number, Variation, Varied, Varying, observe};
+use super::{Variation, Varying, observe};
 use crate::error::SolveError;
 use crate::measure::{Measure, Needs, column_values, magnitude_parts};
 use crate::mechanism::Mechanism;
+use crate::results::varied::{Number, Varied};
 use crate::scalar::Scalar;
 use crate::solver::Solver;
 use crate::state::State;

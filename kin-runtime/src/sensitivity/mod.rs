@@ -27,19 +27,16 @@ use crate::mobility::mobility;
 use crate::model::{Level, Model};
 use crate::motion::{BodyMotion, PointMotion};
 use crate::plan::Plan;
+use crate::results::varied::{Number, Varied, WIDTH};
 use crate::sensitivities::{Sensitivities, Sensitivity};
 use crate::solver::Solver;
 use crate::state::State;
 use linear::Linear;
 #[cfg(any(feature = "simd", feature = "design"))]
 pub(crate) use variation::LARGEST;
-#[cfg(not(feature = "design"))]
-pub(crate) use variation::Number;
-#[cfg(feature = "design")]
-pub use variation::Number;
 #[cfg(feature = "simd")]
 pub(crate) use variation::modes_at;
-pub(crate) use variation::{Variation, Varied, Varying, WIDTH};
+pub(crate) use variation::{Variation, Varying};
 
 /// What the plan's q may miss that of the state by, in the size of its numbers, to be the same configuration.
 const SAME: f64 = 1e-6;

@@ -4,46 +4,17 @@ use crate::equations::system::Parts;
 use crate::mechanism::{LengthError, Mechanism, Observations, Workspace};
 use crate::model::Model;
 use crate::plan::{Depth, Solved};
-use crate::planned::lists::{Closures, Modes};
-use crate::scalar::{Scalar, Tangents};
+use crate::planned::lists::{BranchValues, Modes};
+use crate::results::varied::{Number, Varied, WIDTH};
+use crate::scalar::Scalar;
 use crate::state::State;
 use crate::workspace::{Array, Instant, Signal, Subset};
-
-/// Parameters that are taken together.
-pub(crate) const WIDTH: usize = 8;
-
-/// A number with its derivatives by as many parameters as are taken together.
-#[allow(unreachable_pub, reason = "only with the feature `design` is it public")]
-pub type Number = Tangents<WIDTH>;
 
 /// Coordinates, at most, whose numbers are on the stack: a plan has about twenty values for each.
 pub(crate) const LARGEST: usize = 160;
 
 /// Closures nearer to one another than this do not say which of them a configuration is.
 const UNDECIDED: f64 = 1e-6;
-
-/// q, q̇ and q̈ with their derivatives, and what is reported of them.
-#[derive(Clone, Debug)]
-pub(crate) struct Varied<T = Number> {
-    pub(crate) q: Vec<T>,
-    pub(crate) q_dot: Vec<T>,
-    pub(crate) q_ddot: Vec<T>,
-    /// The margins of the plan; empty where it did not solve.
-    pub(crate) margins: Vec<T>,
-    /// The observables with their rates.
-    pub(crate) observed: Vec<Signal<T>>,
-    /// The numbers of the joints' geometry; empty where nobody needs them.
-    pub(crate) geometry: Vec<T>,
-    /// The numbers of forces; empty where nobody needs them.
-    pub(crate) forces: Vec<T>,
-}
-
-impl<T> Default for Varied<T> {
-    fn default() -> Self {
-        let [q, q_dot, q_ddot, margins, geometry, forces] = core::array::from_fn(|_| Vec::new());
-        Self { q, q_dot, q_ddot, margins, observed: Vec::new(), geometry, forces }
-    }
-}
 
 /// A mechanism some of whose parameters vary.
 pub(crate) trait Variation {
@@ -142,9 +113,9 @@ pub(crate) fn modes_at<M: Mechanism>(
     at: &Instant<'_>,
     q: &[f64],
 ) -> Result<Option<Modes<M>>, LengthError> {
-    let closures = Closures::at(mechanism, parameters, at, q)?;
-    let decided = closures.as_ref().iter().all(|closure| closure.abs() > UNDECIDED);
-    Ok(decided.then(|| closures.modes()))
+    let branch_values = BranchValues::at(mechanism, parameters, at, q)?;
+    let decided = branch_values.as_ref().iter().all(|closure| closure.abs() > UNDECIDED);
+    Ok(decided.then(|| branch_values.modes()))
 }
 
 pub(super) fn parts<T, R: AsRef<[T]>, J: AsRef<[T]>>(evaluation: &crate::workspace::Evaluation<R, J>) -> Parts<'_, T> {

@@ -17,8 +17,9 @@ use crate::model::{JointKind, Model, Role};
 use crate::plan::{Depth, Solved};
 #[cfg(feature = "design")]
 use crate::planned::PlanError;
-use crate::planned::follower::{Follower, Poses};
-use crate::planned::lists::{Closures, Margins, Modes};
+use crate::planned::branch::FAR_FROM_LIMITS;
+use crate::planned::follower::{PlanFollower, Poses};
+use crate::planned::lists::{BranchValues, Margins, Modes};
 use crate::scalar::compare::{all_above, all_finite};
 use crate::state::State;
 use crate::workspace::{Array, Evaluation, Instant, Signal, Subset};
@@ -53,13 +54,13 @@ impl<M: Mechanism> Solver<'_, M> {
     /// The follower of the plan at the configuration that the guesses lead to, or why the plan has no solution there; none
     /// if the general path must be used.
     #[cfg(feature = "design")]
-    pub(crate) fn follower(&self, at: &Instant<'_>) -> Option<Result<Follower<M>, PlanError>> {
+    pub(crate) fn follower(&self, at: &Instant<'_>) -> Option<Result<PlanFollower<M>, PlanError>> {
         if !self.goes_by_plan(at) {
             return None;
         }
         let parameters = self.mechanism.parameters::<f64>();
         let Start { q, modes } = self.start_of_guess(&parameters, at)?;
-        Some(Follower::begin(self.mechanism, parameters, at, q.as_ref(), modes))
+        Some(PlanFollower::begin(self.mechanism, parameters, at, q.as_ref(), modes))
     }
 
     /// The position that the guesses lead to; none if the general path must be used.
@@ -103,7 +104,7 @@ impl<M: Mechanism> Solver<'_, M> {
         if !all_finite(parameters.as_ref()) || !all_finite(start) {
             return None;
         }
-        let modes = Closures::at(self.mechanism, parameters.as_ref(), at, start).ok()?.modes();
+        let modes = BranchValues::at(self.mechanism, parameters.as_ref(), at, start).ok()?.modes();
         let q = *M::Coordinates::<f64>::view(start)?;
         Some(Start { q, modes })
     }
@@ -175,9 +176,9 @@ impl<M: Mechanism> Solver<'_, M> {
         let modes = start.modes.of_closures();
         let depth = Depth::Acceleration;
         self.mechanism.solve_with(parameters.as_ref(), at, modes, start.q.as_ref(), depth, solved).ok()?;
-        if !all_above(margins.as_ref(), FAR) {
+        if !all_above(margins.as_ref(), FAR_FROM_LIMITS) {
             // Near a limit, or if redundant rows contradict, the follower decides.
-            let follower = Follower::begin(self.mechanism, *parameters, at, start.q.as_ref(), start.modes).ok()?;
+            let follower = PlanFollower::begin(self.mechanism, *parameters, at, start.q.as_ref(), start.modes).ok()?;
             *poses = *follower.state();
         }
         Some(())
@@ -189,7 +190,7 @@ impl<M: Mechanism> Solver<'_, M> {
         let solution = [poses.q.as_ref(), poses.q_dot.as_ref(), poses.q_ddot.as_ref()];
         let [q, q_dot, _] = solution;
         let mut workspace = M::workspace::<f64>();
-        let residual = if all_above(poses.margins.as_ref(), FAR) {
+        let residual = if all_above(poses.margins.as_ref(), FAR_FROM_LIMITS) {
             // Far from all limits, rates need no check if q satisfies the rows.
             self.mechanism.evaluate_with(parameters.as_ref(), Subset::POSITION, at, q, q_dot, &mut workspace).ok()?;
             self.position_residual(&parts(&workspace), q)?
@@ -246,9 +247,6 @@ impl<M: Mechanism> Solver<'_, M> {
         Some(Position { q: q.to_vec(), iterations: 1, residual })
     }
 }
-
-/// With margins above this, rates are accurate enough even near crossings of branches.
-const FAR: f64 = 1e-2;
 
 /// Rows for which there is room on the stack.
 const FEW: usize = 64;

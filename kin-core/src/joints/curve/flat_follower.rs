@@ -22,7 +22,7 @@ use crate::constraint::{Assembly, PlacedAxis, RowMeaning, Rows};
 use crate::expr::{ExprId, Symbol, partial};
 use crate::joints::contact::{Contact, Normal};
 use crate::joints::joint::{JointType, joint};
-use crate::mechanism::{Axis, Formula, Place, Slot, Takes};
+use crate::mechanism::{Axis, Formula, OperandType, Place, Slot};
 use crate::vocabulary::Role;
 
 joint! {
@@ -33,9 +33,9 @@ joint! {
         /// The point Q of body j, on its face.
         q: Place = Slot::frame("q"),
         /// The direction v of the face in body j.
-        axis: Axis = Slot::required("axis", Takes::Axis),
+        axis: Axis = Slot::required("axis", OperandType::Axis),
         /// The support function h.
-        support: Formula = Slot::required("support", Takes::Support),
+        support: Formula = Slot::required("support", OperandType::Support),
     }
     example: "#[flat_follower(A: cam @ (0, 0), follower @ (0, 0), axis = (1, 0), support(theta) = r + e*cos(theta))]"
 }

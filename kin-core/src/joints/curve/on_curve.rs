@@ -4,7 +4,7 @@ use super::{implicit, parametric, polar};
 use crate::constraint::{Assembly, Rows};
 use crate::joints::contact::{Contact, Normal, side};
 use crate::joints::joint::{JointType, joint};
-use crate::mechanism::{Curve, Place, Slot, Takes};
+use crate::mechanism::{Curve, OperandType, Place, Slot};
 use crate::vectors::{Equation, NamedJoint, Piece, Symbol, Terms, equals, zero};
 use crate::vocabulary::JointKind;
 
@@ -16,7 +16,7 @@ joint! {
         /// The point Q of body j.
         q: Place = Slot::point("q"),
         /// The curve.
-        curve: Curve = Slot::required("curve", Takes::Curve),
+        curve: Curve = Slot::required("curve", OperandType::Curve),
     }
     example: "#[on_curve(A: cam @ (0, 0), follower @ (0, 0), polar(theta) = r + e*cos(theta))]"
 }

@@ -7,9 +7,9 @@ use super::end::{End, Outcome};
 use super::poses::{Limits, Poses, Question, copy_lane};
 use crate::mechanism::Mechanism;
 use crate::plan::{Depth, Plan};
-use crate::planned::branch::{OUT_OF_REACH, certainty_of, resolves};
-use crate::planned::follower::{Control, Follower, NEGLIGIBLE};
-use crate::planned::lists::{Closures, Distances, Margins, Modes};
+use crate::planned::branch::{FAR_FROM_LIMITS, OUT_OF_REACH, certainty_of, resolves};
+use crate::planned::follower::{Control, NEGLIGIBLE, PlanFollower};
+use crate::planned::lists::{BranchValues, Distances, Margins, Modes};
 use crate::planned::passed::CLOSE;
 use crate::planned::predict::{parabola, turned, weights};
 use crate::planned::{Limit, PlanError, Step};
@@ -18,9 +18,6 @@ use crate::scalar::compare::Compare;
 use crate::scalar::lanes::{Lanes, Octet, Pack};
 use crate::signal::{Instant, Signal};
 use crate::workspace::Array;
-
-/// With margins above this, rates are accurate enough for all sets to be judged together.
-const FAR: f64 = 1e-2;
 
 /// Eight sets that move together.
 pub(super) struct Motion<M: Mechanism> {
@@ -91,14 +88,14 @@ impl<M: Mechanism> Motion<M> {
     }
 
     /// The closures, whose signs distinguish the branches of all groups, at the state that is tried.
-    fn found(&self, mechanism: &M, at: &Instant<'_, Octet>) -> Closures<M, Octet> {
-        self.closures(mechanism, at, self.poses[1 - self.good].q.as_ref())
+    fn found(&self, mechanism: &M, at: &Instant<'_, Octet>) -> BranchValues<M, Octet> {
+        self.branch_values(mechanism, at, self.poses[1 - self.good].q.as_ref())
     }
 
-    fn closures(&self, mechanism: &M, at: &Instant<'_, Octet>, q: &[Octet]) -> Closures<M, Octet> {
-        let closures = Closures::at(mechanism, self.parameters.as_ref(), at, q);
-        debug_assert!(closures.is_ok(), "the columns have been counted");
-        closures.unwrap_or_else(|_| Closures::filled(Octet::default()))
+    fn branch_values(&self, mechanism: &M, at: &Instant<'_, Octet>, q: &[Octet]) -> BranchValues<M, Octet> {
+        let branch_values = BranchValues::at(mechanism, self.parameters.as_ref(), at, q);
+        debug_assert!(branch_values.is_ok(), "the columns have been counted");
+        branch_values.unwrap_or_else(|_| BranchValues::filled(Octet::default()))
     }
 
     /// Takes the orientations of iterated groups from the state that was found.
@@ -153,7 +150,7 @@ impl<M: Mechanism> Motion<M> {
             }
         }
         // No group is so near to its limit that rates are inaccurate, and no number is NaN.
-        let far = (nearer - Octet::from_f64(1.0)).is_within(1.0 - FAR);
+        let far = (nearer - Octet::from_f64(1.0)).is_within(1.0 - FAR_FROM_LIMITS);
         if limits.is_none() & far & is_positive(least) {
             self.keep(at);
             return None;
@@ -173,7 +170,7 @@ impl<M: Mechanism> Motion<M> {
         turn: Octet,
     ) -> Octet {
         self.margins.write_distances(&mut self.distances);
-        let foretold = self.closures(mechanism, at, self.predicted.as_ref());
+        let foretold = self.branch_values(mechanism, at, self.predicted.as_ref());
         let groups = foretold.as_ref().iter().zip(self.modes.as_ref()).zip(self.distances.as_ref());
         // If a group may have reached its limit and come back, the follower decides.
         let start = resolves(nearest, turn).least(nearest - Octet::from_f64(CLOSE));
@@ -205,7 +202,8 @@ impl<M: Mechanism> Motion<M> {
         for (lane, refusal) in refusals.iter_mut().enumerate() {
             let margin = self.poses[1 - self.good].margin.lane(lane);
             let nearer = margin.min(self.poses[self.good].margin.lane(lane));
-            let counts = self.poses[1 - self.good].is_good(lane) && nearer >= FAR && least.lane(lane) >= 0.0;
+            let counts =
+                self.poses[1 - self.good].is_good(lane) && nearer >= FAR_FROM_LIMITS && least.lane(lane) >= 0.0;
             if counts {
                 continue;
             }
@@ -233,7 +231,7 @@ impl<M: Mechanism> Motion<M> {
         let state = [pick(before.q.as_ref()), pick(before.q_dot.as_ref()), pick(before.q_ddot.as_ref())];
         let from = Instant { t: self.t, inputs: self.inputs.as_ref() };
         let modes = Modes::lane_of(&self.modes, lane);
-        let mut follower = Follower::<M>::resume(parameters, modes, &from, state, margins);
+        let mut follower = PlanFollower::<M>::resume(parameters, modes, &from, state, margins);
         let mut inputs = M::Inputs::<f64>::filled(Signal::constant(0.0));
         inputs.as_mut().iter_mut().zip(at.inputs).for_each(|(to, from)| *to = from.map(|x| x.lane(lane)));
         let at = Instant { t: at.t.lane(lane), inputs: inputs.as_ref() };

@@ -27,7 +27,7 @@ fn begun(mechanism: &PlannedFourBar) -> Motion<PlannedFourBar> {
     let q = own.state_at(&crate::Instant::at(T)).unwrap().q;
     let mut motion = Motion::<PlannedFourBar>::nothing();
     motion.predicted = Array::generate(|k| Octet::from_f64(q[k]));
-    motion.modes = motion.closures(mechanism, &at(T), motion.predicted.as_ref()).modes();
+    motion.modes = motion.branch_values(mechanism, &at(T), motion.predicted.as_ref()).modes();
     assert!(motion.begin(mechanism, &at(T)).is_none());
     motion.margins_before = Margins::filled(Octet::from_f64(1e-30));
     motion

@@ -169,6 +169,8 @@ pub trait Mechanism: Sized {
     /// [`closures_with`](Self::closures_with), followed by a number for every group that is solved by iteration
     /// ([`Plan::orientations`](crate::plan::Plan::orientations)), the normalised determinant of the group's system.
     ///
+    /// A mechanism without such groups implements only [`closures_with`](Self::closures_with), which this method then
+    /// calls; one with such groups implements this method, and the other one with its first numbers.
     /// # Errors
     /// When an argument has the wrong length.
     fn branches_with<T: Scalar>(

@@ -1,8 +1,8 @@
 //! Detection of states so near to a crossing of branches that rounding errors dominate their rates.
 
 use super::error::{Limit, LimitKind, Located, PlanError};
-use super::follower::Follower;
-use super::lists::Closures;
+use super::follower::PlanFollower;
+use super::lists::BranchValues;
 use super::step::Step;
 use super::walk::Blocked;
 use crate::course::Around;
@@ -40,7 +40,7 @@ const FAST: f64 = 0.1;
 /// At a fold |w q̈| is about q̇², however near it is. At a crossing q̇ and q̈ are finite while w goes to 0.
 const FOLD: f64 = 0.03;
 
-impl<M: Mechanism> Follower<M> {
+impl<M: Mechanism> PlanFollower<M> {
     /// True where the trial state is so near to a crossing of branches that rounding errors dominate its rates.
     #[inline]
     pub(super) fn is_blurred(&self, mechanism: &M, at: &Instant<'_>) -> bool {
@@ -56,7 +56,7 @@ impl<M: Mechanism> Follower<M> {
         // A configuration a little further on, within which the motion is a straight line; it gives ẇ by differences.
         let further = LITTLE / largest_angle(M::model(), q_dot);
         let ahead = M::Coordinates::<f64>::generate(|k| q[k] + further * q_dot[k]);
-        let of = |q: &[f64]| Closures::<M>::at(mechanism, self.parameters.as_ref(), at, q).ok();
+        let of = |q: &[f64]| BranchValues::<M>::at(mechanism, self.parameters.as_ref(), at, q).ok();
         let (now, mut rates) = (of(q)?, of(ahead.as_ref())?);
         rates.as_mut().iter_mut().zip(now.as_ref()).for_each(|(then, now)| *then = (*then - now) / further);
         let groups = [now.as_ref(), rates.as_ref()];

@@ -6,7 +6,7 @@
 //! margin, or its minimum.
 
 use super::error::{Limit, LimitKind, Located, PlanError};
-use super::follower::{Fault, Follower, Poses};
+use super::follower::{Fault, PlanFollower, Poses};
 use super::step::Step;
 use super::walk::Blocked;
 use crate::course::Course;
@@ -33,7 +33,7 @@ const JUMP: f64 = 1e-6;
 const HALVINGS: usize = 80;
 const SECTIONS: usize = 90;
 
-impl<M: Mechanism> Follower<M> {
+impl<M: Mechanism> PlanFollower<M> {
     /// The error if the instant or a parameter is not finite.
     pub(super) fn unusable(&self, at: &Instant<'_>) -> Option<PlanError> {
         unusable(M::model(), self.parameters.as_ref(), at)
@@ -48,7 +48,7 @@ impl<M: Mechanism> Follower<M> {
             return error;
         }
         let Poses { q, q_dot, q_ddot, margins } = &self.states[1 - self.good];
-        let start = if self.anew { self.predicted.as_ref() } else { &[] };
+        let start = if self.starts_anew { self.predicted.as_ref() } else { &[] };
         let solution = [q.as_ref(), q_dot.as_ref(), q_ddot.as_ref()];
         explain(M::model(), at.t, start, self.branch.modes.as_ref(), (solution, margins.as_ref()))
     }

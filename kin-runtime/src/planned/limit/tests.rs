@@ -3,7 +3,7 @@
 use super::*;
 use crate::Kinematics;
 use crate::fixture::PlannedFourBar;
-use crate::planned::lists::Closures;
+use crate::planned::lists::BranchValues;
 
 #[test]
 fn a_root_is_found_to_the_last_digit_from_either_side() {
@@ -32,14 +32,14 @@ fn a_minimum_is_found_wherever_it_is() {
 
 /// Starts a follower of the four-bar at a configuration of its closed form, with a prescribed margin and an error in
 /// its plan.
-fn begun(margin: f64, mistake: f64, sign: f64) -> Result<Follower<PlannedFourBar>, PlanError> {
+fn begun(margin: f64, mistake: f64, sign: f64) -> Result<PlanFollower<PlannedFourBar>, PlanError> {
     let own = PlannedFourBar::default();
     let q = own.state_at(&Instant::at(0.0)).unwrap().q;
     let mechanism = PlannedFourBar { margin: Some(margin), mistake, ..own };
-    let mut modes = Closures::at(&mechanism, &[], &Instant::at(0.0), &q)?.modes();
+    let mut modes = BranchValues::at(&mechanism, &[], &Instant::at(0.0), &q)?.modes();
     let asked = modes.as_ref()[0] * sign;
     modes.as_mut()[0] = if asked == 0.0 { f64::NAN } else { asked };
-    Follower::begin(&mechanism, [], &Instant::at(0.0), &q, modes)
+    PlanFollower::begin(&mechanism, [], &Instant::at(0.0), &q, modes)
 }
 
 #[test]

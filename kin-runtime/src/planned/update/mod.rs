@@ -9,8 +9,8 @@
 use super::blurred::NEAR;
 use super::branch::{OUT_OF_REACH, resolves};
 use super::error::PlanError;
-use super::follower::{Control, Follower, NEGLIGIBLE, Poses, most_turn};
-use super::lists::{Closures, Modes};
+use super::follower::{Control, NEGLIGIBLE, PlanFollower, Poses, most_turn};
+use super::lists::{BranchValues, Modes};
 use super::predict::{beyond_parabola, parabola, turned, weights};
 use crate::course::{Between, Course, Kind, kind};
 use crate::mechanism::{LengthError, Mechanism};
@@ -18,7 +18,7 @@ use crate::plan::StepKind;
 use crate::signal::Instant;
 use crate::workspace::Array;
 
-impl<M: Mechanism> Follower<M> {
+impl<M: Mechanism> PlanFollower<M> {
     /// Solves the plan of the mechanism at an instant, in the modes of a configuration q, n numbers.
     pub(crate) fn new(mechanism: &M, at: &Instant<'_>, q: &[f64]) -> Result<Self, PlanError> {
         if let Some(why) = M::model().plan.absent {
@@ -48,8 +48,8 @@ impl<M: Mechanism> Follower<M> {
         if q.len() != M::COORDINATES {
             return Err(LengthError { what: "q", expected: M::COORDINATES, found: q.len() }.into());
         }
-        let closures = Closures::at(mechanism, self.parameters.as_ref(), at, q)?;
-        self.restart_in(mechanism, at, q, closures.modes())
+        let branch_values = BranchValues::at(mechanism, self.parameters.as_ref(), at, q)?;
+        self.restart_in(mechanism, at, q, branch_values.modes())
     }
 
     /// As [`restart`](Self::restart), in the given modes.
@@ -64,10 +64,10 @@ impl<M: Mechanism> Follower<M> {
         self.lengths_exist(mechanism, at)?;
         let before = core::mem::replace(&mut self.branch.modes, modes);
         self.predicted.as_mut().copy_from_slice(start);
-        let anew = core::mem::replace(&mut self.anew, true);
-        let asked = core::mem::replace(&mut self.asked, Modes::filled(1.0));
+        let anew = core::mem::replace(&mut self.starts_anew, true);
+        let asked = core::mem::replace(&mut self.requested, Modes::filled(1.0));
         if let Err(error) = self.solve_anew(mechanism, at) {
-            (self.branch.modes, self.anew, self.asked) = (before, anew, asked);
+            (self.branch.modes, self.starts_anew, self.requested) = (before, anew, asked);
             return Err(error);
         }
         Ok(())
@@ -80,10 +80,10 @@ impl<M: Mechanism> Follower<M> {
         self.limit = None;
         self.lengths_exist(mechanism, at)?;
         let turn = self.predict(at.t - self.t);
-        if self.anew {
+        if self.starts_anew {
             return self.solve_anew(mechanism, at);
         }
-        if self.takes_one_step(mechanism, at, turn, control)? {
+        if self.try_one_step(mechanism, at, turn, control)? {
             return Ok(());
         }
         self.walk_between(mechanism, at, control)
@@ -101,10 +101,10 @@ impl<M: Mechanism> Follower<M> {
         self.limit = None;
         self.lengths_exist(mechanism, at)?;
         let turn = self.predict(at.t - self.t);
-        if self.anew {
+        if self.starts_anew {
             return self.solve_anew(mechanism, at);
         }
-        if self.takes_one_step(mechanism, at, turn, control)? {
+        if self.try_one_step(mechanism, at, turn, control)? {
             return Ok(());
         }
         self.walk_and_keep(mechanism, &crate::course::Timed { from: self.t, to: at.t, inputs }, at, control)
@@ -212,7 +212,7 @@ impl<M: Mechanism> Follower<M> {
         if !plan.orientations.is_empty() {
             // An iteration may find any solution near its start, so its orientation is taken from the result.
             let q = &self.states[1 - self.good].q;
-            let found = Closures::at(mechanism, self.parameters.as_ref(), at, q.as_ref())?.modes();
+            let found = BranchValues::at(mechanism, self.parameters.as_ref(), at, q.as_ref())?.modes();
             for sign in plan.modes.len()..plan.signs() {
                 self.branch.modes.as_mut()[sign] = found.as_ref()[sign];
             }
@@ -220,14 +220,14 @@ impl<M: Mechanism> Follower<M> {
         let q = self.states[1 - self.good].q;
         weights(M::model(), q.as_ref(), self.weights.as_mut());
         self.accept(at, nearest, false);
-        self.anew = false;
-        self.asked = Modes::filled(0.0);
+        self.starts_anew = false;
+        self.requested = Modes::filled(0.0);
         Ok(())
     }
 
-    /// True if one step from the prediction to the instant is accepted; then the follower has moved there.
+    /// Moves the follower to the instant in one step from the prediction, if that is accepted; says whether it was.
     #[inline]
-    fn takes_one_step(
+    fn try_one_step(
         &mut self,
         mechanism: &M,
         at: &Instant<'_>,

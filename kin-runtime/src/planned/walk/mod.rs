@@ -5,9 +5,9 @@
 //! distance from its limit. Otherwise the step is halved. So a group whose two closures come near one another is
 //! followed in steps that resolve the bend, and a group that reaches its limit stops the walk just before it.
 
-use super::branch::{first_dip, one_may_dip, resolves};
-use super::follower::{Control, Fault, Follower, NEGLIGIBLE, Poses, most_turn};
-use super::lists::{Closures, Modes};
+use super::branch::{first_dip, may_have_touched_limit, resolves};
+use super::follower::{Control, Fault, NEGLIGIBLE, PlanFollower, Poses, most_turn};
+use super::lists::{BranchValues, Modes};
 use super::predict::{parabola, turned};
 use crate::course::Course;
 use crate::mechanism::{LengthError, Mechanism};
@@ -25,7 +25,7 @@ pub(crate) struct Blocked<M: Mechanism> {
     pub(super) fault: Option<Fault>,
 }
 
-impl<M: Mechanism> Follower<M> {
+impl<M: Mechanism> PlanFollower<M> {
     /// Moves along the course and solves at the instant at its end; the result is the trial state.
     pub(super) fn walk(
         &mut self,
@@ -162,15 +162,15 @@ impl<M: Mechanism> Follower<M> {
             return Err(Fault::Sign(sign));
         }
         let distances = [self.branch.distances.as_ref(), self.distances.as_ref()];
-        if one_may_dip(distances[0], distances[1]) {
+        if may_have_touched_limit(distances[0], distances[1]) {
             let mut middle = M::Coordinates::<f64>::filled(0.0);
             let rates = [here.q.as_ref(), here.q_dot.as_ref(), here.q_ddot.as_ref()];
             parabola(middle.as_mut(), rates, self.weights.as_ref(), 0.5 * (next - s));
             let t = course.at(s + 0.5 * (next - s), inputs.as_mut());
             let at = Instant { t, inputs: inputs.as_ref() };
-            let closures = Closures::<M>::at(mechanism, self.parameters.as_ref(), &at, middle.as_ref())?;
+            let branch_values = BranchValues::<M>::at(mechanism, self.parameters.as_ref(), &at, middle.as_ref())?;
             let modes = [self.branch.modes.as_ref(), kept.as_ref()];
-            if let Some(sign) = first_dip(distances, closures.as_ref(), modes) {
+            if let Some(sign) = first_dip(distances, branch_values.as_ref(), modes) {
                 return Err(Fault::Sign(sign));
             }
         }

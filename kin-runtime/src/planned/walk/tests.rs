@@ -28,15 +28,15 @@ fn at_distance(start: f64, w: f64) -> PlannedFourBar {
     PlannedFourBar { start, margin: Some(w * w), ..PlannedFourBar::default() }
 }
 
-fn follower(mechanism: &PlannedFourBar) -> Follower<PlannedFourBar> {
+fn follower(mechanism: &PlannedFourBar) -> PlanFollower<PlannedFourBar> {
     let own = PlannedFourBar { margin: None, ..*mechanism };
     let q = own.state_at(&Instant::at(0.0)).unwrap().q;
-    Follower::new(mechanism, &Instant::at(0.0), &q).unwrap_or_else(|error| panic!("{error}"))
+    PlanFollower::new(mechanism, &Instant::at(0.0), &q).unwrap_or_else(|error| panic!("{error}"))
 }
 
 /// Takes a step of length h from a state; `now` prescribes the group's distance at its end.
 fn step(
-    follower: &mut Follower<PlannedFourBar>,
+    follower: &mut PlanFollower<PlannedFourBar>,
     here: &Poses<PlannedFourBar>,
     now: &PlannedFourBar,
     h: f64,
@@ -49,7 +49,7 @@ fn step(
 }
 
 /// The step, forwards or backwards, that turns by `turn`.
-fn step_of(follower: &Follower<PlannedFourBar>, turn: f64, side: f64) -> f64 {
+fn step_of(follower: &PlanFollower<PlannedFourBar>, turn: f64, side: f64) -> f64 {
     let Poses { q, q_dot, q_ddot, .. } = follower.state();
     let turns =
         |h: f64| parabola(&mut q.clone(), [q.as_ref(), q_dot.as_ref(), q_ddot.as_ref()], follower.weights.as_ref(), h);

@@ -3,8 +3,8 @@
 use super::{Measure, Of, Source};
 use crate::model::{Frame, Geometry, Model};
 use crate::plan::Depth;
+use crate::results::varied::Varied;
 use crate::scalar::Scalar;
-use crate::sensitivity::Varied;
 use crate::signal::Signal;
 use crate::transmission::Pair;
 

@@ -306,7 +306,8 @@ pub enum SolveError {
     },
     /// The plan has no answer.
     Plan(PlanError),
-    /// The observer ended the analysis ([`Solver::with_observer`](crate::Solver::with_observer)).
+    /// The observer ended the analysis ([`Solver::with_observer`](crate::Solver::with_observer)), or the closure of
+    /// [`Solver::sweep_each`](crate::Solver::sweep_each) did.
     Stopped {
         /// The time reached.
         t: f64,

@@ -1,9 +1,10 @@
 //! Step control: follows one branch of the motion from one instant to another.
 
+use super::checked_plan::CheckedPlan;
 use super::groups;
 use super::integrate::integrate;
 use super::nodes::{at_instant, basis_with, complete_basis, natural_step, rates};
-use super::planned::ByPlan;
+
 use super::refusal::refusal;
 use super::step::{Fault, Node, Scratch, Start, step};
 use crate::analysis::poses::poses;
@@ -18,10 +19,10 @@ use crate::workspace::{Instant, Subset};
 
 /// One step by full Newton to a given place: writes the node there and returns the factor by which the next step may be
 /// longer. The flag says that the caller requested this place, so that the node must be converged fully.
-type Step = fn(&mut Equations<'_>, &mut Scratch, Start<'_>, &mut Node, f64, bool) -> Result<f64, Fault>;
+type StepMethod = fn(&mut Equations<'_>, &mut Scratch, Start<'_>, &mut Node, f64, bool) -> Result<f64, Fault>;
 
 /// A branch and the instant reached on it. Nodes and buffers are reused from step to step.
-pub(crate) struct Follower {
+pub(crate) struct Continuation {
     /// The instant reached. Nodes are boxed so that swapping them is cheap.
     node: Box<Node>,
     /// The place of that node on the current course, and the derivatives of q along the course.
@@ -32,9 +33,9 @@ pub(crate) struct Follower {
     here: Box<Node>,
     next: Box<Node>,
     /// The solution plan, where one is used.
-    plan: Option<ByPlan>,
+    plan: Option<CheckedPlan>,
     /// How full Newton finds the next node: by continuation of Φ, or by integration of the velocities.
-    step: Step,
+    step: StepMethod,
     /// Length of the next internal step.
     proposed: f64,
     scratch: Scratch,
@@ -44,7 +45,14 @@ pub(crate) struct Follower {
     pub(crate) fallbacks: Vec<Fallback>,
 }
 
-impl Follower {
+/// A place on the way: its node, and the derivatives of q along the course there.
+struct Reached<'c> {
+    node: &'c Node,
+    rates: [&'c [f64]; 2],
+    s: f64,
+}
+
+impl Continuation {
     /// Starts at a state of the current instant. `factor` is the factorisation of Φ_q, which was evaluated there last;
     /// without it the state was solved by the plan.
     pub(crate) fn new(
@@ -52,7 +60,7 @@ impl Follower {
         state: State,
         factor: Option<Factorization>,
     ) -> Result<Self, SolveError> {
-        let plan = ByPlan::new(equations);
+        let plan = CheckedPlan::new(equations);
         let mut node = Box::new(Node { s: state.t, state, basis: None, fallback: None });
         if let Some(factor) = factor {
             node.basis = Some(basis_with(equations, &node.state, factor)?);
@@ -117,7 +125,7 @@ impl Follower {
         let Self { node, here, plan, .. } = self;
         let Some(plan) = plan else { return Ok(false) };
         equations.by_time(|equations| {
-            if !plan.stand(equations, &node.state) {
+            if !plan.place(equations, &node.state) {
                 return Ok(false);
             }
             equations.set_checked_instant(at);
@@ -126,7 +134,7 @@ impl Follower {
             if plan.solve(equations, &node.state.q, &mut here.state)? {
                 if plan.has_curves && !plan.in_one_step {
                     // The side of a roller is checked from step to step, so a move of several steps is refused.
-                    plan.stands = false;
+                    plan.is_placed = false;
                     return Ok(false);
                 }
                 here.s = at.t;
@@ -145,7 +153,7 @@ impl Follower {
         target: f64,
         by_plan: bool,
     ) -> Result<(), SolveError> {
-        if self.follow(equations, target, by_plan)? {
+        if self.take_steps(equations, target, by_plan)? {
             if self.here.basis.is_some() {
                 poses(equations, &mut self.here.state)?;
             }
@@ -167,7 +175,7 @@ impl Follower {
         target: f64,
         at: &Instant<'_>,
     ) -> Result<(), SolveError> {
-        if !self.follow(equations, target, false)? {
+        if !self.take_steps(equations, target, false)? {
             return self.stay(equations, at);
         }
         let Node { state, basis, .. } = &mut *self.here;
@@ -195,16 +203,16 @@ impl Follower {
     }
 
     /// Takes internal steps to `target` and leaves the last of them in `here`; false when no step was needed.
-    fn follow(&mut self, equations: &mut Equations<'_>, target: f64, by_plan: bool) -> Result<bool, SolveError> {
+    fn take_steps(&mut self, equations: &mut Equations<'_>, target: f64, by_plan: bool) -> Result<bool, SolveError> {
         let options = equations.options;
         let mut iterations = 0;
         let mut smallest = None;
         let mut moved = false;
         let has_curves = self.plan.as_ref().is_some_and(|plan| plan.has_curves);
-        let looked_at = self.watch.is_some() || equations.observed.is_there() || has_curves;
+        let needs_every_step = self.watch.is_some() || equations.observed.is_there() || has_curves;
         let mut by_plan = by_plan && self.plan.is_some();
         for _ in 0..options.max_steps {
-            let from = if moved { self.here.s } else { self.s };
+            let Reached { s: from, .. } = self.reached(moved);
             let remaining = target - from;
             if remaining == 0.0 {
                 if self.here.basis.is_some() {
@@ -212,24 +220,10 @@ impl Follower {
                 }
                 return Ok(moved);
             }
-            let length = if by_plan && !looked_at {
-                f64::INFINITY
-            } else {
-                let rates = if moved {
-                    [self.here.state.q_dot.as_slice(), &self.here.state.q_ddot]
-                } else {
-                    [self.q_dot.as_slice(), &self.q_ddot]
-                };
-                if !equations.scale.is_known {
-                    let q = if moved { &self.here.state.q } else { &self.node.state.q };
-                    equations.scale = Scale::around(equations, q);
-                }
-                let node = if moved { &self.here } else { &self.node };
-                // With redundant rows a motion may pass limits of the rows that the plan uses, so their distance does
-                // not shorten the step.
-                let basis = node.basis.as_ref().filter(|_| equations.model.plan.watched().next().is_none());
-                let nearest = basis.map_or(1.0, |basis| groups::nearest(&basis.groups));
-                natural_step(equations, rates, nearest).min(if by_plan { f64::INFINITY } else { self.proposed })
+            let length = match by_plan {
+                true if !needs_every_step => f64::INFINITY,
+                true => self.longest_step(equations, moved),
+                false => self.longest_step(equations, moved).min(self.proposed),
             };
             let smallest = *smallest.get_or_insert_with(|| {
                 let shortest = options.min_step * length.min(remaining.abs());
@@ -249,8 +243,8 @@ impl Follower {
                 }
                 self.watch_step(equations, moved, from)?;
             } else {
-                let limit = self.plan.as_ref().and_then(ByPlan::limit);
-                let jumps = self.plan.as_ref().is_some_and(ByPlan::found_a_jump);
+                let limit = self.plan.as_ref().and_then(CheckedPlan::limit);
+                let jumps = self.plan.as_ref().is_some_and(CheckedPlan::found_a_jump);
                 let Self { node, here, next, q_dot, q_ddot, scratch, .. } = self;
                 let node = if moved { here } else { node };
                 complete_basis(equations, node)?;
@@ -265,7 +259,7 @@ impl Follower {
                     Ok(growth) => {
                         iterations += self.next.state.iterations;
                         if let Some(plan) = &mut self.plan {
-                            plan.stands = false;
+                            plan.is_placed = false;
                             self.fallbacks.push(Fallback { t: self.next.state.t, limit });
                         }
                         self.watch_step(equations, moved, from)?;
@@ -304,12 +298,33 @@ impl Follower {
         })
     }
 
+    /// The place reached on the way to the next instant: after the last internal step, if there was one.
+    fn reached(&self, moved: bool) -> Reached<'_> {
+        let Self { node, here, q_dot, q_ddot, s, .. } = self;
+        match moved {
+            true => Reached { node: here, rates: [&here.state.q_dot, &here.state.q_ddot], s: here.s },
+            false => Reached { node, rates: [q_dot, q_ddot], s: *s },
+        }
+    }
+
+    /// The longest step from the place reached in which no body turns by more than the options allow.
+    fn longest_step(&self, equations: &mut Equations<'_>, moved: bool) -> f64 {
+        let Reached { node, rates, .. } = self.reached(moved);
+        if !equations.scale.is_known {
+            equations.scale = Scale::around(equations, &node.state.q);
+        }
+        // With redundant rows a motion may pass limits of the rows that the plan uses, so their distance does not shorten
+        // the step.
+        let basis = node.basis.as_ref().filter(|_| equations.model.plan.watched().next().is_none());
+        natural_step(equations, rates, basis.map_or(1.0, |basis| groups::nearest(&basis.groups)))
+    }
+
     /// One step by the plan; false where the plan has no solution.
     fn step_by_plan(&mut self, equations: &mut Equations<'_>, moved: bool, s: f64) -> Result<bool, SolveError> {
         let Self { node, here, next, plan, .. } = self;
         let Some(plan) = plan else { return Ok(false) };
         let from = if moved { &here.state } else { &node.state };
-        Ok(plan.stand(equations, from) && plan.step(equations, &from.q, next, s)?)
+        Ok(plan.place(equations, from) && plan.step(equations, &from.q, next, s)?)
     }
 
     /// Passes the accepted step to the watch over the unilateral conditions.
@@ -323,7 +338,7 @@ impl Follower {
             (Some(plan), _) if by_plan => {
                 equations.move_to(s).ok()?;
                 let mut state = node.state.clone();
-                plan.glance(equations, &mut state).map(|()| state)
+                plan.peek(equations, &mut state).map(|()| state)
             }
             (_, Some(basis)) => {
                 let start = Start { node, basis, s: from, q_dot: rates[0], q_ddot: rates[1] };
@@ -351,7 +366,7 @@ impl<'n> Start<'n> {
 /// step fails, two half steps are tried.
 fn state_between(
     equations: &mut Equations<'_>,
-    step: Step,
+    step: StepMethod,
     scratch: &mut Scratch,
     from: Start<'_>,
     s: f64,

@@ -1,6 +1,6 @@
 //! Kinematic analysis: position, velocity and acceleration over a time grid.
 
-use super::follow::Follower;
+use super::follow::Continuation;
 use crate::equations::scale::Scale;
 use crate::equations::{Equations, finite};
 use crate::error::{SolveError, SweepError};
@@ -42,7 +42,7 @@ pub(crate) fn kinematic_each(
     visit: &mut Visit<'_>,
 ) -> Result<Trajectory, SweepError> {
     let mut trajectory = Trajectory::new(equations.model);
-    match follow(equations, first, times, visit, &mut trajectory) {
+    match visit_instants(equations, first, times, visit, &mut trajectory) {
         Ok(()) => Ok(trajectory),
         Err(source) => {
             let is_located = source.limit().is_some_and(|limit| limit.at().is_some());
@@ -53,7 +53,7 @@ pub(crate) fn kinematic_each(
 }
 
 /// Passes one state per instant to `visit` until one fails or the sweep stops at an event.
-fn follow(
+fn visit_instants(
     equations: &mut Equations<'_>,
     (state, factor): (State, Option<Factorization>),
     times: &[f64],
@@ -73,8 +73,8 @@ fn follow(
     if !equations.model.conditions.is_empty() && !equations.scale.is_known {
         equations.scale = Scale::around(equations, &state.q);
     }
-    let mut follower = Follower::new(equations, state, factor)?;
-    follower.watch = Watch::start(equations, follower.state())?;
+    let mut motion = Continuation::new(equations, state, factor)?;
+    motion.watch = Watch::start(equations, motion.state())?;
     let mut instants = times.iter().enumerate().skip(1);
     let first = if goes_on { Ok(()) } else { stopped_at(start, 1) };
     let result = first.and_then(|()| {
@@ -83,10 +83,10 @@ fn follow(
                 return Ok(());
             }
             finite("times", index, "", t)?;
-            follower.advance(equations, t, true)?;
-            let event = follower.stopped(equations);
+            motion.advance(equations, t, true)?;
+            let event = motion.stopped(equations);
             trajectory.stopped = event.is_some();
-            let state = event.unwrap_or(follower.state());
+            let state = event.unwrap_or(motion.state());
             // A sweep that stops at its first event is complete.
             if show(equations, state, index + 1) || trajectory.stopped {
                 Ok(())
@@ -95,8 +95,8 @@ fn follow(
             }
         })
     });
-    trajectory.fallbacks = follower.fallbacks;
-    if let Some(watch) = follower.watch {
+    trajectory.fallbacks = motion.fallbacks;
+    if let Some(watch) = motion.watch {
         let Seen { events, violated_at_start, unwatched } = watch.finish();
         (trajectory.events, trajectory.violated_at_start, trajectory.unwatched) =
             (events, violated_at_start, unwatched);

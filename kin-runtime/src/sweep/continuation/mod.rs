@@ -13,21 +13,30 @@
 //! never jumps: where it cannot be followed, the error names the time and the joint.
 //!
 //! Where the mechanism has a plan, it is tried first by the follower that [`Planned`](crate::Planned) uses, which
-//! checks its branch itself. Its q, q̇ and q̈ are checked with all rows at every instant. Full Newton takes over where
-//! the plan has no solution or one that does not satisfy all rows.
+//! checks its branch itself. Its q, q̇ and q̈ are checked with all rows at every instant. Where the plan has no solution,
+//! or one that does not satisfy all rows, full Newton takes over up to the instant that was asked for; on the way to the
+//! next one the plan is tried again.
+//!
+//! ```text
+//! kinematic     from one instant of the grid to the next
+//!   follow      step control: the steps between two instants, by the plan or by full Newton
+//!     checked_plan   one step by the plan, compared with Φ
+//!     step           one full Newton step, judged (branch, groups)
+//!   refusal     the error where no step is certain
+//! ```
 //!
 //! Where there are rows of velocity level, Φ does not determine the position. The velocities are then integrated from
 //! the first instant on, and every step is projected onto Φ = 0; see `integrate`.
 
 mod branch;
+mod checked_plan;
 mod follow;
 mod groups;
 mod integrate;
 mod kinematic;
 mod nodes;
-mod planned;
 mod refusal;
 mod step;
 
-pub(crate) use follow::Follower;
+pub(crate) use follow::Continuation;
 pub(crate) use kinematic::{kinematic, kinematic_each};

@@ -14,12 +14,12 @@ use crate::planned::{Limit, PlanError};
 use crate::state::State;
 use crate::workspace::{Instant, Subset};
 
-/// The plan as a solver of a sweep.
+/// The plan as a solver of a sweep, whose solutions are compared with Φ.
 #[derive(Clone, Debug)]
-pub(super) struct ByPlan {
+pub(super) struct CheckedPlan {
     control: Control,
     /// Whether the follower has been placed at the current configuration of the motion.
-    pub(super) stands: bool,
+    pub(super) is_placed: bool,
     /// Why the plan had no solution at the last attempt; `None` after a success.
     pub(super) refused: Option<PlanError>,
     /// Whether the mechanism has curves, which may have no tangent or normal at some of their points.
@@ -35,7 +35,9 @@ pub(super) struct ByPlan {
     allowed: f64,
 }
 
-/// Where all margins are larger than this, rates are accurate enough to skip the check with their equations.
+/// Where all margins are larger than this, rates are accurate enough to skip the check with their equations. The
+/// follower has checked the branch before: a state without a motion before it needs a larger margin,
+/// [`FAR_FROM_LIMITS`](crate::planned::branch::FAR_FROM_LIMITS).
 const FAR: f64 = 1e-4;
 
 impl Control {
@@ -50,7 +52,7 @@ impl Control {
     }
 }
 
-impl ByPlan {
+impl CheckedPlan {
     /// `None` where the options disable the plan, the mechanism has none, or coordinates are prescribed.
     pub(super) fn new(equations: &Equations<'_>) -> Option<Self> {
         let used = equations.options.use_plan && equations.model.plan.exists() && equations.given() == 0;
@@ -59,7 +61,7 @@ impl ByPlan {
         write_lengths(equations.model, &mut lengths);
         used.then(|| Self {
             control: Control::of(&equations.options),
-            stands: false,
+            is_placed: false,
             refused: None,
             has_curves: contact::has_curves(equations.model),
             in_one_step: true,
@@ -81,12 +83,12 @@ impl ByPlan {
     }
 
     /// Places the follower at the current state of the motion; false where the plan has no solution there.
-    pub(super) fn stand(&mut self, equations: &mut Equations<'_>, state: &State) -> bool {
-        if !self.stands {
+    pub(super) fn place(&mut self, equations: &mut Equations<'_>, state: &State) -> bool {
+        if !self.is_placed {
             self.refused = equations.system.follow_from(&state.instant(), &state.q).err();
-            self.stands = self.refused.is_none();
+            self.is_placed = self.refused.is_none();
         }
-        self.stands
+        self.is_placed
     }
 
     /// Writes the state at the instant of `equations`, on the branch of the follower; false where the plan has no
@@ -103,28 +105,28 @@ impl ByPlan {
             Ok(Followed { least_margin, in_one_step }) => {
                 self.refused = None;
                 self.in_one_step = in_one_step;
-                let is_good = least_margin > FAR && self.is_closed(equations, state)?;
-                self.stands = is_good || self.complete(equations, Some(before), state)?;
+                let is_good = least_margin > FAR && self.complete_by_position(equations, state)?;
+                self.is_placed = is_good || self.complete_by_all_rows(equations, Some(before), state)?;
             }
             Err(error) => {
                 self.refused = Some(error);
-                self.stands = false;
+                self.is_placed = false;
             }
         }
-        Ok(self.stands)
+        Ok(self.is_placed)
     }
 
     /// Writes the state at the instant of `equations` without moving the follower.
-    pub(super) fn glance(&mut self, equations: &mut Equations<'_>, state: &mut State) -> Option<()> {
+    pub(super) fn peek(&mut self, equations: &mut Equations<'_>, state: &mut State) -> Option<()> {
         let at = Instant { t: equations.t, inputs: &equations.inputs };
         let inputs = equations.input_function();
-        equations.system.glance(&at, inputs, &self.control, state).ok()?;
-        self.complete(equations, None, state).ok()?.then_some(())
+        equations.system.peek(&at, inputs, &self.control, state).ok()?;
+        self.complete_by_all_rows(equations, None, state).ok()?.then_some(())
     }
 
     /// Completes a state far from all limits by checking Φ alone, because there the rates follow from a q that
     /// satisfies Φ = 0. Returns false where this is not certain.
-    fn is_closed(&mut self, equations: &mut Equations<'_>, state: &mut State) -> Result<bool, SolveError> {
+    fn complete_by_position(&mut self, equations: &mut Equations<'_>, state: &mut State) -> Result<bool, SolveError> {
         if self.has_curves || self.sizes.is_empty() {
             return Ok(false);
         }
@@ -134,12 +136,12 @@ impl ByPlan {
         let Some(residual) = closed_position(phi, &self.sizes, self.allowed) else {
             return Ok(false);
         };
-        self.finish(equations, state, residual)?;
+        self.write_rest(equations, state, residual)?;
         Ok(true)
     }
 
     /// Writes everything that a state contains besides q, q̇ and q̈.
-    fn finish(&self, equations: &mut Equations<'_>, state: &mut State, residual: f64) -> Result<(), SolveError> {
+    fn write_rest(&self, equations: &mut Equations<'_>, state: &mut State, residual: f64) -> Result<(), SolveError> {
         state.t = equations.t;
         state.inputs.clone_from(&equations.inputs);
         state.residual = residual;
@@ -173,7 +175,7 @@ impl ByPlan {
 
     /// Completes a state with given q, q̇ and q̈; false where they do not satisfy all rows. `before` is the q of the
     /// last state, which is needed where there are curves.
-    fn complete(
+    fn complete_by_all_rows(
         &mut self,
         equations: &mut Equations<'_>,
         before: Option<&[f64]>,
@@ -197,7 +199,7 @@ impl ByPlan {
             let buffers = [&mut self.sizes[..], &mut vec![0.0; self.rows.len()][..]];
             self.allowed = write_sizes(equations.model, parts.phi_q, &state.q, lengths, position, buffers);
         }
-        self.finish(equations, state, residual)?;
+        self.write_rest(equations, state, residual)?;
         Ok(true)
     }
 
