@@ -6,7 +6,7 @@ use kin_core::expr::{ExprId, Graph, Symbol};
 use kin_core::joints::RelativeAngle;
 use kin_core::mechanism::{Formula, Function, Mechanism};
 use kin_core::plan::plan;
-use kin_core::program::{Instruction, Piece, Program, Rolled, Slot, Worth, gather, lower, roll};
+use kin_core::program::{Instruction, Piece, Program, Rolled, Slot, Worth, group_atan2, lower, roll};
 use kin_core::{assemble, differentiate};
 use support::*;
 
@@ -125,14 +125,14 @@ fn angles_of_vectors_stand_together_in_straight_code() {
     let system = differentiate(assemble(&chain(1)).expect("a sound mechanism")).expect("it is smooth");
     let plan = plan(&system);
     let program = plan.sections[0].0.program();
-    let gathered = gather(program);
-    assert_eq!(bits(interpret(program, &Numbers)), bits(interpret(&gathered, &Numbers)));
-    assert_eq!(program.operations(), gathered.operations());
+    let grouped = group_atan2(program);
+    assert_eq!(bits(interpret(program, &Numbers)), bits(interpret(&grouped, &Numbers)));
+    assert_eq!(program.operations(), grouped.operations());
     let runs = |program: &Program| {
         let angles: Vec<bool> = program.instructions.iter().map(|i| matches!(i, Instruction::Atan2(..))).collect();
         angles.chunk_by(|a, b| a == b).filter(|run| run[0]).map(<[bool]>::len).collect::<Vec<_>>()
     };
-    assert_eq!((runs(program), runs(&gathered)), (vec![1, 1], vec![2]));
+    assert_eq!((runs(program), runs(&grouped)), (vec![1, 1], vec![2]));
 }
 
 #[test]
@@ -178,7 +178,7 @@ fn what_a_member_hands_to_the_next_is_carried() {
     let (mut x, mut y) = (graph.symbol(Symbol::Time), graph.symbol(Symbol::Parameter(50)));
     let mut outputs = Vec::new();
     for k in 0..50 {
-        // An angle that needs the sine of the one before: nothing can be gathered.
+        // An angle that needs the sine of the one before: nothing can be grouped.
         let length = graph.symbol(Symbol::Parameter(k));
         let angle = graph.add(x, y);
         let [dx, dy] = graph.rotate(angle, [length, y]);

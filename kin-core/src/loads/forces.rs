@@ -9,7 +9,7 @@ use super::transpose::transpose;
 use crate::constraint::{Assembly, Frame, indexed};
 use crate::expr::{ExprId, Graph, Symbol, velocity_derivatives};
 use crate::mechanism::Mechanism;
-use crate::plan::{Linear, Probe};
+use crate::plan::{Linear, ZeroTest};
 use crate::program::{Program, Slot, lower};
 use crate::system::KinematicSystem;
 use crate::vocabulary::{LoadKind, StatementKind};
@@ -92,8 +92,9 @@ pub fn forces(mechanism: &Mechanism, system: &KinematicSystem, linear: Option<Li
     let solved = along_plan.and_then(|x| transpose(&mut bodies.a.graph, &x, &equilibrium.posed, rows));
     let is_solved = solved.is_some();
     let given: Vec<ExprId> = (0..rows).map(|row| bodies.a.graph.symbol(Symbol::Right(row as u32))).collect();
-    let probe = Probe::new(set.coordinates.len());
-    let mut writer = Writer { bodies: &mut bodies, system, equilibrium: &equilibrium, multipliers: Vec::new(), probe };
+    let zero_test = ZeroTest::new(set.coordinates.len());
+    let mut writer =
+        Writer { bodies: &mut bodies, system, equilibrium: &equilibrium, multipliers: Vec::new(), zero_test };
     let lambda = solved.unwrap_or_else(|| given.clone());
     let of_multipliers = is_solved.then(|| writer.results(&given, &acting, &mut springs.clone()).list);
     let Results { list: results, efforts, reactions } = writer.results(&lambda, &acting, &mut springs);

@@ -10,7 +10,7 @@ use crate::constraint::{ConstraintSet, Frame, JointInstance, RowMeaning};
 use crate::expr::{ExprId, Graph};
 use crate::joints::{Contact, Normal, Reaction, contact_of, reaction_of};
 use crate::mechanism::{Component, Function};
-use crate::plan::Probe;
+use crate::plan::ZeroTest;
 use crate::system::KinematicSystem;
 use crate::vocabulary::Role;
 
@@ -57,7 +57,7 @@ pub(super) struct Writer<'w, 'm> {
     pub(super) equilibrium: &'w Equilibrium,
     /// λ, then the multipliers of held and carried coordinates.
     pub(super) multipliers: Vec<ExprId>,
-    pub(super) probe: Probe,
+    pub(super) zero_test: ZeroTest,
 }
 
 impl Writer<'_, '_> {
@@ -99,7 +99,7 @@ impl Writer<'_, '_> {
     /// Replaces an expression that is identically zero by the literal 0.
     fn or_zero(&mut self, id: ExprId) -> ExprId {
         let graph = &mut self.bodies.a.graph;
-        if self.probe.is_zero(graph, id) { graph.zero() } else { id }
+        if self.zero_test.is_zero(graph, id) { graph.zero() } else { id }
     }
 
     /// The efforts of all drivers, and of coordinates that are held at something that moves.

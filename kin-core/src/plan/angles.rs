@@ -58,17 +58,17 @@ impl Reduction<'_> {
         };
         let mut reader = Reader::new(self.graph, self.memory, unknowns);
         let [f, g] = [without(f), without(g)].map(|form| reader.written(&form));
-        let (graph, probe) = (&mut *self.graph, &mut self.memory.probe);
+        let (graph, zero_test) = (&mut *self.graph, &mut self.memory.zero_test);
         let minus_c2 = graph.neg(c2);
         let minus_s1 = graph.neg(s1);
         let turn = key.turn.clone();
-        let direct = probe.equal(graph, s2, c1) && probe.equal(graph, c2, minus_s1);
-        let reflected = probe.opposite(graph, s2, c1) && probe.equal(graph, minus_c2, minus_s1);
+        let direct = zero_test.equal(graph, s2, c1) && zero_test.equal(graph, c2, minus_s1);
+        let reflected = zero_test.opposite(graph, s2, c1) && zero_test.equal(graph, minus_c2, minus_s1);
         if direct || reflected {
             // M is a rotation, or a reflection if its second row has the opposite sign, times |s|.
             let g = if reflected { graph.neg(g) } else { g };
             let square = graph.plain_dot([c1, s1], [c1, s1]);
-            if probe.is_zero(graph, square) {
+            if zero_test.is_zero(graph, square) {
                 return None;
             }
             let (a, b) = (graph.plain_cross([s1, c1], [f, g]), graph.plain_dot([s1, c1], [f, g]));
@@ -86,7 +86,7 @@ impl Reduction<'_> {
             return Some((value, row));
         }
         let det = graph.plain_cross([c1, s1], [c2, s2]);
-        if probe.is_zero(graph, det) {
+        if zero_test.is_zero(graph, det) {
             return None;
         }
         // cos = −(S₂ f − S₁ g)/det, sin = −(C₁ g − C₂ f)/det.
@@ -150,7 +150,7 @@ impl Reduction<'_> {
             let [a, b] = two.map(|row| forms[&row].terms.get(key).copied());
             let (Some(a), Some(b)) = (a, b) else { return false };
             let det = self.graph.plain_cross(a, b);
-            !self.memory.probe.is_zero(self.graph, det)
+            !self.memory.zero_test.is_zero(self.graph, det)
         })
     }
 
@@ -182,15 +182,15 @@ impl Reduction<'_> {
 
     /// The factors α and β with α a + β b = h.
     fn factors(&mut self, h: [ExprId; 2], [a, b]: [[ExprId; 2]; 2]) -> [ExprId; 2] {
-        let (graph, probe) = (&mut *self.graph, &mut self.memory.probe);
+        let (graph, zero_test) = (&mut *self.graph, &mut self.memory.zero_test);
         let (zero, one) = (graph.zero(), graph.number(1.0));
         let minus_one = graph.number(-1.0);
         // Most often the loops share the joint, so that h is ±a or ±b.
         for (factor, test) in [(one, true), (minus_one, false)] {
             for (place, own) in [a, b].into_iter().enumerate() {
                 let same = (0..2).all(|k| match test {
-                    true => probe.equal(graph, h[k], own[k]),
-                    false => probe.opposite(graph, h[k], own[k]),
+                    true => zero_test.equal(graph, h[k], own[k]),
+                    false => zero_test.opposite(graph, h[k], own[k]),
                 });
                 if same {
                     return if place == 0 { [factor, zero] } else { [zero, factor] };

@@ -9,7 +9,7 @@
 use super::form::ReaderCache;
 use super::matching;
 use super::reduce::{PairedRows, Reduction};
-use super::tree::{Block, Part, Way};
+use super::tree::{Block, Part, SolutionMethod};
 use crate::expr::{Graph, IdMap};
 use crate::structure::RemovableRows;
 use crate::system::KinematicSystem;
@@ -132,9 +132,15 @@ impl Search<'_> {
         }
         let Reduction { source_rows, paired, .. } = reduction;
         let still = moves.iter().zip(&set.coordinates).filter(|(moves, k)| !**moves && !k.kind.is_length()).count();
-        let iterated = sum(&tree, &|way| if let Way::Newton { residuals } = way { residuals.len() } else { 0 });
-        let two = |way: &Way| matches!(way, Way::Angle { .. } | Way::Quadratic { .. } | Way::Circle { .. });
-        let closures = sum(&tree, &|way| usize::from(two(way)));
+        let iterated =
+            sum(&tree, &|method| if let SolutionMethod::Newton { residuals } = method { residuals.len() } else { 0 });
+        let two = |method: &SolutionMethod| {
+            matches!(
+                method,
+                SolutionMethod::Angle { .. } | SolutionMethod::Quadratic { .. } | SolutionMethod::Circle { .. }
+            )
+        };
+        let closures = sum(&tree, &|method| usize::from(two(method)));
         let score = Score { still, iterated, closures };
         Some(Chosen { tree, source_rows, left_out: left_out.to_vec(), paired, score })
     }
@@ -168,9 +174,9 @@ fn better(first: Option<Chosen>, second: Option<Chosen>) -> Option<Chosen> {
     if score(&second) < score(&first) { second } else { first }
 }
 
-fn sum(block: &Block, of: &impl Fn(&Way) -> usize) -> usize {
+fn sum(block: &Block, of: &impl Fn(&SolutionMethod) -> usize) -> usize {
     let part = |part: &Part| match part {
-        Part::Core(core) => of(&core.way),
+        Part::Core(core) => of(&core.method),
         Part::Block(block) => sum(block, of),
         Part::Pair(pair) => sum(&pair.inner, of),
     };

@@ -4,15 +4,15 @@
 //! whole turns that brings it nearest to its start value). The sign of the mode stands before every root, and the root
 //! is taken of the magnitude of its argument, so no result is NaN: the margin says whether the result is valid.
 
-use super::build::{Build, Divisor, Stage};
 use super::closures::{self, angle_branch_value, circle_branch_value, inverse, quadratic_branch_value};
 use super::dense;
 use super::known::turned;
 use super::rates::Rates;
 use super::reduce::PairedRows;
 use super::rewrite::Turned;
+use super::state::{Build, Divisor, Stage};
 use super::step::StepId;
-use super::tree::{Block, Core, Pair, PairValue, Part, Pivot, Way};
+use super::tree::{Block, Core, Pair, PairValue, Part, Pivot, SolutionMethod};
 use crate::expr::{ExprId, Symbol, total_derivatives};
 use crate::hash::FastMap;
 use crate::program::Slot;
@@ -174,8 +174,8 @@ impl Build<'_> {
 
     fn core(&mut self, core: &Core) {
         let step = self.listed.giving(core.coordinates[0]);
-        match &core.way {
-            Way::Linear { matrix, constant } => {
+        match &core.method {
+            SolutionMethod::Linear { matrix, constant } => {
                 let matrix: Vec<Vec<ExprId>> =
                     matrix.iter().map(|row| row.iter().map(|&e| self.known_value(e)).collect()).collect();
                 let right: Vec<ExprId> = constant.iter().map(|&e| self.known_value(e)).collect();
@@ -195,8 +195,8 @@ impl Build<'_> {
                     self.record_solution(k, value, None);
                 }
             }
-            Way::Newton { residuals } => self.newton(step, core, residuals),
-            Way::Angle { times, a, b, c } => {
+            SolutionMethod::Newton { residuals } => self.newton(step, core, residuals),
+            SolutionMethod::Angle { times, a, b, c } => {
                 let k = core.coordinates[0];
                 let value = angle_branch_value(&mut self.graph, (k, *times), [*a, *b]);
                 let (mode, place) = self.closure(step, value);
@@ -205,7 +205,7 @@ impl Build<'_> {
                 self.write(Slot::Margin(place), margin);
                 self.angle(k, &[(k, *times)], turned, inverse);
             }
-            Way::Quadratic { a, b, c } => {
+            SolutionMethod::Quadratic { a, b, c } => {
                 let k = core.coordinates[0];
                 let value = quadratic_branch_value(&mut self.graph, k, [*a, *b, *c]);
                 let (mode, place) = self.closure(step, value);
@@ -214,7 +214,7 @@ impl Build<'_> {
                 self.write(Slot::Margin(place), margin);
                 self.record_solution(k, value, None);
             }
-            Way::Circle { e, l, k, n, m, .. } => {
+            SolutionMethod::Circle { e, l, k, n, m, .. } => {
                 let at = [core.coordinates[0], core.coordinates[1]];
                 let value = circle_branch_value(&mut self.graph, at, [*e, l[0], l[1], *k, n[0], n[1]]);
                 let (mode, place) = self.closure(step, value);

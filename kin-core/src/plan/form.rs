@@ -6,9 +6,9 @@
 //!
 //! The m are products of powers of unknowns, the θ sums of integer multiples of unknown angles, and C and S
 //! expressions without unknowns. Everything else (a supplied function of an unknown, for example) is the rest.
-//! Coefficients that are identically zero are found by [`Probe`] and removed; so |A(φ)s|² contains no φ.
+//! Coefficients that are identically zero are found by [`ZeroTest`] and removed; so |A(φ)s|² contains no φ.
 
-use super::probe::Probe;
+use super::zero_test::ZeroTest;
 use crate::expr::{ExprId, Graph, IdMap, Node, Symbol};
 use crate::structure::turn::terms;
 use crate::vocabulary::Function;
@@ -47,7 +47,7 @@ pub(super) struct Form {
 
 /// Cached results of readers with the same set of unknowns, and the zero test for coefficients.
 pub(super) struct ReaderCache {
-    pub(super) probe: Probe,
+    pub(super) zero_test: ZeroTest,
     unknowns: BTreeSet<u32>,
     holds: IdMap<bool>,
     read: IdMap<Rc<Form>>,
@@ -57,7 +57,7 @@ impl ReaderCache {
     /// An empty cache for expressions over the given number of coordinates.
     pub(super) fn new(coordinates: usize) -> Self {
         let (unknowns, holds, read) = (BTreeSet::new(), IdMap::default(), IdMap::default());
-        Self { probe: Probe::new(coordinates), unknowns, holds, read }
+        Self { zero_test: ZeroTest::new(coordinates), unknowns, holds, read }
     }
 }
 
@@ -136,7 +136,7 @@ impl<'a> Reader<'a> {
         let zero = self.graph.zero();
         form.terms.retain(|_, pair| {
             for coefficient in pair.iter_mut() {
-                if self.memory.probe.is_zero(self.graph, *coefficient) {
+                if self.memory.zero_test.is_zero(self.graph, *coefficient) {
                     *coefficient = zero;
                 }
             }

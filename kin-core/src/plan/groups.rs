@@ -2,7 +2,7 @@
 //! joint to the other, where a carried origin counts as a pin; a dyad of free equations is named by its closed form.
 
 use super::step::Step;
-use super::tree::{Core, Pair, PairValue, Part, Way};
+use super::tree::{Core, Pair, PairValue, Part, SolutionMethod};
 use crate::constraint::{ConstraintSet, Frame, RowMeaning};
 use crate::expr::{Graph, Node, Symbol};
 use crate::vocabulary::JointKind;
@@ -10,10 +10,10 @@ use crate::vocabulary::StepKind;
 use std::collections::BTreeSet;
 
 /// The letters of a core of two rows: two circles intersect, or a circle and a line.
-pub(super) fn letters_of_way(way: &Way) -> Option<&'static str> {
-    match way {
-        Way::Circle { of_two: true, .. } => Some("RRR"),
-        Way::Circle { of_two: false, .. } => Some("RRP"),
+pub(super) fn letters_of_method(method: &SolutionMethod) -> Option<&'static str> {
+    match method {
+        SolutionMethod::Circle { of_two: true, .. } => Some("RRR"),
+        SolutionMethod::Circle { of_two: false, .. } => Some("RRP"),
         _ => None,
     }
 }
@@ -21,12 +21,12 @@ pub(super) fn letters_of_way(way: &Way) -> Option<&'static str> {
 /// The letters of a pair around a single closure: a link that turns freely at its end, or a guide that turns with its
 /// link or does not.
 pub(super) fn letters_of_pair(graph: &Graph, pair: &Pair) -> Option<&'static str> {
-    let [Part::Core(Core { coordinates, way, .. })] = pair.inner.parts.as_slice() else { return None };
+    let [Part::Core(Core { coordinates, method, .. })] = pair.inner.parts.as_slice() else { return None };
     let &[k] = coordinates.as_slice() else { return None };
-    match (&pair.value, way) {
-        (PairValue::Angle { square: Some(_), .. }, Way::Angle { .. }) => Some("RRR"),
-        (PairValue::Angle { square: Some(_), .. }, Way::Quadratic { .. }) => Some("RRP"),
-        (PairValue::Linear { by, .. }, Way::Angle { .. }) => {
+    match (&pair.value, method) {
+        (PairValue::Angle { square: Some(_), .. }, SolutionMethod::Angle { .. }) => Some("RRR"),
+        (PairValue::Angle { square: Some(_), .. }, SolutionMethod::Quadratic { .. }) => Some("RRP"),
+        (PairValue::Linear { by, .. }, SolutionMethod::Angle { .. }) => {
             let symbol = Node::Symbol(Symbol::Coordinate(k));
             let turns = graph.reachable(*by).into_iter().any(|id| graph.node(id) == symbol);
             Some(if turns { "RPR" } else { "RRP" })

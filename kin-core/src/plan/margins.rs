@@ -1,7 +1,7 @@
 //! Margins of divisors and iterations, and the numbering of all margins.
 
-use super::build::{Build, Divisor, Stage};
 use super::closures;
+use super::state::{Build, Divisor, Stage};
 use super::step::StepId;
 use crate::constraint::CoordinateKind;
 use crate::expr::{ExprId, Symbol};

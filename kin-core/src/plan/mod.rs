@@ -19,7 +19,6 @@
 //! Velocities, accelerations and any other solution of Φ_q x = b follow the same tree (see `rates`).
 
 mod angles;
-mod build;
 mod choice;
 mod closures;
 mod dense;
@@ -31,30 +30,31 @@ mod groups;
 mod known;
 mod margins;
 mod matching;
-mod probe;
 mod rates;
 mod recognise;
 mod reduce;
 mod redundant_rows;
 mod rewrite;
 mod sections;
+mod state;
 mod step;
 mod steps;
 mod tree;
+mod zero_test;
 
 pub use formulas::{Formulas, Line};
-pub(crate) use probe::Probe;
 pub use redundant_rows::TOLERANCE;
 pub(crate) use rewrite::{Substitution, rewrite};
 pub use sections::Section;
 pub use step::{Mode, Step, StepId};
+pub(crate) use zero_test::ZeroTest;
 
 use crate::expr::{ExprId, Graph};
 use crate::program::{Program, Slot, lower};
 use crate::system::KinematicSystem;
 use crate::vocabulary::Depth;
-use build::Build;
 use choice::Chosen;
+use state::Build;
 use std::ops::Range;
 use steps::StepList;
 

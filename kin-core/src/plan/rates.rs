@@ -7,7 +7,7 @@
 
 use super::closures::{LEAST, squared_size};
 use super::dense;
-use super::tree::{Block, Core, Pair, PairValue, Part, Way};
+use super::tree::{Block, Core, Pair, PairValue, Part, SolutionMethod};
 use crate::constraint::Coordinate;
 use crate::expr::{ExprId, Graph};
 use crate::hash::FastMap;
@@ -141,7 +141,7 @@ impl<'g> Rates<'g> {
         for (&k, value) in core.coordinates.iter().zip(solutions.into_iter().flatten()) {
             self.solution[k as usize] = Some(self.graph.whole(value));
         }
-        let iterates = matches!(core.way, Way::Newton { .. });
+        let iterates = matches!(core.method, SolutionMethod::Newton { .. });
         if let (Some(mut margin), Some(&row)) = (margin, core.rows.first()) {
             self.regular.push(margin);
             if let (true, Some(orientation)) = (iterates, orientation) {

@@ -1,19 +1,23 @@
 //! Recognises parts that are solvable in closed form.
 
 use super::form::{Form, Key, Reader};
-use super::tree::Way;
+use super::tree::SolutionMethod;
 use crate::expr::ExprId;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The closed-form method for the rows of a part, if there is one.
-pub(super) fn recognise(reader: &mut Reader<'_>, rows: &[usize], forms: &BTreeMap<usize, Form>) -> Option<Way> {
+pub(super) fn recognise(
+    reader: &mut Reader<'_>,
+    rows: &[usize],
+    forms: &BTreeMap<usize, Form>,
+) -> Option<SolutionMethod> {
     let unknowns: Vec<u32> = reader.unknowns().iter().copied().collect();
     let forms: Vec<&Form> = rows.iter().map(|row| &forms[row]).collect();
     if forms.iter().any(|form| form.rest.is_some()) {
         return None;
     }
-    if let Some(way) = linear(reader, &forms, &unknowns) {
-        return Some(way);
+    if let Some(method) = linear(reader, &forms, &unknowns) {
+        return Some(method);
     }
     match (forms.as_slice(), unknowns.as_slice()) {
         (&[form], &[k]) => angle(reader, form).or_else(|| quadratic(reader, form, k)),
@@ -33,7 +37,7 @@ fn only(form: &Form, keys: &[Key]) -> bool {
     form.terms.keys().all(|key| keys.contains(key))
 }
 
-fn linear(reader: &mut Reader<'_>, forms: &[&Form], unknowns: &[u32]) -> Option<Way> {
+fn linear(reader: &mut Reader<'_>, forms: &[&Form], unknowns: &[u32]) -> Option<SolutionMethod> {
     let keys: Vec<Key> = unknowns.iter().map(|&k| Key::power(k, 1)).collect();
     let allowed: BTreeSet<&Key> = keys.iter().collect();
     let is_linear = |form: &&Form| form.terms.keys().all(|key| *key == Key::default() || allowed.contains(key));
@@ -46,10 +50,10 @@ fn linear(reader: &mut Reader<'_>, forms: &[&Form], unknowns: &[u32]) -> Option<
         matrix.push(keys.iter().map(|key| coefficient(reader, form, key)[0]).collect());
         constant.push(coefficient(reader, form, &Key::default())[0]);
     }
-    Some(Way::Linear { matrix, constant })
+    Some(SolutionMethod::Linear { matrix, constant })
 }
 
-fn angle(reader: &mut Reader<'_>, form: &Form) -> Option<Way> {
+fn angle(reader: &mut Reader<'_>, form: &Form) -> Option<SolutionMethod> {
     // The row contains a single multiple of the angle; an equation in several multiples has no such closed form.
     let mut turning = form.terms.keys().filter(|key| **key != Key::default());
     let (Some(turn), None) = (turning.next(), turning.next()) else { return None };
@@ -57,20 +61,20 @@ fn angle(reader: &mut Reader<'_>, form: &Form) -> Option<Way> {
     let [a, b] = coefficient(reader, form, turn);
     let constant = coefficient(reader, form, &Key::default())[0];
     let c = reader.graph.neg(constant);
-    Some(Way::Angle { times, a, b, c })
+    Some(SolutionMethod::Angle { times, a, b, c })
 }
 
-fn quadratic(reader: &mut Reader<'_>, form: &Form, k: u32) -> Option<Way> {
+fn quadratic(reader: &mut Reader<'_>, form: &Form, k: u32) -> Option<SolutionMethod> {
     let keys = [Key::power(k, 2), Key::power(k, 1), Key::default()];
     if !only(form, &keys) {
         return None;
     }
     let [a, b, c] = keys.map(|key| coefficient(reader, form, &key)[0]);
-    Some(Way::Quadratic { a, b, c })
+    Some(SolutionMethod::Quadratic { a, b, c })
 }
 
 /// The intersection of two circles, or of a circle and a line.
-fn circle(reader: &mut Reader<'_>, forms: [&Form; 2], [x, y]: [u32; 2]) -> Option<Way> {
+fn circle(reader: &mut Reader<'_>, forms: [&Form; 2], [x, y]: [u32; 2]) -> Option<SolutionMethod> {
     let squares = [Key::power(x, 2), Key::power(y, 2)];
     let keys = [squares[0].clone(), squares[1].clone(), Key::power(x, 1), Key::power(y, 1), Key::default()];
     if !forms.iter().all(|form| only(form, &keys)) {
@@ -78,13 +82,13 @@ fn circle(reader: &mut Reader<'_>, forms: [&Form; 2], [x, y]: [u32; 2]) -> Optio
     }
     let of = |reader: &mut Reader<'_>, form: &Form| {
         let [e, e_y, l_x, l_y, k] = [0, 1, 2, 3, 4].map(|place: usize| coefficient(reader, form, &keys[place])[0]);
-        reader.memory.probe.equal(reader.graph, e, e_y).then_some((e, [l_x, l_y], k))
+        reader.memory.zero_test.equal(reader.graph, e, e_y).then_some((e, [l_x, l_y], k))
     };
     let (first, second) = (of(reader, forms[0])?, of(reader, forms[1])?);
     let zero = reader.graph.zero();
     let ((e, l, k), (f, n, m)) = if first.0 == zero { (second, first) } else { (first, second) };
     if f == zero {
-        return Some(Way::Circle { e, l, k, n, m, of_two: false });
+        return Some(SolutionMethod::Circle { e, l, k, n, m, of_two: false });
     }
     // The common chord of the two circles: e times the second equation minus f times the first.
     let graph = &mut *reader.graph;
@@ -93,5 +97,5 @@ fn circle(reader: &mut Reader<'_>, forms: [&Form; 2], [x, y]: [u32; 2]) -> Optio
         graph.sub(a, b)
     };
     let (n, m) = ([less(n[0], l[0]), less(n[1], l[1])], less(m, k));
-    Some(Way::Circle { e, l, k, n, m, of_two: true })
+    Some(SolutionMethod::Circle { e, l, k, n, m, of_two: true })
 }

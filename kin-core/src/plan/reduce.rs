@@ -19,7 +19,7 @@ use super::form::{Form, Key, Reader, ReaderCache};
 use super::matching::blocks;
 use super::recognise::recognise;
 use super::rewrite::{Substitution, rewrite};
-use super::tree::{Block, Core, Exchange, Pair, PairValue, Part, Pivot, Way};
+use super::tree::{Block, Core, Exchange, Pair, PairValue, Part, Pivot, SolutionMethod};
 use crate::expr::{ExprId, Graph, IdMap, Node, Symbol};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -137,20 +137,21 @@ impl Reduction<'_> {
         }
         // The unknowns of other parts count as known here.
         let forms: BTreeMap<usize, Form> = rows.iter().map(|&row| (row, self.form(row, unknowns))).collect();
-        let way = recognise(&mut Reader::new(self.graph, self.memory, unknowns), rows, &forms);
-        let pair = match &way {
+        let method = recognise(&mut Reader::new(self.graph, self.memory, unknowns), rows, &forms);
+        let pair = match &method {
             Some(_) => None,
             None => (self.ratio(rows, unknowns, &forms))
                 .or_else(|| self.norm(rows, unknowns, &forms))
                 .or_else(|| self.norm_of_loops(rows, unknowns, &forms)),
         };
         let Some(Eliminated { rows: pair_rows, coordinate, value, row, exchanges }) = pair else {
-            let way =
-                way.unwrap_or_else(|| Way::Newton { residuals: rows.iter().map(|&row| self.rows[row]).collect() });
+            let method = method.unwrap_or_else(|| SolutionMethod::Newton {
+                residuals: rows.iter().map(|&row| self.rows[row]).collect(),
+            });
             return Some(Part::Core(Core {
                 rows: rows.to_vec(),
                 coordinates: unknowns.iter().copied().collect(),
-                way,
+                method,
             }));
         };
         let [first, second] = pair_rows;

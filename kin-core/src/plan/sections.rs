@@ -1,8 +1,8 @@
 //! Turns stages into programs. A value that a later stage shares with an earlier one is computed once and stored
 //! ("held").
 
-use super::build::Stage;
 use super::rewrite::{Substitution, rewrite};
+use super::state::Stage;
 use crate::expr::{ExprId, Graph, IdMap, Node, Symbol};
 use crate::program::{Program, Slot, lower};
 

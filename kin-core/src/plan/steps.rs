@@ -1,8 +1,8 @@
 //! Lists the steps of a plan in order, with their modes and margins.
 
-use super::groups::{letters_of_pair, letters_of_way, name_group};
+use super::groups::{letters_of_method, letters_of_pair, name_group};
 use super::step::{Mode, Step, StepId};
-use super::tree::{Block, Core, Part, Way};
+use super::tree::{Block, Core, Part, SolutionMethod};
 use crate::constraint::{ConstraintSet, CoordinateKind};
 use crate::expr::Graph;
 use crate::system::KinematicSystem;
@@ -91,10 +91,10 @@ impl StepList {
 
     fn add(&mut self, system: &KinematicSystem, core: &Core, source_rows: &[BTreeSet<usize>]) {
         let rows: BTreeSet<usize> = core.rows.iter().flat_map(|&row| source_rows[row].iter().copied()).collect();
-        let kind = match &core.way {
-            Way::Linear { matrix, .. } if matrix.len() == 1 => StepKind::Explicit,
-            Way::Linear { matrix, .. } => StepKind::Linear(matrix.len()),
-            Way::Newton { residuals } => StepKind::Newton(residuals.len()),
+        let kind = match &core.method {
+            SolutionMethod::Linear { matrix, .. } if matrix.len() == 1 => StepKind::Explicit,
+            SolutionMethod::Linear { matrix, .. } => StepKind::Linear(matrix.len()),
+            SolutionMethod::Newton { residuals } => StepKind::Newton(residuals.len()),
             _ => StepKind::Closure,
         };
         let joint = |place: usize| {
@@ -103,7 +103,7 @@ impl StepList {
         };
         let coordinates = core.coordinates.iter().enumerate().map(|(place, &k)| (k, joint(place))).collect();
         let step = new_step(&system.set, kind, rows, coordinates);
-        self.steps.push(Step { closed_as: letters_of_way(&core.way), ..step });
+        self.steps.push(Step { closed_as: letters_of_method(&core.method), ..step });
     }
 
     /// Adds a coordinate that `row` gives once the rest of its group is known: to the step that uses the row, or to a

@@ -85,12 +85,12 @@ pub(super) struct Core {
     pub(super) rows: Vec<usize>,
     /// The coordinates that the part gives.
     pub(super) coordinates: Vec<u32>,
-    pub(super) way: Way,
+    pub(super) method: SolutionMethod,
 }
 
 /// The method of solution of a core. Its expressions contain the coordinates of other parts as symbols.
 #[derive(Clone, Debug)]
-pub(super) enum Way {
+pub(super) enum SolutionMethod {
     /// A linear system matrix · x + constant = 0; the matrix is listed row by row.
     Linear { matrix: Vec<Vec<ExprId>>, constant: Vec<ExprId> },
     /// a cos nφ + b sin nφ = c, where n is `times`.

@@ -3,14 +3,14 @@
 //! This module depends on `expr` only.
 
 mod display;
-mod gather;
+mod group_atan2;
 mod lower;
 mod reassociate;
 mod roll;
 mod signs;
 mod value_numbering;
 
-pub use gather::gather;
+pub use group_atan2::group_atan2;
 pub use lower::lower;
 pub use roll::{Angles, Keep, Part, Piece, Rolled, Source, Step, Worth, finished, roll};
 
@@ -209,7 +209,7 @@ impl Instruction {
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Program {
     /// The instructions, operands first. Sines and cosines that do not depend on one another are adjacent, and after
-    /// [`gather`] so are atan2 instructions.
+    /// [`group_atan2`] so are atan2 instructions.
     pub instructions: Vec<Instruction>,
     /// The value of every output, in the order given to [`lower`].
     pub outputs: Vec<(Slot, Value)>,

@@ -9,8 +9,8 @@
 //! If that fails, further attempts vary the coordinates without a guess, by the same pseudo-random values in every run.
 //! Guesses are not varied, because they choose the mode.
 
-use crate::analysis::closure::close;
 use crate::analysis::position::{Position, close_all, finish};
+use crate::analysis::subsystem_residual::close;
 use crate::equations::Equations;
 use crate::equations::scale::Scale;
 use crate::error::SolveError;

@@ -4,7 +4,6 @@
 pub(crate) mod acceleration;
 mod assemble;
 pub(crate) mod by_plan;
-pub(crate) mod closure;
 pub(crate) mod fit;
 pub(crate) mod forces;
 pub mod mobility;
@@ -13,6 +12,7 @@ pub(crate) mod poses;
 pub(crate) mod position;
 pub(crate) mod singular;
 mod state;
+pub(crate) mod subsystem_residual;
 pub(crate) mod velocity;
 
 pub(crate) use state::state;

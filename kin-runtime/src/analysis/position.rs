@@ -5,7 +5,7 @@
 //! redundant ones must agree.
 
 use crate::analysis::by_plan;
-use crate::analysis::closure::close;
+use crate::analysis::subsystem_residual::close;
 use crate::equations::Equations;
 use crate::equations::scale::Scale;
 use crate::error::SolveError;

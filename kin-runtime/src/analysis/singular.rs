@@ -9,7 +9,7 @@
 //! satisfies them, the rank at other inputs and times shows whether this instant is special.
 
 use crate::analysis::by_plan;
-use crate::analysis::closure::close;
+use crate::analysis::subsystem_residual::close;
 use crate::equations::Equations;
 use crate::equations::geometry::without_length;
 use crate::error::SolveError;

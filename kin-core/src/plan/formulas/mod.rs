@@ -2,13 +2,13 @@
 //! its coordinates, then their rates and accelerations, each in terms of quantities that come before.
 //!
 //! ```text
-//! tree → items in order of solution (gather) → derivatives of all items → lines (write, share)
+//! tree → items in order of solution (collect) → derivatives of all items → lines (write, share)
 //! ```
 //!
 //! Known coordinates appear by name, so every line is about its own step only. Long expressions are split: a part that
 //! occurs several times or is long in itself gets a name and a line of its own (see `share`).
 
-mod gather;
+mod collect;
 mod line;
 mod share;
 mod write;
@@ -23,6 +23,6 @@ use crate::system::KinematicSystem;
 /// The formulas of the steps of a tree.
 pub(super) fn formulas(system: &KinematicSystem, graph: Graph, listed: &StepList, tree: &Block) -> Vec<Formulas> {
     let mut graph = graph;
-    let (items, roots) = gather::gather(&mut graph, listed, tree);
+    let (items, roots) = collect::collect(&mut graph, listed, tree);
     write::write(system, graph, listed, &items, &roots)
 }

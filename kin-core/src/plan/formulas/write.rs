@@ -1,7 +1,7 @@
-//! Writes the lines for q, q̇ and q̈ of each item that `gather` has found. They are built as expressions of the graph,
+//! Writes the lines for q, q̇ and q̈ of each item that `collect` has found. They are built as expressions of the graph,
 //! which simplifies factors of 0 and 1.
 
-use super::gather::{Item, Solved};
+use super::collect::{Item, Solved};
 use super::line::{Formulas, Line};
 use super::share::Naming;
 use crate::expr::{ExprId, Graph, Jet, Shown, Symbol, total_derivatives};
@@ -47,7 +47,7 @@ impl Writer<'_> {
             self.out.push(Formulas { step: item.step, what, lines: Default::default() });
         }
         let number = item.step.number();
-        match &item.way {
+        match &item.method {
             Solved::Explicit { k, value } => self.explicit(*k, *value),
             Solved::Linear { unknowns, residuals, matrix, right } => {
                 match (matrix.as_slice(), right.as_slice(), unknowns.as_slice()) {

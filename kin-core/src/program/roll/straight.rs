@@ -2,11 +2,11 @@
 
 use super::rolled::{Part, Piece, Rolled, Source, Step};
 use super::stream::{Action, actions};
-use crate::program::{Instruction, Program, Value, gather};
+use crate::program::{Instruction, Program, Value, group_atan2};
 
 /// `program` as one straight piece.
 pub(super) fn straight(program: &Program) -> Rolled {
-    let program = gather(program);
+    let program = group_atan2(program);
     let taken_together =
         |instruction: &Instruction| matches!(instruction, Instruction::SinCos(_) | Instruction::Atan2(..));
     let steps = actions(&program, taken_together).into_iter().map(|action| match action {

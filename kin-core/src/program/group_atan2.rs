@@ -8,7 +8,7 @@ use super::{Instruction, Program, Value};
 const WINDOW: usize = 96;
 
 /// Reorders `program` so that independent atan2 instructions follow one another, where no SinCos lies between them.
-pub fn gather(program: &Program) -> Program {
+pub fn group_atan2(program: &Program) -> Program {
     program.reordered(&order(&program.instructions))
 }
 
@@ -41,23 +41,23 @@ fn order(instructions: &[Instruction]) -> Vec<usize> {
         let window = order[first..].iter().take(WINDOW);
         let window: Vec<usize> =
             window.copied().take_while(|&place| !matches!(instructions[place], Instruction::SinCos(_))).collect();
-        let (mut free, mut gathered, mut after) = (Vec::new(), Vec::new(), Vec::new());
+        let (mut free, mut grouped, mut after) = (Vec::new(), Vec::new(), Vec::new());
         for &place in &window {
             let mut needs = false;
             instructions[place].for_each_operand(|operand| needs |= after_atan2[operand.index()]);
             let group = match needs {
                 true => &mut after,
-                false if is_atan2(place) => &mut gathered,
+                false if is_atan2(place) => &mut grouped,
                 false => &mut free,
             };
             group.push(place);
             after_atan2[place] = needs || is_atan2(place);
         }
         window.iter().for_each(|&place| after_atan2[place] = false);
-        let next = first + if gathered.len() > 1 { free.len() + gathered.len() } else { 1 };
-        if gathered.len() > 1 {
-            let gathered = free.into_iter().chain(gathered).chain(after);
-            order[first..first + window.len()].iter_mut().zip(gathered).for_each(|(place, new)| *place = new);
+        let next = first + if grouped.len() > 1 { free.len() + grouped.len() } else { 1 };
+        if grouped.len() > 1 {
+            let grouped = free.into_iter().chain(grouped).chain(after);
+            order[first..first + window.len()].iter_mut().zip(grouped).for_each(|(place, new)| *place = new);
         }
         first = next;
     }

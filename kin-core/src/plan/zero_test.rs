@@ -10,14 +10,14 @@ use crate::structure::residue::ResidueFold;
 use crate::structure::turn::Turns;
 
 /// Residues at one random point, computed when they are needed.
-pub(crate) struct Probe {
+pub(crate) struct ZeroTest {
     turns: Turns,
     draw: Draw,
     known: IdMap<Residue>,
 }
 
-impl Probe {
-    /// A probe for expressions over the given number of coordinates.
+impl ZeroTest {
+    /// A zero_test for expressions over the given number of coordinates.
     pub(crate) fn new(coordinates: usize) -> Self {
         let draw = Draw(0x6b69_6e00_706c_616e);
         Self { turns: Turns::free(coordinates, draw), draw, known: IdMap::default() }

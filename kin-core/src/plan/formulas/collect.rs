@@ -3,12 +3,12 @@
 use crate::expr::{ExprId, Graph, Symbol};
 use crate::plan::step::StepId;
 use crate::plan::steps::StepList;
-use crate::plan::tree::{Block, Core, PairValue, Part, Way};
+use crate::plan::tree::{Block, Core, PairValue, Part, SolutionMethod};
 
 /// A part that is solved at once. Its expressions are given as indices of the list of roots.
 pub(super) struct Item {
     pub(super) step: StepId,
-    pub(super) way: Solved,
+    pub(super) method: Solved,
 }
 
 /// The method of solution of a part.
@@ -29,20 +29,20 @@ pub(super) enum Solved {
     Turn { k: u32, turn: Vec<(u32, i32)>, cos: usize, sin: usize },
 }
 
-struct Gather<'a> {
+struct Collector<'a> {
     graph: &'a mut Graph,
     listed: &'a StepList,
     items: Vec<Item>,
     roots: Vec<ExprId>,
 }
 
-pub(super) fn gather(graph: &mut Graph, listed: &StepList, tree: &Block) -> (Vec<Item>, Vec<ExprId>) {
-    let mut gather = Gather { graph, listed, items: Vec::new(), roots: Vec::new() };
-    gather.block(tree);
-    (gather.items, gather.roots)
+pub(super) fn collect(graph: &mut Graph, listed: &StepList, tree: &Block) -> (Vec<Item>, Vec<ExprId>) {
+    let mut collector = Collector { graph, listed, items: Vec::new(), roots: Vec::new() };
+    collector.block(tree);
+    (collector.items, collector.roots)
 }
 
-impl Gather<'_> {
+impl Collector<'_> {
     fn block(&mut self, block: &Block) {
         for part in &block.parts {
             match part {
@@ -52,20 +52,20 @@ impl Gather<'_> {
                     self.block(&pair.inner);
                     let k = pair.coordinate;
                     let step = self.listed.giving(k);
-                    let way = match &pair.value {
+                    let method = match &pair.value {
                         PairValue::Linear { value, .. } => Solved::Explicit { k, value: self.root(*value) },
                         PairValue::Angle { turn, cos, sin, .. } => {
                             Solved::Turn { k, turn: turn.clone(), cos: self.root(*cos), sin: self.root(*sin) }
                         }
                     };
-                    self.items.push(Item { step, way });
+                    self.items.push(Item { step, method });
                 }
             }
         }
         for pivot in block.pivots.iter().rev() {
             let step = self.listed.giving(pivot.coordinate);
-            let way = Solved::Explicit { k: pivot.coordinate, value: self.root(pivot.value) };
-            self.items.push(Item { step, way });
+            let method = Solved::Explicit { k: pivot.coordinate, value: self.root(pivot.value) };
+            self.items.push(Item { step, method });
         }
     }
 
@@ -77,25 +77,25 @@ impl Gather<'_> {
     fn core(&mut self, core: &Core) {
         let step = self.listed.giving(core.coordinates[0]);
         let unknowns = core.coordinates.clone();
-        let way = match &core.way {
-            Way::Linear { matrix, constant } => {
+        let method = match &core.method {
+            SolutionMethod::Linear { matrix, constant } => {
                 let right = constant.iter().map(|&e| self.graph.neg(e)).collect();
                 let rows = matrix.iter().zip(constant);
                 let residuals = rows.map(|(row, &constant)| self.affine(row, &unknowns, constant)).collect();
                 Solved::Linear { unknowns, residuals, matrix: matrix.clone(), right }
             }
-            Way::Newton { residuals } => {
+            SolutionMethod::Newton { residuals } => {
                 Solved::Newton { unknowns, residuals: residuals.iter().map(|&e| self.root(e)).collect() }
             }
-            Way::Angle { times, a, b, c } => {
+            SolutionMethod::Angle { times, a, b, c } => {
                 let coefficients = [*a, *b, *c].map(|e| self.root(e));
                 Solved::Angle { k: unknowns[0], times: *times, coefficients }
             }
-            Way::Quadratic { a, b, c } => {
+            SolutionMethod::Quadratic { a, b, c } => {
                 let coefficients = [*a, *b, *c].map(|e| self.root(e));
                 Solved::Quadratic { k: unknowns[0], coefficients }
             }
-            Way::Circle { e, l, k, n, m, .. } => {
+            SolutionMethod::Circle { e, l, k, n, m, .. } => {
                 let at = [unknowns[0], unknowns[1]];
                 let [x, y] = at.map(|k| self.graph.symbol(Symbol::Coordinate(k)));
                 let squares = self.graph.plain_dot([x, y], [x, y]);
@@ -108,7 +108,7 @@ impl Gather<'_> {
                 Solved::Circle { at, coefficients, residuals: [circle, line] }
             }
         };
-        self.items.push(Item { step, way });
+        self.items.push(Item { step, method });
     }
 
     /// Adds the expression row · unknowns + constant to the roots.
