@@ -64,11 +64,11 @@ fn newton(robot: &Robot, place: &mut Place, workspace: &mut Workspace<Robot>, t:
     (place.q, place.t) = (q, t);
 }
 
-fn by_plan(robot: &Robot, place: &mut Place, margins: &mut [f64], t: f64) {
-    let start = place.predicted(t);
+/// The plan at t from this start of its iteration.
+fn by_plan(robot: &Robot, place: &mut Place, margins: &mut [f64], t: f64, start: &Vector) {
     let Place { q, q_dot, q_ddot, .. } = place;
     let solved = Solved { q, q_dot, q_ddot, margins };
-    robot.solve_with(&[], &Instant::at(t), &[], &start, Depth::Acceleration, solved).expect("21 coordinates");
+    robot.solve_with(&[], &Instant::at(t), &[], start, Depth::Acceleration, solved).expect("21 coordinates");
     place.t = t;
 }
 
@@ -77,9 +77,13 @@ fn main() {
     let state = robot.solver().state(&Instant::at(0.0)).expect("it closes at t = 0");
     let array = |v: &[f64]| -> Vector { v.try_into().expect("21 coordinates") };
     let first = Place { q: array(&state.q), q_dot: array(&state.q_dot), q_ddot: array(&state.q_ddot), t: 0.0 };
-    let [mut dense, mut planned] = [(); 2].map(|()| Placed::new(|| first.clone()));
+    let [mut dense, mut planned, mut from_last, mut from_guess] = [(); 4].map(|()| Placed::new(|| first.clone()));
     let mut workspace = Placed::new(Robot::workspace::<f64>);
-    let mut margins = vec![0.0; Robot::model().plan.margins];
+    let [mut margins, mut spare, mut other] = [(); 3].map(|()| vec![0.0; Robot::model().plan.margins]);
+    let mut guess = [0.0; N];
+    let mut guesses = vec![0.0; Robot::model().guesses.len()];
+    robot.write_guesses(&[], &mut guesses).expect("one number for each guess");
+    Robot::model().guesses.iter().zip(&guesses).for_each(|(&place, value)| guess[place] = *value);
     let times: Vec<f64> = (0..STEPS).map(|k| (k as f64).to_radians()).collect();
     let back = -1_f64.to_radians();
     let mut followed = robot.solver().planned(&Instant::at(0.0)).expect("it closes");
@@ -102,10 +106,32 @@ fn main() {
             work: Box::new(|| {
                 let planned = planned.carried();
                 for &t in &times {
-                    by_plan(&robot, planned, &mut margins, black_box(t));
+                    let start = planned.predicted(t);
+                    by_plan(&robot, planned, &mut margins, black_box(t), &start);
                     black_box((&*planned, &margins));
                 }
                 planned.t = back;
+            }),
+        },
+        Contender {
+            name: "the same from the last solution, without a prediction",
+            work: Box::new(|| {
+                let place = from_last.carried();
+                for &t in &times {
+                    let start = place.q;
+                    by_plan(&robot, place, &mut spare, black_box(t), &start);
+                    black_box((&*place, &spare));
+                }
+            }),
+        },
+        Contender {
+            name: "the same from the mechanism's guess",
+            work: Box::new(|| {
+                let place = from_guess.carried();
+                for &t in &times {
+                    by_plan(&robot, place, &mut other, black_box(t), black_box(&guess));
+                    black_box((&*place, &other));
+                }
             }),
         },
         Contender {

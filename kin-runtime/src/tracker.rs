@@ -7,7 +7,7 @@ use crate::equations::Equations;
 use crate::equations::system::{Evaluator, System};
 use crate::error::SolveError;
 use crate::mechanism::Mechanism;
-use crate::modes::{Wanted, assemble_in};
+use crate::modes::{WantedAssembly, assemble_in};
 use crate::motion::Motion;
 use crate::ratios::{VelocityRatios, velocity_ratios};
 use crate::report::motion::motion;
@@ -83,7 +83,7 @@ use crate::workspace::Instant;
 pub struct Tracker<'m> {
     equations: Equations<'m>,
     follower: Continuation,
-    wanted: Wanted,
+    wanted: WantedAssembly,
     /// Whether the last update ended at a limit that was located.
     is_at_limit: bool,
 }
@@ -94,7 +94,7 @@ impl<'m> Tracker<'m> {
         system: Box<dyn System + 'm>,
         at: &Instant<'_>,
         by_plan: Option<State>,
-        first: impl FnOnce(&mut Equations<'_>, &Wanted) -> Result<Position, SolveError>,
+        first: impl FnOnce(&mut Equations<'_>, &WantedAssembly) -> Result<Position, SolveError>,
     ) -> Result<Self, SolveError> {
         let wanted = solver.wanted()?;
         let mut equations = Equations::new(system, solver.options, &solver.given, None, at)?;
@@ -184,7 +184,7 @@ impl<'m> Tracker<'m> {
     fn anew(
         &mut self,
         at: &Instant<'_>,
-        first: impl FnOnce(&mut Equations<'_>, &Wanted) -> Result<Position, SolveError>,
+        first: impl FnOnce(&mut Equations<'_>, &WantedAssembly) -> Result<Position, SolveError>,
     ) -> Result<&State, SolveError> {
         self.is_at_limit = false;
         self.equations.check_instant(at)?;
@@ -272,8 +272,8 @@ impl<'m, M: Mechanism> Solver<'m, M> {
 /// The first position, its state, and its branch.
 fn begin(
     equations: &mut Equations<'_>,
-    wanted: &Wanted,
-    first: impl FnOnce(&mut Equations<'_>, &Wanted) -> Result<Position, SolveError>,
+    wanted: &WantedAssembly,
+    first: impl FnOnce(&mut Equations<'_>, &WantedAssembly) -> Result<Position, SolveError>,
 ) -> Result<Continuation, SolveError> {
     let position = first(equations, wanted)?;
     let (state, factor) = analysis::state(equations, position)?;

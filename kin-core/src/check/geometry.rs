@@ -2,7 +2,7 @@
 
 use super::scope::scopes;
 use crate::error::ModelError;
-use crate::mechanism::{BodyRef, Formula, Joint, Mechanism, Operand, OperandType, Slot};
+use crate::mechanism::{BodyRef, Formula, Joint, Mechanism, Operand, OperandSlot, OperandType};
 
 /// True if the joint connects the ground with itself.
 pub(super) fn is_within_ground(joint: &Joint) -> bool {
@@ -68,7 +68,7 @@ pub(super) fn radii_are_not_zero(mechanism: &Mechanism, errors: &mut Vec<ModelEr
 }
 
 /// The operands of all joints.
-fn operands(mechanism: &Mechanism) -> impl Iterator<Item = (&'static Slot, &Operand)> {
+fn operands(mechanism: &Mechanism) -> impl Iterator<Item = (&'static OperandSlot, &Operand)> {
     mechanism.joints.iter().flat_map(|joint| joint.operands.iter())
 }
 

@@ -20,7 +20,7 @@ pub use crate::vocabulary::Frame;
 pub(crate) use assembly::Assembly;
 pub(crate) use layout::indexed;
 pub(crate) use pose::{PlacedAxis, PlacedPoint, Pose};
-pub(crate) use rows::Rows;
+pub(crate) use rows::JointRows;
 pub use set::{
     BodyInstance, ConditionInstance, ConstraintRow, ConstraintSet, Coordinate, CoordinateKind, CurveInstance,
     DefineInstance, Family, Geometry, JointInstance, Observable, ObservableKind, PointInstance, Quantity, RowMeaning,

@@ -10,7 +10,7 @@ use crate::vocabulary::Role;
 
 /// The contribution of a joint: rows as (suffix of the name, meaning, residual), geometry and reported quantities.
 #[derive(Default)]
-pub(crate) struct Rows {
+pub(crate) struct JointRows {
     pub(crate) residuals: Vec<(&'static str, RowMeaning, ExprId)>,
     /// The row of velocity level; a joint with such a row has no other.
     pub(crate) velocity: Option<VelocityRow>,
@@ -19,8 +19,8 @@ pub(crate) struct Rows {
     pub(crate) frames: [Option<Frame>; 2],
 }
 
-impl Rows {
-    /// Rows of a joint between two points, with the geometry of the points.
+impl JointRows {
+    /// JointRows of a joint between two points, with the geometry of the points.
     pub(crate) fn between(p: &PlacedPoint, q: &PlacedPoint) -> Self {
         Self {
             frames: [Some(p.frame), Some(q.frame)],

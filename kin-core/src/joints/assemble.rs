@@ -2,8 +2,8 @@
 
 use super::kinds::rows_of;
 use crate::constraint::{
-    Assembly, ConstraintRow, ConstraintSet, CurveInstance, Family, Geometry, JointInstance, ObservableKind, Quantity,
-    RowMeaning, Rows, indexed,
+    Assembly, ConstraintRow, ConstraintSet, CurveInstance, Family, Geometry, JointInstance, JointRows, ObservableKind,
+    Quantity, RowMeaning, indexed,
 };
 use crate::error::ModelError;
 use crate::mechanism::{Joint, Mechanism, Operands, contains_signal};
@@ -48,7 +48,14 @@ fn joints(a: &mut Assembly<'_>, set: &mut ConstraintSet) {
     }
 }
 
-fn write(a: &mut Assembly<'_>, set: &mut ConstraintSet, joint: &Joint, family: (usize, i64), name: String, rows: Rows) {
+fn write(
+    a: &mut Assembly<'_>,
+    set: &mut ConstraintSet,
+    joint: &Joint,
+    family: (usize, i64),
+    name: String,
+    rows: JointRows,
+) {
     let StatementKind::Joint(kind) = joint.operands.kind() else { return };
     let place = set.joints.len();
     let geometry = rows

@@ -9,24 +9,24 @@
 
 use super::gear::{carrier_is_a_third_body, coupled, coupled_angles};
 use super::joint::{JointType, Reaction, joint};
-use crate::constraint::{Assembly, Rows};
+use crate::constraint::{Assembly, JointRows};
 use crate::error::ModelError;
-use crate::mechanism::{BodyRef, Dimension, Formula, Joint, Mechanism, OperandType, Radii, Slot};
+use crate::mechanism::{BodyRef, Dimension, Formula, Joint, Mechanism, OperandSlot, OperandType, Radii};
 use crate::vectors::{Equation, NamedJoint};
 
 joint! {
     /// Operands of a belt or chain.
     Belt {
         /// The body a.
-        a: BodyRef = Slot::body("a"),
+        a: BodyRef = OperandSlot::body("a"),
         /// The body b.
-        b: BodyRef = Slot::body("b"),
+        b: BodyRef = OperandSlot::body("b"),
         /// The radii R_a and R_b.
-        radii: Radii = Slot::required("radii", OperandType::Radii).measured_in(Dimension::CommonLength),
+        radii: Radii = OperandSlot::required("radii", OperandType::Radii).measured_in(Dimension::CommonLength),
         /// The body that carries both axles, by default the ground.
-        carrier: BodyRef = Slot::required("carrier", OperandType::Carrier),
+        carrier: BodyRef = OperandSlot::required("carrier", OperandType::Carrier),
         /// The offset e.
-        offset: Formula = Slot::offset("offset", Dimension::CommonLength),
+        offset: Formula = OperandSlot::offset("offset", Dimension::CommonLength),
     }
     example: "#[belt(A: motor, spindle, radii = (r1, r2))]"
 }
@@ -34,7 +34,7 @@ joint! {
 impl JointType for Belt {
     const REACTION: Reaction = Reaction::Couples;
 
-    fn rows(&self, a: &mut Assembly<'_>) -> Rows {
+    fn rows(&self, a: &mut Assembly<'_>) -> JointRows {
         coupled(a, [&self.a, &self.b, &self.carrier], &self.radii, &self.offset, |a, [first, second]| {
             a.graph.sub(first, second)
         })

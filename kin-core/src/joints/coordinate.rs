@@ -7,17 +7,17 @@
 //! After Haug (1989), section 3.2.
 
 use super::joint::{JointType, joint};
-use crate::constraint::{Assembly, RowMeaning, Rows};
-use crate::mechanism::{Component, Dimension, Formula, Place, Slot};
+use crate::constraint::{Assembly, JointRows, RowMeaning};
+use crate::mechanism::{Component, Dimension, Formula, OperandSlot, Place};
 use crate::vocabulary::Role;
 
 joint! {
     /// Operands of an absolute x.
     X {
         /// The point P.
-        p: Place = Slot::component_of_point("p", Component::X),
+        p: Place = OperandSlot::component_of_point("p", Component::X),
         /// The value e.
-        value: Formula = Slot::value(Dimension::Length),
+        value: Formula = OperandSlot::value(Dimension::Length),
     }
     example: "#[x(A: slider @ (0, 0) = 0.1)]"
 }
@@ -26,32 +26,32 @@ joint! {
     /// Operands of an absolute y.
     Y {
         /// The point P.
-        p: Place = Slot::component_of_point("p", Component::Y),
+        p: Place = OperandSlot::component_of_point("p", Component::Y),
         /// The value e.
-        value: Formula = Slot::value(Dimension::Length),
+        value: Formula = OperandSlot::value(Dimension::Length),
     }
     example: "#[y(A: slider @ (0, 0) = 0)]"
 }
 
 impl JointType for X {
-    fn rows(&self, a: &mut Assembly<'_>) -> Rows {
+    fn rows(&self, a: &mut Assembly<'_>) -> JointRows {
         rows(a, &self.p, 0, &self.value)
     }
 }
 
 impl JointType for Y {
-    fn rows(&self, a: &mut Assembly<'_>) -> Rows {
+    fn rows(&self, a: &mut Assembly<'_>) -> JointRows {
         rows(a, &self.p, 1, &self.value)
     }
 }
 
-fn rows(a: &mut Assembly<'_>, p: &Place, component: usize, value: &Formula) -> Rows {
+fn rows(a: &mut Assembly<'_>, p: &Place, component: usize, value: &Formula) -> JointRows {
     let p = a.place(p);
     let value = a.formula(value);
-    Rows {
+    JointRows {
         residuals: vec![("", RowMeaning::Coordinate(component), a.graph.sub(p.r[component], value))],
         geometry: vec![(Role::P, p.frame, p.local.to_vec()), (Role::Value, p.frame, vec![value])],
         frames: [Some(p.frame), None],
-        ..Rows::default()
+        ..JointRows::default()
     }
 }

@@ -8,10 +8,10 @@
 //! joint makes points coincide. Reports the distance. After Haug (1989), section 3.2.
 
 use super::joint::{JointType, joint};
-use crate::constraint::{Assembly, PlacedPoint, RowMeaning, Rows};
+use crate::constraint::{Assembly, JointRows, PlacedPoint, RowMeaning};
 use crate::error::Origin;
 use crate::expr::ExprId;
-use crate::mechanism::{Function, OperandType, Place, Slot, Value};
+use crate::mechanism::{Function, OperandSlot, OperandType, Place, Value};
 use crate::vectors::{Equation, NamedJoint, Terms, equals};
 use crate::vocabulary::Role;
 
@@ -19,17 +19,17 @@ joint! {
     /// Operands of a distance.
     Distance {
         /// The point P of body i.
-        p: Place = Slot::frame("p"),
+        p: Place = OperandSlot::frame("p"),
         /// The point Q of body j.
-        q: Place = Slot::frame("q"),
+        q: Place = OperandSlot::frame("q"),
         /// The length e.
-        length: Value = Slot::required("length", OperandType::Signal).positive(),
+        length: Value = OperandSlot::required("length", OperandType::Signal).positive(),
     }
     example: "#[distance(A: crank @ (l1, 0), rocker @ (0, 0), length = l2)]"
 }
 
 impl JointType for Distance {
-    fn rows(&self, a: &mut Assembly<'_>) -> Rows {
+    fn rows(&self, a: &mut Assembly<'_>) -> JointRows {
         let (p, q) = (a.place(&self.p), a.place(&self.q));
         let length = a.formula(&self.length.value);
         between(a, &p, &q, length, self.length.origin)
@@ -42,7 +42,13 @@ impl JointType for Distance {
 }
 
 /// The row |r_Q − r_P|² − e².
-pub(super) fn between(a: &mut Assembly<'_>, p: &PlacedPoint, q: &PlacedPoint, length: ExprId, origin: Origin) -> Rows {
+pub(super) fn between(
+    a: &mut Assembly<'_>,
+    p: &PlacedPoint,
+    q: &PlacedPoint,
+    length: ExprId,
+    origin: Origin,
+) -> JointRows {
     // Literal lengths have been checked by a rule before; here the length may become a number by constant folding.
     match a.graph.literal(length) {
         Some(0.0) => {
@@ -57,7 +63,7 @@ pub(super) fn between(a: &mut Assembly<'_>, p: &PlacedPoint, q: &PlacedPoint, le
         }
         _ => {}
     }
-    let mut rows = Rows::between(p, q);
+    let mut rows = JointRows::between(p, q);
     rows.geometry.push((Role::Value, p.frame, vec![length]));
     let square = a.square_of_distance(p, q);
     let target = a.graph.square(length);

@@ -9,16 +9,16 @@
 
 use super::distance;
 use super::joint::{JointType, Reaction, joint};
-use crate::constraint::{Assembly, Rows};
-use crate::mechanism::{Formula, OperandType, Slot, Value};
+use crate::constraint::{Assembly, JointRows};
+use crate::mechanism::{Formula, OperandSlot, OperandType, Value};
 
 joint! {
     /// The sides of a driving constraint.
     Driver {
         /// The left side.
-        left: Formula = Slot::left(OperandType::Side),
+        left: Formula = OperandSlot::left(OperandType::Side),
         /// The right side.
-        right: Value = Slot::right(OperandType::Side),
+        right: Value = OperandSlot::right(OperandType::Side),
     }
     example: "#[driver(drive: crank.phi = phi0 + omega*t)]"
 }
@@ -26,12 +26,12 @@ joint! {
 impl JointType for Driver {
     const REACTION: Reaction = Reaction::Generalized;
 
-    fn rows(&self, a: &mut Assembly<'_>) -> Rows {
+    fn rows(&self, a: &mut Assembly<'_>) -> JointRows {
         if let Formula::Distance(p, q) = &self.left {
             let (p, q) = (a.place(p), a.place(q));
             let length = a.formula(&self.right.value);
             return distance::between(a, &p, &q, length, self.right.origin);
         }
-        Rows::equation(a, &self.left, &self.right.value)
+        JointRows::equation(a, &self.left, &self.right.value)
     }
 }

@@ -1,29 +1,29 @@
 //! The example of the guide's chapter on a new constraint, `equidistant(N: P, Q, R)`; the test checks its row of Φ.
 
 use super::joint::{JointType, joint};
-use crate::constraint::{Assembly, ConstraintSet, RowMeaning, Rows};
+use crate::constraint::{Assembly, ConstraintSet, JointRows, RowMeaning};
 use crate::error::Origin;
-use crate::mechanism::{BodyRef, Formula, Mechanism, Place, Slot};
+use crate::mechanism::{BodyRef, Formula, Mechanism, OperandSlot, Place};
 
 // The example borrows the variant `Constraint` of the vocabulary; a real kind has a variant of its own.
 joint! {
     /// Operands of a point with two equal distances.
     Equidistant as Constraint {
         /// P of body i.
-        p: Place = Slot::point("p"),
+        p: Place = OperandSlot::point("p"),
         /// Q of body j.
-        q: Place = Slot::point("q"),
+        q: Place = OperandSlot::point("q"),
         /// R of a third body.
-        r: Place = Slot::point("r"),
+        r: Place = OperandSlot::point("r"),
     }
     example: "#[equidistant(N: runner @ (0, 0), left @ (l, 0), right @ (l, 0))]"
 }
 
 impl JointType for Equidistant {
-    fn rows(&self, a: &mut Assembly<'_>) -> Rows {
+    fn rows(&self, a: &mut Assembly<'_>) -> JointRows {
         let [p, q, r] = [&self.p, &self.q, &self.r].map(|place| a.place(place));
         let (to_q, to_r) = (a.square_of_distance(&p, &q), a.square_of_distance(&p, &r));
-        Rows { residuals: vec![("", RowMeaning::Other, a.graph.sub(to_q, to_r))], ..Rows::between(&p, &q) }
+        JointRows { residuals: vec![("", RowMeaning::Other, a.graph.sub(to_q, to_r))], ..JointRows::between(&p, &q) }
     }
 }
 

@@ -1,6 +1,6 @@
 //! Fixed joint: two bodies move as one rigid body.
 //!
-//! Rows (3): those of a revolute joint, and the relative angle.
+//! JointRows (3): those of a revolute joint, and the relative angle.
 //! ```text
 //! x, y:   r_Q − r_P = 0
 //! angle:  φ_j − φ_i − c = 0
@@ -8,8 +8,8 @@
 
 use super::joint::{JointType, joint};
 use super::revolute::coincidence;
-use crate::constraint::{Assembly, RowMeaning, Rows};
-use crate::mechanism::{Dimension, Formula, Place, Slot};
+use crate::constraint::{Assembly, JointRows, RowMeaning};
+use crate::mechanism::{Dimension, Formula, OperandSlot, Place};
 use crate::vectors::{Equation, NamedJoint, Terms, equals, zero};
 use crate::vocabulary::Role;
 
@@ -17,20 +17,20 @@ joint! {
     /// Operands of a fixed joint.
     Fixed {
         /// The point P of body i.
-        p: Place = Slot::frame("p"),
+        p: Place = OperandSlot::frame("p"),
         /// The point Q of body j.
-        q: Place = Slot::frame("q"),
+        q: Place = OperandSlot::frame("q"),
         /// The angle c.
-        angle: Formula = Slot::offset("angle", Dimension::Angle).in_last_row(),
+        angle: Formula = OperandSlot::offset("angle", Dimension::Angle).in_last_row(),
     }
     example: "#[fixed(A: crank @ (l1, 0), plate @ (0, 0), angle = 0)]"
 }
 
 impl JointType for Fixed {
-    fn rows(&self, a: &mut Assembly<'_>) -> Rows {
+    fn rows(&self, a: &mut Assembly<'_>) -> JointRows {
         let (p, q) = (a.place(&self.p), a.place(&self.q));
         let angle = a.formula(&self.angle);
-        let mut rows = Rows::between(&p, &q);
+        let mut rows = JointRows::between(&p, &q);
         rows.geometry.push((Role::Value, p.frame, vec![angle]));
         rows.residuals = coincidence(a, p.r, q.r);
         let turn = a.graph.sub(q.angle, p.angle);

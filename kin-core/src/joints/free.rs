@@ -6,16 +6,16 @@
 //! ```
 
 use super::joint::{JointType, Reaction, joint};
-use crate::constraint::{Assembly, Rows};
-use crate::mechanism::{Formula, OperandType, Slot};
+use crate::constraint::{Assembly, JointRows};
+use crate::mechanism::{Formula, OperandSlot, OperandType};
 
 joint! {
     /// The sides of an equation.
     Constraint {
         /// The left side.
-        left: Formula = Slot::left(OperandType::Side),
+        left: Formula = OperandSlot::left(OperandType::Side),
         /// The right side.
-        right: Formula = Slot::right(OperandType::Side),
+        right: Formula = OperandSlot::right(OperandType::Side),
     }
     example: "#[constraint(close_x: l1*cos(phi1) + l2*cos(phi2) = d1)]"
 }
@@ -23,7 +23,7 @@ joint! {
 impl JointType for Constraint {
     const REACTION: Reaction = Reaction::Generalized;
 
-    fn rows(&self, a: &mut Assembly<'_>) -> Rows {
-        Rows::equation(a, &self.left, &self.right)
+    fn rows(&self, a: &mut Assembly<'_>) -> JointRows {
+        JointRows::equation(a, &self.left, &self.right)
     }
 }

@@ -11,10 +11,10 @@
 //! 3.3; relative to the carrier it is Willis' equation.
 
 use super::joint::{JointType, Reaction, joint};
-use crate::constraint::{Assembly, Frame, RowMeaning, Rows};
+use crate::constraint::{Assembly, Frame, JointRows, RowMeaning};
 use crate::error::{ModelError, Origin};
 use crate::expr::ExprId;
-use crate::mechanism::{BodyRef, Dimension, Formula, Joint, Mechanism, OperandType, Radii, Slot};
+use crate::mechanism::{BodyRef, Dimension, Formula, Joint, Mechanism, OperandSlot, OperandType, Radii};
 use crate::vectors::{Equation, NamedJoint, Piece, Symbol, Terms, equals};
 use crate::vocabulary::Role;
 
@@ -22,15 +22,15 @@ joint! {
     /// Operands of a gear pair.
     Gear {
         /// The body a.
-        a: BodyRef = Slot::body("a"),
+        a: BodyRef = OperandSlot::body("a"),
         /// The body b.
-        b: BodyRef = Slot::body("b"),
+        b: BodyRef = OperandSlot::body("b"),
         /// The radii R_a and R_b.
-        radii: Radii = Slot::required("radii", OperandType::Radii).measured_in(Dimension::CommonLength),
+        radii: Radii = OperandSlot::required("radii", OperandType::Radii).measured_in(Dimension::CommonLength),
         /// The body that carries both axles, by default the ground.
-        carrier: BodyRef = Slot::required("carrier", OperandType::Carrier),
+        carrier: BodyRef = OperandSlot::required("carrier", OperandType::Carrier),
         /// The offset e.
-        offset: Formula = Slot::offset("offset", Dimension::CommonLength),
+        offset: Formula = OperandSlot::offset("offset", Dimension::CommonLength),
     }
     example: "#[gear(A: sun, planet, radii = (r1, r2), carrier = arm)]"
 }
@@ -38,7 +38,7 @@ joint! {
 impl JointType for Gear {
     const REACTION: Reaction = Reaction::Couples;
 
-    fn rows(&self, a: &mut Assembly<'_>) -> Rows {
+    fn rows(&self, a: &mut Assembly<'_>) -> JointRows {
         coupled(a, [&self.a, &self.b, &self.carrier], &self.radii, &self.offset, |a, [first, second]| {
             a.graph.add(first, second)
         })
@@ -61,7 +61,7 @@ pub(super) fn coupled(
     radii: &Radii,
     offset: &Formula,
     join: impl FnOnce(&mut Assembly<'_>, [ExprId; 2]) -> ExprId,
-) -> Rows {
+) -> JointRows {
     let [i, j, carrier] = bodies.map(|body| a.frame(body));
     let turned = bodies.map(|body| a.pose(body)[2]);
     let radii = [&radii.i, &radii.j].map(|radius| a.radius(radius));
@@ -72,7 +72,7 @@ pub(super) fn coupled(
     });
     let whole = join(a, arcs);
     let frame = |frame: Option<Frame>| frame.unwrap_or(Frame::Ground);
-    Rows {
+    JointRows {
         residuals: vec![("", RowMeaning::Other, a.graph.sub(whole, offset))],
         geometry: vec![
             (Role::Radius, frame(i), vec![radii[0]]),
@@ -80,7 +80,7 @@ pub(super) fn coupled(
             (Role::Value, frame(carrier), vec![offset]),
         ],
         frames: [i, j],
-        ..Rows::default()
+        ..JointRows::default()
     }
 }
 

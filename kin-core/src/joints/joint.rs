@@ -1,7 +1,7 @@
 //! The interface of a kind of joint: operands, rows of Φ, and optionally rules and vector equations.
 
 use super::contact::Contact;
-use crate::constraint::{Assembly, Rows};
+use crate::constraint::{Assembly, JointRows};
 use crate::error::ModelError;
 use crate::mechanism::{Joint, Mechanism, Operands, StatementForm, TypedOperands};
 use crate::vectors::{Equation, NamedJoint};
@@ -25,7 +25,7 @@ pub(super) trait JointType: TypedOperands {
     const REACTION: Reaction = Reaction::OnSecond;
 
     /// The rows of Φ.
-    fn rows(&self, a: &mut Assembly<'_>) -> Rows;
+    fn rows(&self, a: &mut Assembly<'_>) -> JointRows;
 
     /// The rules of this kind beyond those of its slots.
     fn check(&self, _joint: &Joint, _mechanism: &Mechanism, _errors: &mut Vec<ModelError>) {}
@@ -45,7 +45,7 @@ pub(super) trait JointType: TypedOperands {
 pub(super) struct Kind {
     pub(super) form: &'static StatementForm,
     pub(super) reaction: Reaction,
-    pub(super) rows: fn(&mut Assembly<'_>, &Operands) -> Rows,
+    pub(super) rows: fn(&mut Assembly<'_>, &Operands) -> JointRows,
     pub(super) contact: fn(&mut Assembly<'_>, &Operands) -> Option<Contact>,
     pub(super) check: fn(&Joint, &Mechanism, &mut Vec<ModelError>),
     pub(super) vector_equations: fn(&NamedJoint<'_>) -> Vec<Equation>,
@@ -56,7 +56,7 @@ impl Kind {
         Self {
             form: J::FORM,
             reaction: J::REACTION,
-            rows: |a, operands| J::of(operands).map_or_else(Rows::default, |joint| joint.rows(a)),
+            rows: |a, operands| J::of(operands).map_or_else(JointRows::default, |joint| joint.rows(a)),
             contact: |a, operands| J::of(operands)?.contact(a),
             check: |joint, mechanism, errors| {
                 if let Some(typed) = J::of(&joint.operands) {

@@ -7,7 +7,7 @@ use super::{
     PointOnLine, RackPinion, RelativeAngle, Revolute, RollingOnDisc, RollingOnLine, Rope, Screw, Speed, Translational,
     X, Y,
 };
-use crate::constraint::{Assembly, Rows};
+use crate::constraint::{Assembly, JointRows};
 use crate::error::ModelError;
 use crate::mechanism::{Joint, Mechanism, Operands, StatementForm};
 use crate::vectors::{Equation, NamedJoint};
@@ -52,8 +52,8 @@ fn kind_of(operands: &Operands) -> Option<&'static Kind> {
 }
 
 /// The rows of a joint; empty if the operands are not those of a joint.
-pub(crate) fn rows_of(a: &mut Assembly<'_>, operands: &Operands) -> Rows {
-    kind_of(operands).map_or_else(Rows::default, |kind| (kind.rows)(a, operands))
+pub(crate) fn rows_of(a: &mut Assembly<'_>, operands: &Operands) -> JointRows {
+    kind_of(operands).map_or_else(JointRows::default, |kind| (kind.rows)(a, operands))
 }
 
 /// What the reaction of a joint acts as.

@@ -9,23 +9,23 @@
 
 use super::joint::{JointType, joint};
 use super::nonholonomic::{Heading, velocity_row};
-use crate::constraint::{Assembly, Rows};
-use crate::mechanism::{Dimension, Formula, Place, Slot};
+use crate::constraint::{Assembly, JointRows};
+use crate::mechanism::{Dimension, Formula, OperandSlot, Place};
 use crate::vectors::{Equation, NamedJoint, Terms, equals, zero};
 
 joint! {
     /// Operands of a knife edge.
     KnifeEdge {
         /// The point P of body i.
-        p: Place = Slot::frame("p"),
+        p: Place = OperandSlot::frame("p"),
         /// The angle α.
-        angle: Formula = Slot::offset("angle", Dimension::Angle),
+        angle: Formula = OperandSlot::offset("angle", Dimension::Angle),
     }
     example: "#[knife_edge(A: sleigh @ (0, 0), angle = 0)]"
 }
 
 impl JointType for KnifeEdge {
-    fn rows(&self, a: &mut Assembly<'_>) -> Rows {
+    fn rows(&self, a: &mut Assembly<'_>) -> JointRows {
         let heading = Heading::of(a, &self.p, &self.angle);
         let velocity = velocity_row(a, |a| {
             let v = heading.velocity(a);

@@ -9,18 +9,18 @@
 //! Nikravesh (1988), section 1.3.
 
 use super::joint::{JointType, Reaction, joint};
-use crate::constraint::{Assembly, PlacedPoint, Rows, VelocityRow};
+use crate::constraint::{Assembly, JointRows, PlacedPoint, VelocityRow};
 use crate::expr::ExprId;
-use crate::mechanism::{Formula, OperandType, Place, Slot};
+use crate::mechanism::{Formula, OperandSlot, OperandType, Place};
 use crate::vocabulary::Role;
 
 joint! {
     /// The sides of an equation of velocity level.
     Nonholonomic {
         /// The left side.
-        left: Formula = Slot::left(OperandType::SideOfRates),
+        left: Formula = OperandSlot::left(OperandType::SideOfRates),
         /// The right side.
-        right: Formula = Slot::right(OperandType::SideOfRates),
+        right: Formula = OperandSlot::right(OperandType::SideOfRates),
     }
     example: "#[nonholonomic(A: dot(wheel.x) = -R*dot(wheel.phi))]"
 }
@@ -28,12 +28,12 @@ joint! {
 impl JointType for Nonholonomic {
     const REACTION: Reaction = Reaction::Generalized;
 
-    fn rows(&self, a: &mut Assembly<'_>) -> Rows {
+    fn rows(&self, a: &mut Assembly<'_>) -> JointRows {
         let velocity = velocity_row(a, |a| {
             let (left, right) = (a.formula(&self.left), a.formula(&self.right));
             a.graph.sub(left, right)
         });
-        Rows { velocity: Some(velocity), ..Rows::default() }
+        JointRows { velocity: Some(velocity), ..JointRows::default() }
     }
 }
 
@@ -70,10 +70,10 @@ impl Heading {
     }
 
     /// The row of velocity level, with the point and the direction in the body's frame as geometry.
-    pub(super) fn rows(&self, a: &mut Assembly<'_>, angle: &Formula, velocity: VelocityRow) -> Rows {
+    pub(super) fn rows(&self, a: &mut Assembly<'_>, angle: &Formula, velocity: VelocityRow) -> JointRows {
         let alpha = a.formula(angle);
         let direction = vec![a.graph.cos(alpha), a.graph.sin(alpha)];
         let geometry = vec![(Role::P, self.p.frame, self.p.local.to_vec()), (Role::Axis, self.p.frame, direction)];
-        Rows { velocity: Some(velocity), frames: [Some(self.p.frame), None], geometry, ..Rows::default() }
+        JointRows { velocity: Some(velocity), frames: [Some(self.p.frame), None], geometry, ..JointRows::default() }
     }
 }

@@ -9,8 +9,8 @@
 
 use super::joint::{JointType, joint};
 use super::translational::{across, along};
-use crate::constraint::{Assembly, RowMeaning, Rows};
-use crate::mechanism::{Axis, Dimension, Formula, OperandType, Place, Slot};
+use crate::constraint::{Assembly, JointRows, RowMeaning};
+use crate::mechanism::{Axis, Dimension, Formula, OperandSlot, OperandType, Place};
 use crate::vectors::{Equation, NamedJoint, Terms, equals};
 use crate::vocabulary::Role;
 
@@ -18,23 +18,23 @@ joint! {
     /// Operands of a point on a line.
     PointOnLine {
         /// The point P of body i, on the line.
-        p: Place = Slot::frame("p"),
+        p: Place = OperandSlot::frame("p"),
         /// The point Q of body j.
-        q: Place = Slot::frame("q"),
+        q: Place = OperandSlot::frame("q"),
         /// The direction v of the line in body i.
-        axis: Axis = Slot::required("axis", OperandType::Axis),
+        axis: Axis = OperandSlot::required("axis", OperandType::Axis),
         /// The offset e.
-        offset: Formula = Slot::offset("offset", Dimension::Length),
+        offset: Formula = OperandSlot::offset("offset", Dimension::Length),
     }
     example: "#[point_on_line(A: rocker @ (0, 0), crank @ (l1, 0), axis = (1, 0))]"
 }
 
 impl JointType for PointOnLine {
-    fn rows(&self, a: &mut Assembly<'_>) -> Rows {
+    fn rows(&self, a: &mut Assembly<'_>) -> JointRows {
         let (p, q) = (a.place(&self.p), a.place(&self.q));
         let axis = a.axis(&self.axis, &p);
         let offset = a.formula(&self.offset);
-        let mut rows = Rows::between(&p, &q);
+        let mut rows = JointRows::between(&p, &q);
         rows.geometry.push((Role::Axis, p.frame, axis.local.to_vec()));
         rows.geometry.push((Role::Value, p.frame, vec![offset]));
         let normal = across(a, &axis, &p, &q);

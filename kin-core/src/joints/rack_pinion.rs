@@ -11,10 +11,10 @@
 
 use super::joint::{JointType, Reaction, joint};
 use super::translational::along;
-use crate::constraint::{Assembly, Frame, RowMeaning, Rows};
+use crate::constraint::{Assembly, Frame, JointRows, RowMeaning};
 use crate::error::ModelError;
 use crate::expr::ExprId;
-use crate::mechanism::{Axis, BodyRef, Dimension, Formula, Joint, Mechanism, OperandType, Place, Slot, Value};
+use crate::mechanism::{Axis, BodyRef, Dimension, Formula, Joint, Mechanism, OperandSlot, OperandType, Place, Value};
 use crate::vectors::{Equation, NamedJoint, Piece, Symbol, Terms, equals};
 use crate::vocabulary::Role;
 
@@ -22,17 +22,17 @@ joint! {
     /// Operands of a rack and its pinion.
     RackPinion {
         /// The point P of the guide, body i.
-        p: Place = Slot::frame("p"),
+        p: Place = OperandSlot::frame("p"),
         /// The point Q of the rack, body j.
-        q: Place = Slot::point("q"),
+        q: Place = OperandSlot::point("q"),
         /// The direction v in body i.
-        axis: Axis = Slot::required("axis", OperandType::Axis),
+        axis: Axis = OperandSlot::required("axis", OperandType::Axis),
         /// The pinion, whose axle is on the guide.
-        pinion: BodyRef = Slot::required("pinion", OperandType::Body),
+        pinion: BodyRef = OperandSlot::required("pinion", OperandType::Body),
         /// The radius R.
-        radius: Value = Slot::required("radius", OperandType::Radius),
+        radius: Value = OperandSlot::required("radius", OperandType::Radius),
         /// The offset e.
-        offset: Formula = Slot::offset("offset", Dimension::Length),
+        offset: Formula = OperandSlot::offset("offset", Dimension::Length),
     }
     example: "#[rack_pinion(A: ground @ (0, 0), rack @ (0, 0), axis = (1, 0), pinion = wheel, radius = r)]"
 }
@@ -40,7 +40,7 @@ joint! {
 impl JointType for RackPinion {
     const REACTION: Reaction = Reaction::OnSecondAndCouples;
 
-    fn rows(&self, a: &mut Assembly<'_>) -> Rows {
+    fn rows(&self, a: &mut Assembly<'_>) -> JointRows {
         let wheel = a.frame(&self.pinion).unwrap_or(Frame::Ground);
         let radius = a.radius(&self.radius);
         let mut rows = stroke_by_angle(a, [&self.p, &self.q], &self.axis, &self.pinion, radius, &self.offset);
@@ -69,7 +69,7 @@ pub(super) fn stroke_by_angle(
     turning: &BodyRef,
     by_radian: ExprId,
     offset: &Formula,
-) -> Rows {
+) -> JointRows {
     let (p, q) = (a.place(p), a.place(q));
     let axis = a.axis(axis, &p);
     let (turned, offset) = (a.pose(turning)[2], a.formula(offset));
@@ -77,7 +77,7 @@ pub(super) fn stroke_by_angle(
     let angle = a.graph.sub(turned, p.angle);
     let advance = a.graph.mul(by_radian, angle);
     let rest = a.graph.sub(stroke, advance);
-    let mut rows = Rows::between(&p, &q);
+    let mut rows = JointRows::between(&p, &q);
     rows.geometry.push((Role::Axis, p.frame, axis.local.to_vec()));
     rows.geometry.push((Role::Value, p.frame, vec![offset]));
     rows.residuals = vec![("", RowMeaning::Other, a.graph.sub(rest, offset))];

@@ -1,6 +1,6 @@
 //! Revolute joint: P of body i and Q of body j coincide.
 //!
-//! Rows (2), in the inertial frame, in units of length:
+//! JointRows (2), in the inertial frame, in units of length:
 //! ```text
 //! x:  x_Q − x_P = 0
 //! y:  y_Q − y_P = 0        r = r_i + A_i s′
@@ -8,26 +8,26 @@
 //! Reports the relative angle φ_j − φ_i. Never singular by itself. After Haug (1989), section 3.3.
 
 use super::joint::{JointType, joint};
-use crate::constraint::{Assembly, RowMeaning, Rows};
+use crate::constraint::{Assembly, JointRows, RowMeaning};
 use crate::expr::ExprId;
-use crate::mechanism::{Place, Slot};
+use crate::mechanism::{OperandSlot, Place};
 use crate::vectors::{Equation, NamedJoint, Terms, equals, zero};
 
 joint! {
     /// Operands of a revolute joint.
     Revolute {
         /// The point P of body i.
-        p: Place = Slot::point("p"),
+        p: Place = OperandSlot::point("p"),
         /// The point Q of body j.
-        q: Place = Slot::point("q"),
+        q: Place = OperandSlot::point("q"),
     }
     example: "#[revolute(A: crank @ (l1, 0), coupler @ (0, 0))]"
 }
 
 impl JointType for Revolute {
-    fn rows(&self, a: &mut Assembly<'_>) -> Rows {
+    fn rows(&self, a: &mut Assembly<'_>) -> JointRows {
         let (p, q) = (a.place(&self.p), a.place(&self.q));
-        let mut rows = Rows::between(&p, &q);
+        let mut rows = JointRows::between(&p, &q);
         rows.residuals = coincidence(a, p.r, q.r);
         rows.quantities = vec![("angle", a.graph.sub(q.angle, p.angle))];
         rows

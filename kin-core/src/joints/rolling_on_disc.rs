@@ -1,6 +1,6 @@
 //! Rolling on a disc: a disc of body j, centred at Q, rolls without slipping on a disc of body i, centred at P.
 //!
-//! Rows (3), where d = r_Q − r_P and the scalar coordinate ψ is the direction of d in the inertial frame, in units of
+//! JointRows (3), where d = r_Q − r_P and the scalar coordinate ψ is the direction of d in the inertial frame, in units of
 //! length:
 //! ```text
 //! x, y:  d − (R_i + R_j)(cos ψ, sin ψ) = 0
@@ -14,38 +14,38 @@
 use super::contact::{Contact, Normal, side};
 use super::joint::{JointType, joint};
 use super::rolling_on_line::WAYS;
-use crate::constraint::{Assembly, RowMeaning, Rows};
+use crate::constraint::{Assembly, JointRows, RowMeaning};
 use crate::error::ModelError;
-use crate::mechanism::{Dimension, Formula, Joint, Mechanism, Member, OperandType, Place, Radii, Slot};
+use crate::mechanism::{Dimension, Formula, Joint, Mechanism, Member, OperandSlot, OperandType, Place, Radii};
 use crate::vocabulary::Role;
 
 joint! {
     /// Operands of a disc that rolls on a disc.
     RollingOnDisc {
         /// The point P, the centre of the disc of body i.
-        p: Place = Slot::frame("p"),
+        p: Place = OperandSlot::frame("p"),
         /// The point Q, the centre of the disc of body j.
-        q: Place = Slot::frame("q"),
+        q: Place = OperandSlot::frame("q"),
         /// The radii R_i and R_j.
-        radii: Radii = Slot::required("radii", OperandType::Radii),
+        radii: Radii = OperandSlot::required("radii", OperandType::Radii),
         /// The scalar coordinate ψ, the direction of d in the inertial frame.
         along: Member =
-            Slot::required("along", OperandType::Scalar("`along` names a scalar coordinate, `#[coordinates(psi)]`"))
+            OperandSlot::required("along", OperandType::Scalar("`along` names a scalar coordinate, `#[coordinates(psi)]`"))
                 .measured_in(Dimension::Angle),
         /// The offset e.
-        offset: Formula = Slot::offset("offset", Dimension::Length).in_last_row(),
+        offset: Formula = OperandSlot::offset("offset", Dimension::Length).in_last_row(),
     }
     example: "#[rolling(A: ring @ (0, 0), wheel @ (0, 0), radii = (r1, r2), along = psi)]",
     choice: WAYS
 }
 
 impl JointType for RollingOnDisc {
-    fn rows(&self, a: &mut Assembly<'_>) -> Rows {
+    fn rows(&self, a: &mut Assembly<'_>) -> JointRows {
         let (p, q) = (a.place(&self.p), a.place(&self.q));
         let radii = [&self.radii.i, &self.radii.j].map(|radius| a.radius(radius));
         let offset = a.formula(&self.offset);
         let psi = a.formula(&Formula::Scalar(self.along));
-        let mut rows = Rows::between(&p, &q);
+        let mut rows = JointRows::between(&p, &q);
         rows.geometry.push((Role::Radius, p.frame, vec![radii[0]]));
         rows.geometry.push((Role::Radius, q.frame, vec![radii[1]]));
         rows.geometry.push((Role::Value, p.frame, vec![offset]));

@@ -1,6 +1,6 @@
 //! Rolling on a line: a disc of body j, centred at Q, rolls without slipping on a line of body i through P.
 //!
-//! Rows (2), with u = A_i v̂ and d = r_Q − r_P, in units of length:
+//! JointRows (2), with u = A_i v̂ and d = r_Q − r_P, in units of length:
 //! ```text
 //! normal:  perp(u)·d − R = 0
 //! roll:    u·d + R(φ_j − φ_i) − e = 0
@@ -13,8 +13,8 @@
 use super::contact::{Contact, Normal, side};
 use super::joint::{JointType, joint};
 use super::translational::{across, along};
-use crate::constraint::{Assembly, RowMeaning, Rows};
-use crate::mechanism::{Axis, Dimension, Formula, OperandType, Place, Slot, Value};
+use crate::constraint::{Assembly, JointRows, RowMeaning};
+use crate::mechanism::{Axis, Dimension, Formula, OperandSlot, OperandType, Place, Value};
 use crate::vectors::{Equation, NamedJoint, Piece, Symbol, Terms, equals};
 use crate::vocabulary::Role;
 
@@ -26,26 +26,26 @@ joint! {
     /// Operands of a disc that rolls on a line.
     RollingOnLine {
         /// The point P of body i, on the line.
-        p: Place = Slot::frame("p"),
+        p: Place = OperandSlot::frame("p"),
         /// The point Q of body j, the centre of the disc.
-        q: Place = Slot::frame("q"),
+        q: Place = OperandSlot::frame("q"),
         /// The direction v of the line in body i.
-        axis: Axis = Slot::required("axis", OperandType::Axis),
+        axis: Axis = OperandSlot::required("axis", OperandType::Axis),
         /// The radius R.
-        radius: Value = Slot::required("radius", OperandType::Radius),
+        radius: Value = OperandSlot::required("radius", OperandType::Radius),
         /// The offset e.
-        offset: Formula = Slot::offset("offset", Dimension::Length).in_last_row(),
+        offset: Formula = OperandSlot::offset("offset", Dimension::Length).in_last_row(),
     }
     example: "#[rolling(A: ground @ (0, 0), wheel @ (0, 0), axis = (1, 0), radius = r)]",
     choice: WAYS
 }
 
 impl JointType for RollingOnLine {
-    fn rows(&self, a: &mut Assembly<'_>) -> Rows {
+    fn rows(&self, a: &mut Assembly<'_>) -> JointRows {
         let (p, q) = (a.place(&self.p), a.place(&self.q));
         let axis = a.axis(&self.axis, &p);
         let (radius, offset) = (a.radius(&self.radius), a.formula(&self.offset));
-        let mut rows = Rows::between(&p, &q);
+        let mut rows = JointRows::between(&p, &q);
         rows.geometry.push((Role::Axis, p.frame, axis.local.to_vec()));
         rows.geometry.push((Role::Radius, q.frame, vec![radius]));
         rows.geometry.push((Role::Value, p.frame, vec![offset]));

@@ -10,24 +10,24 @@
 //! would have to push. Reports the length.
 
 use super::joint::{JointType, joint};
-use crate::constraint::{Assembly, Frame, RowMeaning, Rows};
+use crate::constraint::{Assembly, Frame, JointRows, RowMeaning};
 use crate::error::ModelError;
-use crate::mechanism::{Joint, Mechanism, OperandType, Place, Slot, Value};
+use crate::mechanism::{Joint, Mechanism, OperandSlot, OperandType, Place, Value};
 use crate::vocabulary::Role;
 
 joint! {
     /// Operands of a rope.
     Rope {
         /// The points, in their order along the rope.
-        points: Vec<Place> = Slot::points("points"),
+        points: Vec<Place> = OperandSlot::points("points"),
         /// The length e.
-        length: Value = Slot::required("length", OperandType::Signal).positive(),
+        length: Value = OperandSlot::required("length", OperandType::Signal).positive(),
     }
     example: "#[rope(N: ground @ (0, 0), hook @ (0, 0), ground @ (0.2, 0), length = l)]"
 }
 
 impl JointType for Rope {
-    fn rows(&self, a: &mut Assembly<'_>) -> Rows {
+    fn rows(&self, a: &mut Assembly<'_>) -> JointRows {
         let points: Vec<_> = self.points.iter().map(|place| a.place(place)).collect();
         let target = a.formula(&self.length.value);
         let mut length = a.graph.zero();
@@ -45,10 +45,10 @@ impl JointType for Rope {
             k if k + 1 == points.len() => Role::Q,
             _ => Role::Via,
         };
-        let mut rows = Rows {
+        let mut rows = JointRows {
             frames: [points.first(), points.last()].map(|point| point.map(|point| point.frame)),
             geometry: points.iter().enumerate().map(|(k, p)| (role(k), p.frame, p.local.to_vec())).collect(),
-            ..Rows::default()
+            ..JointRows::default()
         };
         rows.geometry.push((Role::Value, rows.frames[0].unwrap_or(Frame::Ground), vec![target]));
         rows.residuals = vec![("", RowMeaning::Other, a.graph.sub(length, target))];

@@ -12,25 +12,25 @@
 
 use super::joint::{JointType, Reaction, joint};
 use super::rack_pinion::{guide_does_not_turn, stroke_by_angle};
-use crate::constraint::{Assembly, Rows};
+use crate::constraint::{Assembly, JointRows};
 use crate::error::ModelError;
-use crate::mechanism::{Axis, BodyRef, Dimension, Formula, Joint, Mechanism, OperandType, Place, Slot};
+use crate::mechanism::{Axis, BodyRef, Dimension, Formula, Joint, Mechanism, OperandSlot, OperandType, Place};
 
 joint! {
     /// Operands of a screw.
     Screw {
         /// The point P of the guide, body i.
-        p: Place = Slot::frame("p"),
+        p: Place = OperandSlot::frame("p"),
         /// The point Q of the carriage, body j.
-        q: Place = Slot::point("q"),
+        q: Place = OperandSlot::point("q"),
         /// The direction v in body i.
-        axis: Axis = Slot::required("axis", OperandType::Axis),
+        axis: Axis = OperandSlot::required("axis", OperandType::Axis),
         /// The lead p, the stroke per turn.
-        lead: Formula = Slot::required("lead", OperandType::Signal),
+        lead: Formula = OperandSlot::required("lead", OperandType::Signal),
         /// The rotating body b.
-        nut: BodyRef = Slot::required("nut", OperandType::Body),
+        nut: BodyRef = OperandSlot::required("nut", OperandType::Body),
         /// The offset e.
-        offset: Formula = Slot::offset("offset", Dimension::Length),
+        offset: Formula = OperandSlot::offset("offset", Dimension::Length),
     }
     example: "#[screw(N: ground @ (0, 0), carriage @ (0, 0), axis = (1, 0), lead = p, nut = motor)]"
 }
@@ -38,7 +38,7 @@ joint! {
 impl JointType for Screw {
     const REACTION: Reaction = Reaction::OnSecondAndCouples;
 
-    fn rows(&self, a: &mut Assembly<'_>) -> Rows {
+    fn rows(&self, a: &mut Assembly<'_>) -> JointRows {
         let (lead, turns) = (a.formula(&self.lead), a.graph.number(0.5 * core::f64::consts::FRAC_1_PI));
         let by_radian = a.graph.mul(lead, turns);
         stroke_by_angle(a, [&self.p, &self.q], &self.axis, &self.nut, by_radian, &self.offset)

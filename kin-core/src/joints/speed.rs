@@ -8,25 +8,25 @@
 
 use super::joint::{JointType, joint};
 use super::nonholonomic::{Heading, velocity_row};
-use crate::constraint::{Assembly, Rows};
-use crate::mechanism::{Dimension, Formula, OperandType, Place, Slot};
+use crate::constraint::{Assembly, JointRows};
+use crate::mechanism::{Dimension, Formula, OperandSlot, OperandType, Place};
 use crate::vocabulary::Role;
 
 joint! {
     /// Operands of a prescribed speed.
     Speed {
         /// The point P of body i.
-        p: Place = Slot::frame("p"),
+        p: Place = OperandSlot::frame("p"),
         /// The angle α.
-        angle: Formula = Slot::offset("angle", Dimension::Angle),
+        angle: Formula = OperandSlot::offset("angle", Dimension::Angle),
         /// The prescribed speed f.
-        value: Formula = Slot::required("value", OperandType::Signal).measured_in(Dimension::Speed),
+        value: Formula = OperandSlot::required("value", OperandType::Signal).measured_in(Dimension::Speed),
     }
     example: "#[speed(A: sleigh @ (0, 0), angle = 0, value = v)]"
 }
 
 impl JointType for Speed {
-    fn rows(&self, a: &mut Assembly<'_>) -> Rows {
+    fn rows(&self, a: &mut Assembly<'_>) -> JointRows {
         let heading = Heading::of(a, &self.p, &self.angle);
         let value = a.formula(&self.value);
         let velocity = velocity_row(a, |a| {

@@ -1,6 +1,6 @@
 //! Translational joint: body j slides along an axis of body i and does not rotate relative to it.
 //!
-//! Rows (2), with u = A_i v̂, |v̂| = 1:
+//! JointRows (2), with u = A_i v̂, |v̂| = 1:
 //! ```text
 //! normal:  perp(u)·(r_Q − r_P) = 0      length
 //! angle:   φ_j − φ_i − c = 0            angle
@@ -9,9 +9,9 @@
 //! constant, which takes fewer operations. Reports the stroke u·(r_Q − r_P). After Haug (1989), section 3.3.
 
 use super::joint::{JointType, joint};
-use crate::constraint::{Assembly, PlacedAxis, PlacedPoint, RowMeaning, Rows};
+use crate::constraint::{Assembly, JointRows, PlacedAxis, PlacedPoint, RowMeaning};
 use crate::expr::ExprId;
-use crate::mechanism::{Axis, Dimension, Formula, OperandType, Place, Slot};
+use crate::mechanism::{Axis, Dimension, Formula, OperandSlot, OperandType, Place};
 use crate::vectors::{Equation, NamedJoint, Terms, equals, zero};
 use crate::vocabulary::Role;
 
@@ -19,23 +19,23 @@ joint! {
     /// Operands of a translational joint.
     Translational {
         /// The point P of body i.
-        p: Place = Slot::frame("p"),
+        p: Place = OperandSlot::frame("p"),
         /// The point Q of body j.
-        q: Place = Slot::frame("q"),
+        q: Place = OperandSlot::frame("q"),
         /// The direction v of the axis in body i.
-        axis: Axis = Slot::required("axis", OperandType::Axis),
+        axis: Axis = OperandSlot::required("axis", OperandType::Axis),
         /// The angle c.
-        angle: Formula = Slot::offset("angle", Dimension::Angle).in_last_row(),
+        angle: Formula = OperandSlot::offset("angle", Dimension::Angle).in_last_row(),
     }
     example: "#[translational(A: ground @ (0, 0), slider @ (0, 0), axis = (1, 0))]"
 }
 
 impl JointType for Translational {
-    fn rows(&self, a: &mut Assembly<'_>) -> Rows {
+    fn rows(&self, a: &mut Assembly<'_>) -> JointRows {
         let (p, q) = (a.place(&self.p), a.place(&self.q));
         let axis = a.axis(&self.axis, &p);
         let angle = a.formula(&self.angle);
-        let mut rows = Rows::between(&p, &q);
+        let mut rows = JointRows::between(&p, &q);
         rows.geometry.push((Role::Axis, p.frame, axis.local.to_vec()));
         rows.geometry.push((Role::Value, p.frame, vec![angle]));
         let turn = a.graph.sub(q.angle, p.angle);

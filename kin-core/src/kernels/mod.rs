@@ -11,7 +11,7 @@ mod solution;
 pub use kernel::Kernel;
 pub use list::{Given, List};
 pub use rows::Pattern;
-pub use solution::{Iteration, Part, SolutionKernels};
+pub use solution::{Iteration, SolutionKernels, SolutionPart};
 
 use crate::expr::{ExprId, Node};
 use crate::loads::Forces;

@@ -15,7 +15,7 @@ const SHORT: usize = 1000;
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct SolutionKernels {
     /// The parts of a solution in order of execution.
-    pub parts: Vec<Part>,
+    pub parts: Vec<SolutionPart>,
     /// The number of values that parts hold for later parts.
     pub held: usize,
     /// Computes the factors: everything in the solution of Φ_q x = b that depends on Φ_q alone.
@@ -26,7 +26,7 @@ pub struct SolutionKernels {
 
 /// A part of a solution.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Part {
+pub struct SolutionPart {
     /// The level (position, velocity, acceleration) that the part belongs to.
     pub depth: Depth,
     /// The program; for an iteration, that of the corrections subtracted from the unknowns.
@@ -72,7 +72,7 @@ pub(super) fn of_plan(system: &KinematicSystem, plan: &SolutionPlan) -> Option<S
                 (kernel, Some(Iteration { unknowns, lengths, converged: *converged as usize }))
             }
         };
-        Part { depth: *depth, kernel: Kernel { inlined: instructions <= SHORT, held, ..kernel }, iteration }
+        SolutionPart { depth: *depth, kernel: Kernel { inlined: instructions <= SHORT, held, ..kernel }, iteration }
     };
     let [factorise, solve] = &plan.resolve;
     Some(SolutionKernels {

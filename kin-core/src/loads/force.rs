@@ -7,17 +7,17 @@
 
 use super::free_bodies::FreeBodies;
 use super::load::{Acting, Exerted, LoadType, Work, load};
-use crate::mechanism::{BodyRef, Dimension, OperandType, Place, Slot, Vector};
+use crate::mechanism::{BodyRef, Dimension, OperandSlot, OperandType, Place, Vector};
 
 load! {
     /// Operands of a force.
     Force {
         /// P.
-        point: Place = Slot::frame("p"),
+        point: Place = OperandSlot::frame("p"),
         /// F.
-        force: Vector = Slot::operand("force", OperandType::Vector).measured_in(Dimension::Derived([1, 1, -2])),
+        force: Vector = OperandSlot::operand("force", OperandType::Vector).measured_in(Dimension::Derived([1, 1, -2])),
         /// The body whose frame the components are in.
-        frame: BodyRef = Slot::required("frame", OperandType::Carrier),
+        frame: BodyRef = OperandSlot::required("frame", OperandType::Carrier),
     }
     named: true,
     example: "#[force(load: coupler @ (l2, 0), (0, -f))]"

@@ -2,15 +2,15 @@
 
 use super::free_bodies::FreeBodies;
 use super::load::{Acting, LoadType, load};
-use crate::mechanism::{Dimension, Formula, OperandType, Slot};
+use crate::mechanism::{Dimension, Formula, OperandSlot, OperandType};
 
 load! {
     /// Components of the field.
     Gravity {
         /// g_x.
-        x: Formula = Slot::operand("x", OperandType::Signal).measured_in(Dimension::Derived([0, 1, -2])),
+        x: Formula = OperandSlot::operand("x", OperandType::Signal).measured_in(Dimension::Derived([0, 1, -2])),
         /// g_y.
-        y: Formula = Slot::operand("y", OperandType::Signal).measured_in(Dimension::Derived([0, 1, -2])),
+        y: Formula = OperandSlot::operand("y", OperandType::Signal).measured_in(Dimension::Derived([0, 1, -2])),
     }
     named: false,
     example: "#[gravity(0, -9.81)]"

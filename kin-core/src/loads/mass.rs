@@ -8,17 +8,17 @@
 
 use super::free_bodies::FreeBodies;
 use super::load::{Acting, Exerted, LoadType, Work, load};
-use crate::mechanism::{Dimension, Formula, OperandType, Place, Slot};
+use crate::mechanism::{Dimension, Formula, OperandSlot, OperandType, Place};
 
 load! {
     /// Operands of a mass.
     Mass {
         /// C, the centre of mass.
-        centre: Place = Slot::frame("c"),
+        centre: Place = OperandSlot::frame("c"),
         /// m.
-        mass: Formula = Slot::required("mass", OperandType::Constant).measured_in(Dimension::Derived([1, 0, 0])),
+        mass: Formula = OperandSlot::required("mass", OperandType::Constant).measured_in(Dimension::Derived([1, 0, 0])),
         /// J.
-        inertia: Formula = Slot::offset("inertia", Dimension::Derived([1, 2, 0])).taking(OperandType::Constant),
+        inertia: Formula = OperandSlot::offset("inertia", Dimension::Derived([1, 2, 0])).taking(OperandType::Constant),
     }
     named: false,
     example: "#[mass(crank @ (l1/2, 0), mass = m1, inertia = j1)]"

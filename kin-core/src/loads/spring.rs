@@ -9,21 +9,21 @@
 use super::elastic::{Elastic, stretched};
 use super::free_bodies::FreeBodies;
 use super::load::{Acting, Exerted, LoadType, load};
-use crate::mechanism::{Dimension, Formula, OperandType, Place, Slot};
+use crate::mechanism::{Dimension, Formula, OperandSlot, OperandType, Place};
 
 load! {
     /// Operands of a spring.
     Spring {
         /// P.
-        p: Place = Slot::point("p"),
+        p: Place = OperandSlot::point("p"),
         /// Q.
-        q: Place = Slot::point("q"),
+        q: Place = OperandSlot::point("q"),
         /// k.
-        stiffness: Formula = Slot::offset("stiffness", Dimension::Derived([1, 0, -2])).taking(OperandType::Side),
+        stiffness: Formula = OperandSlot::offset("stiffness", Dimension::Derived([1, 0, -2])).taking(OperandType::Side),
         /// ℓ₀.
-        free_length: Formula = Slot::offset("free_length", Dimension::Length).taking(OperandType::Side),
+        free_length: Formula = OperandSlot::offset("free_length", Dimension::Length).taking(OperandType::Side),
         /// c.
-        damping: Formula = Slot::offset("damping", Dimension::Derived([1, 0, -1])).taking(OperandType::Side),
+        damping: Formula = OperandSlot::offset("damping", Dimension::Derived([1, 0, -1])).taking(OperandType::Side),
     }
     named: true,
     example: "#[spring(S: ground @ (0, 1), rocker @ (l3, 0), stiffness = k, free_length = l0)]"

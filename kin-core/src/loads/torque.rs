@@ -6,15 +6,15 @@
 
 use super::free_bodies::FreeBodies;
 use super::load::{Acting, Exerted, LoadType, Work, load};
-use crate::mechanism::{BodyRef, Dimension, Formula, OperandType, Slot};
+use crate::mechanism::{BodyRef, Dimension, Formula, OperandSlot, OperandType};
 
 load! {
     /// Operands of a couple.
     Torque {
         /// b; or a and b.
-        bodies: Vec<BodyRef> = Slot::operand("b", OperandType::Bodies),
+        bodies: Vec<BodyRef> = OperandSlot::operand("b", OperandType::Bodies),
         /// τ.
-        torque: Formula = Slot::right(OperandType::SideOfRates).measured_in(Dimension::Derived([1, 2, -2])),
+        torque: Formula = OperandSlot::right(OperandType::SideOfRates).measured_in(Dimension::Derived([1, 2, -2])),
     }
     named: true,
     example: "#[torque(load: rocker = -c*dot(rocker.phi))]"

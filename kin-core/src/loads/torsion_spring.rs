@@ -8,21 +8,21 @@
 use super::elastic::{Elastic, stretched};
 use super::free_bodies::FreeBodies;
 use super::load::{Acting, Exerted, LoadType, load};
-use crate::mechanism::{BodyRef, Dimension, Formula, OperandType, Slot};
+use crate::mechanism::{BodyRef, Dimension, Formula, OperandSlot, OperandType};
 
 load! {
     /// Operands of a torsion spring.
     TorsionSpring {
         /// a.
-        a: BodyRef = Slot::body("a"),
+        a: BodyRef = OperandSlot::body("a"),
         /// b.
-        b: BodyRef = Slot::body("b"),
+        b: BodyRef = OperandSlot::body("b"),
         /// k.
-        stiffness: Formula = Slot::offset("stiffness", Dimension::Derived([1, 2, -2])).taking(OperandType::Side),
+        stiffness: Formula = OperandSlot::offset("stiffness", Dimension::Derived([1, 2, -2])).taking(OperandType::Side),
         /// α₀.
-        free_angle: Formula = Slot::offset("free_angle", Dimension::Angle).taking(OperandType::Side),
+        free_angle: Formula = OperandSlot::offset("free_angle", Dimension::Angle).taking(OperandType::Side),
         /// c.
-        damping: Formula = Slot::offset("damping", Dimension::Derived([1, 2, -1])).taking(OperandType::Side),
+        damping: Formula = OperandSlot::offset("damping", Dimension::Derived([1, 2, -1])).taking(OperandType::Side),
     }
     named: true,
     example: "#[torsion_spring(S: ground, rocker, stiffness = k, free_angle = a0)]"

@@ -14,7 +14,7 @@ pub struct StatementForm {
     /// Whether the statement must start with a name and a colon; otherwise the name is optional.
     pub named: bool,
     /// The slots in the order in which they are written: operands, the right-hand side, options.
-    pub slots: &'static [Slot],
+    pub slots: &'static [OperandSlot],
     /// An example of a statement of this kind.
     pub example: &'static str,
     /// The message if several kinds share the keyword and the statement does not show which of them is meant;
@@ -24,7 +24,7 @@ pub struct StatementForm {
 
 impl StatementForm {
     /// The slots that are written in the given way.
-    pub fn written(&self, written: Written) -> impl Iterator<Item = &'static Slot> + use<> {
+    pub fn written(&self, written: Written) -> impl Iterator<Item = &'static OperandSlot> + use<> {
         self.slots.iter().filter(move |slot| slot.written == written)
     }
 
@@ -113,7 +113,7 @@ pub enum Sees {
 
 /// An operand slot of a statement.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Slot {
+pub struct OperandSlot {
     /// The key of an option, or a letter for other operands.
     pub key: &'static str,
     /// How the operand is written.
@@ -132,7 +132,7 @@ pub struct Slot {
     pub positive: bool,
 }
 
-impl Slot {
+impl OperandSlot {
     const fn new(key: &'static str, written: Written, takes: OperandType) -> Self {
         Self {
             key,

@@ -19,7 +19,7 @@ pub use crate::vocabulary::{Component, Function};
 pub use body::{Body, BodyOrigin, Define, Input, NamedPoint, Parameter, Range, Scalar, Source, SuppliedFunction};
 pub use condition::{Condition, Relation};
 pub use curve::Curve;
-pub use form::{Dimension, OperandType, Sees, Slot, StatementForm, Written};
+pub use form::{Dimension, OperandSlot, OperandType, Sees, StatementForm, Written};
 pub use formula::{Formula, Place};
 pub use joint::{Guess, GuessTarget, Joint, Load};
 pub use operand::{Axis, Operand, OperandValue, Operands, Radii, Value, Vector};

@@ -1,6 +1,6 @@
 //! The operands of a joint, a mass or a load: the values of its slots.
 
-use super::form::{OperandType, Slot, StatementForm, Written};
+use super::form::{OperandSlot, OperandType, StatementForm, Written};
 use super::{BodyRef, Curve, Formula, Member, Place};
 use crate::error::Origin;
 use crate::vocabulary::{JointKind, StatementKind};
@@ -109,7 +109,7 @@ impl Operand {
     }
 
     /// True if `slot` takes an operand of this type.
-    fn fits(&self, slot: &Slot) -> bool {
+    fn fits(&self, slot: &OperandSlot) -> bool {
         match slot.takes {
             OperandType::Point => matches!(self, Self::Point(_)),
             OperandType::Points => matches!(self, Self::Points(_)),
@@ -211,7 +211,7 @@ impl Operands {
     }
 
     /// The slots with their operands.
-    pub fn iter(&self) -> impl Iterator<Item = (&'static Slot, &Operand)> + use<'_> {
+    pub fn iter(&self) -> impl Iterator<Item = (&'static OperandSlot, &Operand)> + use<'_> {
         self.form.slots.iter().zip(&self.values)
     }
 

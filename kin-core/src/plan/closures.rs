@@ -10,7 +10,8 @@ use crate::vocabulary::Function;
 /// Weight of the squared terms of a difference against its square. They outweigh it only where digits cancel.
 pub(super) const TERM_WEIGHT: f64 = 1e-6;
 
-/// Added to denominators, so that 0/0 becomes 0.
+/// Added to denominators, so that 0/0 becomes 0: less than the squares of any lengths. In f32 it is 0 itself; there a margin
+/// 0/0 is NaN, which counts as no solution.
 pub(super) const LEAST: f64 = 1e-300;
 
 /// The sum of the squared terms of a sum, the product of such sums for a product; below `depth` levels the plain

@@ -27,7 +27,8 @@ pub const TOLERANCE: f64 = 3e-11;
 /// derivative.
 const ROUNDING: f64 = 1e-13;
 
-/// Added to denominators, so that 0/0 becomes 0.
+/// Added to denominators, so that 0/0 becomes 0. Rows that are satisfied exactly are the rule here, in f32 as well, so that it
+/// must be more than 0 there.
 const LEAST: f64 = f32::MIN_POSITIVE as f64;
 
 impl Build<'_> {

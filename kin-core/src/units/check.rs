@@ -9,7 +9,7 @@ use super::unit::Unit;
 use crate::check::order_of_defines;
 use crate::error::ModelError;
 use crate::mechanism::{
-    Axis, BodyOrigin, Component, Curve, Dimension, Formula, GuessTarget, Joint, Mechanism, Operand, Slot, Value,
+    Axis, BodyOrigin, Component, Curve, Dimension, Formula, GuessTarget, Joint, Mechanism, Operand, OperandSlot, Value,
 };
 
 /// An error for every place where quantities of different units are added, compared or equated. The mechanism must have
@@ -109,7 +109,7 @@ impl Checker<'_> {
 
     /// The common unit of the operands that must have one unit; the first one if they do not agree.
     fn agreed(&mut self, joint: &Joint) -> Option<Unit> {
-        let common = |slot: &Slot| matches!(slot.dimension, Dimension::Common | Dimension::CommonLength);
+        let common = |slot: &OperandSlot| matches!(slot.dimension, Dimension::Common | Dimension::CommonLength);
         let together = |operand: &Operand| matches!(operand, Operand::Radii(_));
         let operands: Vec<&Operand> =
             joint.operands.iter().filter(|(slot, _)| common(slot)).map(|(_, operand)| operand).collect();

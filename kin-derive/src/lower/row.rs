@@ -6,8 +6,8 @@ use super::range::IndexRange;
 use super::scope::{Allow, Scope};
 use crate::ast::{BodyExpr, ConditionDecl, Expr, GuessDecl, Item, OperandExpr, PairExpr, Statement, text};
 use kin_core::mechanism::{
-    Axis, BodyRef, Condition, Formula, Guess, GuessTarget, Joint, Mechanism, Member, Operand, OperandType, Operands,
-    Radii, Slot, Value, Vector, Written,
+    Axis, BodyRef, Condition, Formula, Guess, GuessTarget, Joint, Mechanism, Member, Operand, OperandSlot, OperandType,
+    Operands, Radii, Value, Vector, Written,
 };
 use kin_core::vocabulary::StatementKind;
 
@@ -46,7 +46,13 @@ impl Lowerer<'_> {
         Operands::new(row.form, lowered.into_iter().collect::<Option<_>>()?)
     }
 
-    fn operand(&mut self, row: &Statement, slot: &Slot, expr: &OperandExpr, range: &IndexRange) -> Option<Operand> {
+    fn operand(
+        &mut self,
+        row: &Statement,
+        slot: &OperandSlot,
+        expr: &OperandExpr,
+        range: &IndexRange,
+    ) -> Option<Operand> {
         Some(match expr {
             OperandExpr::Point(point) => Operand::Point(self.place(point, range)?),
             // The parser has reported that there are too few points.
@@ -76,7 +82,7 @@ impl Lowerer<'_> {
         })
     }
 
-    fn value_of(&mut self, row: &Statement, slot: &Slot, expr: &Expr, range: &IndexRange) -> Option<Formula> {
+    fn value_of(&mut self, row: &Statement, slot: &OperandSlot, expr: &Expr, range: &IndexRange) -> Option<Formula> {
         let what = match slot.written {
             Written::Right => format!("the right-hand side of `{}`", row.keyword),
             _ => format!("`{}`", slot.key),

@@ -1,6 +1,6 @@
 //! Forms of joints, drivers, equations, masses and loads, derived from the kinds and forms of kin-core.
 
-use kin_core::mechanism::{OperandType, Slot, StatementForm, Written};
+use kin_core::mechanism::{OperandSlot, OperandType, StatementForm, Written};
 use kin_core::{joints, loads};
 use std::sync::LazyLock;
 
@@ -51,7 +51,7 @@ pub(super) static FORMS: LazyLock<Vec<KeywordForm>> = LazyLock::new(|| {
 });
 
 /// The options from which a slot is read.
-fn options_of(slot: &Slot) -> Vec<(&'static str, OptionForm)> {
+fn options_of(slot: &OperandSlot) -> Vec<(&'static str, OptionForm)> {
     match slot.takes {
         OperandType::Support => vec![(slot.key, OptionForm::Curve(&["theta"]))],
         OperandType::Curve => vec![

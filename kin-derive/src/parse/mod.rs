@@ -157,7 +157,7 @@ fn read(attribute: &Attribute, word: &Ident, keyword: Keyword, report: &Report, 
             }
             Keyword::Function => declare::functions(input, word, report, items),
             Keyword::Statement(form) => {
-                items.push(Item::Statement(Box::new(row(input, word, form, report)?)));
+                items.push(Item::Statement(Box::new(statement(input, word, form, report)?)));
                 true
             }
             Keyword::Condition => {
@@ -171,12 +171,17 @@ fn read(attribute: &Attribute, word: &Ident, keyword: Keyword, report: &Report, 
     complete.unwrap_or(false)
 }
 
-fn row(input: ParseStream, keyword: &Ident, form: &'static KeywordForm, report: &Report) -> Result<Statement> {
-    let name = match form.is_named() {
-        true => row_name(input, keyword, form.example(), report)?,
+fn statement(
+    input: ParseStream,
+    keyword: &Ident,
+    keyword_form: &'static KeywordForm,
+    report: &Report,
+) -> Result<Statement> {
+    let name = match keyword_form.is_named() {
+        true => row_name(input, keyword, keyword_form.example(), report)?,
         false => row_name_or_keyword(input, keyword, report)?,
     };
-    let (form, operands) = Parts::read(input, keyword, form, report).operands();
+    let (form, operands) = Parts::read(input, keyword, keyword_form, report).operands();
     Ok(Statement { keyword: keyword.clone(), name, form, operands })
 }
 

@@ -1,19 +1,19 @@
-//! The parts of a row: operands in order, followed by `key = value` in any order; and from them the kind of the row and
-//! the operands in its slots. Where several kinds share a keyword, the options determine the kind.
+//! The parts of a statement: operands in order, followed by `key = value` in any order; and from them the form of the
+//! statement and the operands in its slots. Where several forms share a keyword, the options determine the form.
 
 use super::forms::{KeywordForm, OptionForm};
 use crate::ast::{BodyExpr, Expr, OperandExpr, text};
 use crate::report::Report;
-use kin_core::mechanism::{OperandType, Slot, StatementForm, Written};
+use kin_core::mechanism::{OperandSlot, OperandType, StatementForm, Written};
 use std::collections::VecDeque;
 use syn::Ident;
 
-/// The parts that were read of a row; a missing part becomes a hole.
+/// The parts that were read of a statement; a missing part becomes a hole.
 pub(super) struct Parts<'a> {
     pub(super) keyword: &'a Ident,
-    pub(super) form: &'static KeywordForm,
-    /// The kind of the row; the first kind of its keyword until the options have been read.
-    pub(super) kind: &'static StatementForm,
+    pub(super) keyword_form: &'static KeywordForm,
+    /// The form of the statement; the first form of its keyword until the options have been read.
+    pub(super) form: &'static StatementForm,
     pub(super) report: &'a Report,
     /// The operands one by one, also those that fill one slot together.
     pub(super) operands: VecDeque<OperandExpr>,
@@ -24,7 +24,7 @@ pub(super) struct Parts<'a> {
     pub(super) lost_option: bool,
     /// True if the number of operands is wrong, which is reported.
     pub(super) miscounted: bool,
-    /// The number of errors before this row.
+    /// The number of errors before this statement.
     pub(super) errors_before: usize,
 }
 
@@ -36,15 +36,15 @@ fn own_options(kinds: &[&'static StatementForm], form: &'static StatementForm) -
 }
 
 impl Parts<'_> {
-    /// The kind of the row, and the operands in its slots.
+    /// The form of the statement, and the operands in its slots.
     pub(super) fn operands(mut self) -> (&'static StatementForm, Vec<OperandExpr>) {
-        self.kind = self.meant();
-        let kind = self.kind;
-        let operands = kind.slots.iter().map(|slot| self.operand(slot)).collect();
-        (kind, operands)
+        self.form = self.meant();
+        let form = self.form;
+        let operands = form.slots.iter().map(|slot| self.operand(slot)).collect();
+        (form, operands)
     }
 
-    fn operand(&mut self, slot: &Slot) -> OperandExpr {
+    fn operand(&mut self, slot: &OperandSlot) -> OperandExpr {
         let span = self.keyword.span();
         match (slot.written, slot.takes) {
             (Written::Operand, OperandType::Points) => {
@@ -63,14 +63,14 @@ impl Parts<'_> {
     }
 
     /// The value of an option, with its default if it is not given; it is reported if there is no default.
-    fn option(&mut self, slot: &Slot) -> OperandExpr {
+    fn option(&mut self, slot: &OperandSlot) -> OperandExpr {
         let span = self.keyword.span();
         let hole = OperandExpr::hole(slot.takes, span);
         match self.take(slot.key) {
             Some(value) => value.unwrap_or(hole),
             None if slot.takes == OperandType::Carrier => OperandExpr::Body(BodyExpr::NotGiven),
             // A load with an unreadable option gets a hole, so that it does not seem to be zero.
-            None if slot.or_zero && self.lost_option && self.kind.kind.is_load() => hole,
+            None if slot.or_zero && self.lost_option && self.form.kind.is_load() => hole,
             None if slot.or_zero => OperandExpr::Value(Expr::number(0.0, span)),
             None => {
                 self.missing(slot.key);
@@ -88,17 +88,18 @@ impl Parts<'_> {
         if self.lost_option {
             return;
         }
-        let variables = match self.form.options.iter().find(|(option, _)| *option == key) {
+        let variables = match self.keyword_form.options.iter().find(|(option, _)| *option == key) {
             Some((_, OptionForm::Curve(variables))) => format!("({})", variables.join(", ")),
             _ => String::new(),
         };
-        let message = format!("`{}` needs `{key}{variables} = …`: {}", self.keyword, self.form.right(self.kind));
+        let message =
+            format!("`{}` needs `{key}{variables} = …`: {}", self.keyword, self.keyword_form.right(self.form));
         self.report.error(self.keyword.span(), message);
     }
 
-    /// Determines the kind of the row: where several kinds share the keyword, by the options.
+    /// Determines the form of the statement: where several forms share the keyword, by the options.
     fn meant(&mut self) -> &'static StatementForm {
-        let kinds: &'static [&'static StatementForm] = &self.form.kinds;
+        let kinds: &'static [&'static StatementForm] = &self.keyword_form.kinds;
         let [first, _, ..] = kinds else { return kinds[0] };
         // If options of several kinds are given, the first option determines the kind.
         let place = |form| {

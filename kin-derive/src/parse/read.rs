@@ -21,8 +21,8 @@ impl<'a> Parts<'a> {
     pub(super) fn read(input: ParseStream, keyword: &'a Ident, form: &'static KeywordForm, report: &'a Report) -> Self {
         let mut parts = Self {
             keyword,
-            form,
-            kind: form.kinds[0],
+            keyword_form: form,
+            form: form.kinds[0],
             report,
             operands: VecDeque::new(),
             right: None,
@@ -37,27 +37,29 @@ impl<'a> Parts<'a> {
     }
 
     fn read_operands(&mut self, input: ParseStream) {
-        match self.form.operands[..] {
+        match self.keyword_form.operands[..] {
             [OperandType::Points] => return self.read_points(input),
             [OperandType::Bodies] => return self.read_bodies(input),
             _ => {}
         }
-        let count = self.form.operands.len();
-        for (k, takes) in self.form.operands.iter().enumerate() {
+        let count = self.keyword_form.operands.len();
+        for (k, takes) in self.keyword_form.operands.iter().enumerate() {
             let last = k + 1 == count;
-            if input.is_empty() || !self.form.is_equation() && self.begins_option(input) {
+            if input.is_empty() || !self.keyword_form.is_equation() && self.begins_option(input) {
                 return self.too_few();
             }
             let read = self.read_operand(input, *takes);
             if !read {
-                skip_to(input, |input| input.peek(Token![,]) || last && self.form.is_equation() && is_equals(input));
+                skip_to(input, |input| {
+                    input.peek(Token![,]) || last && self.keyword_form.is_equation() && is_equals(input)
+                });
             }
-            if last && self.form.is_equation() {
+            if last && self.keyword_form.is_equation() {
                 self.read_right(input, read);
             } else if last && is_equals(input) {
-                let message = format!("`{}` is no equation: `{}`", self.keyword, self.form.example());
+                let message = format!("`{}` is no equation: `{}`", self.keyword, self.keyword_form.example());
                 self.finish_part(Err(here(input, message)), input);
-            } else if self.form.is_equation() && is_equals(input) {
+            } else if self.keyword_form.is_equation() && is_equals(input) {
                 return self.too_few();
             } else {
                 self.finish_part(end_of_part(input), input);
@@ -121,7 +123,7 @@ impl<'a> Parts<'a> {
             self.finish_part(end, input);
         } else {
             if left_is_read {
-                self.report.push(no_equals(input, self.form.example()));
+                self.report.push(no_equals(input, self.keyword_form.example()));
             }
             // The rest is skipped, because tokens after a comma would be taken for an option.
             skip_to(input, |_| false);
@@ -138,7 +140,7 @@ impl<'a> Parts<'a> {
             // Too many operands are reported once; one of them may be an option without its key.
             let option = self.option_without_equals(input);
             if let Some(key) = option {
-                self.report.push(here(input, format!("`{key}` is given with `=`: `{}`", self.form.example())));
+                self.report.push(here(input, format!("`{key}` is given with `=`: `{}`", self.keyword_form.example())));
             } else if !self.miscounted {
                 self.miscounted = true;
                 self.report.push(here(input, self.count_message()));
@@ -152,14 +154,15 @@ impl<'a> Parts<'a> {
     /// The option of this row that follows without `=`.
     fn option_without_equals(&self, input: ParseStream) -> Option<&'static str> {
         let word = text(&input.fork().parse::<Ident>().ok()?);
-        self.form.options.iter().map(|(option, _)| *option).find(|option| *option == word)
+        self.keyword_form.options.iter().map(|(option, _)| *option).find(|option| *option == word)
     }
 
     /// True if `key =` or `key(…) =` follows, or the key of an option that is written with parentheses.
     fn begins_option(&self, input: ParseStream) -> bool {
         let has_brackets = |form| matches!(form, OptionForm::Curve(_) | OptionForm::Path);
-        let is_known =
-            |word: &Ident| self.form.options.iter().any(|(option, form)| has_brackets(*form) && *option == text(word));
+        let is_known = |word: &Ident| {
+            self.keyword_form.options.iter().any(|(option, form)| has_brackets(*form) && *option == text(word))
+        };
         is_option(input)
             || is_bracketed(input)
             || input.peek2(token::Paren) && input.fork().parse::<Ident>().is_ok_and(|word| is_known(&word))
@@ -168,7 +171,7 @@ impl<'a> Parts<'a> {
     fn read_option(&mut self, input: ParseStream) -> Result<()> {
         let key = identifier(input)?;
         let name = text(&key);
-        let known = self.form.options.iter().find(|(option, _)| *option == name);
+        let known = self.keyword_form.options.iter().find(|(option, _)| *option == name);
         if self.options.iter().any(|(given, _)| text(given) == name) {
             self.report.error(key.span(), format!("`{name}` is given twice; one value is enough"));
             skip_part(input);
@@ -205,12 +208,12 @@ impl<'a> Parts<'a> {
     }
 
     fn unknown_option(&self, name: &str) -> String {
-        let options = || self.form.options.iter().map(|(option, _)| *option);
+        let options = || self.keyword_form.options.iter().map(|(option, _)| *option);
         let suggestion = did_you_mean(name, options());
         let keyword = self.keyword;
         let list = listed(options(), "and");
-        match self.form.options.len() {
-            0 => format!("`{keyword}` has no options; it is written `{}`", self.form.example()),
+        match self.keyword_form.options.len() {
+            0 => format!("`{keyword}` has no options; it is written `{}`", self.keyword_form.example()),
             1 => format!("`{keyword}` has no option `{name}`; its option is {list}{suggestion}"),
             _ => format!("`{keyword}` has no option `{name}`; its options are {list}{suggestion}"),
         }
@@ -225,7 +228,7 @@ impl<'a> Parts<'a> {
     }
 
     fn count_message(&self) -> String {
-        let operands = match self.form.operands[..] {
+        let operands = match self.keyword_form.operands[..] {
             [OperandType::Points, ..] => "two points or more",
             [OperandType::Bodies] => "one body or two, then `=` and an expression",
             [OperandType::Point, OperandType::Vector] => "a point and a pair of components",
@@ -236,8 +239,8 @@ impl<'a> Parts<'a> {
             [_, _] => "two components",
             _ => "one expression on each side of `=`",
         };
-        let then = if self.form.options.is_empty() { "" } else { ", then options as `key = value`" };
-        format!("`{}` takes {operands}{then}: `{}`", self.keyword, self.form.example())
+        let then = if self.keyword_form.options.is_empty() { "" } else { ", then options as `key = value`" };
+        format!("`{}` takes {operands}{then}: `{}`", self.keyword, self.keyword_form.example())
     }
 }
 

@@ -29,7 +29,7 @@ pub struct Mode {
 
 /// The start of assembly: guesses, and the modes that are asked for, by their indices.
 #[derive(Clone, Debug)]
-pub(crate) struct Wanted {
+pub(crate) struct WantedAssembly {
     pub(crate) guess: Vec<Option<f64>>,
     pub(crate) modes: Vec<(usize, Sign)>,
 }
@@ -60,7 +60,7 @@ pub(crate) fn modes(equations: &Equations<'_>, q: &[f64]) -> Result<Vec<Mode>, S
 ///
 /// First it is assembled without regard to modes. Then the plan solves with the signs asked for; all other modes are
 /// those of the assembled configuration or, if there is none, of the guess. Full Newton closes the result of the plan.
-pub(crate) fn assemble_in(equations: &mut Equations<'_>, wanted: &Wanted) -> Result<Position, SolveError> {
+pub(crate) fn assemble_in(equations: &mut Equations<'_>, wanted: &WantedAssembly) -> Result<Position, SolveError> {
     let assembled = assemble(equations, &wanted.guess);
     if wanted.modes.is_empty() {
         return assembled;
@@ -89,7 +89,7 @@ pub(crate) fn assemble_in(equations: &mut Equations<'_>, wanted: &Wanted) -> Res
 }
 
 /// The modes asked for have no configuration.
-fn refusal(equations: &Equations<'_>, wanted: &Wanted, limit: Option<Limit>) -> SolveError {
+fn refusal(equations: &Equations<'_>, wanted: &WantedAssembly, limit: Option<Limit>) -> SolveError {
     let name = |place: usize| equations.model.plan.modes.get(place).map_or("", |mode| mode.name);
     let modes = wanted.modes.iter().map(|&(place, sign)| (name(place), sign)).collect();
     SolveError::ModeNotAssembled { t: equations.t, modes, limit }

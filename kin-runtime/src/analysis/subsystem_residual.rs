@@ -1,7 +1,7 @@
 //! Some rows of a mechanism as functions of some coordinates, to be closed by Newton's iteration.
 
 use crate::equations::Equations;
-use crate::equations::factorisation::Wanted;
+use crate::equations::factorisation::Purpose;
 use crate::linear::{Factorization, Ordered};
 use crate::nonlinear::newton::{self, Outcome, Residual, Settings};
 use crate::workspace::Subset;
@@ -91,7 +91,7 @@ impl Residual for SubsystemResidual<'_, '_> {
 
     fn factorise(&mut self, tolerance: f64) -> Factorization {
         let sparse = match &mut self.part {
-            Part::All => self.equations.factorise_sparse(Wanted::Solutions, None),
+            Part::All => self.equations.factorise_sparse(Purpose::Solutions, None),
             Part::Some(places, ordered) if self.rows.len() == self.columns.len() => {
                 self.equations.factorise_part(places, ordered, self.rows, &self.sizes)
             }

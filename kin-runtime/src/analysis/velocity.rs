@@ -7,7 +7,7 @@ use crate::analysis::position::given_conflict;
 use crate::analysis::singular;
 use crate::equations::Equations;
 use crate::equations::contact;
-use crate::equations::factorisation::Wanted;
+use crate::equations::factorisation::Purpose;
 use crate::error::SolveError;
 use crate::linear::Factorization;
 use crate::workspace::Subset;
@@ -46,7 +46,7 @@ pub(crate) fn factorize(
 ) -> Result<Factorization, SolveError> {
     equations.evaluate(Subset::VELOCITY, q, None)?;
     let (s, n) = (equations.rows(), equations.coordinates());
-    let factor = equations.factorise(Wanted::AbsoluteRank, None);
+    let factor = equations.factorise(Purpose::AbsoluteRank, None);
     if let Some(error) = contact::at_a_standstill(equations, q).or_else(|| contact::without_angle(equations, q)) {
         return Err(error);
     }

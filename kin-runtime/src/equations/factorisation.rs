@@ -9,9 +9,9 @@
 use crate::equations::Equations;
 use crate::linear::{Factorization, NumericLu, Ordered};
 
-/// What the caller needs of a factorisation.
+/// What a factorisation is for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Wanted {
+pub(crate) enum Purpose {
     /// Solutions; the rank only where it is in doubt.
     Solutions,
     /// Solutions and the rank, by pivots relative to the largest.
@@ -22,22 +22,26 @@ pub(crate) enum Wanted {
 
 impl Equations<'_> {
     /// Factorises all rows of Φ_q as evaluated last; the buffers of an earlier factorisation are reused.
-    pub(crate) fn factorise(&mut self, wanted: Wanted, memory: Option<Factorization>) -> Factorization {
-        if let Some(found) = self.factorise_sparse(wanted, memory) {
+    pub(crate) fn factorise(&mut self, purpose: Purpose, memory: Option<Factorization>) -> Factorization {
+        if let Some(found) = self.factorise_sparse(purpose, memory) {
             return found;
         }
         let rows: Vec<usize> = (0..self.rows()).collect();
         let (matrix, columns) = (self.scaled_rows(&rows), &self.scale.columns);
         let tolerance = self.options.rank_tolerance;
-        match wanted {
-            Wanted::Solutions => Factorization::quick(&matrix, columns, tolerance),
-            Wanted::Rank => Factorization::revealing(&matrix, columns, tolerance),
-            Wanted::AbsoluteRank => Factorization::absolute(&matrix, columns, tolerance),
+        match purpose {
+            Purpose::Solutions => Factorization::quick(&matrix, columns, tolerance),
+            Purpose::Rank => Factorization::revealing(&matrix, columns, tolerance),
+            Purpose::AbsoluteRank => Factorization::absolute(&matrix, columns, tolerance),
         }
     }
 
     /// As [`factorise`](Self::factorise), but `None` where only a dense factorisation is possible.
-    pub(crate) fn factorise_sparse(&mut self, wanted: Wanted, memory: Option<Factorization>) -> Option<Factorization> {
+    pub(crate) fn factorise_sparse(
+        &mut self,
+        purpose: Purpose,
+        memory: Option<Factorization>,
+    ) -> Option<Factorization> {
         if !self.options.use_sparse || self.rows() != self.coordinates() || self.rows() == 0 {
             return None;
         }
@@ -50,8 +54,8 @@ impl Equations<'_> {
         if !self.ordered.factorise(&mut lu) {
             return None;
         }
-        match wanted {
-            Wanted::Solutions => Factorization::sparse_quick(lu, sizes),
+        match purpose {
+            Purpose::Solutions => Factorization::sparse_quick(lu, sizes),
             _ => Factorization::sparse_of_full_rank(lu, sizes, self.options.rank_tolerance),
         }
     }

@@ -17,7 +17,7 @@ use crate::measure::{Measure, values};
 use crate::mechanism::Mechanism;
 use crate::mobility::{Mobility, mobility};
 use crate::model::Point;
-use crate::modes::{Mode, Wanted, assemble_in, modes};
+use crate::modes::{Mode, WantedAssembly, assemble_in, modes};
 use crate::motion::Motion;
 use crate::observer::Observer;
 use crate::options::Options;
@@ -187,7 +187,9 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     pub fn measure(&self, state: &State, measures: &[Measure]) -> Result<Vec<f64>, SolveError> {
         match known(state, measures) {
             Some(known) => Ok(known),
-            None => values(around(&mut self.equations(&state.instant())?, state)?, state, measures, self.sharing),
+            None => {
+                values(scaled_around(&mut self.equations(&state.instant())?, state)?, state, measures, self.sharing)
+            }
         }
     }
 
@@ -235,7 +237,7 @@ impl<'m, M: Mechanism> Solver<'m, M> {
         if let Some(condition) = state.condition {
             return Ok(condition);
         }
-        Ok(factorize(around(&mut self.equations(&state.instant())?, state)?, &state.q, None)?.condition)
+        Ok(factorize(scaled_around(&mut self.equations(&state.instant())?, state)?, &state.q, None)?.condition)
     }
 
     /// Degrees of freedom, independent coordinates, redundant rows and conditioning at a configuration.
@@ -252,7 +254,7 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     /// As [`velocity`](Self::velocity); [`InconsistentVelocity`](SolveError::InconsistentVelocity) also if one driving
     /// row cannot move without another.
     pub fn velocity_ratios(&self, state: &State) -> Result<VelocityRatios, SolveError> {
-        velocity_ratios(around(&mut self.equations(&state.instant())?, state)?, state)
+        velocity_ratios(scaled_around(&mut self.equations(&state.instant())?, state)?, state)
     }
 
     /// ∂r_P/∂q of a named point, 2×n.
@@ -278,7 +280,7 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     /// [`NothingCompared`](SolveError::NothingCompared) where Φ is not finite at any of them;
     /// [`NonFinite`](SolveError::NonFinite) and [`Length`](SolveError::Length).
     pub fn cross_check(&self, options: &CrossCheckOptions) -> Result<CrossCheck, SolveError> {
-        let (centre, length) = self.around(options)?;
+        let (centre, length) = self.check_centre(options)?;
         cross_check(self.mechanism, options, &centre, length, self.observer)
     }
 
@@ -288,7 +290,7 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     /// # Errors
     /// [`Plan`](SolveError::Plan) without a plan; as [`state_from`](Self::state_from) for the configurations given.
     pub fn plan_check(&self, options: &CrossCheckOptions) -> Result<CrossCheck, SolveError> {
-        let (centre, length) = self.around(options)?;
+        let (centre, length) = self.check_centre(options)?;
         let mut system = Evaluator::<_, M>::new(self.mechanism);
         let newton = |at: &Instant<'_>, start: &[f64]| Self::new(self.mechanism).state_from(at, start);
         plan_check(&mut system, options, &centre, length, self.observer, &newton)
@@ -296,7 +298,7 @@ impl<'m, M: Mechanism> Solver<'m, M> {
 
     /// The guess as centre of random configurations, and their width in x and y. Checks the configurations of the
     /// caller.
-    fn around(&self, options: &CrossCheckOptions) -> Result<(Vec<f64>, f64), SolveError> {
+    fn check_centre(&self, options: &CrossCheckOptions) -> Result<(Vec<f64>, f64), SolveError> {
         let guess = self.checked_guess()?;
         let inputs = vec![Signal::default(); M::INPUTS];
         centre(&mut self.equations(&Instant { t: 0.0, inputs: &inputs })?, options, &guess)
@@ -309,8 +311,8 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     }
 
     /// The guesses, and the indices of the modes that are asked for.
-    pub(crate) fn wanted(&self) -> Result<Wanted, SolveError> {
-        wanted(&M::model().plan, self.checked_guess()?, &self.modes)
+    pub(crate) fn wanted(&self) -> Result<WantedAssembly, SolveError> {
+        wanted_assembly(&M::model().plan, self.checked_guess()?, &self.modes)
     }
 
     /// The equations at an instant.
@@ -329,7 +331,7 @@ fn are_of_coordinates(guesses: &[(usize, f64)], coordinates: usize) -> Result<()
 }
 
 /// The equations, scaled around a state.
-fn around<'e, 'a>(equations: &'e mut Equations<'a>, state: &State) -> Result<&'e mut Equations<'a>, SolveError> {
+fn scaled_around<'e, 'a>(equations: &'e mut Equations<'a>, state: &State) -> Result<&'e mut Equations<'a>, SolveError> {
     equations.check("q", &state.q)?;
     equations.scale = Scale::around(equations, &state.q);
     Ok(equations)
@@ -380,7 +382,11 @@ fn centre(
 }
 
 /// The guesses, and the indices of modes that are asked for by name or index.
-fn wanted(plan: &Plan, guess: Vec<Option<f64>>, modes: &[(String, Option<usize>, Sign)]) -> Result<Wanted, SolveError> {
+fn wanted_assembly(
+    plan: &Plan,
+    guess: Vec<Option<f64>>,
+    modes: &[(String, Option<usize>, Sign)],
+) -> Result<WantedAssembly, SolveError> {
     let place = |(mode, place, sign): &(String, Option<usize>, Sign)| match place {
         Some(place) => Ok((*place, *sign)),
         None => {
@@ -391,5 +397,5 @@ fn wanted(plan: &Plan, guess: Vec<Option<f64>>, modes: &[(String, Option<usize>,
             Err(SolveError::UnknownMode { mode: mode.clone(), modes })
         }
     };
-    Ok(Wanted { guess, modes: modes.iter().map(place).collect::<Result<_, _>>()? })
+    Ok(WantedAssembly { guess, modes: modes.iter().map(place).collect::<Result<_, _>>()? })
 }

@@ -18,33 +18,33 @@
 //! functions), and Norton, *Cam Design and Manufacturing Handbook* (flat-faced followers).
 
 use super::relative::{draw, in_theta};
-use crate::constraint::{Assembly, PlacedAxis, RowMeaning, Rows};
+use crate::constraint::{Assembly, JointRows, PlacedAxis, RowMeaning};
 use crate::expr::{ExprId, Symbol, partial};
 use crate::joints::contact::{Contact, Normal};
 use crate::joints::joint::{JointType, joint};
-use crate::mechanism::{Axis, Formula, OperandType, Place, Slot};
+use crate::mechanism::{Axis, Formula, OperandSlot, OperandType, Place};
 use crate::vocabulary::Role;
 
 joint! {
     /// Operands of a flat-faced follower on a cam.
     FlatFollower {
         /// The point P of body i, the centre of the support function.
-        p: Place = Slot::frame("p"),
+        p: Place = OperandSlot::frame("p"),
         /// The point Q of body j, on its face.
-        q: Place = Slot::frame("q"),
+        q: Place = OperandSlot::frame("q"),
         /// The direction v of the face in body j.
-        axis: Axis = Slot::required("axis", OperandType::Axis),
+        axis: Axis = OperandSlot::required("axis", OperandType::Axis),
         /// The support function h.
-        support: Formula = Slot::required("support", OperandType::Support),
+        support: Formula = OperandSlot::required("support", OperandType::Support),
     }
     example: "#[flat_follower(A: cam @ (0, 0), follower @ (0, 0), axis = (1, 0), support(theta) = r + e*cos(theta))]"
 }
 
 impl JointType for FlatFollower {
-    fn rows(&self, a: &mut Assembly<'_>) -> Rows {
+    fn rows(&self, a: &mut Assembly<'_>) -> JointRows {
         let (p, q) = (a.place(&self.p), a.place(&self.q));
         let axis = a.axis(&self.axis, &q);
-        let mut rows = Rows::between(&p, &q);
+        let mut rows = JointRows::between(&p, &q);
         rows.geometry.push((Role::Axis, q.frame, axis.local.to_vec()));
         // perp(u)·(r_Q − r_j) is the constant perp(v̂)·s′_Q.
         let d = [a.graph.sub(q.base[0], p.r[0]), a.graph.sub(q.base[1], p.r[1])];

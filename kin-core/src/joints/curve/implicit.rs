@@ -7,11 +7,11 @@
 //! Singular where the gradient of e vanishes on the curve (a double point, a cusp). After Haug (1989), section 3.4.
 
 use super::relative::{in_point, seen};
-use crate::constraint::{Assembly, PlacedPoint, RowMeaning, Rows};
+use crate::constraint::{Assembly, JointRows, PlacedPoint, RowMeaning};
 use crate::mechanism::Formula;
 
-pub(super) fn rows(a: &mut Assembly<'_>, p: &PlacedPoint, q: &PlacedPoint, value: &Formula) -> Rows {
-    let mut rows = Rows::between(p, q);
+pub(super) fn rows(a: &mut Assembly<'_>, p: &PlacedPoint, q: &PlacedPoint, value: &Formula) -> JointRows {
+    let mut rows = JointRows::between(p, q);
     let w = seen(a, p, q);
     rows.residuals = vec![("", RowMeaning::Other, in_point(a, value, w))];
     rows

@@ -1,10 +1,10 @@
 //! A point on a curve: Q of body j lies on a curve of body i, given in polar, implicit or parametric form.
 
 use super::{implicit, parametric, polar};
-use crate::constraint::{Assembly, Rows};
+use crate::constraint::{Assembly, JointRows};
 use crate::joints::contact::{Contact, Normal, side};
 use crate::joints::joint::{JointType, joint};
-use crate::mechanism::{Curve, OperandType, Place, Slot};
+use crate::mechanism::{Curve, OperandSlot, OperandType, Place};
 use crate::vectors::{Equation, NamedJoint, Piece, Symbol, Terms, equals, zero};
 use crate::vocabulary::JointKind;
 
@@ -12,17 +12,17 @@ joint! {
     /// Operands of a point on a curve.
     OnCurve as OnPolarCurve {
         /// The point P of body i, the centre of the curve.
-        p: Place = Slot::frame("p"),
+        p: Place = OperandSlot::frame("p"),
         /// The point Q of body j.
-        q: Place = Slot::point("q"),
+        q: Place = OperandSlot::point("q"),
         /// The curve.
-        curve: Curve = Slot::required("curve", OperandType::Curve),
+        curve: Curve = OperandSlot::required("curve", OperandType::Curve),
     }
     example: "#[on_curve(A: cam @ (0, 0), follower @ (0, 0), polar(theta) = r + e*cos(theta))]"
 }
 
 impl JointType for OnCurve {
-    fn rows(&self, a: &mut Assembly<'_>) -> Rows {
+    fn rows(&self, a: &mut Assembly<'_>) -> JointRows {
         let (p, q) = (a.place(&self.p), a.place(&self.q));
         match &self.curve {
             Curve::Polar { radius, origin } => polar::rows(a, &p, &q, radius, *origin),

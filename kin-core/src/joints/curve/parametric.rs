@@ -1,6 +1,6 @@
 //! A point on a curve in parametric form: Q of body j is at c(u) of body i, where u is a scalar coordinate.
 //!
-//! Rows (2), lengths:
+//! JointRows (2), lengths:
 //! ```text
 //! r_Q − r_P − A_i c(u) = 0
 //! ```
@@ -19,7 +19,7 @@
 //! 1-7.
 
 use super::relative::{between, draw, in_parameter};
-use crate::constraint::{Assembly, PlacedPoint, RowMeaning, Rows};
+use crate::constraint::{Assembly, JointRows, PlacedPoint, RowMeaning};
 use crate::expr::{ExprId, Symbol, partial};
 use crate::mechanism::{Formula, Function, Member};
 use crate::vocabulary::Role;
@@ -31,8 +31,8 @@ pub(super) fn rows(
     parameter: &Member,
     components: [&Formula; 2],
     roller: Option<&Formula>,
-) -> Rows {
-    let mut rows = Rows::between(p, q);
+) -> JointRows {
+    let mut rows = JointRows::between(p, q);
     let c = components.map(|component| a.formula(component));
     let u = a.scalar(parameter);
     if let Some(u) = u {

@@ -10,13 +10,19 @@
 //! there is no contact where ρ is not positive. After Haug (1989), section 3.4 (cam with a point follower).
 
 use super::relative::{draw, in_theta, seen};
-use crate::constraint::{Assembly, PlacedPoint, RowMeaning, Rows};
+use crate::constraint::{Assembly, JointRows, PlacedPoint, RowMeaning};
 use crate::error::Origin;
 use crate::expr::Symbol;
 use crate::mechanism::Formula;
 
-pub(super) fn rows(a: &mut Assembly<'_>, p: &PlacedPoint, q: &PlacedPoint, radius: &Formula, origin: Origin) -> Rows {
-    let mut rows = Rows::between(p, q);
+pub(super) fn rows(
+    a: &mut Assembly<'_>,
+    p: &PlacedPoint,
+    q: &PlacedPoint,
+    radius: &Formula,
+    origin: Origin,
+) -> JointRows {
+    let mut rows = JointRows::between(p, q);
     let distance = a.distance(p, q);
     let [x, y] = seen(a, p, q);
     let theta = a.graph.atan2(y, x);

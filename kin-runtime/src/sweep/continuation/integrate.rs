@@ -17,7 +17,7 @@
 use super::step::{Fault, Node, Scratch, Start, correct, settle};
 use crate::analysis::velocity::scaled;
 use crate::equations::Equations;
-use crate::equations::factorisation::Wanted;
+use crate::equations::factorisation::Purpose;
 use crate::nonlinear::dormand_prince::{StepResult, runge_kutta_step};
 use crate::workspace::Subset;
 
@@ -57,7 +57,7 @@ pub(super) fn integrate(
 fn velocity(equations: &mut Equations<'_>, rank: usize, s: f64, q: &[f64]) -> Result<Vec<f64>, Fault> {
     equations.move_to(s)?;
     equations.evaluate(Subset::VELOCITY, q, None)?;
-    let factor = equations.factorise(Wanted::Solutions, None);
+    let factor = equations.factorise(Purpose::Solutions, None);
     if factor.rank < rank {
         return Err(Fault::Coarse(0.5));
     }

@@ -7,7 +7,7 @@ use crate::analysis::acceleration::acceleration;
 use crate::analysis::by_plan;
 use crate::analysis::velocity;
 use crate::equations::Equations;
-use crate::equations::factorisation::Wanted;
+use crate::equations::factorisation::Purpose;
 use crate::equations::scale::Scale;
 use crate::error::SolveError;
 use crate::linear::Factorization;
@@ -27,7 +27,7 @@ pub(super) fn complete_basis(equations: &mut Equations<'_>, node: &mut Node) -> 
         equations.scale = Scale::around(equations, q);
     }
     equations.evaluate(Subset::VELOCITY, q, None)?;
-    let factor = equations.factorise(Wanted::Rank, None);
+    let factor = equations.factorise(Purpose::Rank, None);
     if factor.rank + node.state.degrees_of_freedom_left < equations.coordinates() {
         // The node is so near to a singular configuration that Φ_q is singular within rounding, although the plan still
         // solved it.

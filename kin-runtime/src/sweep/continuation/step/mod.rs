@@ -6,7 +6,7 @@ use crate::analysis::acceleration::acceleration;
 use crate::analysis::velocity::{inconsistency, scaled};
 use crate::equations::Equations;
 use crate::equations::contact;
-use crate::equations::factorisation::Wanted;
+use crate::equations::factorisation::Purpose;
 use crate::error::SolveError;
 use crate::linear::Factorization;
 use crate::nonlinear::newton::rounding;
@@ -159,7 +159,7 @@ pub(super) fn settle(
     let memory = to.basis.take();
     let (memory, mut oriented) =
         memory.map_or((None, orientation.clone()), |basis| (Some(basis.factor), basis.orientation));
-    let found = equations.factorise(Wanted::Rank, memory);
+    let found = equations.factorise(Purpose::Rank, memory);
     let rank = found.rank;
     if rank != factor.rank || !orientation.keep(equations, &found, &mut oriented) {
         return Err(Fault::Jump(worst));
@@ -237,7 +237,7 @@ pub(super) fn correct(
             worst = rows.get(phi.iamax_or_zero()).copied().unwrap_or(0);
         }
         let tolerance = 0.1 * equations.options.rank_tolerance;
-        let sparse = if all { equations.factorise_sparse(Wanted::Solutions, memory.take()) } else { None };
+        let sparse = if all { equations.factorise_sparse(Purpose::Solutions, memory.take()) } else { None };
         let factor = sparse
             .unwrap_or_else(|| Factorization::quick(&equations.scaled_rows(rows), &equations.scale.columns, tolerance));
         let step = factor.solve(&phi);

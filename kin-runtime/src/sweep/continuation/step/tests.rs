@@ -21,7 +21,7 @@ fn is_expected([old, acceleration, new]: [f64; 3], h: f64) -> bool {
     let state = mechanism.state_at(&Instant::at(0.0)).unwrap();
     let mut equations = equations(&mechanism, 0.0);
     equations.evaluate(Subset::VELOCITY, &state.q, None).unwrap();
-    let factor = equations.factorise(Wanted::Rank, None);
+    let factor = equations.factorise(Purpose::Rank, None);
     let orientation = Orientation::here(&equations, &factor).unwrap();
     let basis = Basis { orientation, factor, groups: Vec::new() };
     let node = Node { s: 0.0, state, basis: None, fallback: None };
