@@ -42,10 +42,10 @@ impl Elements {
             };
             for step in steps {
                 for_each_source(rolled, step, |source| {
-                    if let Source::Load(symbol, step) = source {
-                        if is_array(symbol) {
-                            uses(argument(symbol), symbol.index() as usize, step);
-                        }
+                    if let Source::Load(symbol, step) = source
+                        && is_array(symbol)
+                    {
+                        uses(argument(symbol), symbol.index() as usize, step);
                     }
                 });
                 if let Step::Write { slot, step, .. } = step {

@@ -127,7 +127,8 @@ impl File {
                 continue;
             }
             if let Some(at) = declaration(&rest) {
-                let exported = rest[..at].trim_end().ends_with(|last: char| last == 'b' || last == ')');
+                let before = rest[..at].trim_end();
+                let exported = before.ends_with("pub") || before.ends_with(')');
                 let tree = rest[at..].trim_start_matches("use ").trim_end_matches(';').to_owned();
                 leaves(&tree, &[], &mut |path, name| uses.push(Use { exported, path, name }));
                 rest.truncate(at);
