@@ -24,7 +24,7 @@ use std::collections::BTreeMap;
 /// Derivatives by the dimensions: which of them matters most
 #[derive(Clone, Debug, clap::Args)]
 pub(in crate::cli) struct SensitivitiesArgs {
-    /// Quantities by name, along a motion or at an instant: B.transmission, tip.x [default: what tells most]
+    /// Quantities by name: B.transmission, tip.x [default: all, or the outputs along a motion]
     #[arg(value_name = "WHAT")]
     what: Vec<String>,
     #[command(flatten)]

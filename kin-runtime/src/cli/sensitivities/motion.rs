@@ -25,7 +25,7 @@ pub(super) const STEPS: usize = 180;
 /// What is asked of a motion.
 pub(super) struct Course {
     pub(super) asked: Asked,
-    /// Quantities; those that tell most where there are none.
+    /// The quantities; the default outputs where there are none.
     pub(super) measures: Vec<Measure>,
     /// One per parameter, 0 where none is given.
     pub(super) tolerances: Vec<f64>,
