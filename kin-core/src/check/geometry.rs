@@ -43,7 +43,7 @@ pub(super) fn lengths_are_positive(mechanism: &Mechanism, errors: &mut Vec<Model
                 errors.push(ModelError::new(length.origin, message));
             }
             Some(value) if value < 0.0 => {
-                errors.push(ModelError::new(length.origin, format!("a length is positive; this one is {value}")));
+                errors.push(ModelError::new(length.origin, format!("a length must be positive; this one is {value}")));
             }
             _ => {}
         }
@@ -61,7 +61,7 @@ pub(super) fn radii_are_not_zero(mechanism: &Mechanism, errors: &mut Vec<ModelEr
         };
         for radius in radii.into_iter().filter(|radius| radius.value.literal() == Some(0.0)) {
             let message =
-                "a radius is not 0; it is positive, or negative for a disc or gear that the other runs inside of";
+                "a radius must not be 0: positive, or negative for a disc or gear that the other runs inside of";
             errors.push(ModelError::new(radius.origin, message));
         }
     }
@@ -78,7 +78,7 @@ pub(super) fn divisors_are_not_zero(mechanism: &Mechanism, errors: &mut Vec<Mode
         for node in scope.nodes() {
             match node {
                 Formula::Div(_, divisor, origin) if divisor.literal() == Some(0.0) => {
-                    errors.push(ModelError::new(*origin, "this divides by 0; a divisor is never a literal 0"));
+                    errors.push(ModelError::new(*origin, "this divides by 0"));
                 }
                 _ => {}
             }

@@ -108,7 +108,7 @@ fn negative(key: &str, found: Option<(f64, Origin)>, errors: &mut Vec<ModelError
         && value < 0.0
     {
         let what = if key == "mass" { "a mass" } else { "a moment of inertia" };
-        errors.push(ModelError::new(origin, format!("{what} is not negative; this one is {value}")));
+        errors.push(ModelError::new(origin, format!("{what} must not be negative; this one is {value}")));
     }
 }
 

@@ -26,13 +26,13 @@ use std::collections::BTreeMap;
 /// How near to a bound a parameter is at it, relative to its range.
 const AT_BOUND: f64 = 1e-6;
 
-/// Dimensions with which it does what is wanted
+/// Search for dimensions that give a wanted motion
 #[derive(Clone, Debug, clap::Args)]
 pub(super) struct DesignArgs {
     /// Parameters that may vary: NAME=LOW..HIGH, or NAME for half to twice its value
     #[arg(long, value_name = "NAME=LOW..HIGH")]
     free: Vec<String>,
-    /// Parameters that stay equal: NAME=NAME, the second one free
+    /// Two parameters that stay equal: NAME=OTHER, where OTHER is free
     #[arg(long, value_name = "NAME=NAME")]
     equal: Vec<String>,
     /// A point through places: POINT=FILE, csv with the columns x,y or t,x,y
@@ -47,19 +47,19 @@ pub(super) struct DesignArgs {
     /// A quantity whose greatest absolute value over a turn is to be as small as it can be
     #[arg(long, value_name = "NAME")]
     peak: Vec<String>,
-    /// It moves on through all of a turn [of this driver], away from dead centres by 1 % of the links
+    /// It must move through a full turn [of this driver], and keep away from dead centres by 1 % of its links
     #[arg(long, value_name = "DRIVER", num_args = 0..=1, default_missing_value = "")]
     turns: Option<String>,
     /// Lengths of a four-bar by Grashof's rule: GROUND,CRANK,COUPLER,ROCKER
     #[arg(long, value_name = "LENGTHS")]
     grashof: Option<String>,
-    /// The shortest of these: ground, crank, coupler or rocker
+    /// Which link of --grashof is the shortest: ground, crank, coupler or rocker
     #[arg(long, value_name = "LINK", default_value = "crank", requires = "grashof")]
     shortest: String,
-    /// A quantity stays within a range over all of a turn: NAME=LOW..HIGH
+    /// A quantity that stays within a range over the whole turn: NAME=LOW..HIGH
     #[arg(long, value_name = "NAME=LOW..HIGH")]
     range: Vec<String>,
-    /// Transmission angles at a joint stay between this and 180° less this over all of a turn
+    /// Transmission angles at JOINT stay between ANGLE and 180° - ANGLE over the whole turn
     #[arg(long, value_name = "JOINT>ANGLE")]
     transmission: Vec<String>,
     /// How long a turn takes [default: one turn of the driven crank, or 1]
@@ -93,8 +93,8 @@ pub(super) const HELP: Help = Help {
     details: "\
 Many random designs within the bounds are improved by exact derivatives; each follows one
 assembly mode from the first place to the last. The report says how many starts met the best:
-few of many say that a better one may exist. Conditions on a turn are held against all of it: the
-least slack of the result is that between instants, too. Its json is read by --set @FILE.",
+few of many say that a better one may exist. The result is tested over the whole turn, also
+between the instants of the search. Its json is read by --set @FILE.",
 };
 
 pub(super) fn run(args: &DesignArgs, engine: &mut dyn Engine, session: &mut Session<'_>) -> Result<(), Failure> {
@@ -120,8 +120,8 @@ pub(super) fn run(args: &DesignArgs, engine: &mut dyn Engine, session: &mut Sess
         session.note("note: only one start met this design: more starts may find a better one");
     }
     for name in &args.peak {
-        let which = format!("between {INSTANTS} instants of a turn");
-        session.note(&format!("note: what {name} is {which} is not looked at: see extremes {name} with this design"));
+        let which = format!("at {INSTANTS} instants of a turn");
+        session.note(&format!("note: {name} was evaluated {which} only: run extremes {name} with this design for those between"));
     }
     let model = engine.model();
     let text = match output.form {
@@ -216,7 +216,7 @@ fn wishes(args: &DesignArgs, engine: &dyn Engine) -> Result<Vec<Wish>, Failure> 
         "forward" => Ok(Direction::Forward),
         "backward" => Ok(Direction::Backward),
         "either" => Ok(Direction::Either),
-        other => Err(Failure::option("--direction", format!("`{other}` is none; write forward, backward or either"))),
+        other => Err(Failure::option("--direction", format!("`{other}` is no direction; write forward, backward or either"))),
     };
     let direction = ledger.take(direction).unwrap_or_default();
     for (point, file) in ledger.take(values::assignments("--path", "tip=points.csv", &args.path)).unwrap_or_default() {
@@ -246,7 +246,7 @@ fn wishes(args: &DesignArgs, engine: &dyn Engine) -> Result<Vec<Wish>, Failure> 
         };
         let all_links = [Shortest::Ground, Shortest::Crank, Shortest::Coupler, Shortest::Rocker];
         let shortest = all_links.into_iter().find(|link| link.to_string() == args.shortest).ok_or_else(|| {
-            let what = format!("`{}` is none; write ground, crank, coupler or rocker", args.shortest);
+            let what = format!("`{}` is no link; write ground, crank, coupler or rocker", args.shortest);
             Failure::option("--shortest", what)
         });
         let both = ledger.take(four).zip(ledger.take(shortest));
@@ -255,7 +255,7 @@ fn wishes(args: &DesignArgs, engine: &dyn Engine) -> Result<Vec<Wish>, Failure> 
     for text in &args.transmission {
         const OPTION: &str = "--transmission";
         let Some((joint, least)) = text.split_once('>') else {
-            ledger.fault(OPTION, format!("`{text}` is none; write 'JOINT>40deg'"));
+            ledger.fault(OPTION, format!("`{text}` is no condition; write 'JOINT>40deg'"));
             continue;
         };
         let joint = joint.trim().trim_end_matches(".transmission");
@@ -266,7 +266,7 @@ fn wishes(args: &DesignArgs, engine: &dyn Engine) -> Result<Vec<Wish>, Failure> 
     for text in &args.range {
         let range = text.split_once('=').and_then(|(name, range)| Some((name, range.split_once("..")?)));
         let Some((name, (low, high))) = range else {
-            ledger.fault("--range", format!("`{text}` is none; write NAME=LOW..HIGH"));
+            ledger.fault("--range", format!("`{text}` is no range; write NAME=LOW..HIGH"));
             continue;
         };
         let unit = Measure::named(model, name).and_then(|measure| measure.unit(&model.units));

@@ -233,7 +233,7 @@ pub(super) fn instant(option: &str, moment: Moment, engine: &dyn Engine, setup: 
     match moment {
         Moment::At(t) => Ok(t),
         Moment::Turned(angle) => speed(engine, setup, 0.0).map(|speed| angle / speed).ok_or_else(|| {
-            let what = "an angle says when only where a crank is driven at constant speed; write a time";
+            let what = "an angle says when only if a crank is driven at constant speed; write a time";
             Failure::option(option, what)
         }),
     }

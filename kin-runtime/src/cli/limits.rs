@@ -12,7 +12,7 @@ use super::values;
 use crate::present::number::rounded;
 use crate::present::ranges;
 
-/// How far it moves in every assembly mode, and the dead centres that end it
+/// How far the mechanism moves in each assembly mode, and the dead centres that end it
 #[derive(Clone, Debug, clap::Args)]
 pub(super) struct LimitsArgs {
     /// The first instant [default: 0]
@@ -38,11 +38,11 @@ pub(super) const HELP: Help = Help {
         if limits { all } else { Vec::new() }
     },
     details: "\
-Ranges are proven: the plan is evaluated over intervals of t, and where all of its margins are
-positive the mechanism closes on all of it. Where groups close by iteration, all dead centres are
-searched for, which takes seconds. Ranges that meet at a dead centre are one circuit: there the
-motion can go from one mode into the other. json has the limits, one per driver that can go no
-further. The status is 1 where a limit is not proven.",
+Ranges are proven: the plan is evaluated over intervals of t; on an interval where all of its
+margins are positive, the mechanism can be assembled at every t. Where groups close by iteration,
+all dead centres are searched for, which takes seconds. Ranges that meet at a dead centre are one
+circuit: there the motion can go from one mode into the other. The json has one entry per limit
+and driver that can go no further. The status is 1 if a limit is not proven.",
 };
 
 pub(super) fn run(args: &LimitsArgs, engine: &mut dyn Engine, session: &mut Session<'_>) -> Result<(), Failure> {

@@ -11,7 +11,7 @@ use super::task::{At, AtArgs};
 use crate::present::assemblies;
 use crate::present::number::rounded;
 
-/// Every way in which it closes at one instant, each with a proof
+/// All ways to assemble the mechanism at one instant, each proven
 #[derive(Clone, Debug, clap::Args)]
 pub(super) struct ModesArgs {
     #[command(flatten)]
@@ -31,12 +31,11 @@ pub(super) const HELP: Help = Help {
         if closures { all } else { Vec::new() }
     },
     details: "\
-Every closure has a certificate: a proof by interval arithmetic that it is one, and alone around
-its place. That there are no others is proven as well: groups in closed form have two closures
-each, and where signs do not tell all closures apart, as in groups that close by iteration, angles
-are searched through a full turn around the guess; --mode takes such a closure by its number,
-closure=2 for the second at the first instant of a motion. What could be decided neither way is
-said, and the status is 1.",
+Each closure, a way to assemble the mechanism, is certified: interval arithmetic proves that it
+exists and is the only one nearby. The command also proves that the list is complete. Where signs
+do not tell all closures apart, as in groups that close by iteration, all angles are searched
+within a full turn around the guess; select such a closure by its number, --mode closure=2 for the
+second at the first instant of a motion. Undecided cases are listed, and the status is then 1.",
 };
 
 pub(super) fn run(args: &ModesArgs, engine: &mut dyn Engine, session: &mut Session<'_>) -> Result<(), Failure> {

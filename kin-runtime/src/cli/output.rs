@@ -228,7 +228,7 @@ fn wrong_ending(command: &str, path: &Path, ending: Option<Form>) -> String {
     let right = format!("`{}` should end in {}", path.display(), either(&endings));
     match ending {
         Some(form) => format!("{right}{}", others(form.name())),
-        None => format!("{right}, or --format say what it is"),
+        None => format!("{right}, or --format must say what it is"),
     }
 }
 
@@ -294,11 +294,11 @@ mod tests {
     #[test]
     fn what_no_command_writes_is_told_with_what_would_be_right() {
         let bad = |command, format, out| destination(command, format, out).err().unwrap_or_default();
-        let ends = "--out: `x.dat` should end in .txt, .json or .csv, or --format say what it is";
+        let ends = "--out: `x.dat` should end in .txt, .json or .csv, or --format must say what it is";
         assert_eq!(bad("solve", None, Some("x.dat")), ends);
         let ends = "--out: `x.svg` should end in .txt or .json; svg is written by `animate`";
         assert!(bad("info", None, Some("x.svg")).starts_with(ends));
-        let ends = "--out: `picture` should end in .html or .svg, or --format say what it is";
+        let ends = "--out: `picture` should end in .html or .svg, or --format must say what it is";
         assert_eq!(bad("animate", None, Some("picture")), ends);
         let none = "--format: `info` has no csv form; write text or json; csv is written by `solve`, `forces`, \
                     `sensitivities`, `sweep` and `extremes`";

@@ -81,7 +81,7 @@ fn bad_options_are_usage_errors() {
         ("solve --at 2mm", "--at: `2mm`: `t` is in s, and this is mm"),
         ("solve --set r=2s", "--set r: `2s`: `r` is in m, and this is s"),
         ("solve --set r=2furlong", "--set r: `2furlong`: no unit `furlong` is known; there are m, mm, in"),
-        ("solve --at 1turn", "--at: an angle says when only where a crank is driven at constant speed"),
+        ("solve --at 1turn", "--at: an angle says when only if a crank is driven at constant speed"),
         ("solve --guess crank.phi=1m", "--guess crank.phi: `1m`: `crank.phi` is in rad, and this is m"),
         ("sweep --to 1 --steps 0", "--steps: at least 1"),
         ("sweep --to 1 --steps -3", "--steps: `-3` is no number of steps"),

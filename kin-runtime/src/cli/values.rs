@@ -234,7 +234,7 @@ pub(super) fn times(option: &str, text: &str, model: &Model) -> Result<Vec<Momen
         if let [a, b] = pair
             && a == b
         {
-            return Err(Failure::option(option, format!("the instant {} stands twice in a row", text.trim())));
+            return Err(Failure::option(option, format!("the instant {} is given twice in succession", text.trim())));
         }
     }
     Ok(times)

@@ -283,7 +283,7 @@ impl fmt::Display for PlanError {
             Self::NoPlan { why } => write!(f, "no plan because {why}"),
             Self::Limit { t, limit } => {
                 match limit.at().is_some_and(|at| (at - t).abs() > 1e-9 * t.abs()) {
-                    true => write!(f, "no way to t = {}: {limit}", rounded(*t))?,
+                    true => write!(f, "cannot reach t = {}: {limit}", rounded(*t))?,
                     false => write!(f, "at t = {}, {limit}", rounded(*t))?,
                 }
                 // To find that costs more than a tick has time for.
@@ -298,11 +298,11 @@ impl fmt::Display for PlanError {
                 write!(f, "at t = {t}, the start does not say which closure of {mode} is meant", t = rounded(*t))
             }
             Self::NegativeLength { t, joint, length } => {
-                write!(f, "at t = {t}, the length of `{joint}` is {length}: a length is not negative", t = rounded(*t))
+                write!(f, "at t = {t}, the length of `{joint}` is {length}: a length must not be negative", t = rounded(*t))
             }
             Self::Jump { t, t_refused } => write!(
                 f,
-                "the motion jumps behind t = {t}, on the way to t = {t_refused}",
+                "the motion jumps just after t = {t}, on the way to t = {t_refused}",
                 t = rounded(*t),
                 t_refused = rounded(*t_refused)
             ),

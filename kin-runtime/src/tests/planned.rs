@@ -49,7 +49,7 @@ fn a_dyad_that_cannot_close_is_named_and_the_last_good_state_stays() {
     let error = planned.at(&Instant::at(limit + 0.1)).unwrap_err();
     assert_eq!(
         error.to_string(),
-        "no way to t = 1.19468: coupler and rocker of dyad RRR of A, B, D lock at t = 1.09468: A, B and D on one line \
+        "cannot reach t = 1.19468: coupler and rocker of dyad RRR of A, B, D lock at t = 1.09468: A, B and D on one line \
          (dead centre), the driver drive is at the end of its range"
     );
     assert!(planned.at(&Instant::at(limit - 2e-3)).is_ok());

@@ -79,7 +79,7 @@ fn format_is_right_where_the_ending_says_something_else() {
     failed(
         &format!("fourbar sweep --to 1 --out {}", place.file("motion.xlsx")),
         2,
-        &["motion.xlsx` should end in .txt, .json or .csv, or --format say what it is"],
+        &["motion.xlsx` should end in .txt, .json or .csv, or --format must say what it is"],
     );
     assert!(!place.0.join("motion.xlsx").exists());
 }

@@ -77,7 +77,7 @@ impl fmt::Display for Degeneracy {
             Self::Length { length } => {
                 write!(f, "its length is {length}; points that coincide are joined with `revolute`")
             }
-            Self::NegativeLength { length } => write!(f, "its length is {length}; a length is not negative"),
+            Self::NegativeLength { length } => write!(f, "its length is {length}; a length must not be negative"),
         }
     }
 }

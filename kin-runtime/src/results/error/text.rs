@@ -19,7 +19,7 @@ impl fmt::Display for SolveError {
                 if !all_guessed {
                     return Ok(());
                 }
-                f.write_str("; every coordinate has a guess and none is varied: other guesses, or fewer, may close")
+                f.write_str("; every coordinate has a guess, so no others were tried: change a guess, or leave some out")
             }
             Self::Singular { limit: Some(limit), .. } | Self::StepRefused { limit: Some(limit), .. }
                 if limit.kind().is_some() =>
@@ -128,8 +128,8 @@ impl fmt::Display for SolveError {
             }
             Self::NoSensitivity { t, parameter, row_name: Some(row) } => write!(
                 f,
-                "no derivative by `{parameter}` at t = {t}: redundant rows agree at this value of it alone, and row \
-                 `{row}` would be missed",
+                "no derivative by `{parameter}` at t = {t}: the redundant rows agree only at exactly this value of \
+                 it; at any other, row `{row}` is violated",
                 t = rounded(*t)
             ),
             Self::NoSensitivity { t, parameter, row_name: None } => write!(
@@ -146,7 +146,7 @@ impl fmt::Display for SolveError {
                 let freedoms = if *open == 1 { "degree of freedom is" } else { "degrees of freedom are" };
                 write!(
                     f,
-                    "at t = {t} loads act along what nothing holds: {open} {freedoms} left open",
+                    "at t = {t} loads act along a degree of freedom that no driver holds: {open} {freedoms} left open",
                     t = rounded(*t)
                 )?;
                 if could_be_given.is_empty() {
@@ -180,7 +180,7 @@ impl fmt::Display for SolveError {
             }
             Self::Length(error) => error.fmt(f),
             Self::Option { name, value, most } => {
-                write!(f, "the option `{name}` is {value}; it is above 0")?;
+                write!(f, "the option `{name}` is {value}; it must be above 0")?;
                 if *most < f64::MAX { write!(f, " and at most {most}") } else { Ok(()) }
             }
             Self::UnknownCoordinate { index, coordinates } => {
@@ -189,7 +189,7 @@ impl fmt::Display for SolveError {
             Self::GivenConflict { t, coordinate, value, open, given } => write!(
                 f,
                 "`{coordinate}` = {value} cannot be given at t = {t}: it repeats or contradicts the other rows \
-                 ({given} given, {open} open)",
+                 ({given} given, {open} degrees of freedom left)",
                 t = rounded(*t)
             ),
             Self::Plan(error) => error.fmt(f),
