@@ -14,7 +14,8 @@ pub(super) fn curves_depend_on_their_variables(mechanism: &Mechanism, errors: &m
         match curve {
             Curve::Polar { radius, origin } => match radius.literal() {
                 Some(value) if value <= 0.0 => {
-                    let message = format!("the radius of a polar curve must be positive; this one is {value} everywhere");
+                    let message =
+                        format!("the radius of a polar curve must be positive; this one is {value} everywhere");
                     errors.push(ModelError::new(*origin, message));
                 }
                 _ => {}

@@ -9,7 +9,7 @@
 //! computed for all members at once.
 
 use super::elements::Elements;
-use super::instructions::{definition, literal, load_at, load_of, name, names_of, target_at};
+use super::instructions::{definition, literal, load_at, load_of, name, names_of, number, target_at};
 use super::statements::{Statement, blocks};
 use kin_core::program::{Angles, Instruction, Keep, Part, Piece, Rolled, Source, Step, Value};
 use proc_macro2::{Ident, Literal, Span, TokenStream};
@@ -295,7 +295,7 @@ impl Emitter<'_> {
 
     fn operand(&self, source: Value) -> TokenStream {
         match self.rolled.sources[source.index()] {
-            Source::Number(bits) => self.elements.literal(bits.value()),
+            Source::Number(bits) => number(bits.value()),
             Source::Table(number) => {
                 let (table, place) = (table(number), self.member.index(0, 1));
                 quote! { <__T as __kin::Scalar>::from_f64(#table[#place]) }

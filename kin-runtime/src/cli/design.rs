@@ -121,7 +121,9 @@ pub(super) fn run(args: &DesignArgs, engine: &mut dyn Engine, session: &mut Sess
     }
     for name in &args.peak {
         let which = format!("at {INSTANTS} instants of a turn");
-        session.note(&format!("note: {name} was evaluated {which} only: run extremes {name} with this design for those between"));
+        session.note(&format!(
+            "note: {name} was evaluated {which} only: run extremes {name} with this design for those between"
+        ));
     }
     let model = engine.model();
     let text = match output.form {
@@ -216,7 +218,9 @@ fn wishes(args: &DesignArgs, engine: &dyn Engine) -> Result<Vec<Wish>, Failure> 
         "forward" => Ok(Direction::Forward),
         "backward" => Ok(Direction::Backward),
         "either" => Ok(Direction::Either),
-        other => Err(Failure::option("--direction", format!("`{other}` is no direction; write forward, backward or either"))),
+        other => {
+            Err(Failure::option("--direction", format!("`{other}` is no direction; write forward, backward or either")))
+        }
     };
     let direction = ledger.take(direction).unwrap_or_default();
     for (point, file) in ledger.take(values::assignments("--path", "tip=points.csv", &args.path)).unwrap_or_default() {

@@ -318,7 +318,9 @@ fn arc_notes(arc: &SolutionArc) -> Vec<String> {
         format!("note: {which}: {end}{hint}")
     };
     match arc.ends {
-        [ArcEnd::Closed, _] => notes.push("note: the curve is closed: all its dead centres and cusps are listed".to_owned()),
+        [ArcEnd::Closed, _] => {
+            notes.push("note: the curve is closed: all its dead centres and cusps are listed".to_owned())
+        }
         [first, last] => notes.extend([end("at the first row", first), end("at the last row", last)]),
     }
     notes

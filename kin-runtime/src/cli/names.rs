@@ -84,8 +84,10 @@ pub(super) fn find_quantity(model: &'static Model, name: &str) -> Result<Measure
     if let Some((of, driver)) = name.rsplit_once('/') {
         let of = find_quantity(model, of)?;
         search("WHAT", Kind::Driver, driver, &drivers, None)?;
-        let what =
-            format!("`{}` has no velocity ratio; only coordinates, points, defines and joint quantities have one", of.name());
+        let what = format!(
+            "`{}` has no velocity ratio; only coordinates, points, defines and joint quantities have one",
+            of.name()
+        );
         return Err(Failure::option("WHAT", what));
     }
     // The list may be cut: transmission angles, of which there are few, come before points and forces.

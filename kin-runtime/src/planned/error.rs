@@ -298,7 +298,11 @@ impl fmt::Display for PlanError {
                 write!(f, "at t = {t}, the start does not say which closure of {mode} is meant", t = rounded(*t))
             }
             Self::NegativeLength { t, joint, length } => {
-                write!(f, "at t = {t}, the length of `{joint}` is {length}: a length must not be negative", t = rounded(*t))
+                write!(
+                    f,
+                    "at t = {t}, the length of `{joint}` is {length}: a length must not be negative",
+                    t = rounded(*t)
+                )
             }
             Self::Jump { t, t_refused } => write!(
                 f,

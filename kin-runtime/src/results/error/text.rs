@@ -19,7 +19,9 @@ impl fmt::Display for SolveError {
                 if !all_guessed {
                     return Ok(());
                 }
-                f.write_str("; every coordinate has a guess, so no others were tried: change a guess, or leave some out")
+                f.write_str(
+                    "; every coordinate has a guess, so no others were tried: change a guess, or leave some out",
+                )
             }
             Self::Singular { limit: Some(limit), .. } | Self::StepRefused { limit: Some(limit), .. }
                 if limit.kind().is_some() =>
