@@ -7,7 +7,8 @@ use crate::expr::ExprId;
 use std::collections::{BTreeMap, BTreeSet};
 
 impl Reduction<'_> {
-    /// The elimination *norm*: an angle that turns a known vector in two rows and appears in no other row. If several
+    /// The elimination *norm*: an angle that appears in two rows only, in which it turns a known vector, the same one or one
+    /// each. If several
     /// angles qualify, the one with the fewest terms in its rows is taken.
     pub(super) fn norm(
         &mut self,

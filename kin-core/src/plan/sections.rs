@@ -196,8 +196,8 @@ fn programs(
     roots.into_iter().map(|outputs| lower(graph, &outputs)).collect()
 }
 
-/// Holds everything that `outputs` read from earlier sections. The values are numbered in the order of their
-/// derivation, so that groups of the same structure use the same order.
+/// Holds everything that `outputs` read from earlier sections. The values are numbered in the order in which the graph
+/// created them, so that groups of the same structure use the same order.
 fn hold(graph: &mut Graph, outputs: &[(Slot, ExprId)], done: &mut HeldValues<'_>) {
     let (mut seen, mut needed): (IdMap<()>, Vec<ExprId>) = Default::default();
     let mut open: Vec<ExprId> = outputs.iter().map(|(_, id)| *id).collect();

@@ -9,7 +9,7 @@ use super::turn::Turns;
 use crate::system::KinematicSystem;
 use core::fmt;
 
-/// Seeds of the random poses; a row counts as redundant only if it is so at all of them.
+/// Seeds of the random poses. If rows are redundant at the first pose, the pose with the largest rank counts.
 pub(super) const DRAWS: [u64; 3] = [0x6b69_6e31, 0x6b69_6e32, 0x6b69_6e33];
 
 /// A redundant row and its circuit: a minimal set of linearly dependent rows of Φ_q, dependent at every pose and for

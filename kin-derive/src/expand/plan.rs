@@ -93,8 +93,7 @@ fn solve(lowered: &Lowered, solution: &SolutionKernels, n: usize, margins: usize
     Planned { items, methods }
 }
 
-/// The method `closures_with` where the list of branches is longer than that of the modes: it evaluates all branches
-/// and copies the modes.
+/// The method `closures_with` of a plan with iterations: it evaluates all branch values and copies those of the modes.
 fn closures_of_branches(plan: &SolutionPlan) -> TokenStream {
     if plan.orientations.is_empty() {
         return TokenStream::new();

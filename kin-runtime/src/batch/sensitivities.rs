@@ -46,8 +46,8 @@ impl SensitivitySolutions {
         self.count
     }
 
-    /// Whether each configuration has an answer. It has none if [`solve`](super::solve) had none or solved another problem, and
-    /// so near to a limit that derivatives are not finite or its mode is not decided.
+    /// Whether each configuration has an answer. It has none if [`solve`](super::solve) had none or solved another problem, or
+    /// if it is so near to a limit that derivatives are not finite or its mode is not decided.
     pub fn solved(&self) -> impl Iterator<Item = bool> {
         self.column(0).map(|solved| solved > 0.0)
     }

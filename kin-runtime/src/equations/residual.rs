@@ -9,8 +9,8 @@
 //! |Φᵢ| ≤ ε Rᵢ        |Φ_q q̇ + Φ_t|ᵢ ≤ δ Rᵢ maxⱼ |q̇ⱼ|/cⱼ        |Φ_q q̈ − γ|ᵢ ≤ δ Rᵢ maxⱼ |q̈ⱼ|/cⱼ
 //! ```
 //!
-//! where L is the largest arm of an angle in a row of lengths. The right-hand sides replace the rates where they are
-//! larger.
+//! where L is the largest arm of an angle in a row of lengths. If |Φ_t|ᵢ or |γ|ᵢ is larger than Rᵢ times the largest rate, it
+//! takes the place of this product. ε is at least the rounding error of q.
 
 use crate::equations::system::Parts;
 use crate::model::{Component, CoordinateKind, Level, Model};

@@ -96,13 +96,13 @@ impl Plan {
     }
 
     /// The margin of a sign: its square root is the distance of the group from the limit at which the sign changes.
-    pub(crate) fn margin_of_sign(&self, sign: usize) -> Option<usize> {
+    pub(crate) fn margin_of_group(&self, sign: usize) -> Option<usize> {
         let of_iteration = || self.orientations.get(sign - self.modes.len());
         self.modes.get(sign).or_else(of_iteration).map(|info| info.margin)
     }
 
     /// The sign to which a margin belongs, if it is the margin of a group.
-    pub(crate) fn sign_of_margin(&self, margin: usize) -> Option<usize> {
+    pub(crate) fn group_of_margin(&self, margin: usize) -> Option<usize> {
         self.modes.iter().chain(self.orientations).position(|info| info.margin == margin)
     }
 

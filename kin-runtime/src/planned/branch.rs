@@ -24,8 +24,9 @@ use crate::scalar::compare::Compare;
 /// Largest deviation of w from its prediction, relative to the smaller of the two.
 const EXPECTED: f64 = 0.5;
 
-/// Distance from its limit at which a group cannot reach the limit within one step, in turns of the fastest body by
-/// velocity or by acceleration alone. The factor accounts for two bodies that turn towards one another, by both.
+/// A group farther from its limit than this factor times `turn` cannot reach the limit in one step. `turn` is the largest
+/// rotation of a body, in radians, by velocity or by acceleration alone; 4 stands for two bodies that turn towards one another,
+/// by both terms.
 pub(crate) const OUT_OF_REACH: f64 = 4.0;
 
 /// Margins above this need no check of a branch's neighbourhood where nothing is known of the motion before: for single

@@ -69,7 +69,8 @@ impl Limit {
         Self { step, margin, located: None }
     }
 
-    /// The names of the joints of the group, in order of declaration.
+    /// The names of the joints of the group: those of a dyad from one end to the other, others in
+    /// order of declaration.
     pub fn joints(&self) -> impl Iterator<Item = &'static str> + use<> {
         self.step.joints()
     }
@@ -286,7 +287,7 @@ impl fmt::Display for PlanError {
                     true => write!(f, "cannot reach t = {}: {limit}", rounded(*t))?,
                     false => write!(f, "at t = {}, {limit}", rounded(*t))?,
                 }
-                // To find that costs more than a tick has time for.
+                // Finding the input that is to blame takes longer than a tick of a controller; the message says where to ask.
                 let hint =
                     if limit.step.has_inputs() { "; `Planned::out_of_range` says what its inputs can be" } else { "" };
                 f.write_str(hint)

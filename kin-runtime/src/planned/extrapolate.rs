@@ -33,7 +33,8 @@ const DOUBLINGS: usize = 60;
 /// Slope ds/dw at a limit, relative to that of the whole interval, below which it counts as zero.
 const FLAT: f64 = 0.1;
 
-/// Largest change, in radians or units of length, that leaving out one of the samples may cause.
+/// Largest change that leaving out one of the samples may cause, relative to 1 + |q_k| for a coordinate and to the interval
+/// for the place.
 const AGREEMENT: f64 = 1e-7;
 
 /// An extrapolated limit.
@@ -42,7 +43,8 @@ pub(super) struct Found<M: Mechanism> {
     pub(super) place: f64,
     /// q there.
     pub(super) q: M::Coordinates<f64>,
-    /// The change that leaving out one of the samples causes, in radians or lengths, or relative to the interval.
+    /// The change that leaving out one of the samples causes, relative to 1 + |q_k| for a coordinate, and to the interval
+    /// for the place.
     error: f64,
     /// The kind of limit, where it is clear.
     pub(super) kind: Option<LimitKind>,
@@ -58,7 +60,7 @@ impl<M: Mechanism> PlanFollower<M> {
         (sign, at): (usize, f64),
         blocked: &Blocked<M>,
     ) -> Option<Found<M>> {
-        let margin = M::model().plan.margin_of_sign(sign)?;
+        let margin = M::model().plan.margin_of_group(sign)?;
         // Narrow intervals avoid the influence of other limits, wide ones that of rounding; the one with the smallest
         // error wins.
         let mut best: Option<Found<M>> = None;

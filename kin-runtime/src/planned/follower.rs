@@ -100,8 +100,8 @@ impl<M: Mechanism> Copy for PlanFollower<M> {}
 pub(crate) enum Fault {
     /// A margin is not positive; its index.
     Margin(usize),
-    /// It is not certain that this group has stayed on its branch; its index among the signs.
-    Sign(usize),
+    /// It is not certain that this group has kept its sign; its index among the groups with a sign.
+    Group(usize),
     /// The motion is too far from its prediction.
     Coarse,
     /// A number is not finite.

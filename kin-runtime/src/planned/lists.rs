@@ -159,7 +159,7 @@ fn least_of<V: Compare>(margins: &[V]) -> V {
 fn write_roots<V: Compare>(plan: &Plan, margins: &[V], distances: &mut [V]) -> V {
     let mut least = V::from_f64(1.0);
     for (sign, distance) in distances.iter_mut().enumerate() {
-        let Some(margin) = plan.margin_of_sign(sign) else { continue };
+        let Some(margin) = plan.margin_of_group(sign) else { continue };
         *distance = margins[margin].abs().sqrt();
         least = least.least(*distance);
     }

@@ -7,10 +7,10 @@
 
 use crate::plan::{Plan, StepKind};
 
-/// A closure of a prediction that is nearer to 0 than this may have either sign; it is about the sine of half an angle.
+/// A branch value of a prediction that is nearer to 0 than this may have either sign. (It is about the sine of half an angle.)
 const NEAR: f64 = 0.1;
 
-/// A closure this near to 0 may reach 0 and return within one step of the usual length.
+/// A branch value this near to 0 may reach 0 and return within one step of the usual length.
 pub(crate) const CLOSE: f64 = 0.15;
 
 /// Largest number of closures whose signs are tried in all combinations.
@@ -29,14 +29,14 @@ pub(crate) struct Passed<'c> {
 }
 
 impl<'c> Passed<'c> {
-    /// Selects the closures of the prediction that are near their limit or beyond it. `kept` are the current signs;
-    /// modes with a non-zero element in `asked` were requested by the caller and do not change (an empty `asked`
+    /// Selects the groups whose branch values at the prediction are near 0 or beyond it. `kept` are the current signs;
+    /// modes with a non-zero element in `requested` were requested by the caller and do not change (an empty list
     /// requests nothing).
-    pub(crate) fn new(kept: &'c [f64], closures: &[f64], asked: &[f64]) -> Self {
+    pub(crate) fn new(kept: &'c [f64], branch_values: &[f64], requested: &[f64]) -> Self {
         let (mut near, mut count) = ([0; MOST], 0);
-        for (place, (sign, closure)) in kept.iter().zip(closures).enumerate() {
-            let free = asked.get(place).is_none_or(|asked| *asked == 0.0);
-            if free && (closure.abs() < NEAR || sign * closure < 0.0) && count < MOST {
+        for (place, (sign, value)) in kept.iter().zip(branch_values).enumerate() {
+            let free = requested.get(place).is_none_or(|requested| *requested == 0.0);
+            if free && (value.abs() < NEAR || sign * value < 0.0) && count < MOST {
                 near[count] = place;
                 count += 1;
             }

@@ -49,7 +49,8 @@ impl Step {
         &self.model.plan.steps[self.place()]
     }
 
-    /// The names of the step's joints, in order of declaration.
+    /// The names of the step's joints: those of a dyad from one end to the other, others in
+    /// order of declaration.
     pub fn joints(&self) -> impl Iterator<Item = &'static str> + use<> {
         let joints = self.model.joints;
         self.info().joints.iter().filter_map(|&joint| joints.get(joint)).map(|joint| joint.name)

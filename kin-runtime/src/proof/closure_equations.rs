@@ -17,14 +17,14 @@ const ANGLES: [f64; 5] = [0.7, 1.9, 2.6, 4.1, 5.3];
 
 /// f(u, t) = 0: the closure equations f of the coordinates u that no single row determines.
 ///
-/// [`Reduced`] takes out the x and y of bodies. Of the coordinates that remain, *known* ones follow one after another from
-/// equations with constant factors: driven angles, and angles that gears couple with them. Angles of pinned bodies that occur
+/// [`Reduced`] takes out the x and y of bodies. Of the coordinates that remain, *known* ones are computed in turn, each from one
+/// linear equation with constant factors: driven angles, and angles that gears couple with them. Angles of pinned bodies that occur
 /// in one loop only are [eliminated](EliminatedAngle).
 pub(super) struct ClosureEquations<'s> {
     square: &'s Square,
     system: &'s mut dyn Enclosures,
     reduced: Reduced,
-    /// Known coordinates among the remaining ones in the order in which they follow, each with its equation, and the factors
+    /// Known coordinates among the remaining ones in the order of their computation, each with its equation, and the factors
     /// of that equation by all remaining coordinates.
     determined: Vec<(usize, usize, Vec<Interval>)>,
     /// The intervals of known coordinates, and those of their rates.
@@ -42,14 +42,14 @@ pub(super) struct ClosureEquations<'s> {
     values: Values,
 }
 
-/// f, its derivatives by u, and the one by t.
-pub(super) struct Closure {
+/// f with ∂f/∂u and ∂f/∂t.
+pub(super) struct EvaluatedEquations {
     pub(super) f: Vec<Interval>,
-    /// By u, row by row.
+    /// ∂f/∂u, row by row.
     pub(super) f_u: Vec<Vec<Interval>>,
-    /// By t, known coordinates moving with it; empty unless asked for.
+    /// ∂f/∂t, with known coordinates moving; empty unless asked for.
     pub(super) f_t: Vec<Interval>,
-    /// Those of the constant parts of eliminated angles.
+    /// The constant parts of eliminated angles, with their derivatives.
     constant_parts: Vec<ConstantPart>,
 }
 
@@ -187,12 +187,16 @@ impl<'s> ClosureEquations<'s> {
     }
 
     /// f and its derivatives over a box, the one by t if `with_time`.
-    pub(super) fn closure(&mut self, u: &[Interval], with_time: bool) -> Result<Closure, Uncertified> {
+    pub(super) fn closure(&mut self, u: &[Interval], with_time: bool) -> Result<EvaluatedEquations, Uncertified> {
         self.closure_of(u, with_time, false)?.ok_or(Uncertified::Malformed)
     }
 
     /// The same; none where an equation, those of known coordinates included, has no zero.
-    pub(super) fn possible_closure(&mut self, u: &[Interval], with_time: bool) -> Result<Option<Closure>, Uncertified> {
+    pub(super) fn possible_closure(
+        &mut self,
+        u: &[Interval],
+        with_time: bool,
+    ) -> Result<Option<EvaluatedEquations>, Uncertified> {
         self.closure_of(u, with_time, true)
     }
 
@@ -202,7 +206,7 @@ impl<'s> ClosureEquations<'s> {
         u: &[Interval],
         with_time: bool,
         only_possible: bool,
-    ) -> Result<Option<Closure>, Uncertified> {
+    ) -> Result<Option<EvaluatedEquations>, Uncertified> {
         self.over(u, Subset { phi_t: with_time, ..Subset::POSITION })?;
         let Values { phi, phi_q, phi_t } = &self.values;
         let f = self.f();
@@ -226,7 +230,7 @@ impl<'s> ClosureEquations<'s> {
             f_u.push(by_u.iter().map(|&da| dot(*slope, da)).collect());
             f_t.extend(with_time.then(|| dot(*slope, *by_t)));
         }
-        Ok(Some(Closure { f, f_u, f_t, constant_parts }))
+        Ok(Some(EvaluatedEquations { f, f_u, f_t, constant_parts }))
     }
 
     /// Whether the equations are the same after a whole turn of each number of u: not those of lengths, and not those of
@@ -285,7 +289,7 @@ impl<'s> ClosureEquations<'s> {
     /// is that of the box, by t as well.
     pub(super) fn gamma(
         &mut self,
-        closure: &Closure,
+        closure: &EvaluatedEquations,
         (u, rates): (&[Interval], &[Interval]),
         w: &[Interval],
     ) -> Result<Vec<Interval>, Uncertified> {

@@ -10,8 +10,8 @@ use crate::scalar::Interval;
 /// So many numbers are processed at once; columns are padded with zeros to a multiple of it.
 const LANES: usize = 4;
 
-/// 2⁻⁹⁶⁰: far more than underflow takes away, and large enough for products with it to be normal numbers, because others are
-/// slow.
+/// 2⁻⁹⁶⁰: far more than underflow takes away, and large enough for products with it to be normal numbers, because arithmetic with
+/// subnormal numbers is slow.
 const TINY: f64 = f64::from_bits((1023 - 960) << 52);
 
 /// A list of zeros. Memory that the allocator has cleared, which `vec!` asks for, is slower where lists are short.
@@ -57,8 +57,8 @@ fn add_sizes(list: &mut [f64], factor: f64, other: &[f64]) {
     }
 }
 
-/// What a term with the middle m and the radius r of an interval may be wrong by, in a sum of `count` such terms: per size of
-/// the other factor.
+/// The error bound of one product in a sum of `count`, divided by the size of its other factor; the first factor is an interval
+/// with this middle and radius.
 #[inline]
 fn weight(middle: f64, radius: f64, count: usize) -> f64 {
     radius + (count + 4) as f64 * f64::EPSILON * middle.abs() + TINY

@@ -155,7 +155,7 @@ fn middle(a: &[Vec<Interval>]) -> DMatrix<f64> {
     DMatrix::from_fn(a.len(), a.first().map_or(0, Vec::len), |i, k| a[i][k].midpoint())
 }
 
-/// The vector of length 1 that a matrix, of its midpoints, makes shortest.
+/// The unit vector v with the smallest |M v|, where M has the midpoints as entries.
 pub(super) fn null_vector(a: &[Vec<Interval>]) -> Option<DVector<f64>> {
     let middle = middle(a);
     if middle.is_empty() || middle.iter().any(|x| !x.is_finite()) {

@@ -5,7 +5,7 @@
 //! in all directions but the one of the curve; what remains is cut in two. For a small box, the proof of the fold in it
 //! ([`Proven`]) covers a region that contains the box.
 
-use super::closure_equations::{Closure, ClosureEquations};
+use super::closure_equations::{ClosureEquations, EvaluatedEquations};
 use super::contraction::Preconditioner;
 use super::enclosures::Enclosures;
 use super::fold::{Proven, null_vector, prove};
@@ -13,11 +13,12 @@ use super::krawczyk::Square;
 use crate::certificate::Uncertified;
 use crate::scalar::Interval;
 
-/// Most boxes that are examined, and most of them that stay undecided: more of these are a curve of singular places.
+/// Largest number of examined boxes, and of undecided ones: more undecided boxes than that are a curve of singular places.
 const MOST: usize = 200_000;
 const UNDECIDED: usize = 200;
-/// In boxes narrower than this a fold is looked for, and boxes narrower than this are not divided any further.
+/// In boxes narrower than this a fold is looked for.
 const NARROW: f64 = 0.003;
+/// Boxes narrower than this are not divided any further.
 const NARROWEST: f64 = 1e-8;
 /// How far from the middle of a box its fold may be found, relative to its width.
 const REACH: f64 = 4.0;
@@ -166,7 +167,7 @@ impl Search<'_> {
         let m = self.equations.count();
         self.equations.at(now[m]);
         // A box without an enclosure can still be divided.
-        let Closure { mut f_u, f_t, .. } = match self.equations.possible_closure(&now[..m], true) {
+        let EvaluatedEquations { mut f_u, f_t, .. } = match self.equations.possible_closure(&now[..m], true) {
             Ok(Some(closure)) if !self.is_regular(&closure.f_u) => closure,
             Ok(_) => return Shrunk::Without,
             Err(_) => return Shrunk::Unknown,

@@ -5,14 +5,14 @@
 //! interval analysis, BIT 21 (1981)); what remains is cut in two. No solution is ever lost. For a small box, the
 //! certificate of the solution in it proves that there is no other in a region that contains the box.
 
-use super::closure_equations::{Closure, ClosureEquations};
+use super::closure_equations::{ClosureEquations, EvaluatedEquations};
 use super::contraction::Preconditioner;
 use super::enclosures::Enclosures;
 use super::krawczyk::Square;
 use crate::certificate::{Certificate, Uncertified};
 use crate::scalar::Interval;
 
-/// Most boxes that are examined, and most of them that stay undecided: more of these are a curve of solutions.
+/// Largest number of examined boxes, and of undecided ones: more undecided boxes than that are a curve of solutions.
 const MOST: usize = 400_000;
 const UNDECIDED: usize = 1000;
 /// In boxes narrower than this a certificate is tried.
@@ -126,7 +126,7 @@ impl Search<'_> {
     /// One step of the interval Newton method; the sums of the derivatives' sizes by every coordinate are left in `smear`.
     fn shrink(&mut self, now: &mut [Interval], smear: &mut Vec<f64>) -> Shrunk {
         // A box without an enclosure can still be divided.
-        let Closure { f_u: a, .. } = match self.equations.possible_closure(now, false) {
+        let EvaluatedEquations { f_u: a, .. } = match self.equations.possible_closure(now, false) {
             Ok(Some(closure)) => closure,
             Ok(None) => return Shrunk::Empty,
             Err(_) => return Shrunk::Unknown,

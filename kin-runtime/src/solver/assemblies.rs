@@ -66,7 +66,7 @@ impl dyn AnySolver + '_ {
     /// All ways in which the mechanism closes.
     pub(super) fn closures(&self, at: &Instant<'_>) -> Result<Assemblies, SolveError> {
         let (model, guess) = (self.model(), self.start()?);
-        let by_plan = self.told_by_signs(at, &guess);
+        let by_plan = self.angles_with_free_turns(at, &guess);
         // What the plan solves at once is checked at once.
         let is_sound = by_plan.is_some() && self.is_sound_plan(at);
         let length = if is_sound { 0.0 } else { Scale::around(&mut self.equations_at(at)?, &guess).length };
@@ -214,7 +214,8 @@ pub(super) fn region(model: &Model, guess: &[f64], length: f64) -> Vec<Interval>
     guess.iter().enumerate().map(around).collect()
 }
 
-/// True if a certified closure is another one but for whole turns of angles: then it lies where that one is alone.
+/// True if two certified closures are the same up to whole turns of angles: turned back, the first lies in the box in which the
+/// other is the only solution.
 fn is_turned(model: &Model, closure: &Certificate, other: &Certificate) -> bool {
     const TURN: Interval = Interval::new(std::f64::consts::TAU, std::f64::consts::TAU.next_up());
     closure.q.iter().zip(&other.unique).enumerate().all(|(k, (&x, alone))| {

@@ -1,8 +1,8 @@
 //! Whether the signs of a plan stand for all of its closures.
 //!
 //! A plan in closed form chooses more than signs. An angle φ that occurs as nφ has n directions, of which the plan takes the one
-//! nearest to its start. And where others follow an angle in a ratio, as gears have it, each of its whole turns is another
-//! closure. Where there are such choices, the plan gives others of them from other starts.
+//! nearest to its start. If other coordinates follow an angle in a ratio, as with gears, each whole turn of the angle gives
+//! another closure. The plan finds these closures from other start values.
 
 #[cfg(feature = "cli")]
 use super::Solver;
@@ -15,9 +15,9 @@ use crate::proof::zeros;
 use crate::workspace::Instant;
 use std::f64::consts::{PI, TAU};
 
-/// Other starts, relative to the guess. Where directions are a whole turn apart, the second start leads to another one; half a turn
-/// apart, one of the two leads to one an odd number of these away; and a third of a turn or less, the first leads to another one
-/// that is less than a whole turn away.
+/// Shifts of the start, relative to the guess, that show whether there are other choices. If the choices lie a whole turn apart,
+/// the second shift reaches another one; if half a turn, one of the two shifts reaches one that differs by an odd number of half
+/// turns; if a third or less, the first shift reaches one that is less than a whole turn away.
 const STARTS: [f64; 2] = [PI + 0.3, 2.5 * PI];
 /// Numbers that differ by less, relative to their size, are the same but for rounding.
 const SAME: f64 = 1e-9;
@@ -29,14 +29,14 @@ impl<M: Mechanism> Solver<'_, M> {
     /// Whether the closures are those of the signs of a plan in closed form, which are found without a search.
     pub(crate) fn closes_by_signs(&self, at: &Instant<'_>) -> bool {
         let solver = self as &dyn AnySolver;
-        solver.start().is_ok_and(|guess| solver.told_by_signs(at, &guess).is_some())
+        solver.start().is_ok_and(|guess| solver.angles_with_free_turns(at, &guess).is_some())
     }
 }
 
 impl dyn AnySolver + '_ {
-    /// The angles whose whole turns are closures of their own, if every combination of signs is one closure as long as these
-    /// angles are within half a turn of their guesses. None if there may be other closures, or if the plan has no closed form.
-    pub(super) fn told_by_signs(&self, at: &Instant<'_>, guess: &[f64]) -> Option<Vec<usize>> {
+    /// The angles of which each whole turn gives another closure. With these angles within half a turn of their guesses, every
+    /// combination of signs gives exactly one closure. `None` if there may be other closures, or if the plan has no closed form.
+    pub(super) fn angles_with_free_turns(&self, at: &Instant<'_>, guess: &[f64]) -> Option<Vec<usize>> {
         if !self.is_closed_form() {
             return None;
         }

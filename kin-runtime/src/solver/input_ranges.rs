@@ -19,9 +19,9 @@ impl<M: Mechanism> Solver<'_, M> {
     }
 
     /// The input that keeps the mechanism from closing at an instant, with the range in which it closes if the others
-    /// are constant; where several could be, the one that is farthest from what fits the guess. If it does not close for
-    /// any value then, the others have the values that fit the guess. None if the mechanism closes, if no single input
-    /// is the cause, and without a plan.
+    /// are constant. If several inputs could be the cause, it is the one that is farthest from the value that fits the guess. If
+    /// no value of one input alone closes the mechanism, the other inputs are set to the values that fit the guess, and the
+    /// search is repeated. `None` if the mechanism closes, if no single input is the cause, and without a plan.
     pub fn out_of_range(&self, at: &Instant<'_>) -> Option<OutOfRange> {
         let guess = self.checked_guess().ok()?;
         let fitted = |places: &[usize], values: &[Signal]| {
@@ -38,7 +38,7 @@ impl<M: Mechanism> Solver<'_, M> {
 /// Inputs that fit the guess, where those at the places may vary.
 type Fitted<'f> = dyn Fn(&[usize], &[Signal]) -> Option<Vec<Signal>> + 'f;
 
-/// The range of an input beside the others.
+/// The range of an input, with the other inputs held.
 type RangeOf<'f> = dyn Fn(&[Signal], Input) -> Option<InputRange> + 'f;
 
 /// The input that keeps a mechanism from closing.

@@ -23,6 +23,7 @@ mod redundant;
 mod rig;
 mod side_by_side;
 mod tally;
+mod tappets;
 mod turning;
 mod twins;
 mod ways;

@@ -12,7 +12,7 @@ use crate::plan::{Plan, PlanStep};
 use crate::signal::Instant;
 use crate::workspace::Array;
 
-/// Distances |w| below which the accuracy of the rates is checked.
+/// Distances √margin below which the accuracy of the rates is checked.
 pub(super) const NEAR: f64 = 0.1;
 
 /// Ratio √margin / |w| below which it is the pins at both ends of a group that meet, and not its closures.
@@ -32,12 +32,13 @@ const LEAST_SHARE: f64 = 0.05;
 const STILL: f64 = 1e-2;
 
 /// At a fold the product of a group's rate and its angle from the limit stays about as large as the rate of its drive,
-/// however near the fold is; at a crossing it goes to 0. Below `SLOW` times the drive's rate it is not a fold, above
-/// `FAST` times it is one.
+/// however near the fold is; at a crossing it goes to 0. If this product is below `SLOW` times the drive's rate, the limit is
+/// not a fold; above `FAST` times it is one.
 const SLOW: f64 = 1e-4;
 const FAST: f64 = 0.1;
 
-/// At a fold |w q̈| is about q̇², however near it is. At a crossing q̇ and q̈ are finite while w goes to 0.
+/// Below this ratio of |w q̈| to q̇² the limit counts as a crossing: at a fold the ratio stays about 1, at a crossing it goes
+/// to 0, since q̇ and q̈ are finite while w goes to 0.
 const FOLD: f64 = 0.03;
 
 impl<M: Mechanism> PlanFollower<M> {
@@ -68,7 +69,7 @@ impl<M: Mechanism> PlanFollower<M> {
     pub(super) fn explain_blurred(&mut self, mechanism: &M, at: &Instant<'_>) -> PlanError {
         let t = at.t;
         let group = self.blurred(mechanism, at);
-        let place = group.and_then(|group| M::model().plan.margin_of_sign(group)).unwrap_or(0);
+        let place = group.and_then(|group| M::model().plan.margin_of_group(group)).unwrap_or(0);
         let here = self.states[1 - self.good];
         let margin = here.margins.as_ref()[place];
         // The crossing may lie before or after this instant.
@@ -110,7 +111,7 @@ fn groups_of(plan: &Plan) -> impl Iterator<Item = usize> {
 }
 
 /// The group that is so near to a crossing of branches that rounding errors dominate the rates. The arguments are w and
-/// ẇ of every group, and √margin.
+/// ẇ of every group, √margin of every group (`distances`), q̇ and q̈.
 ///
 /// With x = q̇ w/ẇ, the angle between the group and the crossing, the rounding of w² causes an error of about ε/(w x²)
 /// in q̈/q̇². Where √margin is much smaller than |w|, the closures are apart, and it is the pins at both ends of the
@@ -122,11 +123,11 @@ pub(crate) fn blurred_group(
     [q_dot, q_ddot]: [&[f64]; 2],
 ) -> Option<usize> {
     let plan = &model.plan;
-    let meet = |sign: &usize| distances[*sign] < NEAR.min(PINS * groups[*sign].abs());
-    if let Some(sign) = (0..plan.modes.len()).find(meet) {
-        return Some(sign);
+    let meet = |group: &usize| distances[*group] < NEAR.min(PINS * groups[*group].abs());
+    if let Some(group) = (0..plan.modes.len()).find(meet) {
+        return Some(group);
     }
-    groups_of(plan).enumerate().filter(|(sign, _)| distances[*sign] < NEAR).find_map(|(sign, step)| {
+    groups_of(plan).enumerate().filter(|(group, _)| distances[*group] < NEAR).find_map(|(group, step)| {
         let of = |step: &'static PlanStep| step.coordinates.iter().map(|&(k, _)| k);
         let own = |rates: &[f64]| largest_of(model, &mut plan.steps.iter().skip(step).take(1).flat_map(of), rates);
         // The rate of the steps that drive the group; groups near their own limits do not count, since they move as
@@ -134,8 +135,8 @@ pub(crate) fn blurred_group(
         let is_near = |step: usize| groups_of(plan).enumerate().any(|(k, other)| other == step && distances[k] < NEAR);
         let steps = plan.steps.iter().take(step).enumerate().filter(|(step, _)| !is_near(*step));
         let before = largest_of(model, &mut steps.flat_map(|(_, step)| of(step)), q_dot);
-        let (moves, acceleration, w) = (own(q_dot), own(q_ddot), distances[sign]);
-        let angle = |velocity: f64| velocity * (w / rates_of_groups[sign]).abs();
+        let (moves, acceleration, distance) = (own(q_dot), own(q_ddot), distances[group]);
+        let angle = |velocity: f64| velocity * (distance / rates_of_groups[group]).abs();
         // A group may stand still while the bodies that drive it move.
         let is_still = moves <= STILL * before;
         let velocity = if is_still { before } else { moves };
@@ -144,13 +145,13 @@ pub(crate) fn blurred_group(
         // decides.
         let bend = moves * angle(moves);
         let (is_slow, is_fast) = (bend <= SLOW * before, before > 0.0 && bend > FAST * before);
-        let crosses = is_slow || !is_fast && w * acceleration <= FOLD * velocity * velocity;
+        let crosses = is_slow || !is_fast && distance * acceleration <= FOLD * velocity * velocity;
         // The tolerance is relative to the motion of the drive where that is slower.
         let share = if before > 0.0 { (before / velocity).clamp(LEAST_SHARE, 1.0) } else { 1.0 };
         // The comparison is written so that NaN counts as not clear.
-        let is_clear = NOISE * w * x * x * share * share >= f64::EPSILON;
+        let is_clear = NOISE * distance * x * x * share * share >= f64::EPSILON;
         // If nothing moves, there are no rates to check.
-        (velocity > 0.0 && crosses && !is_clear).then_some(sign)
+        (velocity > 0.0 && crosses && !is_clear).then_some(group)
     })
 }
 

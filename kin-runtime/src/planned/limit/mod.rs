@@ -26,7 +26,7 @@ const TOUCHES: f64 = 1e-9;
 /// Rounding error of a margin that is zero.
 const NO_MARGIN: f64 = 1e-13;
 
-/// Where a margin changes its sign and is below minus this, it has no root: the motion jumps.
+/// If the margin is below minus this at the place where its sign changes, it jumps over 0, and so does the motion.
 const JUMP: f64 = 1e-6;
 
 /// Numbers of bisections, and of golden sections in the search for a minimum, that exhaust the digits of a number.
@@ -87,7 +87,7 @@ impl<M: Mechanism> PlanFollower<M> {
         let reached = course.at(blocked.places[0], inputs.as_mut());
         let Some(fault) = blocked.fault else { return (PlanError::TooManySteps { t: reached, t_refused: t }, last) };
         let plan = &M::model().plan;
-        let Some((place, step)) = step_of(M::model(), fault) else {
+        let Some((of_margin, step)) = step_of(M::model(), fault) else {
             self.predicted = blocked.here.q;
             let why = match self.solve_in_modes(mechanism, at) {
                 Ok(false) => self.explain(at),
@@ -96,28 +96,28 @@ impl<M: Mechanism> PlanFollower<M> {
             };
             return (why, last);
         };
-        let Some(sign) = plan.sign_of_margin(place) else {
-            let margin = self.margin_at(mechanism, course, blocked.places[1], place, blocked);
+        let Some(group) = plan.group_of_margin(of_margin) else {
+            let margin = self.margin_at(mechanism, course, blocked.places[1], of_margin, blocked);
             return (of_kind(t, Limit { step, margin, located: Some(Located { at: reached, kind: None }) }), last);
         };
-        let closes = sign < plan.modes.len();
+        let has_two_closures = group < plan.modes.len();
         // An iteration does not converge beyond a fold, so that its margin has no root: the limit is where the walk
         // stopped.
-        let spot = if closes {
-            self.locate(mechanism, course, place, blocked)
+        let spot = if has_two_closures {
+            self.locate(mechanism, course, of_margin, blocked)
         } else {
             let s = blocked.places[1];
-            let margin = self.margin_at(mechanism, course, s, place, blocked);
+            let margin = self.margin_at(mechanism, course, s, of_margin, blocked);
             Spot { s, margin, least: margin }
         };
         let Spot { s, margin, least } = spot;
-        if closes && margin < -JUMP {
+        if has_two_closures && margin < -JUMP {
             // The margin is zero nowhere, so the motion jumps.
             return (PlanError::Jump { t: reached, t_refused: t }, last);
         }
         // If the minimum is not zero, the search ended before the limit, which lies farther on.
-        let is_there = closes && margin <= TOUCHES;
-        let found = self.extrapolate(mechanism, course, (sign, s), blocked);
+        let is_there = has_two_closures && margin <= TOUCHES;
+        let found = self.extrapolate(mechanism, course, (group, s), blocked);
         self.limit = found.as_ref().map(|found| found.q);
         let extrapolated = found.as_ref().and_then(|found| found.kind);
         let kind = match extrapolated {
@@ -133,13 +133,13 @@ impl<M: Mechanism> PlanFollower<M> {
         };
         let limit_at = course.at(s, inputs.as_mut());
         // The margin at the instant requested says how far beyond its limit the group would be.
-        let asked = self.margin_at(mechanism, course, course.ends()[1], place, blocked);
+        let asked = self.margin_at(mechanism, course, course.ends()[1], of_margin, blocked);
         let margin = if asked <= Plan::SMALLEST_MARGIN { asked } else { margin };
         (of_kind(t, Limit { step, margin, located: Some(Located { at: limit_at, kind }) }), s)
     }
 
-    /// A margin at a place of the course, in the current modes.
-    fn margin_at(&mut self, mechanism: &M, course: &dyn Course, s: f64, place: usize, blocked: &Blocked<M>) -> f64 {
+    /// The margin of this index at a place of the course, in the current modes.
+    fn margin_at(&mut self, mechanism: &M, course: &dyn Course, s: f64, margin: usize, blocked: &Blocked<M>) -> f64 {
         let plan = &M::model().plan;
         let mut inputs = M::Inputs::<f64>::filled(Signal::constant(0.0));
         let t = course.at(s, inputs.as_mut());
@@ -159,14 +159,14 @@ impl<M: Mechanism> PlanFollower<M> {
             if plan.orientations.is_empty() { Depth::Position } else { Depth::Velocity },
             solved,
         );
-        let margin = self.states[1 - self.good].margins.as_ref()[place];
+        let margin = self.states[1 - self.good].margins.as_ref()[margin];
         // An undefined margin counts as negative.
         if solution.is_ok() && !margin.is_nan() { margin } else { -1.0 }
     }
 
-    /// The place beyond the last place reached at which a margin is zero or has its minimum.
-    fn locate(&mut self, mechanism: &M, course: &dyn Course, place: usize, blocked: &Blocked<M>) -> Spot {
-        Spot::beyond(blocked.places, course.ends(), &mut |s| self.margin_at(mechanism, course, s, place, blocked))
+    /// The place beyond the last place reached at which the margin of this index is zero or has its minimum.
+    fn locate(&mut self, mechanism: &M, course: &dyn Course, margin: usize, blocked: &Blocked<M>) -> Spot {
+        Spot::beyond(blocked.places, course.ends(), &mut |s| self.margin_at(mechanism, course, s, margin, blocked))
     }
 }
 
@@ -180,8 +180,8 @@ struct Spot {
 }
 
 impl Spot {
-    /// The place of a course between these ends at which a margin is zero or has its minimum, beyond the last place
-    /// reached; the next one could not be reached.
+    /// The first place behind `from` at which the margin is zero or has its minimum. `refused` is the next place, which could
+    /// not be reached; `start` and `end` are the ends of the course.
     fn beyond([from, refused]: [f64; 2], [start, end]: [f64; 2], margin: &mut dyn FnMut(f64) -> f64) -> Self {
         // The limit may lie a little beyond the end of the course.
         let end = end + (end - start);
@@ -270,7 +270,7 @@ fn explain(
 fn step_of(model: &'static Model, fault: Fault) -> Option<(usize, Step)> {
     let place = match fault {
         Fault::Margin(place) => place,
-        Fault::Sign(sign) => model.plan.margin_of_sign(sign)?,
+        Fault::Group(group) => model.plan.margin_of_group(group)?,
         Fault::Coarse | Fault::NonFinite => return None,
     };
     Step::of_margin(model, place).map(|step| (place, step))

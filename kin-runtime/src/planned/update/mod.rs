@@ -246,11 +246,16 @@ impl<M: Mechanism> PlanFollower<M> {
             return Ok(false);
         }
         // Where every group is out of reach of its limit, no sign can have changed: neither within the step nor between
-        // the solution and its prediction, which are much nearer to one another than both ends of the step.
+        // the solution and its prediction, which are much nearer to one another than both ends of the step. An iteration
+        // may still have found another solution, since the turns of bodies do not bound how far its unknowns move.
         let nearest = self.measure();
         let least = f64::min(nearest, self.nearest);
         let far = least >= OUT_OF_REACH * turn && least >= NEAR;
-        if !far && !self.stays_on_its_branch(mechanism, at, resolves(least, turn))? {
+        let stays = match far {
+            true => self.keeps_orientations(mechanism, at)?,
+            false => self.stays_on_its_branch(mechanism, at, resolves(least, turn))?,
+        };
+        if !stays {
             return Ok(false);
         }
         self.accept(at, nearest, true);

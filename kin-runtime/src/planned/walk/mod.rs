@@ -100,7 +100,7 @@ impl<M: Mechanism> PlanFollower<M> {
             self.measure();
         }
         match self.blurred(mechanism, at) {
-            Some(sign) => Err(blocked(Fault::Sign(sign))),
+            Some(sign) => Err(blocked(Fault::Group(sign))),
             None => Ok(()),
         }
     }
@@ -155,11 +155,11 @@ impl<M: Mechanism> PlanFollower<M> {
             return Err(Fault::Coarse);
         }
         if !is_resolved {
-            return Err(Fault::Sign(self.nearest_group()));
+            return Err(Fault::Group(self.nearest_group()));
         }
         let at = Instant { t, inputs: inputs.as_ref() };
         if let Some(sign) = self.uncertain(mechanism, &at, self.predicted.as_ref())? {
-            return Err(Fault::Sign(sign));
+            return Err(Fault::Group(sign));
         }
         let distances = [self.branch.distances.as_ref(), self.distances.as_ref()];
         if may_have_touched_limit(distances[0], distances[1]) {
@@ -171,7 +171,7 @@ impl<M: Mechanism> PlanFollower<M> {
             let branch_values = BranchValues::<M>::at(mechanism, self.parameters.as_ref(), &at, middle.as_ref())?;
             let modes = [self.branch.modes.as_ref(), kept.as_ref()];
             if let Some(sign) = first_dip(distances, branch_values.as_ref(), modes) {
-                return Err(Fault::Sign(sign));
+                return Err(Fault::Group(sign));
             }
         }
         Ok(away / allowed)

@@ -67,7 +67,7 @@ fn a_group_is_believed_where_the_step_resolves_it() {
     for [before, now] in [[0.2, 0.2], [0.9, 0.2], [0.2, 0.9]] {
         for side in [1.0, -1.0] {
             let (from, to) = (at_distance(0.2, before), at_distance(0.2, now));
-            for (turn, expected) in [(0.27, None), (0.273, Some(Fault::Sign(0)))] {
+            for (turn, expected) in [(0.27, None), (0.273, Some(Fault::Group(0)))] {
                 let mut follower = follower(&from);
                 let (here, h) = (*follower.state(), step_of(&follower, turn, side));
                 assert_eq!(expected, step(&mut follower, &here, &to, h, &GENEROUS).err(), "{before} {now} {turn}");
@@ -135,7 +135,7 @@ fn a_group_that_may_have_been_at_its_limit_within_a_step_is_looked_at() {
             let mut follower = follower(&at_distance(phi, before));
             let here = *follower.state();
             let found = step(&mut follower, &here, &at_distance(phi, now), 1e-9, &GENEROUS);
-            let expected = if looks && !is_far { Some(Fault::Sign(0)) } else { None };
+            let expected = if looks && !is_far { Some(Fault::Group(0)) } else { None };
             assert_eq!(expected, found.err(), "{w} {before} {now}");
         }
     }
@@ -156,7 +156,7 @@ fn a_group_is_looked_at_half_way() {
         step(&mut follower, &here, &mechanism, h, &GENEROUS).err()
     });
     // One direction leads towards the limit, the other away from it.
-    assert!(matches!(faults, [Some(Fault::Sign(0)), None] | [None, Some(Fault::Sign(0))]), "{faults:?}");
+    assert!(matches!(faults, [Some(Fault::Group(0)), None] | [None, Some(Fault::Group(0))]), "{faults:?}");
 }
 
 #[test]

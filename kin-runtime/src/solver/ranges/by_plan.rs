@@ -10,9 +10,9 @@ use crate::ranges::{Range, RangeLimit, Ranges};
 use crate::scalar::Interval;
 use crate::workspace::{Instant, Signal};
 
-/// How narrow a stretch becomes of which nothing is known, relative to the whole way, and one with a limit.
+/// Smallest width of an undecided stretch, and of a stretch with a limit, relative to the whole interval of t.
 const NARROWEST: [f64; 2] = [1e-8, 1e-12];
-/// Most stretches that are looked at in one combination of modes, and at one limit.
+/// Largest number of stretches that are examined in one combination of modes, and at one limit.
 const MOST: [usize; 2] = [50_000, 4_000];
 /// How far from a limit the motion towards it begins, relative to the range.
 const BEFORE: f64 = 1e-2;

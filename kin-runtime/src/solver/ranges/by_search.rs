@@ -1,7 +1,7 @@
 //! Ranges of motion where groups close by iteration: all folds are found, and motions lead from one to the next.
 //!
-//! Between two neighbouring folds no closure begins or ends, so that all closures of one t there are all that there are on
-//! the whole way from fold to fold. A sweep connects each of them with one on the other side of a fold, or ends at it.
+//! Between two neighbouring folds no closure begins or ends, so that the closures at one t between them stand for all closures
+//! of that interval. A sweep connects each of them with one on the other side of a fold, or ends at it.
 
 use super::super::any_solver::{AnySolver, End};
 use super::super::assemblies::{difference, is_length, region};
@@ -23,9 +23,10 @@ const SAME: [f64; 2] = [1e-7, 1e-3];
 /// How far from the ends of a gap its closures are followed, relative to half of the gap.
 const NEAR: f64 = 1e-3;
 
-/// How long before the end of a gap a motion is near its own limit, relative to half of the gap, and how much nearer its
-/// configuration is to that of this limit than to those of others at the same time.
+/// If a motion ends without a known configuration, that of this much before the end of the gap is taken, relative to half of
+/// the gap.
 const SHORTLY: f64 = 1e-6;
+/// Its limit is the nearest place, if the distance is below this share of the distance of the next one.
 const CLEARLY: f64 = 0.2;
 
 /// A place at which closures come together, or something is undecided.
@@ -35,12 +36,12 @@ struct Place {
     proven: bool,
 }
 
-/// A way without a fold, and all closures in its middle.
+/// An interval of t without a fold, and all closures at its midpoint.
 struct Gap {
     from: f64,
     to: f64,
     closures: Vec<Assembly>,
-    /// Whether it is proven that there are no others, and that they go from one end of the gap to the other.
+    /// Whether it is proven that this list is complete, and that each of its closures exists on the whole gap.
     complete: bool,
 }
 
@@ -91,7 +92,7 @@ impl dyn AnySolver + '_ {
         places.sort_by(|a, b| a.t.lower().total_cmp(&b.t.lower()));
         let gaps = self.gaps(start, way, &places)?;
         let (chains, ended) = (Vec::new(), Vec::new());
-        let mut search = Ways { solver: self, start, length, places, gaps, bounded: all.bounded, chains, ended };
+        let mut search = RangeSearch { solver: self, start, length, places, gaps, bounded: all.bounded, chains, ended };
         search.pass_gaps();
         search.connect();
         Ok(search.finish())
@@ -125,21 +126,21 @@ impl Gap {
     }
 }
 
-/// All ways, while they are connected to ranges.
-struct Ways<'s> {
+/// The state of the search: gaps, and the chains of closures that become ranges.
+struct RangeSearch<'s> {
     solver: &'s dyn AnySolver,
     start: &'s Instant<'s>,
     length: f64,
     places: Vec<Place>,
     gaps: Vec<Gap>,
-    /// Coordinates in which the search has an end, and their intervals.
+    /// Coordinates that are searched in a bounded interval only, and their intervals.
     bounded: Vec<(usize, Interval)>,
     chains: Vec<Chain>,
     ended: Vec<Ended>,
 }
 
-impl Ways<'_> {
-    /// Follows every closure to both ends of its gap, if the search has an end in some coordinate: beyond it a closure can meet
+impl RangeSearch<'_> {
+    /// Follows every closure to both ends of its gap, if some coordinate is searched in a bounded interval: beyond it a closure can meet
     /// another at a place that was not searched.
     fn pass_gaps(&mut self) {
         for gap in self.gaps.iter_mut().filter(|_| !self.bounded.is_empty()) {

@@ -13,7 +13,7 @@ use crate::model::Model;
 use crate::ranges::Ranges;
 use crate::workspace::Instant;
 
-/// Most modes whose combinations are gone through.
+/// Largest number of modes whose combinations are all examined.
 const MODES: usize = 12;
 
 impl<M: Mechanism> Solver<'_, M> {
@@ -69,7 +69,7 @@ impl dyn AnySolver + '_ {
         if let Some(why) = self.unproven() {
             return Err(SolveError::NotCertified { t: from.t, why });
         }
-        match self.told_by_signs(from, &guess) {
+        match self.angles_with_free_turns(from, &guess) {
             Some(bounded) => {
                 let searched = half_turns(self.model(), &bounded, &guess);
                 Ok(Ranges { searched, ..self.ranges_by_plan(from, to, &guess) })

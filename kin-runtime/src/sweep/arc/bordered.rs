@@ -30,10 +30,10 @@ pub(super) struct Node {
     sign: Sign,
 }
 
-/// A determinant that vanishes only where branches cross, by its rows, and whether it is positive.
+/// The sign of a determinant that vanishes only where branches cross.
 #[derive(Clone, Debug)]
 struct Sign {
-    /// As many rows as coordinates, where there are more; otherwise all.
+    /// The rows that form it: as many as there are coordinates, if there are more rows than that; `None` for all rows.
     rows: Option<Vec<usize>>,
     positive: bool,
 }

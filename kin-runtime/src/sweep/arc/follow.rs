@@ -19,15 +19,16 @@ const FIRST: f64 = 0.05;
 const SHORTEST: f64 = 1e-7;
 /// Relative pivot below which the rows count as dependent behind a step that is too short.
 const CROSSING: f64 = 1e-5;
-/// Most steps in one direction.
+/// Largest number of steps in one direction.
 const MOST: usize = 20_000;
-/// Cosine of the largest angle between the tangents of neighbouring places, and of one up to which steps become longer.
+/// Cosines of the angle between neighbouring tangents: below the first a step is rejected, above the second the next one is
+/// longer.
 const COSINES: [f64; 2] = [0.95, 0.99];
-/// How near the mechanism comes to where it began if it does, on the common scale.
+/// Largest distance from its origin at which the curve counts as closed, on the common scale.
 const SAME: f64 = 1e-7;
 /// The width in which places on the curve are enclosed.
 const ENCLOSED: f64 = 1e-12;
-/// Part of the tangent's length that belongs to q, from which on the mechanism moves.
+/// Smallest share of q in the unit tangent at which the mechanism counts as moving.
 const MOVING: f64 = 0.1;
 
 /// The interval of t in which the curve is followed, where there is one, and the t of its start.
@@ -44,7 +45,8 @@ struct Leg {
     end: ArcEnd,
 }
 
-/// States at equal distances on the curve through a configuration of the current instant, and what the curve has.
+/// States at equal distances on the curve through a configuration of the current instant, and the special places
+/// and ends of the curve.
 pub(crate) fn solution_arc(
     equations: &mut Equations<'_>,
     q: &[f64],
@@ -110,7 +112,7 @@ impl Walk<'_> {
     fn leg(&self, equations: &mut Equations<'_>, start: Node) -> Result<Leg, SolveError> {
         let mut leg = Leg { nodes: vec![start.at(0.0)], places: Vec::new(), end: ArcEnd::TooLong };
         let (mut length, mut shortened) = (FIRST, false);
-        // Where the mechanism is first seen to move: there it may come back to.
+        // The first place at which the mechanism moves; the curve is closed when it returns there.
         let mut origin: Option<Node> = None;
         for _ in 0..MOST {
             let here = leg.nodes[leg.nodes.len() - 1].clone();
@@ -179,7 +181,7 @@ impl Walk<'_> {
         self.bordered.dot(&here.tangent[..n], &here.tangent[..n]) > MOVING * MOVING
     }
 
-    /// Adds a step with the places that lie in it; the end where the curve has one there.
+    /// Adds a step and its special places. Returns the reason if the curve ends in this step.
     fn settle(
         &self,
         equations: &mut Equations<'_>,

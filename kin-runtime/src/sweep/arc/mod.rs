@@ -10,9 +10,9 @@
 //! ```
 //!
 //! (H. B. Keller, Numerical solution of bifurcation and nonlinear eigenvalue problems, 1977). The determinant of this matrix,
-//! with the tangent of its own place, keeps its sign along the curve and changes it where another branch crosses. A step behind
-//! which the sign is another one is halved: a step that has jumped over a gap to another branch finds its own one again, and
-//! at a crossing the steps become ever shorter, until it is enclosed.
+//! with the tangent at the same place, keeps its sign along the curve and changes it where another branch crosses. A step behind
+//! which the sign differs is halved. If it had jumped to another branch, a shorter step finds the right one again; at a
+//! crossing the steps shrink until the crossing is enclosed.
 //!
 //! `bordered` solves this system, `follow` takes the steps, `places` finds dead centres and cusps between two of them, and `rows`
 //! gives states at equal distances.

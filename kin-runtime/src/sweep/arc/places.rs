@@ -12,12 +12,13 @@ use crate::workspace::{Instant, Subset};
 const NEAR: f64 = 0.1;
 /// Relative pivot below which rows of Φ_q depend on one another.
 const SINGULAR: f64 = 1e-5;
-/// Part of the speed beside it, by the arc, that a point may have at a cusp.
+/// Largest speed of a point at a cusp, per length of arc, relative to its speed beside the cusp.
 const STILL: f64 = 1e-6;
 /// How far on both sides of a cusp its tangents are compared.
 const BESIDE: f64 = 1e-3;
-/// The sum of two unit vectors that are opposite within this: beside a cusp they differ by about their distance from it.
-const SAME_WAY: f64 = 1e-5;
+/// If the unit velocities before and behind a place add up to less than this, the point returns along its own path, which is
+/// no cusp. At a cusp the sum is about as long as `BESIDE`.
+const RETRACED: f64 = 1e-5;
 
 /// The place on the curve at a length s between two neighbours: predicted by the cubic through both with their tangents.
 pub(super) fn between(equations: &mut Equations<'_>, bordered: &Bordered, a: &Node, b: &Node, s: f64) -> Option<Node> {
@@ -56,8 +57,8 @@ pub(super) fn turning(
     Some((node, high.t - low.t))
 }
 
-/// What is known of a singular place; `beside` is a place before it, and (`beyond`, `within`) the time by which t is moved
-/// to where the group does not close, and the width in which the place was enclosed.
+/// What is known of a singular place; `beside` is a place before it. `beyond` is added to t to get an instant at which
+/// the group does not close, and `within` is the width in which the place was enclosed.
 pub(super) fn singular_place(
     equations: &mut Equations<'_>,
     kind: ArcPlaceKind,
@@ -131,7 +132,7 @@ pub(super) fn cusps(
         });
         let [Some(before), Some(after)] = turn else { continue };
         let turn = (before[0] + after[0]).hypot(before[1] + after[1]);
-        if rate <= STILL * size && turn > SAME_WAY {
+        if rate <= STILL * size && turn > RETRACED {
             let (t, s, q) = (node.t(), node.s, node.q().to_vec());
             places.push(ArcPlace { kind, t, s, within, q, joints: Vec::new(), drivers: Vec::new() });
         }

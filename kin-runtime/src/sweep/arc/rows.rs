@@ -11,10 +11,10 @@ use crate::error::SolveError;
 use crate::state::State;
 use crate::workspace::Subset;
 
-/// Places nearer to one another than this, by the arc, are the same.
+/// Places nearer to one another than this along the arc are the same.
 const SAME: f64 = 1e-9;
 
-/// The states, one more than steps, and what the curve has.
+/// `steps` + 1 states at equal distances, a single one if the curve is a point, and the special places and ends of the curve.
 pub(super) fn states(
     equations: &mut Equations<'_>,
     bordered: &Bordered,

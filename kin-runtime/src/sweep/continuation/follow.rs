@@ -115,8 +115,8 @@ impl Continuation {
         rates(equations, &node.state.q, &basis.factor, q_dot, q_ddot)
     }
 
-    /// Goes to an instant that was checked, by the plan alone, whatever its input values are; false where the plan has no
-    /// solution.
+    /// Goes to `at` by the plan alone; false where the plan has no solution. The caller has checked `at`, whose inputs may differ
+    /// arbitrarily from the last ones.
     pub(crate) fn advance_by_plan(
         &mut self,
         equations: &mut Equations<'_>,

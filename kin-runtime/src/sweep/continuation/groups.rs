@@ -1,8 +1,8 @@
-//! The solution branch of every group of the plan, for configurations found by full Newton.
+//! The branch value of every group of the plan, for configurations found by full Newton.
 //!
 //! Configurations found here satisfy the same conditions as solutions by the plan do in
 //! [`planned::branch`](crate::planned::branch): each group stays on its own side of the configuration where its
-//! branches meet, and its distance from there is about the predicted one. One sign for the whole mechanism would not
+//! two closures meet, and its distance from there is about the predicted one. One sign for the whole mechanism would not
 //! suffice: if two groups change their branch in one step, the sign of the determinant of Φ_q stays the same.
 
 use crate::analysis::by_plan;
@@ -10,8 +10,7 @@ use crate::equations::Equations;
 use crate::planned::blurred::{blurred_group, largest_angle};
 use crate::planned::branch::{OUT_OF_REACH, certainty_of, resolves};
 
-/// Distance from the meeting of its branches below which rounding no longer allows a group to be assigned to either
-/// branch.
+/// Size of a branch value below which rounding no longer allows a group to be assigned to either closure.
 const SMALLEST: f64 = 1e-6;
 
 /// Condition number of the scaled Φ_q below which a configuration counts as far from every singular one.
@@ -23,8 +22,8 @@ const REGULAR: f64 = 1e3;
 const PASSING: f64 = 0.5;
 const FLAT: f64 = 1e-3;
 
-/// Writes the branch value of every group at q, whose sign tells its branches apart; an empty list where there is no
-/// plan.
+/// Writes the branch value of every group at q, whose sign tells its closures apart; an empty list if there is no
+/// plan, or if coordinates are prescribed.
 pub(super) fn write(equations: &Equations<'_>, q: &[f64], groups: &mut Vec<f64>) {
     groups.clear();
     if equations.given() > 0 {
@@ -39,8 +38,8 @@ pub(super) fn write(equations: &Equations<'_>, q: &[f64], groups: &mut Vec<f64>)
 /// True if every group has stayed on its branch. The arguments are the branch values at the previous configuration, at
 /// the prediction and at the configuration found.
 ///
-/// With redundant rows a group of the rows used by the plan may reach a limit that the mechanism as a whole passes. Its
-/// sign may then change if the prediction changes sign as well.
+/// With redundant rows a group of the rows used by the plan may reach a limit that the mechanism as a whole passes. Then
+/// only the deviation from the prediction is checked, and values below [`FLAT`] may have either sign.
 pub(super) fn stay([before, predicted, found]: [&[f64]; 3], turn: f64, is_redundant: bool) -> bool {
     before.iter().zip(predicted).zip(found).all(|((before, predicted), found)| {
         if is_redundant {
@@ -69,7 +68,7 @@ pub(super) fn are_blurred(
     // A divisor of the plan may be small although the branches of its groups are far apart.
     let margins = by_plan::margins(equations, groups, q);
     let plan = &equations.model.plan;
-    let by_margin = |sign: usize| plan.margin_of_sign(sign).map_or(1.0, |place| margins[place].max(0.0).sqrt());
+    let by_margin = |sign: usize| plan.margin_of_group(sign).map_or(1.0, |place| margins[place].max(0.0).sqrt());
     let distances: Vec<f64> = groups.iter().enumerate().map(|(sign, w)| w.abs().min(by_margin(sign))).collect();
     let further = 1e-6 / largest_angle(equations.model, q_dot);
     let ahead: Vec<f64> = q.iter().zip(q_dot).map(|(q, v)| q + further * v).collect();
@@ -79,7 +78,7 @@ pub(super) fn are_blurred(
     blurred_group(equations.model, [groups, &rates], &distances, [q_dot, q_ddot]).is_some()
 }
 
-/// The smallest distance of a group from the meeting of its branches, at most 1.
+/// The smallest size of a branch value, at most 1.
 pub(super) fn nearest(groups: &[f64]) -> f64 {
     groups.iter().fold(1.0, |least, w| f64::min(least, w.abs()))
 }

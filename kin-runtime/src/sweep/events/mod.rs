@@ -1,8 +1,8 @@
 //! Events: the instants at which a motion passes the limit of a unilateral condition.
 //!
 //! A condition is watched as a number g(q, t), satisfied while g > 0, with ġ and g̈. Between two neighbouring
-//! configurations of a sweep its course is one of four (`shape`): clear of zero, monotone, with one extremum, or
-//! unclear; an interval with an unclear course is halved. Steps are as long as the mechanism allows, and a condition
+//! configurations of a sweep its course is one of five (`shape`): clear of zero, zero throughout, monotone, with one
+//! extremum, or unclear; an interval with an unclear course is halved. Steps are as long as the mechanism allows, and a condition
 //! may change faster than the mechanism: the interpolation of two samples is trusted only as far as it predicts a third
 //! one between them. On a steady course the third sample is the one that two neighbouring steps share, so that it costs
 //! nothing; elsewhere one more is computed. Where a step would need more samples than the limit allows, the trajectory

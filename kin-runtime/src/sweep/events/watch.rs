@@ -10,16 +10,15 @@ use crate::results::event::{Crossing, Event, Unwatched};
 use crate::state::State;
 use std::collections::HashMap;
 
-/// How often an interval may be halved in which a third sample is not predicted by the other two; a shorter one counts
-/// as an instant.
+/// Largest number of times that an interval is halved; what is shorter counts as an instant.
 const HALVINGS: usize = 30;
 /// How often in a row it may be halved where samples are predicted: a course that is still unclear then is zero within
 /// rounding.
 const HALVINGS_OF_KNOWN: usize = 9;
 /// Largest number of samples by halving for one condition in one step of the sweep.
-const PATIENCE: usize = 1 << 14;
+const MOST_SAMPLES: usize = 1 << 14;
 /// The lower bound of that number, which is reduced after every step in which it did not suffice.
-const IMPATIENCE: usize = 1 << 6;
+const FEWEST_SAMPLES: usize = 1 << 6;
 
 /// A function that gives the state of a motion at a time between two states; `None` where it cannot be solved.
 pub(crate) type Between<'f> = dyn FnMut(&mut Equations<'_>, f64) -> Option<State> + 'f;
@@ -62,7 +61,7 @@ impl Watch {
         Ok(Some(Self {
             state: state.clone(),
             earlier: Vec::new(),
-            patience: vec![PATIENCE; samples.len()],
+            patience: vec![MOST_SAMPLES; samples.len()],
             samples,
             satisfied,
             violated_at_start,
@@ -113,7 +112,8 @@ impl Watch {
             let mut search = Search { equations, between, known, condition, step: h, side, patience, found, lost };
             search.between(&start, &end, doubt, Depth::default());
             self.satisfied[condition] = Some(search.side);
-            self.patience[condition] = if search.patience > 0 { PATIENCE } else { (patience / 4).max(IMPATIENCE) };
+            self.patience[condition] =
+                if search.patience > 0 { MOST_SAMPLES } else { (patience / 4).max(FEWEST_SAMPLES) };
             let Search { found, lost, .. } = search;
             let name = equations.model.conditions[condition].name;
             self.unwatched.extend(lost.into_iter().map(|[from, to]| Unwatched { name, condition, from, to }));
