@@ -6,7 +6,7 @@ use super::shown::{Row, Shown, symbol};
 use super::steps::bracketed;
 use crate::notation::{Formula, Notation};
 
-/// Most coordinates and most rows of a mechanism whose matrices are written beside its joints.
+/// Largest numbers of coordinates and of rows of a mechanism whose matrices are written beside its joints.
 const MOST: usize = 24;
 /// Width, in columns of plain text, of an entry of Φ_q and of an entry of a column vector.
 const ENTRY: [usize; 2] = [24, 72];

@@ -13,7 +13,7 @@ use crate::notation::escaped;
 /// Size in bytes after which joints are only named. A four-bar takes a tenth of it.
 const LONG: usize = 200_000;
 
-/// Most coordinates that are listed.
+/// Largest number of coordinates that are listed.
 const MANY: usize = 60;
 
 impl Sheet {

@@ -50,7 +50,7 @@ impl Answer {
     /// Solves at the current instant in the given modes, from `start`.
     ///
     /// # Errors
-    /// The first step without a good answer; none if numbers are not finite.
+    /// The first step without a good answer; `None` if numbers are not finite.
     pub(crate) fn solve(
         &mut self,
         equations: &mut Equations<'_>,

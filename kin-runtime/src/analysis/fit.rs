@@ -15,7 +15,7 @@ use crate::error::SolveError;
 use crate::workspace::Subset;
 use nalgebra::{DMatrix, DVector};
 
-/// Most iterations.
+/// Largest number of iterations.
 const ITERATIONS: usize = 60;
 /// W: the weight of an input, relative to a coordinate and to the size of the input or of the mechanism.
 const WEIGHT: f64 = 100.0;

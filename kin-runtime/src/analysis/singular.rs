@@ -22,7 +22,7 @@ use nalgebra::DVector;
 const DISTANCES: [f64; 2] = [1e-2, 5e-2];
 /// Changes of inputs and time, relative to their values or to 1, whichever is larger.
 const CHANGES: [f64; 4] = [1e-2, -1e-2, 0.1, -0.1];
-/// Most null vectors that are tried one by one.
+/// Largest number of null vectors that are tried one by one.
 const DIRECTIONS: usize = 6;
 
 /// The error if `q`, whose Φ_q was evaluated last and has the factorisation `here`, is singular.

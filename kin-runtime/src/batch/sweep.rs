@@ -129,7 +129,7 @@ impl<S> Motions<S> {
         self.blocks.iter().flat_map(move |(score, _)| part(score).to_array()).take(self.count)
     }
 
-    /// Where each set ended early; none if it went through all instants.
+    /// Where each set ended early; `None` if it went through all instants.
     pub fn ends(&self) -> impl Iterator<Item = Option<End>> {
         self.blocks.iter().flat_map(|(_, ends)| *ends).take(self.count)
     }

@@ -24,7 +24,7 @@ use crate::state::State;
 
 /// Number of steps without `--steps`.
 pub(super) const STEPS: usize = 180;
-/// Most numbers (coordinates times instants) in all additional assembly modes of a page together, so that pages stay
+/// Largest number of numbers (coordinates times instants) in all additional assembly modes of a page together, so that pages stay
 /// small.
 const NUMBERS: usize = 60_000;
 
@@ -172,7 +172,7 @@ fn early(model: &Model, failure: &Failure) -> String {
     format!("The motion ends early: {sentence}.")
 }
 
-/// Most driven quantities whose values are shown beside the time.
+/// Largest number of driven quantities whose values are shown beside the time.
 const DRIVERS: usize = 3;
 
 /// The columns of the driven quantities.

@@ -63,7 +63,7 @@ pub(super) struct Findings {
     held: bool,
     /// Contacts whose normal force is negative, in words; they are no error of the solution.
     pulling: Vec<String>,
-    /// The proof that the solution exists; none if the mechanism could not be solved.
+    /// The proof that the solution exists; `None` if the mechanism could not be solved.
     #[serde(serialize_with = "proof")]
     certificate: Option<Certified>,
 }

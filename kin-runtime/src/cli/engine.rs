@@ -155,10 +155,10 @@ pub(super) trait Engine {
     fn velocity_ratios(&self, setup: &Setup, state: &State) -> Result<VelocityRatios, SolveError>;
     fn transmission_angles(&self, state: &State) -> Result<Vec<TransmissionAngle>, SolveError>;
     fn cross_check(&self, options: &CrossCheckOptions, observer: Observer<'_>) -> Result<CrossCheck, SolveError>;
-    /// Compares the plan with the equations and with full Newton; none if there is no plan.
+    /// Compares the plan with the equations and with full Newton; `None` if there is no plan.
     fn plan_check(&self, options: &CrossCheckOptions, observer: Observer<'_>)
     -> Result<Option<CrossCheck>, SolveError>;
-    /// The modes of a configuration; none if there is no plan.
+    /// The modes of a configuration; an empty list if there is no plan.
     fn modes(&self, at: &Instant<'_>, q: &[f64]) -> Vec<Mode>;
     fn assemblies(&self, setup: &Setup, t: f64) -> Result<Assemblies, SolveError>;
     /// Whether the closures are those of the signs of a plan in closed form, which are found without a search.

@@ -5,7 +5,7 @@ use crate::measure::Measure;
 use crate::model::Model;
 use crate::present::table::wrapped;
 
-/// Most names that an error lists.
+/// Largest number of names that an error lists.
 const LISTED: usize = 24;
 
 /// The kind of a name that is looked up.

@@ -45,7 +45,7 @@ pub(super) struct Amount {
     pub(super) unit: Option<Unit>,
 }
 
-/// Most brackets inside one another.
+/// Largest depth of brackets inside one another.
 const DEPTH: usize = 32;
 
 /// Reads an expression.

@@ -109,7 +109,7 @@ When a motion fails midway, or Ctrl-C ends it, its finished part is drawn and th
 or 130.",
 };
 
-/// Most curves of one diagram, and why.
+/// Largest number of curves of one diagram, and why.
 const MOST: (usize, &str) = (14, "more curves cannot be told apart");
 
 pub(super) fn run(args: &PlotArgs, engine: &mut dyn Engine, session: &mut Session<'_>) -> Result<(), Failure> {

@@ -99,7 +99,7 @@ finished rows are written and the status is 1. Ctrl-C ends a sweep in the same w
 130; a second Ctrl-C ends the program at once.",
 };
 
-/// Most motions of one sweep, and what to do for more.
+/// Largest number of motions of one sweep, and what to do to have more.
 const MOST: (usize, &str) = (100_000, "for more, see the crate kin-study");
 
 pub(super) fn run(args: &SweepArgs, engine: &mut dyn Engine, session: &mut Session<'_>) -> Result<(), Failure> {

@@ -12,15 +12,15 @@ use crate::present::number::rounded;
 use crate::state::State;
 use crate::workspace::Signal;
 
-/// Most coordinates of a mechanism that is tried.
+/// Largest number of coordinates of a mechanism that is tried.
 const MOST: usize = 400;
 /// Instants of a motion that is tried.
 const INSTANTS: usize = 24;
 /// Time limit of a trial; an example that takes longer is left out of the help.
 const PATIENCE: Duration = Duration::from_millis(200);
-/// Most modes whose combinations are tried.
+/// Largest number of modes whose combinations are tried.
 const SHORT: usize = 3;
-/// Most combinations of values of inputs that are tried.
+/// Largest number of combinations of values of inputs that are tried.
 const TRIES: usize = 200;
 
 /// Values that examples can use.

@@ -25,7 +25,7 @@ pub(crate) const NOTHING: f64 = 1e-24;
 pub(crate) struct Effort {
     /// Shares of the sum of squares that the terms of conditions begin with, one after the other; 0 leaves them out.
     pub(crate) shares: &'static [f64],
-    /// Most steps for each of them.
+    /// Largest number of steps for each of them.
     pub(crate) steps: u64,
     /// The relative change of the sum of squares that ends it.
     pub(crate) change: f64,

@@ -22,7 +22,7 @@ const GROWTH: f64 = 8.0;
 /// Number of stretches.
 const STRETCHES: usize = 24;
 
-/// Most steps on one stretch: after these, a bar that turns without a limit has turned twenty times.
+/// Largest number of steps on one stretch: after these, a bar that turns without a limit has turned twenty times.
 const STEPS: usize = 400;
 
 /// The values of an input with which the mechanism closes, with time and the other inputs constant: those between the

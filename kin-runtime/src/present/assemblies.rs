@@ -8,7 +8,7 @@ use crate::assembly::{Assemblies, Assembly, Undecided};
 use crate::certificate::Certificate;
 use crate::model::Model;
 
-/// Most undecided cases that are listed one by one.
+/// Largest number of undecided cases that are listed one by one.
 const DOUBTS: usize = 8;
 
 /// All closures, for JSON.

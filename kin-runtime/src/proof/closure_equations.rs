@@ -200,7 +200,7 @@ impl<'s> ClosureEquations<'s> {
         self.closure_of(u, with_time, true)
     }
 
-    /// f and its derivatives over a box; none if `only_possible` and an equation has no zero.
+    /// f and its derivatives over a box; `None` if `only_possible` and an equation has no zero.
     fn closure_of(
         &mut self,
         u: &[Interval],

@@ -114,7 +114,7 @@ impl Preconditioner {
         Self { n, height, columns, product, sums: zeros(height), errors: zeros(height) }
     }
 
-    /// An approximate inverse of the n×n matrix with these entries; none if it is singular in `f64`.
+    /// An approximate inverse of the n×n matrix with these entries; `None` if it is singular in `f64`.
     pub(super) fn new(n: usize, entries: &[(usize, usize)], values: impl Iterator<Item = f64>) -> Option<Self> {
         let mut inverse = Self::with_room(n);
         inverse.set(entries, values, &mut Vec::with_capacity(n)).then_some(inverse)

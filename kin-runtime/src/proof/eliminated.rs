@@ -43,7 +43,7 @@ pub(super) struct EliminatedAngle {
 }
 
 impl EliminatedAngle {
-    /// Given the derivatives of the two equations by φ at φ = 0 and at φ = π/2; none if M may be singular.
+    /// Given the derivatives of the two equations by φ at φ = 0 and at φ = π/2; `None` if M may be singular.
     pub(super) fn new(angle: usize, rows: [usize; 2], at_zero: Pair, at_quarter: Pair) -> Option<Self> {
         let (by_cosine, by_sine) = (at_quarter.map(|x| -x), at_zero);
         let ([a, c], [b, d]) = (by_cosine, by_sine);

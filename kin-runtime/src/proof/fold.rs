@@ -27,7 +27,7 @@ use nalgebra::{DMatrix, DVector};
 /// Sizes of the boxes that are tried: a larger box leaves less to search, and a smaller one has narrower bounds.
 const LARGE: [f64; 6] = [3e-2, 1e-2, 1e-3, 1e-4, 1e-6, 1e-8];
 const SMALL: [f64; 4] = [1e-12, 1e-10, 1e-8, 1e-6];
-/// Most steps of Newton's method, and the relative correction after which it has converged.
+/// Largest number of steps of Newton's method, and the relative correction after which it has converged.
 const STEPS: usize = 12;
 const CONVERGED: f64 = 1e-12;
 
@@ -91,7 +91,7 @@ fn bordered(equations: &mut ClosureEquations<'_>, y: &[Interval], one: usize) ->
     Ok((values, matrix))
 }
 
-/// The fold near a place, given by u and t, and its proof; none if Newton's method goes further than `reach` from there, and
+/// The fold near a place, given by u and t, and its proof; `None` if Newton's method goes further than `reach` from there, and
 /// if there is no proof. `sizes` are those of u and t, to which `reach` is relative.
 pub(super) fn prove(equations: &mut ClosureEquations<'_>, near: &[f64], reach: f64, sizes: &[f64]) -> Option<Proven> {
     let m = equations.count();
@@ -169,7 +169,7 @@ pub(super) fn null_vector(a: &[Vec<Interval>]) -> Option<DVector<f64>> {
     Some(svd.v_t?.row(least).transpose())
 }
 
-/// Bounds of all null vectors with the entry 1 at `one`, for all matrices in A, without that entry; none if there may be null
+/// Bounds of all null vectors with the entry 1 at `one`, for all matrices in A, without that entry; `None` if there may be null
 /// vectors whose entry there is 0.
 ///
 /// With the other columns B and the column b, B w = −b. With C about the pseudoinverse of B, w = −C b + (I − C B) w, and so

@@ -41,7 +41,7 @@ pub(super) struct Located {
 }
 
 impl Trial<'_> {
-    /// The largest of the boxes that Krawczyk's operator maps into itself; none if there is no such box. `over` gives the
+    /// The largest of the boxes that Krawczyk's operator maps into itself; `None` if there is no such box. `over` gives the
     /// entries of the matrix over a box, for which `matrix` is a buffer.
     ///
     /// # Errors

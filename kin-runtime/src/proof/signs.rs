@@ -5,7 +5,7 @@ use crate::model::Model;
 use crate::plan::Plan;
 use crate::planned::{Sign, Step};
 
-/// Most combinations that are examined.
+/// Largest number of combinations that are examined.
 const MOST: usize = 1 << 16;
 
 /// A combination of signs, solved by the plan.

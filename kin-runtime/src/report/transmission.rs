@@ -66,7 +66,7 @@ pub(crate) fn transmission_angles(
     Ok(told.collect())
 }
 
-/// The angles of pairs at q; none if an arm has no length.
+/// The angles of pairs at q; `None` if an arm has no length.
 pub(crate) fn angles(equations: &mut Equations<'_>, q: &[f64], pairs: &[Pair]) -> Result<Vec<Option<f64>>, SolveError> {
     equations.check("q", q)?;
     let (model, t) = (equations.model, equations.t);
@@ -178,7 +178,7 @@ fn stands_still(joint: &JointInfo, geometry: &Geometry) -> bool {
     joint.kind != JointKind::PointOnLine || geometry.role == Role::Q
 }
 
-/// The angle at `centre`, in [0, π]; none if an arm has no length.
+/// The angle at `centre`, in [0, π]; `None` if an arm has no length.
 fn angle_between(centre: [f64; 2], a: [f64; 2], b: [f64; 2]) -> Option<f64> {
     let [(ax, ay), (bx, by)] = [a, b].map(|p| (p[0] - centre[0], p[1] - centre[1]));
     let (la, lb) = (ax.hypot(ay), bx.hypot(by));

@@ -34,14 +34,14 @@ pub struct Effort {
 pub struct Reaction {
     /// The joint; `b.x`, `b.y`, `b.phi` or `b.origin` for held coordinates and the carried origin of a body `b`.
     pub name: &'static str,
-    /// The body on which force and moment act, that of the joint's second operand; none if there are only couples.
+    /// The body on which force and moment act, that of the joint's second operand; `None` if there are only couples.
     pub on: Option<Frame>,
     /// The joint's point in the inertial frame; none for a pure couple.
     pub point: Option<[f64; 2]>,
     /// The force in the inertial frame; none for a pure couple, and if redundant rows leave it undetermined, unless
     /// forces of least norm are asked for ([`Solver::forces_of_least_norm`](crate::Solver::forces_of_least_norm)).
     pub force: Option<[f64; 2]>,
-    /// The moment about that point, or the couple; none if there is none or if it is undetermined.
+    /// The moment about that point, or the couple; `None` if there is none or if it is undetermined.
     pub moment: Option<f64>,
     /// Couples on gears, pulleys, pinions, nuts and their carriers; empty if undetermined.
     pub couples: Vec<(Frame, f64)>,

@@ -45,7 +45,7 @@ pub struct Options {
     /// absolute on the common scale for coordinates up to one, relative for larger ones. In a typical sweep the total
     /// error stays below about a hundred times this.
     pub integration_tolerance: f64,
-    /// Most internal steps of a sweep between two neighbouring instants.
+    /// Largest number of internal steps of a sweep between two neighbouring instants.
     pub max_steps: usize,
     /// True to end a sweep at the first event of a unilateral condition.
     pub stop_at_events: bool,

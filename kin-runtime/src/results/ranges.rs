@@ -33,7 +33,7 @@ pub struct RangeLimit {
     pub modes: Vec<(&'static str, Sign)>,
     /// The joints of the group that is at its limit.
     pub joints: Vec<&'static str>,
-    /// The drivers that can go no further, each with the value of the coordinate that it drives; none if it drives
+    /// The drivers that can go no further, each with the value of the coordinate that it drives; `None` if it drives
     /// something other than a coordinate.
     pub drivers: Vec<(&'static str, Option<f64>)>,
     /// The kind of limit, if it is known.

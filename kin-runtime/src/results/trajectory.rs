@@ -16,7 +16,7 @@ use core::fmt;
 pub struct Fallback {
     /// Time of the step's end.
     pub t: f64,
-    /// The step of the plan that has no answer there; none if the plan had no answer for another reason, such as a driver
+    /// The step of the plan that has no answer there; `None` if the plan had no answer for another reason, such as a driver
     /// that jumps, or one that does not satisfy all rows.
     pub limit: Option<Limit>,
 }

@@ -32,7 +32,7 @@ pub trait Scalar:
 {
     /// The distance from 1 to the next larger number: what tolerances inside generated code go by.
     const EPSILON: f64 = f64::EPSILON;
-    /// Most corrections of an iteration inside generated code.
+    /// Largest number of corrections of an iteration inside generated code.
     const CORRECTIONS: usize = 12;
     /// Runs generated code. A type whose operations are faster with instructions that not every processor of the build
     /// has overrides it: `work` is compiled for several instruction sets, and the best one is chosen at run time.

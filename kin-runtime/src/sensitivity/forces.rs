@@ -16,7 +16,7 @@ use crate::state::State;
 use crate::workspace::Subset;
 use nalgebra::DVector;
 
-/// Writes the derivatives of forces; none if there are no forces or they have no derivatives.
+/// Writes the derivatives of forces; `None` if there are no forces or they have no derivatives.
 pub(crate) fn forces(
     equations: &mut Equations<'_>,
     variation: &mut dyn Variation,

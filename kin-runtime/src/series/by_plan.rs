@@ -9,7 +9,7 @@ use crate::planned::PlanError;
 use crate::scalar::{Scalar, Taylor};
 use crate::workspace::{Array, Instant};
 
-/// Most coefficients of all coordinates together for which the series are on the stack: a plan has about twenty values
+/// Largest number of coefficients of all coordinates together for which the series are on the stack: a plan has about twenty values
 /// for each.
 const LARGEST: usize = 1500;
 

@@ -31,7 +31,7 @@ struct Start<M: Mechanism> {
 }
 
 impl<M: Mechanism> Solver<'_, M> {
-    /// The state that the guesses lead to; none if the general path must be used.
+    /// The state that the guesses lead to; `None` if the general path must be used.
     pub(crate) fn state_by_plan(&self, at: &Instant<'_>) -> Option<State> {
         if !self.goes_by_plan(at) {
             return None;
@@ -41,7 +41,7 @@ impl<M: Mechanism> Solver<'_, M> {
         self.state_of(&parameters, at, &start)
     }
 
-    /// The state near a complete start; none if the general path must be used.
+    /// The state near a complete start; `None` if the general path must be used.
     pub(crate) fn state_near(&self, at: &Instant<'_>, start: &[f64]) -> Option<State> {
         if !self.goes_by_plan(at) {
             return None;
@@ -63,7 +63,7 @@ impl<M: Mechanism> Solver<'_, M> {
         Some(PlanFollower::begin(self.mechanism, parameters, at, q.as_ref(), modes))
     }
 
-    /// The position that the guesses lead to; none if the general path must be used.
+    /// The position that the guesses lead to; `None` if the general path must be used.
     pub(crate) fn position_by_plan(&self, at: &Instant<'_>) -> Option<Position> {
         if !self.goes_by_plan(at) {
             return None;
@@ -72,7 +72,7 @@ impl<M: Mechanism> Solver<'_, M> {
         self.position_of(&parameters, at, &self.start_of_guess(&parameters, at)?)
     }
 
-    /// The position near a complete start; none if the general path must be used.
+    /// The position near a complete start; `None` if the general path must be used.
     pub(crate) fn position_near(&self, at: &Instant<'_>, start: &[f64]) -> Option<Position> {
         if !self.goes_by_plan(at) {
             return None;
@@ -126,7 +126,7 @@ impl<M: Mechanism> Solver<'_, M> {
         Some(Start { q: start, modes })
     }
 
-    /// The guesses, NaN for coordinates without one; none if one is not finite or for a coordinate that does not exist.
+    /// The guesses, NaN for coordinates without one; `None` if one is not finite or for a coordinate that does not exist.
     fn guessed(&self, parameters: &M::Parameters<f64>) -> Option<M::Coordinates<f64>> {
         let own = M::model().guesses;
         // There are never more guesses than coordinates.
@@ -162,7 +162,7 @@ impl<M: Mechanism> Solver<'_, M> {
         self.finished(parameters, at, &poses)
     }
 
-    /// Writes the solution of the plan at an instant; none if it has no answer.
+    /// Writes the solution of the plan at an instant; `None` if it has no answer.
     fn solve_poses(
         &self,
         parameters: &M::Parameters<f64>,
@@ -286,7 +286,7 @@ fn are_sound(model: &Model, numbers: &[f64]) -> bool {
     })
 }
 
-/// Writes the mechanism's own guesses and those of the caller, which prevail; none if one of these is not finite or for
+/// Writes the mechanism's own guesses and those of the caller, which prevail; `None` if one of these is not finite or for
 /// a coordinate that does not exist.
 fn write_guess(own: &[usize], values: &[f64], guesses: &[(usize, f64)], guess: &mut [f64]) -> Option<()> {
     for (&coordinate, &value) in own.iter().zip(values) {
@@ -303,7 +303,7 @@ fn write_zeros(guess: &mut [f64]) {
     guess.iter_mut().filter(|guess| guess.is_nan()).for_each(|guess| *guess = 0.0);
 }
 
-/// A state without the motion of bodies and points; none if a number is not finite.
+/// A state without the motion of bodies and points; `None` if a number is not finite.
 fn state_without_poses(model: &'static Model, at: &Instant<'_>, solution: [&[f64]; 3], residual: f64) -> Option<State> {
     if !solution.iter().all(|numbers| all_finite(numbers)) {
         return None;

@@ -20,6 +20,10 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     /// The motion over `times`, in whatever order and distance: the branch is followed from the first, which is
     /// assembled from the guesses, to the last.
     ///
+    /// Between two instants as many steps are taken as the motion needs by its velocities and accelerations. What a driver
+    /// does in between without a trace in these is not seen: if it rests at both instants, an excursion between them, even one
+    /// past a dead centre, leaves no error. Choose instants that see every rise and dwell of a driver.
+    ///
     /// # Errors
     /// As [`state`](Self::state) for the first instant; then [`Singular`](SolveError::Singular) or
     /// [`StepRefused`](SolveError::StepRefused) where the branch ends, with the states before it.

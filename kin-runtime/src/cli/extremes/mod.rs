@@ -27,9 +27,9 @@ use crate::present::units::Units;
 
 /// Number of steps without `--steps`.
 pub(super) const STEPS: usize = 360;
-/// Most motions of one search, and what to do for more.
+/// Largest number of motions of one search, and what to do for more.
 const MOST: (usize, &str) = (100_000, "for more, see the crate kin-study");
-/// Most driven quantities whose values are shown beside the time.
+/// Largest number of driven quantities whose values are shown beside the time.
 const DRIVERS: usize = 3;
 
 /// The least and the greatest of quantities over a motion, also between instants

@@ -5,7 +5,7 @@ use serde::Serialize;
 use super::search::Extreme;
 use crate::present::record::Parameters;
 
-/// A quantity with its extremes; none if it has no finite value.
+/// A quantity with its extremes; `None` if it has no finite value.
 #[derive(Clone, Debug, Serialize)]
 pub(super) struct Range {
     pub(super) quantity: String,

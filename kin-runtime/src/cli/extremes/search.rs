@@ -8,7 +8,7 @@ use crate::nonlinear::peak::peak;
 use crate::serial::Named;
 use crate::state::State;
 
-/// Most peaks that are refined, the highest possible ones first.
+/// Largest number of peaks that are refined, the highest possible ones first.
 const REFINED: usize = 8;
 /// A quantity whose variation is smaller than this, relative to its largest value, is constant.
 const CONSTANT: f64 = 1e-12;

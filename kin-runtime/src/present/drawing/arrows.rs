@@ -39,7 +39,7 @@ pub(super) struct Arrows {
 /// A force or a couple over the motion, with its point.
 struct Track<T> {
     ink: Ink,
-    /// The point and the value at every instant; none if the forces of that instant are unknown.
+    /// The point and the value at every instant; `None` if the forces of that instant are unknown.
     values: Vec<Option<([f64; 2], T)>>,
 }
 

@@ -185,7 +185,7 @@ fn axle(attached: &[Place], outline: &[[f64; 2]]) -> Option<[f64; 2]> {
     attached.iter().find(|place| corners_held && place.held && within(place.at)).map(|place| place.at)
 }
 
-/// The line from a slot to the nearest of some points; none if one of them lies in the slot.
+/// The line from a slot to the nearest of some points; `None` if one of them lies in the slot.
 fn nearest([from, to]: &[[f64; 2]; 2], places: &[Place]) -> Option<([f64; 2], [f64; 2])> {
     let (along, length) = ([to[0] - from[0], to[1] - from[1]], distance(*from, *to));
     let foot = |[x, y]: [f64; 2]| {

@@ -6,7 +6,7 @@ use super::part::{Ink, Part, Stroke};
 use super::subject::{Pose, Subject, bounds, distance, placed};
 use crate::model::{Geometry, JointInfo, Role};
 
-/// Most pieces that a part of a rope is drawn with.
+/// Largest number of pieces that a part of a rope is drawn with.
 const PIECES: f64 = 64.0;
 
 /// A rope over its points. A part whose length changes is drawn with pieces that overlap where it is short.

@@ -44,7 +44,7 @@ fn foot_of(subject: &Subject<'_>, body: Frame) -> Option<[f64; 2]> {
     (body != Frame::Ground).then(|| axle(subject, body, Frame::Ground)).map(|p| placed(subject.pose(0, body), p))
 }
 
-/// Both wheels of a gear or belt, scaled so that they meet; none if they have the same centre.
+/// Both wheels of a gear or belt, scaled so that they meet; `None` if they have the same centre.
 fn pair(subject: &Subject<'_>, joint: &JointInfo, meet: impl Fn(f64, f64, f64) -> f64) -> Option<[Half; 2]> {
     let [(a, ra), (b, rb)] = subject.radii(joint)[..] else { return None };
     let carrier = piece(joint, Role::Value).map_or(Frame::Ground, |value| value.frame);

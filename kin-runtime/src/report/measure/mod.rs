@@ -116,7 +116,7 @@ enum Place {
 const SUFFIXES: [&str; 3] = ["", "_dot", "_ddot"];
 
 impl Measure {
-    /// The quantity with this name; none if the mechanism has none.
+    /// The quantity with this name; `None` if the mechanism has none.
     pub fn named(model: &'static Model, name: &str) -> Option<Self> {
         let found = Self::all(model).into_iter().find(|measure| measure.name == name);
         found.or_else(|| Self::effort(model, name)).or_else(|| {

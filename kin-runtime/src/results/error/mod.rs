@@ -70,7 +70,7 @@ pub enum SolveError {
         iterations: u32,
         /// Whether assembly had nothing to vary, since every coordinate had a guess.
         all_guessed: bool,
-        /// The group of the plan that cannot close, in the modes of the best attempt; none if all can, or without a
+        /// The group of the plan that cannot close, in the modes of the best attempt; `None` if all can, or without a
         /// plan.
         limit: Option<Limit>,
     },
@@ -86,7 +86,7 @@ pub enum SolveError {
         rows: Vec<&'static str>,
         /// Estimated condition number of the scaled Φ_q; infinite where it is exactly singular.
         condition: f64,
-        /// The group of the plan that is at its limit or cannot close beyond it; none if all can, or without a plan.
+        /// The group of the plan that is at its limit or cannot close beyond it; `None` if all can, or without a plan.
         limit: Option<Limit>,
     },
     /// No q̇ satisfies Φ_q q̇ = −Φ_t.
@@ -173,7 +173,7 @@ pub enum SolveError {
         joint: &'static str,
         /// Why.
         reason: Refusal,
-        /// The group of the plan that cannot close at `t_refused`; none if all can, or without a plan.
+        /// The group of the plan that cannot close at `t_refused`; `None` if all can, or without a plan.
         limit: Option<Limit>,
     },
     /// Bodies touch where the contact equation is degenerate.
@@ -237,7 +237,7 @@ pub enum SolveError {
         t: f64,
         /// The parameter.
         parameter: &'static str,
-        /// A redundant row that agrees with the others at this value of the parameter only; none if the reason is a
+        /// A redundant row that agrees with the others at this value of the parameter only; `None` if the reason is a
         /// function without a (known) derivative here.
         row_name: Option<&'static str>,
     },
@@ -329,7 +329,7 @@ pub enum SolveError {
         t: f64,
         /// The modes asked for.
         modes: Vec<(&'static str, Sign)>,
-        /// The group that cannot close; none if the plan closes and the mechanism does not.
+        /// The group that cannot close; `None` if the plan closes and the mechanism does not.
         limit: Option<Limit>,
     },
     /// No configuration could be compared.

@@ -185,7 +185,7 @@ impl RangeSearch<'_> {
         }
     }
 
-    /// The closure of another gap to which a motion leads from a closure; none if it is not one of those.
+    /// The closure of another gap to which a motion leads from a closure; `None` if it is not one of those.
     fn follow(&self, (gap, closure): ClosureIndex, other: usize) -> Result<Option<usize>, End> {
         let (from, to) = (&self.gaps[gap], &self.gaps[other]);
         let q = &from.closures[closure].q;
