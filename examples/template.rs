@@ -25,7 +25,7 @@ use std::process::ExitCode;
 // What is reported besides: points and formulas, with velocities and accelerations.
 #[point(middle = rod @ (l/2, 0))]
 #[define(reach = slider.x - r)]
-// Where it is at first, roughly: of the two ways to close, the nearer one is taken.
+// Where it is at first, roughly: the links can be assembled in two ways, and the nearer one is taken.
 #[guess(crank.phi = 0.1, rod.phi = -0.1, slider.x = r + l)]
 pub struct SliderCrank {
     // The numbers that may change, each with a default; units are for people.

@@ -124,7 +124,7 @@ fn what_is_guessed_is_not_varied_and_the_error_says_so() {
     assert!(
         error
             .to_string()
-            .ends_with("every coordinate has a guess and none is varied: other guesses, or fewer, may close")
+            .ends_with("every coordinate has a guess, so no others were tried: change a guess, or leave some out")
     );
     for angle in [0.1, -0.1] {
         let state = mechanism.solver().with_guess(0, angle).state(&Instant::at(0.05)).unwrap();

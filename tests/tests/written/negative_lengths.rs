@@ -129,7 +129,7 @@ fn the_plan_alone_takes_no_negative_length_either() {
     let wrong = Linked { l2: -0.4, ..sound };
     let error = Planned::new(&wrong, &at, &q).map(|_| ()).unwrap_err();
     assert_eq!(error, PlanError::NegativeLength { t: 0.25, joint: "link", length: -0.4 });
-    assert_eq!(error.to_string(), "at t = 0.25, the length of `link` is -0.4: a length is not negative");
+    assert_eq!(error.to_string(), "at t = 0.25, the length of `link` is -0.4: a length must not be negative");
     // The last valid state is kept.
     let mut boom = Boom.solver().planned(&Instant { t: 0.0, inputs: &cylinder(0.9) }).unwrap();
     let error = boom.at(&Instant { t: 0.5, inputs: &cylinder(-0.9) }).map(|_| ()).unwrap_err();
