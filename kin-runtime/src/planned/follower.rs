@@ -7,6 +7,8 @@
 use super::branch::Branch;
 use super::lists::{Distances, Margins, Modes};
 use crate::mechanism::Mechanism;
+use crate::model::{Component, CoordinateKind, Model};
+use crate::plan::StepKind;
 use crate::signal::{Instant, Signal};
 use crate::workspace::Array;
 
@@ -83,6 +85,8 @@ pub(crate) struct PlanFollower<M: Mechanism> {
     pub(super) distances: Distances<M>,
     /// Factors that convert the coordinates to radians.
     pub(super) weights: M::Coordinates<f64>,
+    /// Whether an unknown of an iteration is no angle, so that the turns of bodies do not bound how far it moves.
+    pub(super) iterates_lengths: bool,
     /// q at the limit that ended the last motion, if it was located.
     pub(super) limit: Option<M::Coordinates<f64>>,
 }
@@ -108,6 +112,18 @@ pub(crate) enum Fault {
     NonFinite,
 }
 
+/// True if an unknown of an iteration of the plan is no angle.
+fn iterates_lengths(model: &Model) -> bool {
+    let is_angle = |k: usize| {
+        let kind = model.coordinates.get(k).map(|coordinate| coordinate.kind);
+        matches!(kind, Some(CoordinateKind::Pose { component: Component::Phi, .. }))
+    };
+    model.plan.steps.iter().any(|step| match step.kind {
+        StepKind::Newton(unknowns) => step.coordinates.iter().take(unknowns).any(|&(k, _)| !is_angle(k)),
+        _ => false,
+    })
+}
+
 impl<M: Mechanism> PlanFollower<M> {
     /// A follower without any state.
     pub(super) fn empty(parameters: M::Parameters<f64>, t: f64) -> Self {
@@ -126,6 +142,7 @@ impl<M: Mechanism> PlanFollower<M> {
             nearest: 1.0,
             distances: Distances::filled(0.0),
             weights: zeros,
+            iterates_lengths: iterates_lengths(M::model()),
             limit: None,
         }
     }

@@ -247,12 +247,12 @@ impl<M: Mechanism> PlanFollower<M> {
         }
         // Where every group is out of reach of its limit, no sign can have changed: neither within the step nor between
         // the solution and its prediction, which are much nearer to one another than both ends of the step. An iteration
-        // may still have found another solution, since the turns of bodies do not bound how far its unknowns move.
+        // of lengths may still have found another solution, since the turns of bodies do not bound how far these move.
         let nearest = self.measure();
         let least = f64::min(nearest, self.nearest);
         let far = least >= OUT_OF_REACH * turn && least >= NEAR;
         let stays = match far {
-            true => self.keeps_orientations(mechanism, at)?,
+            true => !self.iterates_lengths || self.keeps_orientations(mechanism, at)?,
             false => self.stays_on_its_branch(mechanism, at, resolves(least, turn))?,
         };
         if !stays {
