@@ -8,7 +8,7 @@
 //! expressions without unknowns. Everything else (a supplied function of an unknown, for example) is the rest.
 //! Coefficients that are identically zero are found by [`ZeroTest`] and removed; so |A(φ)s|² contains no φ.
 
-use super::zero_test::ZeroTest;
+use super::zero::ZeroTest;
 use crate::expr::{ExprId, Graph, IdMap, Node, Symbol};
 use crate::structure::turn::terms;
 use crate::vocabulary::Function;

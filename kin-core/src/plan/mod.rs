@@ -40,14 +40,14 @@ mod state;
 mod step;
 mod steps;
 mod tree;
-mod zero_test;
+mod zero;
 
 pub use formulas::{Formulas, Line};
 pub use redundant_rows::TOLERANCE;
 pub(crate) use rewrite::{Substitution, rewrite};
 pub use sections::Section;
 pub use step::{Mode, Step, StepId};
-pub(crate) use zero_test::ZeroTest;
+pub(crate) use zero::ZeroTest;
 
 use crate::expr::{ExprId, Graph};
 use crate::program::{Program, Slot, lower};
