@@ -4,8 +4,9 @@
 //! let [__q0, _, __q2, ..] = q;        in place of q[0] and q[2]
 //! ```
 //!
-//! rustc takes ten times as long to check the type of an index expression as that of a name, and a kernel reads and
-//! writes little else. An element is bound by reference, so it is read and written at the same places as by its index.
+//! rustc takes ten times as long to check the type of an index expression as that of a name, and most operands and
+//! results of a kernel are elements of arrays. An element is bound by reference, so it is read and written at the same
+//! places as by its index.
 
 use super::instructions::{argument, target_name};
 use kin_core::expr::Symbol;
@@ -24,8 +25,8 @@ pub(super) struct Elements(BTreeMap<&'static str, BTreeSet<usize>>);
 impl Elements {
     /// The elements that a program reads and writes at constant indices.
     ///
-    /// Left out are arrays of which it uses few elements, and those that it writes and whose elements a loop reads or
-    /// writes one by one: one name would forbid all other access.
+    /// Left out are arrays of which it uses few elements. Also left out are arrays that it writes and in which a loop moves
+    /// on from element to element: while an element is borrowed to be written, Rust allows no index into its array.
     pub(super) fn of(rolled: &Rolled) -> Self {
         let (mut named, mut written, mut by_index) = (Self::default(), BTreeSet::new(), BTreeSet::new());
         for piece in &rolled.pieces {
