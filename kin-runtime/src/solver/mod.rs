@@ -159,6 +159,10 @@ impl<'m, M: Mechanism> Solver<'m, M> {
 
     /// Position analysis from a complete start, then velocity and acceleration.
     ///
+    /// Groups in closed form keep the modes of the start; an iteration takes the solution that it finds from there, which
+    /// far from the start may be on another branch. [`sweep`](Self::sweep) and [`tracker`](Self::tracker) follow a motion and
+    /// never leave its branch.
+    ///
     /// # Errors
     /// As [`state`](Self::state).
     pub fn state_from(&self, at: &Instant<'_>, start: &[f64]) -> Result<State, SolveError> {
