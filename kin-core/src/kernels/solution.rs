@@ -83,6 +83,12 @@ pub(super) fn of_plan(system: &KinematicSystem, plan: &SolutionPlan) -> Option<S
     })
 }
 
+/// The factors that convert changes of coordinates to radians, where they are not those of all mechanisms.
+pub(super) fn weights(plan: &SolutionPlan) -> Option<List> {
+    let program = &plan.weights;
+    (!program.outputs.is_empty()).then(|| List::of("weights_with", "weights", Given::Position, program))
+}
+
 /// The list of branch values, which give the modes of a configuration and, if there are iterations, their orientations.
 pub(super) fn branch_values(plan: &SolutionPlan) -> Option<List> {
     let (method, name) = match plan.orientations.is_empty() {

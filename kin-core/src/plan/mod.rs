@@ -40,6 +40,7 @@ mod state;
 mod step;
 mod steps;
 mod tree;
+mod weights;
 mod zero;
 
 pub use formulas::{Formulas, Line};
@@ -79,6 +80,9 @@ pub struct SolutionPlan {
     /// The branch values of a configuration: one entry per mode, whose sign is the mode, then one per iteration, whose
     /// sign is its orientation.
     pub branch_values: Program,
+    /// Factors that convert changes of coordinates to radians, n numbers, if the plan iterates on lengths; otherwise
+    /// empty.
+    pub weights: Program,
     /// Two programs that solve Φ_q x = b at a configuration: the first computes the `factors` values that depend on
     /// Φ_q alone, the second computes x from these values and b.
     pub resolve: [Program; 2],
@@ -154,6 +158,9 @@ fn planned(system: &KinematicSystem, rank: usize, written: bool) -> Result<(Solu
     let outputs: Vec<_> =
         branch_values.into_iter().chain(orientations).enumerate().map(|(k, id)| (Slot::Entry(k), id)).collect();
     let branch_values = lower(&graph, &outputs);
+    let weights = weights::weights(&mut graph, &tree, &set.coordinates).unwrap_or_default();
+    let outputs: Vec<_> = weights.into_iter().enumerate().map(|(k, id)| (Slot::Entry(k), id)).collect();
+    let weights = lower(&graph, &outputs);
     let (sections, held) = sections::sections(&mut graph, stages, iterations);
     let depth = |place| match place {
         place if place >= first.acceleration => Depth::Acceleration,
@@ -173,6 +180,7 @@ fn planned(system: &KinematicSystem, rank: usize, written: bool) -> Result<(Solu
         sections,
         held,
         branch_values,
+        weights,
         resolve,
         factors,
         regular,

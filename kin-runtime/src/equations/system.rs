@@ -83,6 +83,11 @@ pub(crate) trait System {
         let _ = (at, q, branch_values);
         Ok(())
     }
+    /// Writes the factors that convert changes of coordinates to radians at q.
+    fn weights(&self, at: &Instant<'_>, q: &[f64], weights: &mut [f64]) -> Result<(), LengthError> {
+        let _ = (at, q, weights);
+        Ok(())
+    }
     /// The local points, axes and values of joints.
     fn geometry(&self, at: &Instant<'_>) -> Result<Vec<f64>, LengthError> {
         let mut numbers = vec![0.0; self.model().geometry];
@@ -240,6 +245,10 @@ impl<B: Borrow<M>, M: Mechanism> System for Evaluator<B, M> {
 
     fn branches(&self, at: &Instant<'_>, q: &[f64], branch_values: &mut [f64]) -> Result<(), LengthError> {
         self.mechanism.borrow().branches_with(self.parameters.as_ref(), at, q, branch_values)
+    }
+
+    fn weights(&self, at: &Instant<'_>, q: &[f64], weights: &mut [f64]) -> Result<(), LengthError> {
+        self.mechanism.borrow().weights_with(self.parameters.as_ref(), at, q, weights)
     }
 
     fn generalized_forces(&self, at: &Instant<'_>, state: &State, generalized: &mut [f64]) -> Result<(), LengthError> {

@@ -83,7 +83,7 @@ pub(crate) struct PlanFollower<M: Mechanism> {
     pub(super) nearest: f64,
     /// |w| of the groups of the trial state.
     pub(super) distances: Distances<M>,
-    /// Factors that convert the coordinates to radians.
+    /// Factors that convert changes of the coordinates to radians, at the accepted state.
     pub(super) weights: M::Coordinates<f64>,
     /// Whether an unknown of an iteration is no angle, so that the turns of bodies do not bound how far it moves.
     pub(super) iterates_lengths: bool,
@@ -113,7 +113,7 @@ pub(crate) enum Fault {
 }
 
 /// True if an unknown of an iteration of the plan is no angle.
-fn iterates_lengths(model: &Model) -> bool {
+pub(crate) fn iterates_lengths(model: &Model) -> bool {
     let is_angle = |k: usize| {
         let kind = model.coordinates.get(k).map(|coordinate| coordinate.kind);
         matches!(kind, Some(CoordinateKind::Pose { component: Component::Phi, .. }))
@@ -150,6 +150,7 @@ impl<M: Mechanism> PlanFollower<M> {
     /// A follower at a known state, without a previous one.
     #[cfg(all(feature = "simd", feature = "alloc"))]
     pub(crate) fn resume(
+        mechanism: &M,
         parameters: M::Parameters<f64>,
         modes: Modes<M>,
         at: &Instant<'_>,
@@ -160,7 +161,7 @@ impl<M: Mechanism> PlanFollower<M> {
         follower.states[0] = Poses { q, q_dot, q_ddot, margins };
         follower.branch.modes = modes;
         follower.starts_anew = false;
-        super::predict::weights(M::model(), q.as_ref(), follower.weights.as_mut());
+        follower.weigh(mechanism, at, &q);
         follower.keep_inputs(at.inputs);
         follower.nearest = margins.write_distances(&mut follower.branch.distances);
         follower
@@ -175,6 +176,21 @@ impl<M: Mechanism> PlanFollower<M> {
         self.good = 1 - self.good;
         self.t = at.t;
         self.keep_inputs(at.inputs);
+    }
+
+    /// Computes the weights at a configuration.
+    pub(super) fn weigh(&mut self, mechanism: &M, at: &Instant<'_>, q: &M::Coordinates<f64>) {
+        let weighed = mechanism.weights_with(self.parameters.as_ref(), at, q.as_ref(), self.weights.as_mut());
+        debug_assert!(weighed.is_ok(), "q and weights have n numbers");
+    }
+
+    /// Computes the weights at the accepted state, if they change along a motion: those of angles do not.
+    #[inline]
+    pub(super) fn weigh_again(&mut self, mechanism: &M, at: &Instant<'_>) {
+        if self.iterates_lengths {
+            let q = self.state().q;
+            self.weigh(mechanism, at, &q);
+        }
     }
 
     /// q at the limit that ended the last motion, if it was located.

@@ -10,24 +10,12 @@
 //! well. Its error is of sixth order in the step, so that one correction suffices where the parabola of third order
 //! needs two.
 
-use crate::model::{Component, CoordinateKind, Model};
 use crate::scalar::compare::Compare;
 
-/// Writes the factors that convert coordinates to radians at a configuration q: 1 for angles; 0 for lengths, because
-/// the unit of length is arbitrary; and for scalar coordinates, whose meaning is unknown, 1 / (1 + |q|).
-pub(crate) fn weights(model: &Model, q: &[f64], weights: &mut [f64]) {
-    for ((weight, coordinate), q) in weights.iter_mut().zip(model.coordinates).zip(q) {
-        *weight = match coordinate.kind {
-            CoordinateKind::Pose { component: Component::Phi, .. } => 1.0,
-            CoordinateKind::Pose { .. } => 0.0,
-            CoordinateKind::Scalar => 1.0 / (1.0 + q.abs()),
-        };
-    }
-}
-
-/// Writes the prediction by the parabola; returns the largest rotation, where the larger of both terms counts.
+/// Writes the prediction by the parabola; returns the largest rotation, where the larger of both terms counts. The
+/// weights are those of [`weights_with`](crate::Mechanism::weights_with).
 #[inline(always)]
-pub(crate) fn parabola<V: Compare>(to: &mut [V], [q, q_dot, q_ddot]: [&[V]; 3], weights: &[f64], h: f64) -> V {
+pub(crate) fn parabola<V: Compare>(to: &mut [V], [q, q_dot, q_ddot]: [&[V]; 3], weights: &[V], h: f64) -> V {
     let (step, half) = (V::from_f64(h), V::from_f64(0.5 * h * h));
     // Four maxima in parallel, so that the loop vectorises.
     let mut most = [V::from_f64(0.0); 4];
@@ -35,7 +23,7 @@ pub(crate) fn parabola<V: Compare>(to: &mut [V], [q, q_dot, q_ddot]: [&[V]; 3], 
     for (k, ((to, q), ((v, a), weight))) in to.iter_mut().zip(q).zip(rates).enumerate() {
         let (by_velocity, by_acceleration) = (step * *v, half * *a);
         *to = *q + (by_velocity + by_acceleration);
-        let turn = V::from_f64(*weight) * by_velocity.abs().greatest(by_acceleration.abs());
+        let turn = *weight * by_velocity.abs().greatest(by_acceleration.abs());
         most[k % 4] = most[k % 4].greatest(turn);
     }
     most[0].greatest(most[1]).greatest(most[2].greatest(most[3]))
@@ -43,8 +31,8 @@ pub(crate) fn parabola<V: Compare>(to: &mut [V], [q, q_dot, q_ddot]: [&[V]; 3], 
 
 /// The largest rotation between two configurations.
 #[inline(always)]
-pub(crate) fn turned<V: Compare>(a: &[V], b: &[V], weights: &[f64]) -> V {
-    let turn = |a: V, b: V, weight: f64| V::from_f64(weight) * (a - b).abs();
+pub(crate) fn turned<V: Compare>(a: &[V], b: &[V], weights: &[V]) -> V {
+    let turn = |a: V, b: V, weight: V| weight * (a - b).abs();
     // Four maxima in parallel, in chunks: measured to be faster than a remainder of the index here.
     let mut most = [V::from_f64(0.0); 4];
     let ((a, a_rest), (b, b_rest)) = (a.as_chunks::<4>(), b.as_chunks::<4>());
@@ -89,9 +77,7 @@ pub(super) fn beyond_parabola(before: [f64; 3], now: [f64; 3], span: f64, h: f64
 
 #[cfg(test)]
 mod tests {
-    use super::{beyond_parabola, parabola, turned, weights};
-    use crate::Mechanism;
-    use crate::fixture::{FourBarLoop, PlannedFourBar};
+    use super::{beyond_parabola, parabola, turned};
 
     #[test]
     fn a_quintic_is_met_to_the_last_digits() {
@@ -151,16 +137,6 @@ mod tests {
                 }
             }
         }
-    }
-
-    #[test]
-    fn angles_count_as_they_are_lengths_not_and_scalars_by_their_size() {
-        let mut found = [f64::NAN; 9];
-        weights(PlannedFourBar::model(), &[5.0; 9], &mut found);
-        assert_eq!([0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0], found);
-        let mut found = [f64::NAN; 3];
-        weights(FourBarLoop::model(), &[0.0, 3.0, -1.0], &mut found);
-        assert_eq!([1.0, 0.25, 0.5], found);
     }
 
     /// Where the additional terms of the quintic exceed a quarter of the motion by the parabola, they are not used.

@@ -247,6 +247,7 @@ impl<M: Mechanism> PlanFollower<M> {
                 Ok(()) => {
                     let nearest = follower.measure();
                     follower.accept(&end, nearest, false);
+                    follower.weigh_again(mechanism, &end);
                 }
                 Err(blocked) => {
                     let (error, place) = follower.refusal_at(mechanism, &course, &end, &blocked);

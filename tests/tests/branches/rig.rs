@@ -1,4 +1,5 @@
-//! A platform with three driven cranks, followed by an arc-length continuation that is independent of kin.
+//! A platform on three legs, followed by an arc-length continuation that is independent of kin. The legs are driven
+//! cranks with links, or cylinders.
 
 use crate::arithmetic::{along, determinant, dot, solve};
 use crate::jet::Jet;
@@ -8,8 +9,8 @@ use kin_tests::random::Random;
 const STEP: f64 = 0.03;
 const TURN: f64 = 0.03;
 
-/// The positions of ground pins, the lengths of cranks and links, and the pins on the platform; the angles of the
-/// cranks are `start` + `rate` s.
+/// The positions of ground pins, the lengths of cranks and links, and the pins on the platform. The angles of the cranks
+/// are `start` + `rate` s, and the lengths of the links are `l` + `stroke` s.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Rig {
     pub(crate) x: [f64; 3],
@@ -20,6 +21,7 @@ pub(crate) struct Rig {
     pub(crate) py: [f64; 3],
     pub(crate) start: [f64; 3],
     pub(crate) rate: [f64; 3],
+    pub(crate) stroke: [f64; 3],
     /// The pose of the platform at s = 0.
     pub(crate) pose: [f64; 3],
 }
@@ -33,8 +35,17 @@ pub(crate) struct Arc {
 }
 
 impl Rig {
-    /// A random platform that assembles, far from singular poses.
+    /// A random platform with cranks that assembles, far from singular poses.
     pub(crate) fn drawn(random: &mut Random) -> Self {
+        Self::drawn_with(random, false)
+    }
+
+    /// A random platform on three cylinders that assembles, far from singular poses.
+    pub(crate) fn of_cylinders(random: &mut Random) -> Self {
+        Self::drawn_with(random, true)
+    }
+
+    fn drawn_with(random: &mut Random, cylinders: bool) -> Self {
         loop {
             let mut three = |low: f64, high: f64| -> [f64; 3] { std::array::from_fn(|_| random.between(low, high)) };
             let (dx, dy, r, start) = (three(-0.2, 0.2), three(-0.2, 0.2), three(0.2, 0.45), three(-3.0, 3.0));
@@ -49,8 +60,12 @@ impl Rig {
                 py,
                 start,
                 rate,
+                stroke: [0.0; 3],
                 pose: [x + 0.5, y + 0.3, 5.0 * phi],
             };
+            if cylinders {
+                (rig.r, rig.rate, rig.stroke) = ([0.0; 3], [0.0; 3], rate);
+            }
             let z = [rig.pose[0], rig.pose[1], rig.pose[2], 0.0];
             rig.l = rig.links(z.map(Jet::from)).map(|[x, y]| x.x.hypot(y.x));
             let rows = rig.rows(&z);
@@ -93,12 +108,17 @@ impl Rig {
         std::array::from_fn(|i| [pins[i][0] - ends[i][0], pins[i][1] - ends[i][1]])
     }
 
+    /// The lengths of the links.
+    pub(crate) fn lengths(&self, s: Jet) -> [Jet; 3] {
+        std::array::from_fn(|i| s * self.stroke[i] + self.l[i])
+    }
+
     /// The residuals ½ (|link|² − l²), where the lengths of the links are increased by the relative amounts `off` times
     /// 1, 2, 3.
     fn gaps(&self, z: [Jet; 4], off: f64) -> [Jet; 3] {
-        let links = self.links(z);
+        let (links, lengths) = (self.links(z), self.lengths(z[3]));
         std::array::from_fn(|i| {
-            let ([x, y], l) = (links[i], self.l[i] * (1.0 + off * (i + 1) as f64));
+            let ([x, y], l) = (links[i], lengths[i] * (1.0 + off * (i + 1) as f64));
             (x * x + y * y - l * l) * 0.5
         })
     }
@@ -172,6 +192,12 @@ impl Rig {
             h = (1.5 * h).min(STEP);
         }
         Some(Arc { nodes, fold: None })
+    }
+
+    /// The times at which a motion s = `reach` sin t passes a fold.
+    pub(crate) fn folds(arc: &Arc, reach: f64) -> Vec<f64> {
+        let fold = arc.fold.filter(|fold| *fold < reach).map(|fold| (fold / reach).asin());
+        fold.map_or(vec![], |t| vec![t, std::f64::consts::PI - t])
     }
 
     /// The point within the distance `h` of a node at which s turns back.

@@ -8,10 +8,10 @@ use super::poses::{Limits, Poses, Question, copy_lane};
 use crate::mechanism::Mechanism;
 use crate::plan::{Depth, Plan};
 use crate::planned::branch::{FAR_FROM_LIMITS, OUT_OF_REACH, certainty_of, resolves};
-use crate::planned::follower::{Control, NEGLIGIBLE, PlanFollower};
+use crate::planned::follower::{Control, NEGLIGIBLE, PlanFollower, iterates_lengths};
 use crate::planned::lists::{BranchValues, Distances, Margins, Modes};
 use crate::planned::passed::CLOSE;
-use crate::planned::predict::{parabola, turned, weights};
+use crate::planned::predict::{parabola, turned};
 use crate::planned::{Limit, PlanError, Step};
 use crate::scalar::Scalar;
 use crate::scalar::compare::Compare;
@@ -33,8 +33,9 @@ pub(super) struct Motion<M: Mechanism> {
     margins_before: Margins<M, Octet>,
     inputs: M::Inputs<f64>,
     t: f64,
-    /// The weight of each coordinate: radians per unit.
-    weights: M::Coordinates<f64>,
+    /// The weight of each coordinate in every set: radians per unit.
+    weights: M::Coordinates<Octet>,
+    weights_vary: bool,
 }
 
 /// For every set without an answer the margin to report, and the step of the plan that is the reason, if there is one.
@@ -55,7 +56,8 @@ impl<M: Mechanism> Motion<M> {
             margins_before: Margins::filled(Octet::default()),
             inputs: Array::filled(Signal::constant(0.0)),
             t: 0.0,
-            weights: Array::filled(0.0),
+            weights: Array::generate(nothing),
+            weights_vary: iterates_lengths(M::model()),
         }
     }
 
@@ -76,10 +78,8 @@ impl<M: Mechanism> Motion<M> {
                 limits.get_or_insert([None; Octet::COUNT]);
             }
         }
-        let q = self.poses[1 - self.good].q;
-        let first: M::Coordinates<f64> = Array::generate(|k| q.as_ref()[k].lane(0));
-        weights(M::model(), first.as_ref(), self.weights.as_mut());
-        self.keep(at);
+        self.keep(mechanism, at);
+        self.weigh(mechanism, at);
         let poses = self.poses();
         let limits = limits?;
         let refused =
@@ -152,11 +152,11 @@ impl<M: Mechanism> Motion<M> {
         // No group is so near to its limit that rates are inaccurate, and no number is NaN.
         let far = (nearer - Octet::from_f64(1.0)).is_within(1.0 - FAR_FROM_LIMITS);
         if limits.is_none() & far & is_positive(least) {
-            self.keep(at);
+            self.keep(mechanism, at);
             return None;
         }
         let refusals = self.alone(mechanism, at, least);
-        self.keep(at);
+        self.keep(mechanism, at);
         refusals
     }
 
@@ -187,11 +187,23 @@ impl<M: Mechanism> Motion<M> {
 
     /// Accepts the instant that was tried.
     #[inline(always)]
-    fn keep(&mut self, at: &Instant<'_, Octet>) {
+    fn keep(&mut self, mechanism: &M, at: &Instant<'_, Octet>) {
         self.margins_before = self.margins;
         self.good = 1 - self.good;
         self.t = at.t.lane(0);
         self.inputs.as_mut().iter_mut().zip(at.inputs).for_each(|(to, from)| *to = from.map(|x| x.lane(0)));
+        if self.weights_vary {
+            self.weigh(mechanism, at);
+        }
+    }
+
+    /// Computes the weights at the last instant.
+    #[cold]
+    #[inline(never)]
+    fn weigh(&mut self, mechanism: &M, at: &Instant<'_, Octet>) {
+        let q = self.poses[self.good].q;
+        let weighed = mechanism.weights_with(self.parameters.as_ref(), at, q.as_ref(), self.weights.as_mut());
+        debug_assert!(weighed.is_ok(), "q and weights have n numbers");
     }
 
     /// Repeats the step of the sets for which it was not accepted, one by one.
@@ -231,7 +243,7 @@ impl<M: Mechanism> Motion<M> {
         let state = [pick(before.q.as_ref()), pick(before.q_dot.as_ref()), pick(before.q_ddot.as_ref())];
         let from = Instant { t: self.t, inputs: self.inputs.as_ref() };
         let modes = Modes::lane_of(&self.modes, lane);
-        let mut follower = PlanFollower::<M>::resume(parameters, modes, &from, state, margins);
+        let mut follower = PlanFollower::<M>::resume(mechanism, parameters, modes, &from, state, margins);
         let mut inputs = M::Inputs::<f64>::filled(Signal::constant(0.0));
         inputs.as_mut().iter_mut().zip(at.inputs).for_each(|(to, from)| *to = from.map(|x| x.lane(lane)));
         let at = Instant { t: at.t.lane(lane), inputs: inputs.as_ref() };
@@ -281,6 +293,7 @@ impl<M: Mechanism> Motion<M> {
         own(&mut self.parameters, from, to);
         own(&mut self.modes, from, to);
         own(&mut self.margins_before, from, to);
+        own(&mut self.weights, from, to);
         let poses = &mut self.poses[self.good];
         let others = *poses;
         poses.copy_lane(&others, from, to);

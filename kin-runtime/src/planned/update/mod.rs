@@ -11,7 +11,7 @@ use super::branch::{OUT_OF_REACH, resolves};
 use super::error::PlanError;
 use super::follower::{Control, NEGLIGIBLE, PlanFollower, Poses, most_turn};
 use super::lists::{BranchValues, Modes};
-use super::predict::{beyond_parabola, parabola, turned, weights};
+use super::predict::{beyond_parabola, parabola, turned};
 use crate::course::{Between, Course, Kind, kind};
 use crate::mechanism::{LengthError, Mechanism};
 use crate::plan::StepKind;
@@ -152,16 +152,17 @@ impl<M: Mechanism> PlanFollower<M> {
         at: &Instant<'_>,
         control: &Control,
     ) -> Result<(), PlanError> {
-        let kept = self.branch;
+        let kept = (self.branch, self.weights);
         match self.walk(mechanism, course, at, control) {
             Ok(()) => {
                 let nearest = self.measure();
                 self.accept(at, nearest, false);
+                self.weigh_again(mechanism, at);
                 Ok(())
             }
             Err(blocked) => {
                 let error = self.refusal(mechanism, course, at, &blocked);
-                self.branch = kept;
+                (self.branch, self.weights) = kept;
                 self.before = f64::NAN;
                 Err(error)
             }
@@ -217,9 +218,9 @@ impl<M: Mechanism> PlanFollower<M> {
                 self.branch.modes.as_mut()[sign] = found.as_ref()[sign];
             }
         }
-        let q = self.states[1 - self.good].q;
-        weights(M::model(), q.as_ref(), self.weights.as_mut());
         self.accept(at, nearest, false);
+        let q = self.state().q;
+        self.weigh(mechanism, at, &q);
         self.starts_anew = false;
         self.requested = Modes::filled(0.0);
         Ok(())
@@ -259,6 +260,7 @@ impl<M: Mechanism> PlanFollower<M> {
             return Ok(false);
         }
         self.accept(at, nearest, true);
+        self.weigh_again(mechanism, at);
         Ok(true)
     }
 }

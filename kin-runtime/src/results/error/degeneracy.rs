@@ -16,7 +16,8 @@ pub enum Degeneracy {
         /// |w|.
         distance: f64,
     },
-    /// An implicit curve has no gradient: a double point or a cusp.
+    /// The row of an implicit curve vanishes: the curve has no gradient at its point (a double point or a cusp), or its
+    /// normal passes through the pivots of both bodies, so that their rotation does not change the contact.
     Gradient {
         /// Largest entry of the row of Φ_q on the common scale.
         largest: f64,
@@ -62,7 +63,11 @@ impl fmt::Display for Degeneracy {
                 )
             }
             Self::Gradient { largest } => {
-                write!(f, "the curve has no gradient at its point (scaled {largest:.1e}): a double point or a cusp")
+                write!(
+                    f,
+                    "no motion of its bodies changes the contact (scaled row {largest:.1e}): the curve has a double \
+                     point or a cusp there, or its normal passes through the pivots of both bodies"
+                )
             }
             Self::Radius { value } => write!(f, "a radius is {value}, so that it couples nothing"),
             Self::OneCentre { sum } => {

@@ -213,26 +213,27 @@ impl Continuation {
         let mut by_plan = by_plan && self.plan.is_some();
         for _ in 0..options.max_steps {
             let Reached { s: from, .. } = self.reached(moved);
-            let remaining = target - from;
-            if remaining == 0.0 {
+            if from == target {
                 if self.here.basis.is_some() {
                     self.here.state.iterations = iterations;
                 }
                 return Ok(moved);
             }
+            let aim = if by_plan { target } else { self.limit_between(equations, from, target).unwrap_or(target) };
+            let remaining = aim - from;
             let length = match by_plan {
                 true if !needs_every_step => f64::INFINITY,
                 true => self.longest_step(equations, moved),
                 false => self.longest_step(equations, moved).min(self.proposed),
             };
             let smallest = *smallest.get_or_insert_with(|| {
-                let shortest = options.min_step * length.min(remaining.abs());
+                let shortest = options.min_step * length.min((target - from).abs());
                 shortest.max(4.0 * f64::EPSILON * from.abs().max(target.abs()))
             });
             // The remaining distance is split equally between the last two steps, so that none of them is very short.
             let share = remaining.abs() / length;
             let s = match share {
-                share if share <= 1.0 => target,
+                share if share <= 1.0 => aim,
                 share if share < 2.0 => from + 0.5 * remaining,
                 _ => from + length.copysign(remaining),
             };
@@ -307,6 +308,14 @@ impl Continuation {
         }
     }
 
+    /// The place of the limit at which the plan refused to go on, if it lies between two places. Full Newton stops there,
+    /// as in one step it might pass two limits and arrive on another branch.
+    fn limit_between(&self, equations: &Equations<'_>, from: f64, target: f64) -> Option<f64> {
+        let in_time = [from, target].map(|s| equations.time_at(s)) == [from, target];
+        let at = self.plan.as_ref().filter(|_| in_time)?.limit()?.at()?;
+        (from.min(target) < at && at < from.max(target)).then_some(at)
+    }
+
     /// The longest step from the place reached in which no body turns by more than the options allow.
     fn longest_step(&self, equations: &mut Equations<'_>, moved: bool) -> f64 {
         let Reached { node, rates, .. } = self.reached(moved);
@@ -315,8 +324,10 @@ impl Continuation {
         }
         // With redundant rows a motion may pass limits of the rows that the plan uses, so their distance does not shorten
         // the step.
-        let basis = node.basis.as_ref().filter(|_| equations.model.plan.watched().next().is_none());
-        natural_step(equations, rates, basis.map_or(1.0, |basis| groups::nearest(&basis.groups)))
+        let basis = node.basis.as_ref();
+        let near = basis.filter(|_| equations.model.plan.watched().next().is_none());
+        let weights = basis.map_or(&[][..], |basis| &basis.weights);
+        natural_step(equations, rates, near.map_or(1.0, |basis| groups::nearest(&basis.groups)), weights)
     }
 
     /// One step by the plan; false where the plan has no solution.

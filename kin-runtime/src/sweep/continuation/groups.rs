@@ -9,6 +9,7 @@ use crate::analysis::by_plan;
 use crate::equations::Equations;
 use crate::planned::blurred::{blurred_group, largest_angle};
 use crate::planned::branch::{OUT_OF_REACH, certainty_of, resolves};
+use crate::workspace::Instant;
 
 /// Size of a branch value below which rounding no longer allows a group to be assigned to either closure.
 const SMALLEST: f64 = 1e-6;
@@ -33,6 +34,18 @@ pub(super) fn write(equations: &Equations<'_>, q: &[f64], groups: &mut Vec<f64>)
     if equations.system.branches(&equations.instant(), q, groups).is_err() {
         groups.fill(f64::NAN);
     }
+}
+
+/// The factors by which the plan converts changes of coordinates to radians at q; empty under the same conditions.
+pub(super) fn weights(equations: &Equations<'_>, at: &Instant<'_>, q: &[f64]) -> Vec<f64> {
+    if equations.given() > 0 || !equations.model.plan.exists() {
+        return Vec::new();
+    }
+    let mut weights = vec![0.0; q.len()];
+    if equations.system.weights(at, q, &mut weights).is_err() {
+        weights.clear();
+    }
+    weights
 }
 
 /// True if every group has stayed on its branch. The arguments are the branch values at the previous configuration, at

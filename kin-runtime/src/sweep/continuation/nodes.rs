@@ -9,6 +9,7 @@ use crate::analysis::velocity;
 use crate::equations::Equations;
 use crate::equations::factorisation::Purpose;
 use crate::equations::scale::Scale;
+use crate::equations::scale::largest_product;
 use crate::error::SolveError;
 use crate::linear::Factorization;
 use crate::planned::follower::{Control, most_turn};
@@ -58,7 +59,8 @@ pub(super) fn basis_with(equations: &Equations<'_>, state: &State, factor: Facto
     let orientation = Orientation::here(equations, &factor).ok_or_else(singular)?;
     let mut groups = Vec::new();
     groups::write(equations, &state.q, &mut groups);
-    Ok(Basis { orientation, factor, groups })
+    let weights = groups::weights(equations, &state.instant(), &state.q);
+    Ok(Basis { orientation, factor, groups, weights })
 }
 
 /// Writes the rates of a state at an instant; the q of the state already belongs to that instant.
@@ -94,11 +96,20 @@ pub(super) fn rates(
 }
 
 /// The longest step in which no body turns by more than the options allow. `nearest` is the distance of the group that
-/// is nearest to its limit.
-pub(super) fn natural_step(equations: &Equations<'_>, [q_dot, q_ddot]: [&[f64]; 2], nearest: f64) -> f64 {
-    let scale = &equations.scale;
+/// is nearest to its limit; `weights` are those of [`groups::weights`].
+pub(super) fn natural_step(
+    equations: &Equations<'_>,
+    [q_dot, q_ddot]: [&[f64]; 2],
+    nearest: f64,
+    weights: &[f64],
+) -> f64 {
     let most = most_turn(&Control::of(&equations.options), nearest);
-    let by_velocity = most / scale.turn(q_dot);
-    let by_acceleration = (2.0 * most / scale.turn(q_ddot)).sqrt();
+    let by_velocity = most / turn(equations, weights, q_dot);
+    let by_acceleration = (2.0 * most / turn(equations, weights, q_ddot)).sqrt();
     by_velocity.min(by_acceleration)
+}
+
+/// The largest rotation in a displacement: on the common scale, and by the weights of the plan.
+pub(super) fn turn(equations: &Equations<'_>, weights: &[f64], displacement: &[f64]) -> f64 {
+    equations.scale.turn(displacement).max(largest_product(displacement, weights))
 }
