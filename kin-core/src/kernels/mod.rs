@@ -63,7 +63,7 @@ pub fn kernels(system: &KinematicSystem, plan: &SolutionPlan, forces: Option<&Fo
     let (functions, arguments): (Vec<usize>, Vec<ExprId>) = arguments(system).into_iter().unzip();
     let mut lists = list::lists(set, &arguments);
     lists.extend(solution::branch_values(plan));
-    lists.extend(solution::weights(plan));
+    lists.extend(solution::turns(plan));
     lists.extend(forces.into_iter().flat_map(list::of_forces));
     Kernels {
         operations: everything.operations(),

@@ -83,10 +83,9 @@ pub(super) fn of_plan(system: &KinematicSystem, plan: &SolutionPlan) -> Option<S
     })
 }
 
-/// The factors that convert changes of coordinates to radians, where they are not those of all mechanisms.
-pub(super) fn weights(plan: &SolutionPlan) -> Option<List> {
-    let program = &plan.weights;
-    (!program.outputs.is_empty()).then(|| List::of("weights_with", "weights", Given::Position, program))
+/// The list of the angles by which the gradients of iterated rows turn with the coordinates, unless they are all 0.
+pub(super) fn turns(plan: &SolutionPlan) -> Option<List> {
+    (!plan.turns.outputs.is_empty()).then(|| List::of("turns_with", "turns", Given::Position, &plan.turns))
 }
 
 /// The list of branch values, which give the modes of a configuration and, if there are iterations, their orientations.

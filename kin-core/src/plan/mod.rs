@@ -40,7 +40,7 @@ mod state;
 mod step;
 mod steps;
 mod tree;
-mod weights;
+mod turns;
 mod zero;
 
 pub use formulas::{Formulas, Line};
@@ -80,9 +80,8 @@ pub struct SolutionPlan {
     /// The branch values of a configuration: one entry per mode, whose sign is the mode, then one per iteration, whose
     /// sign is its orientation.
     pub branch_values: Program,
-    /// Factors that convert changes of coordinates to radians, n numbers, if the plan iterates on lengths; otherwise
-    /// empty.
-    pub weights: Program,
+    /// By what angle the gradients of iterated rows turn with every coordinate, n numbers; empty where they are all 0.
+    pub turns: Program,
     /// Two programs that solve Φ_q x = b at a configuration: the first computes the `factors` values that depend on
     /// Φ_q alone, the second computes x from these values and b.
     pub resolve: [Program; 2],
@@ -158,9 +157,9 @@ fn planned(system: &KinematicSystem, rank: usize, written: bool) -> Result<(Solu
     let outputs: Vec<_> =
         branch_values.into_iter().chain(orientations).enumerate().map(|(k, id)| (Slot::Entry(k), id)).collect();
     let branch_values = lower(&graph, &outputs);
-    let weights = weights::weights(&mut graph, &tree, &set.coordinates).unwrap_or_default();
-    let outputs: Vec<_> = weights.into_iter().enumerate().map(|(k, id)| (Slot::Entry(k), id)).collect();
-    let weights = lower(&graph, &outputs);
+    let turns = turns::turns(&mut graph, &tree, &set.coordinates);
+    let outputs: Vec<_> = turns.into_iter().enumerate().map(|(k, id)| (Slot::Entry(k), id)).collect();
+    let turns = lower(&graph, &outputs);
     let (sections, held) = sections::sections(&mut graph, stages, iterations);
     let depth = |place| match place {
         place if place >= first.acceleration => Depth::Acceleration,
@@ -180,7 +179,7 @@ fn planned(system: &KinematicSystem, rank: usize, written: bool) -> Result<(Solu
         sections,
         held,
         branch_values,
-        weights,
+        turns,
         resolve,
         factors,
         regular,

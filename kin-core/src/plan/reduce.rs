@@ -238,7 +238,18 @@ impl Reduction<'_> {
         Some(Pair { rows, coordinate, value, exchanges, inner: Block::default() })
     }
 
-    /// The next pivot: a coefficient of ±1 is preferred to other numbers, and these to parameters; among equal ones
+    /// True for a sum or difference, which may be 0 although none of its terms is, as r₁ − r₂ of equal pulleys.
+    fn is_sum(&self, id: ExprId) -> bool {
+        match self.graph.node(id) {
+            Node::Neg(a) | Node::Opaque(a) => self.is_sum(a),
+            Node::Mul(a, b) | Node::Div(a, b) => self.is_sum(a) || self.is_sum(b),
+            Node::Add(..) | Node::Sub(..) => true,
+            _ => false,
+        }
+    }
+
+    /// The next pivot: a coefficient of ±1 is preferred to other numbers, these to parameters and products of
+    /// parameters, and these to sums, which may be 0; among equal ones
     /// the row with the fewest unknowns, which keeps the loops short.
     fn pivot(
         &mut self,
@@ -261,7 +272,7 @@ impl Reduction<'_> {
                 let rank = match self.graph.literal(*coefficient) {
                     Some(value) if value.abs() == 1.0 => 0,
                     Some(_) => 1,
-                    None if self.graph.depends(*coefficient).is_static() => 2,
+                    None if self.graph.depends(*coefficient).is_static() => 2 + u8::from(self.is_sum(*coefficient)),
                     None => continue,
                 };
                 let score = (rank, width, row, coordinate);

@@ -132,8 +132,10 @@ impl<Q: AsRef<[V]> + AsMut<[V]>, V: Pack> Poses<Q, V> {
             depth: question.depth,
         };
         let mut poses = Poses::<M::Coordinates<V>, V>::nothing();
-        poses.ask(mechanism, &own, margins);
-        let limit = poses.judge_lane(&own, margins, lane);
+        let mut found = Margins::<M, V>::filled(V::default());
+        poses.ask(mechanism, &own, found.as_mut());
+        let limit = poses.judge_lane(&own, found.as_ref(), lane);
+        copy_lane(margins, found.as_ref(), lane, lane);
         if poses.is_good(lane) {
             self.copy_lane(&poses, lane, lane);
         }

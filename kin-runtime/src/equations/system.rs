@@ -83,9 +83,9 @@ pub(crate) trait System {
         let _ = (at, q, branch_values);
         Ok(())
     }
-    /// Writes the factors that convert changes of coordinates to radians at q.
-    fn weights(&self, at: &Instant<'_>, q: &[f64], weights: &mut [f64]) -> Result<(), LengthError> {
-        let _ = (at, q, weights);
+    /// Writes for every coordinate by what angle the gradients of iterated rows turn with it.
+    fn turns(&self, at: &Instant<'_>, q: &[f64], turns: &mut [f64]) -> Result<(), LengthError> {
+        let _ = (at, q, turns);
         Ok(())
     }
     /// The local points, axes and values of joints.
@@ -247,8 +247,8 @@ impl<B: Borrow<M>, M: Mechanism> System for Evaluator<B, M> {
         self.mechanism.borrow().branches_with(self.parameters.as_ref(), at, q, branch_values)
     }
 
-    fn weights(&self, at: &Instant<'_>, q: &[f64], weights: &mut [f64]) -> Result<(), LengthError> {
-        self.mechanism.borrow().weights_with(self.parameters.as_ref(), at, q, weights)
+    fn turns(&self, at: &Instant<'_>, q: &[f64], turns: &mut [f64]) -> Result<(), LengthError> {
+        self.mechanism.borrow().turns_with(self.parameters.as_ref(), at, q, turns)
     }
 
     fn generalized_forces(&self, at: &Instant<'_>, state: &State, generalized: &mut [f64]) -> Result<(), LengthError> {

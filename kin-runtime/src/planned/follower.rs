@@ -83,8 +83,11 @@ pub(crate) struct PlanFollower<M: Mechanism> {
     pub(super) nearest: f64,
     /// |w| of the groups of the trial state.
     pub(super) distances: Distances<M>,
-    /// Factors that convert changes of the coordinates to radians, at the accepted state.
+    /// Factors that convert the coordinates to radians.
     pub(super) weights: M::Coordinates<f64>,
+    /// By what angle the gradients of iterated rows turn with each coordinate, at the accepted state; used if
+    /// `iterates_lengths`.
+    pub(super) turns: M::Coordinates<f64>,
     /// Whether an unknown of an iteration is no angle, so that the turns of bodies do not bound how far it moves.
     pub(super) iterates_lengths: bool,
     /// q at the limit that ended the last motion, if it was located.
@@ -142,6 +145,7 @@ impl<M: Mechanism> PlanFollower<M> {
             nearest: 1.0,
             distances: Distances::filled(0.0),
             weights: zeros,
+            turns: zeros,
             iterates_lengths: iterates_lengths(M::model()),
             limit: None,
         }
@@ -161,7 +165,8 @@ impl<M: Mechanism> PlanFollower<M> {
         follower.states[0] = Poses { q, q_dot, q_ddot, margins };
         follower.branch.modes = modes;
         follower.starts_anew = false;
-        follower.weigh(mechanism, at, &q);
+        super::predict::weights(M::model(), q.as_ref(), follower.weights.as_mut());
+        follower.measure_turns(mechanism, at, &q);
         follower.keep_inputs(at.inputs);
         follower.nearest = margins.write_distances(&mut follower.branch.distances);
         follower
@@ -178,18 +183,12 @@ impl<M: Mechanism> PlanFollower<M> {
         self.keep_inputs(at.inputs);
     }
 
-    /// Computes the weights at a configuration.
-    pub(super) fn weigh(&mut self, mechanism: &M, at: &Instant<'_>, q: &M::Coordinates<f64>) {
-        let weighed = mechanism.weights_with(self.parameters.as_ref(), at, q.as_ref(), self.weights.as_mut());
-        debug_assert!(weighed.is_ok(), "q and weights have n numbers");
-    }
-
-    /// Computes the weights at the accepted state, if they change along a motion: those of angles do not.
+    /// Computes `turns` at a configuration, if they are used.
     #[inline]
-    pub(super) fn weigh_again(&mut self, mechanism: &M, at: &Instant<'_>) {
+    pub(super) fn measure_turns(&mut self, mechanism: &M, at: &Instant<'_>, q: &M::Coordinates<f64>) {
         if self.iterates_lengths {
-            let q = self.state().q;
-            self.weigh(mechanism, at, &q);
+            let turns = mechanism.turns_with(self.parameters.as_ref(), at, q.as_ref(), self.turns.as_mut());
+            debug_assert!(turns.is_ok(), "q and turns have n numbers");
         }
     }
 

@@ -10,10 +10,23 @@
 //! well. Its error is of sixth order in the step, so that one correction suffices where the parabola of third order
 //! needs two.
 
+use crate::model::{Component, CoordinateKind, Model};
 use crate::scalar::compare::Compare;
 
-/// Writes the prediction by the parabola; returns the largest rotation, where the larger of both terms counts. The
-/// weights are those of [`weights_with`](crate::Mechanism::weights_with).
+/// Writes the factors that convert coordinates to radians at a configuration q: 1 for angles; 0 for lengths, because
+/// the unit of length is arbitrary; and for scalar coordinates, whose meaning is unknown, 1 / (1 + |q|).
+pub(crate) fn weights<V: Compare>(model: &Model, q: &[V], weights: &mut [V]) {
+    let one = V::from_f64(1.0);
+    for ((weight, coordinate), q) in weights.iter_mut().zip(model.coordinates).zip(q) {
+        *weight = match coordinate.kind {
+            CoordinateKind::Pose { component: Component::Phi, .. } => one,
+            CoordinateKind::Pose { .. } => V::from_f64(0.0),
+            CoordinateKind::Scalar => one / (one + q.abs()),
+        };
+    }
+}
+
+/// Writes the prediction by the parabola; returns the largest rotation, where the larger of both terms counts.
 #[inline(always)]
 pub(crate) fn parabola<V: Compare>(to: &mut [V], [q, q_dot, q_ddot]: [&[V]; 3], weights: &[V], h: f64) -> V {
     let (step, half) = (V::from_f64(h), V::from_f64(0.5 * h * h));
@@ -27,6 +40,15 @@ pub(crate) fn parabola<V: Compare>(to: &mut [V], [q, q_dot, q_ddot]: [&[V]; 3], 
         most[k % 4] = most[k % 4].greatest(turn);
     }
     most[0].greatest(most[1]).greatest(most[2].greatest(most[3]))
+}
+
+/// The largest turn in a step by its velocity or by its acceleration alone; `weights` converts coordinates to radians.
+#[inline]
+pub(crate) fn largest_turn<V: Compare>([q_dot, q_ddot]: [&[V]; 2], weights: &[V], h: f64) -> V {
+    let (step, half) = (V::from_f64(h), V::from_f64(0.5 * h * h));
+    q_dot.iter().zip(q_ddot).zip(weights).fold(V::from_f64(0.0), |most, ((v, a), weight)| {
+        most.greatest(*weight * (step * *v).abs().greatest((half * *a).abs()))
+    })
 }
 
 /// The largest rotation between two configurations.
@@ -77,7 +99,9 @@ pub(super) fn beyond_parabola(before: [f64; 3], now: [f64; 3], span: f64, h: f64
 
 #[cfg(test)]
 mod tests {
-    use super::{beyond_parabola, parabola, turned};
+    use super::{beyond_parabola, largest_turn, parabola, turned, weights};
+    use crate::Mechanism;
+    use crate::fixture::{FourBarLoop, PlannedFourBar};
 
     #[test]
     fn a_quintic_is_met_to_the_last_digits() {
@@ -117,8 +141,10 @@ mod tests {
             }
             // The rotations are ½ 0.1² 30 and 0.5·0.1·4; the weight of the last coordinate, with 0.1·50, is 0.
             assert!((turn - 0.2).abs() < 1e-15, "{turn}");
+            assert_eq!(turn, largest_turn([&v, &a], &weights, h));
             let slower: f64 = parabola(&mut to, [&q, &[0.2, -2.0, 0.1, 50.0], &a], &weights, h);
             assert!((slower - 0.15).abs() < 1e-15, "{slower}");
+            assert_eq!(slower, largest_turn([&[0.2, -2.0, 0.1, 50.0], &a], &weights, h));
         }
     }
 
@@ -137,6 +163,16 @@ mod tests {
                 }
             }
         }
+    }
+
+    #[test]
+    fn angles_count_as_they_are_lengths_not_and_scalars_by_their_size() {
+        let mut found = [f64::NAN; 9];
+        weights(PlannedFourBar::model(), &[5.0; 9], &mut found);
+        assert_eq!([0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0], found);
+        let mut found = [f64::NAN; 3];
+        weights(FourBarLoop::model(), &[0.0, 3.0, -1.0], &mut found);
+        assert_eq!([1.0, 0.25, 0.5], found);
     }
 
     /// Where the additional terms of the quintic exceed a quarter of the motion by the parabola, they are not used.

@@ -247,7 +247,8 @@ impl<M: Mechanism> PlanFollower<M> {
                 Ok(()) => {
                     let nearest = follower.measure();
                     follower.accept(&end, nearest, false);
-                    follower.weigh_again(mechanism, &end);
+                    let q = follower.state().q;
+                    follower.measure_turns(mechanism, &end, &q);
                 }
                 Err(blocked) => {
                     let (error, place) = follower.refusal_at(mechanism, &course, &end, &blocked);

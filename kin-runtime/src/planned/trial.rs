@@ -1,9 +1,10 @@
 //! The trial state: the solution of the plan at an instant, and the check whether it is on the branch of the motion.
 
 use super::branch::{first_uncertain, may_have_touched_limit};
-use super::follower::{PlanFollower, Poses};
+use super::follower::{Control, NEGLIGIBLE, PlanFollower, Poses};
 use super::lists::BranchValues;
 use super::passed::{self, Passed};
+use super::predict::{largest_turn, turned};
 use crate::mechanism::{LengthError, Mechanism};
 use crate::plan::{Depth, Solved};
 use crate::scalar::compare::all_finite;
@@ -52,6 +53,19 @@ impl<M: Mechanism> PlanFollower<M> {
     #[inline]
     pub(super) fn measure(&mut self) -> f64 {
         self.states[1 - self.good].margins.write_distances(&mut self.distances)
+    }
+
+    /// True if in a step of the length h with these q̇ and q̈ the gradients of iterated rows turn no farther than bodies
+    /// may, and the trial state is as near to its prediction.
+    #[inline]
+    pub(super) fn rows_turn_little(&self, rates: [&[f64]; 2], h: f64, control: &Control) -> bool {
+        if !self.iterates_lengths {
+            return true;
+        }
+        let turns = self.turns.as_ref();
+        let turn = largest_turn(rates, turns, h);
+        let away = turned(self.states[1 - self.good].q.as_ref(), self.predicted.as_ref(), turns);
+        turn <= control.rotation && away <= control.correction * turn + NEGLIGIBLE
     }
 
     /// True if no iterated group has changed the sign of its determinant.

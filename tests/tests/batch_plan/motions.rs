@@ -200,3 +200,63 @@ fn beside_a_limit_and_at_high_speed_turns_are_counted_as_alone() {
     let times: Vec<f64> = (0..20).map(|k| 0.2 * f64::from(k)).collect();
     go_as_alone::<Spinning>(&[100.0, 1.0, 200.0, 100.0, 50.0], &times);
 }
+
+/// A rack on a crank through a swinging guide; the plan iterates on it.
+#[mechanism]
+#[body(crank, x = 0, y = 0)]
+#[body(guide, x = d, y = 0)]
+#[body(pinion, x = d, y = 0)]
+#[bodies(rack)]
+#[revolute(A: crank @ (a, 0), rack @ (0, 0))]
+#[translational(slide: guide @ (0, 0), rack @ (0, 0), axis = (1, 0))]
+#[rack_pinion(mesh: guide @ (0, 0), rack @ (0, 0), axis = (1, 0), pinion = pinion, radius = r, offset = offset)]
+#[driver(drive: pinion.phi = start + rate * t)]
+struct SwungRack {
+    d: f64,
+    a: f64,
+    r: f64,
+    offset: f64,
+    start: f64,
+    rate: f64,
+}
+
+/// Where a set ends does not depend on its neighbours, wherever in the batch one of them ends. An iteration of a block
+/// runs for all its sets together.
+#[test]
+fn sets_that_are_iterated_end_where_they_end_alone() {
+    let long: ([f64; 6], [f64; 2]) = ([0.79, 0.73, -0.25, -0.34, -1.56, -1.0], [-2.46, -5.95]);
+    let short: ([f64; 6], [f64; 2]) = ([0.69, 0.37, 0.14, -1.39, -2.42, 1.0], [-1.96, -5.89]);
+    let of = |[d, a, r, offset, start, rate]: [f64; 6]| SwungRack { d, a, r, offset, start, rate };
+    let starts = [&long, &short].map(|(numbers, [crank, guide])| {
+        let mechanism = of(*numbers);
+        let (x, y) = (numbers[1] * crank.cos(), numbers[1] * crank.sin());
+        let guess = [*crank, *guide, numbers[4], x, y, *guide];
+        mechanism.solver().state_from(&Instant::at(0.0), &guess).unwrap().q
+    });
+    let times: Vec<f64> = (0..220).map(|k| 0.04 * f64::from(k)).collect();
+    let ends = |is_short: &dyn Fn(usize) -> bool, count: usize| {
+        let column = |pick: &dyn Fn(usize) -> f64| (0..count).map(pick).collect::<Vec<f64>>();
+        let parameters: Vec<_> =
+            (0..6).map(|k| column(&|set| if is_short(set) { short.0[k] } else { long.0[k] })).collect();
+        let start: Vec<_> = (0..6).map(|k| column(&|set| starts[usize::from(is_short(set))][k])).collect();
+        let parameters: Vec<_> = parameters.iter().map(|column| Column::Each(column)).collect();
+        let start: Vec<_> = start.iter().map(|column| Column::Each(column)).collect();
+        let sweeps =
+            Sweeps { parameters: &parameters, times: &times, inputs: &[], modes: Modes::OfStart, start: &start };
+        let mut out = Motions::new(count, ());
+        sweep(&of(long.0), &sweeps, &mut out, &always, |(), _| ()).unwrap();
+        out.ends().collect::<Vec<_>>()
+    };
+    let (alone, neighbour) = (ends(&|_| false, 1)[0], ends(&|_| true, 1)[0]);
+    let instants = [alone, neighbour].map(|end| end.map(|end| end.instant));
+    assert!(instants[1].is_some() && instants[0].is_none_or(|end| Some(end) > instants[1]), "{instants:?}");
+    for count in [2, 5, 8, 9, 17] {
+        for place in 0..count {
+            let all = ends(&|set| set == place, count);
+            for (set, end) in all.iter().enumerate() {
+                let expected = if set == place { instants[1] } else { instants[0] };
+                assert_eq!(expected, end.map(|end| end.instant), "set {set} of {count}, the other one at {place}");
+            }
+        }
+    }
+}

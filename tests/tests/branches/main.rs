@@ -22,6 +22,7 @@ mod platforms;
 mod redundant;
 mod rig;
 mod side_by_side;
+mod slots;
 mod tally;
 mod tappets;
 mod turning;

@@ -10,5 +10,6 @@ mod plan_check;
 mod planned;
 mod ratios;
 mod redundant;
+mod special_dimensions;
 mod tracker;
 mod transmission;

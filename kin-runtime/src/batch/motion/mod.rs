@@ -11,7 +11,7 @@ use crate::planned::branch::{FAR_FROM_LIMITS, OUT_OF_REACH, certainty_of, resolv
 use crate::planned::follower::{Control, NEGLIGIBLE, PlanFollower, iterates_lengths};
 use crate::planned::lists::{BranchValues, Distances, Margins, Modes};
 use crate::planned::passed::CLOSE;
-use crate::planned::predict::{parabola, turned};
+use crate::planned::predict::{largest_turn, parabola, turned, weights};
 use crate::planned::{Limit, PlanError, Step};
 use crate::scalar::Scalar;
 use crate::scalar::compare::Compare;
@@ -35,7 +35,9 @@ pub(super) struct Motion<M: Mechanism> {
     t: f64,
     /// The weight of each coordinate in every set: radians per unit.
     weights: M::Coordinates<Octet>,
-    weights_vary: bool,
+    /// By what angle the gradients of iterated rows turn with each coordinate; used if `iterates_lengths`.
+    turns: M::Coordinates<Octet>,
+    iterates_lengths: bool,
 }
 
 /// For every set without an answer the margin to report, and the step of the plan that is the reason, if there is one.
@@ -57,7 +59,8 @@ impl<M: Mechanism> Motion<M> {
             inputs: Array::filled(Signal::constant(0.0)),
             t: 0.0,
             weights: Array::generate(nothing),
-            weights_vary: iterates_lengths(M::model()),
+            turns: Array::generate(nothing),
+            iterates_lengths: iterates_lengths(M::model()),
         }
     }
 
@@ -79,7 +82,7 @@ impl<M: Mechanism> Motion<M> {
             }
         }
         self.keep(mechanism, at);
-        self.weigh(mechanism, at);
+        weights(M::model(), self.poses[self.good].q.as_ref(), self.weights.as_mut());
         let poses = self.poses();
         let limits = limits?;
         let refused =
@@ -134,6 +137,9 @@ impl<M: Mechanism> Motion<M> {
         // The least of all numbers that must not be negative.
         let rotation = Octet::from_f64(control.rotation) - turn;
         let mut least = rotation.least(allowed - away);
+        if self.iterates_lengths {
+            least = least.least(self.certainty_of_rows(h, &control));
+        }
         if M::LENGTHS > 0 {
             // The follower reports a negative length.
             least = least.least(least_length(mechanism, self.parameters.as_ref(), at));
@@ -192,18 +198,23 @@ impl<M: Mechanism> Motion<M> {
         self.good = 1 - self.good;
         self.t = at.t.lane(0);
         self.inputs.as_mut().iter_mut().zip(at.inputs).for_each(|(to, from)| *to = from.map(|x| x.lane(0)));
-        if self.weights_vary {
-            self.weigh(mechanism, at);
+        if self.iterates_lengths {
+            let q = self.poses[self.good].q;
+            let turns = mechanism.turns_with(self.parameters.as_ref(), at, q.as_ref(), self.turns.as_mut());
+            debug_assert!(turns.is_ok(), "q and turns have n numbers");
         }
     }
 
-    /// Computes the weights at the last instant.
+    /// Not negative in lanes in which a step of the length h turns the gradients of iterated rows no farther than bodies
+    /// may turn, and its end is as near to its prediction.
     #[cold]
     #[inline(never)]
-    fn weigh(&mut self, mechanism: &M, at: &Instant<'_, Octet>) {
-        let q = self.poses[self.good].q;
-        let weighed = mechanism.weights_with(self.parameters.as_ref(), at, q.as_ref(), self.weights.as_mut());
-        debug_assert!(weighed.is_ok(), "q and weights have n numbers");
+    fn certainty_of_rows(&self, h: f64, control: &Control) -> Octet {
+        let (here, tried, turns) = (self.poses(), &self.poses[1 - self.good], self.turns.as_ref());
+        let turn = largest_turn([here.q_dot.as_ref(), here.q_ddot.as_ref()], turns, h);
+        let away = turned(tried.q.as_ref(), self.predicted.as_ref(), turns);
+        let allowed = Octet::from_f64(control.correction) * turn + Octet::from_f64(NEGLIGIBLE);
+        (Octet::from_f64(control.rotation) - turn).least(allowed - away)
     }
 
     /// Repeats the step of the sets for which it was not accepted, one by one.
@@ -294,6 +305,7 @@ impl<M: Mechanism> Motion<M> {
         own(&mut self.modes, from, to);
         own(&mut self.margins_before, from, to);
         own(&mut self.weights, from, to);
+        own(&mut self.turns, from, to);
         let poses = &mut self.poses[self.good];
         let others = *poses;
         poses.copy_lane(&others, from, to);

@@ -1,7 +1,7 @@
 //! The trait that `#[mechanism]` implements.
 
 use crate::evaluation::curve::CurvePoint;
-use crate::model::{Component, CoordinateKind, Model};
+use crate::model::Model;
 use crate::plan::{Depth, Solved};
 use crate::scalar::Scalar;
 use crate::signal::Signal;
@@ -183,28 +183,19 @@ pub trait Mechanism: Sized {
         self.closures_with(parameters, at, q, branches)
     }
 
-    /// Writes factors that convert changes of coordinates to radians at the configuration q, n numbers: 1 for an angle,
-    /// 1/(1 + |q|) for a scalar coordinate, whose meaning is unknown, and 0 for x and y of a body, as the unit of length
-    /// is arbitrary. Where a plan iterates on lengths, these have the factor by which the normals of the group's rows
-    /// turn with them, in radians per unit of length.
+    /// Writes for every coordinate by what angle, in radians per unit, the gradients of iterated rows turn when it changes,
+    /// n numbers: 0 for angles, and for coordinates on which the plan does not iterate.
     ///
     /// # Errors
     /// When an argument has the wrong length.
-    fn weights_with<T: Scalar>(
+    fn turns_with<T: Scalar>(
         &self,
         parameters: &[T],
         at: &Instant<'_, T>,
         q: &[T],
-        weights: &mut [T],
+        turns: &mut [T],
     ) -> Result<(), LengthError> {
-        let one = T::from_f64(1.0);
-        for ((weight, coordinate), q) in weights.iter_mut().zip(Self::model().coordinates).zip(q) {
-            *weight = match coordinate.kind {
-                CoordinateKind::Pose { component: Component::Phi, .. } => one,
-                CoordinateKind::Pose { .. } => T::from_f64(0.0),
-                CoordinateKind::Scalar => one / (one + q.abs()),
-            };
-        }
+        turns.iter_mut().for_each(|turn| *turn = T::from_f64(0.0));
         Ok(())
     }
 

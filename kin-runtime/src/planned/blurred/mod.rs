@@ -99,10 +99,12 @@ pub(crate) fn largest_angle(model: &Model, rates: &[f64]) -> f64 {
 }
 
 fn largest_of(model: &Model, places: &mut dyn Iterator<Item = usize>, rates: &[f64]) -> f64 {
-    let turns = |k: &usize| {
-        !matches!(model.coordinates[*k].kind, CoordinateKind::Pose { component: Component::X | Component::Y, .. })
-    };
-    places.filter(turns).map(|k| rates[k].abs()).fold(0.0, f64::max)
+    places.filter(|k| turns(model, *k)).map(|k| rates[k].abs()).fold(0.0, f64::max)
+}
+
+/// True for an angle or a scalar.
+fn turns(model: &Model, k: usize) -> bool {
+    !matches!(model.coordinates[k].kind, CoordinateKind::Pose { component: Component::X | Component::Y, .. })
 }
 
 /// The indices of the steps of all groups, in the order of their signs.
@@ -143,7 +145,9 @@ pub(crate) fn blurred_group(
         let x = angle(velocity);
         // This criterion holds for any acceleration of the drive; without a drive, the acceleration of the group
         // decides.
-        let bend = moves * angle(moves);
+        // A group that only slides has no angle from its limit. Its w² is proportional to the distance from a fold.
+        let slides = !plan.steps.iter().skip(step).take(1).flat_map(of).any(|k| turns(model, k));
+        let bend = if slides { (distance * rates_of_groups[group]).abs() } else { moves * angle(moves) };
         let (is_slow, is_fast) = (bend <= SLOW * before, before > 0.0 && bend > FAST * before);
         let crosses = is_slow || !is_fast && distance * acceleration <= FOLD * velocity * velocity;
         // The tolerance is relative to the motion of the drive where that is slower.

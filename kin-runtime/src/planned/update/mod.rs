@@ -11,7 +11,7 @@ use super::branch::{OUT_OF_REACH, resolves};
 use super::error::PlanError;
 use super::follower::{Control, NEGLIGIBLE, PlanFollower, Poses, most_turn};
 use super::lists::{BranchValues, Modes};
-use super::predict::{beyond_parabola, parabola, turned};
+use super::predict::{beyond_parabola, parabola, turned, weights};
 use crate::course::{Between, Course, Kind, kind};
 use crate::mechanism::{LengthError, Mechanism};
 use crate::plan::StepKind;
@@ -152,17 +152,18 @@ impl<M: Mechanism> PlanFollower<M> {
         at: &Instant<'_>,
         control: &Control,
     ) -> Result<(), PlanError> {
-        let kept = (self.branch, self.weights);
+        let kept = (self.branch, self.turns);
         match self.walk(mechanism, course, at, control) {
             Ok(()) => {
                 let nearest = self.measure();
                 self.accept(at, nearest, false);
-                self.weigh_again(mechanism, at);
+                let q = self.state().q;
+                self.measure_turns(mechanism, at, &q);
                 Ok(())
             }
             Err(blocked) => {
                 let error = self.refusal(mechanism, course, at, &blocked);
-                (self.branch, self.weights) = kept;
+                (self.branch, self.turns) = kept;
                 self.before = f64::NAN;
                 Err(error)
             }
@@ -220,7 +221,8 @@ impl<M: Mechanism> PlanFollower<M> {
         }
         self.accept(at, nearest, false);
         let q = self.state().q;
-        self.weigh(mechanism, at, &q);
+        weights(M::model(), q.as_ref(), self.weights.as_mut());
+        self.measure_turns(mechanism, at, &q);
         self.starts_anew = false;
         self.requested = Modes::filled(0.0);
         Ok(())
@@ -243,7 +245,9 @@ impl<M: Mechanism> PlanFollower<M> {
         let tried = &self.states[1 - self.good];
         let away = turned(tried.q.as_ref(), self.predicted.as_ref(), self.weights.as_ref());
         let is_expected = away <= control.correction * turn + NEGLIGIBLE;
-        if !is_expected {
+        let here = &self.states[self.good];
+        let rates = [here.q_dot.as_ref(), here.q_ddot.as_ref()];
+        if !is_expected || !self.rows_turn_little(rates, at.t - self.t, control) {
             return Ok(false);
         }
         // Where every group is out of reach of its limit, no sign can have changed: neither within the step nor between
@@ -260,7 +264,8 @@ impl<M: Mechanism> PlanFollower<M> {
             return Ok(false);
         }
         self.accept(at, nearest, true);
-        self.weigh_again(mechanism, at);
+        let q = self.state().q;
+        self.measure_turns(mechanism, at, &q);
         Ok(true)
     }
 }

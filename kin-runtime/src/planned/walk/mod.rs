@@ -25,6 +25,9 @@ pub(crate) struct Blocked<M: Mechanism> {
     pub(super) fault: Option<Fault>,
 }
 
+/// A group at this distance from its limit is so near that its limit is the reason for steps that are too short.
+const BESIDE: f64 = 1e-3;
+
 impl<M: Mechanism> PlanFollower<M> {
     /// Moves along the course and solves at the instant at its end; the result is the trial state.
     pub(super) fn walk(
@@ -51,15 +54,18 @@ impl<M: Mechanism> PlanFollower<M> {
             if remaining == 0.0 {
                 return self.arrive(mechanism, course, at, here);
             }
-            let most = most_turn(control, nearest);
-            let natural = natural_step([here.q_dot.as_ref(), here.q_ddot.as_ref()], self.weights.as_ref(), most);
+            let rates = [here.q_dot.as_ref(), here.q_ddot.as_ref()];
+            let mut natural = natural_step(rates, self.weights.as_ref(), most_turn(control, nearest));
+            if self.iterates_lengths {
+                natural = natural.min(natural_step(rates, self.turns.as_ref(), control.rotation));
+            }
             if smallest.is_nan() {
                 smallest = shortest_step(control, natural, [s, end]);
             }
             let (next, share) = next_place([s, end], natural.min(proposed));
             let blocked = |fault| Blocked { places: [s, next], here, fault: Some(fault) };
             if next == s {
-                return Err(blocked(Fault::Coarse));
+                return Err(blocked(self.standstill()));
             }
             let walked = (next - s).abs();
             match self.step(mechanism, course, [s, next], &mut inputs, (&here, nearest), control) {
@@ -70,14 +76,14 @@ impl<M: Mechanism> PlanFollower<M> {
                     s = next;
                     if self.iterates_lengths {
                         let t = course.at(s, inputs.as_mut());
-                        self.weigh(mechanism, &Instant { t, inputs: inputs.as_ref() }, &here.q);
+                        self.measure_turns(mechanism, &Instant { t, inputs: inputs.as_ref() }, &here.q);
                     }
                     // A step cut short by the end is no reason to reduce the longer step proposed before.
                     proposed = if share <= 2.0 { proposed.max(growth * walked) } else { growth * walked };
                 }
                 Err(fault) => {
                     if 0.5 * walked < smallest {
-                        return Err(blocked(fault));
+                        return Err(blocked(if fault == Fault::Coarse { self.standstill() } else { fault }));
                     }
                     proposed = 0.5 * walked;
                 }
@@ -125,7 +131,12 @@ impl<M: Mechanism> PlanFollower<M> {
         let turn = parabola(self.predicted.as_mut(), rates, weights.as_ref(), h);
         let modes = self.branch.modes;
         let allowed = control.correction * turn + NEGLIGIBLE;
-        let result = self.judge(mechanism, course, [s, next], inputs, (here, &modes), [allowed, turn, nearest]);
+        let judged = self.judge(mechanism, course, [s, next], inputs, (here, &modes), [allowed, turn, nearest]);
+        let rates = [here.q_dot.as_ref(), here.q_ddot.as_ref()];
+        let result = judged.and_then(|effort| match self.rows_turn_little(rates, h, control) {
+            true => Ok(effort),
+            false => Err(Fault::Coarse),
+        });
         if result.is_err() {
             self.branch.modes = modes;
         }
@@ -211,6 +222,16 @@ impl<M: Mechanism> PlanFollower<M> {
         let rates = [tried.q_dot.as_mut(), tried.q_ddot.as_mut()];
         without_time(rates, [still.q_dot.as_ref(), still.q_ddot.as_ref()], back.q_ddot.as_ref());
         Ok(good)
+    }
+
+    /// The reason why no step is short enough: a group beside its limit, if there is one.
+    fn standstill(&self) -> Fault {
+        let distances = self.branch.distances.as_ref();
+        let group = place_of_least(distances);
+        match distances.get(group) {
+            Some(distance) if *distance < BESIDE => Fault::Group(group),
+            _ => Fault::Coarse,
+        }
     }
 
     /// The group of the trial state that is nearest to its limit.

@@ -326,8 +326,8 @@ impl Continuation {
         // the step.
         let basis = node.basis.as_ref();
         let near = basis.filter(|_| equations.model.plan.watched().next().is_none());
-        let weights = basis.map_or(&[][..], |basis| &basis.weights);
-        natural_step(equations, rates, near.map_or(1.0, |basis| groups::nearest(&basis.groups)), weights)
+        let turns = basis.map_or(&[][..], |basis| &basis.turns);
+        natural_step(equations, rates, near.map_or(1.0, |basis| groups::nearest(&basis.groups)), turns)
     }
 
     /// One step by the plan; false where the plan has no solution.

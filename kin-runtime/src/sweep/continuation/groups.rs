@@ -36,25 +36,32 @@ pub(super) fn write(equations: &Equations<'_>, q: &[f64], groups: &mut Vec<f64>)
     }
 }
 
-/// The factors by which the plan converts changes of coordinates to radians at q; empty under the same conditions.
-pub(super) fn weights(equations: &Equations<'_>, at: &Instant<'_>, q: &[f64]) -> Vec<f64> {
+/// By what angle the gradients of the rows that the plan iterates turn with every coordinate at q; empty under the same
+/// conditions.
+pub(super) fn turns(equations: &Equations<'_>, at: &Instant<'_>, q: &[f64]) -> Vec<f64> {
     if equations.given() > 0 || !equations.model.plan.exists() {
         return Vec::new();
     }
-    let mut weights = vec![0.0; q.len()];
-    if equations.system.weights(at, q, &mut weights).is_err() {
-        weights.clear();
+    let mut turns = vec![0.0; q.len()];
+    if equations.system.turns(at, q, &mut turns).is_err() {
+        turns.clear();
     }
-    weights
+    turns
 }
 
 /// True if every group has stayed on its branch. The arguments are the branch values at the previous configuration, at
 /// the prediction and at the configuration found.
 ///
+/// A group whose branch value is NaN at all three has none, because the plan divides by a dimension that is 0: then it
+/// does not count.
+///
 /// With redundant rows a group of the rows used by the plan may reach a limit that the mechanism as a whole passes. Then
 /// only the deviation from the prediction is checked, and values below [`FLAT`] may have either sign.
 pub(super) fn stay([before, predicted, found]: [&[f64]; 3], turn: f64, is_redundant: bool) -> bool {
     before.iter().zip(predicted).zip(found).all(|((before, predicted), found)| {
+        if [before, predicted, found].iter().all(|w| w.is_nan()) {
+            return true;
+        }
         if is_redundant {
             let size = found.abs().max(predicted.abs());
             return (found - predicted).abs() <= PASSING * size || size <= FLAT;
@@ -82,7 +89,8 @@ pub(super) fn are_blurred(
     let margins = by_plan::margins(equations, groups, q);
     let plan = &equations.model.plan;
     let by_margin = |sign: usize| plan.margin_of_group(sign).map_or(1.0, |place| margins[place].max(0.0).sqrt());
-    let distances: Vec<f64> = groups.iter().enumerate().map(|(sign, w)| w.abs().min(by_margin(sign))).collect();
+    let distance = |(sign, w): (usize, &f64)| if w.is_nan() { 1.0 } else { w.abs().min(by_margin(sign)) };
+    let distances: Vec<f64> = groups.iter().enumerate().map(distance).collect();
     let further = 1e-6 / largest_angle(equations.model, q_dot);
     let ahead: Vec<f64> = q.iter().zip(q_dot).map(|(q, v)| q + further * v).collect();
     let mut rates = Vec::new();
@@ -121,7 +129,12 @@ mod tests {
         assert!(of(0.5, 0.3, 0.2) && of(0.5, 0.2, 0.3) && !of(0.5, 0.31, 0.2) && !of(0.5, 0.2, 0.31));
         // One group that leaves its branch suffices for a refusal.
         assert!(!stay([&[0.5, 0.5], &[0.5, 0.5], &[0.5, -0.5]], 0.01, false));
-        assert!(!stay([&[0.5], &[0.5], &[f64::NAN]], 0.01, false) && !stay([&[0.5], &[f64::NAN], &[0.5]], 0.01, false));
+        let nan = f64::NAN;
+        assert!(!stay([&[0.5], &[0.5], &[nan]], 0.01, false) && !stay([&[0.5], &[nan], &[0.5]], 0.01, false));
+        assert!(!stay([&[nan], &[0.5], &[0.5]], 0.01, false) && !stay([&[nan], &[nan], &[0.5]], 0.01, false));
+        // A group without branch values does not hide that another one changes its branch.
+        assert!(stay([&[nan]; 3], 0.01, false) && stay([&[nan]; 3], 0.01, true));
+        assert!(!stay([&[nan, 0.5], &[nan, 0.5], &[nan, -0.5]], 0.01, false));
     }
 
     #[test]

@@ -59,8 +59,8 @@ pub(super) fn basis_with(equations: &Equations<'_>, state: &State, factor: Facto
     let orientation = Orientation::here(equations, &factor).ok_or_else(singular)?;
     let mut groups = Vec::new();
     groups::write(equations, &state.q, &mut groups);
-    let weights = groups::weights(equations, &state.instant(), &state.q);
-    Ok(Basis { orientation, factor, groups, weights })
+    let turns = groups::turns(equations, &state.instant(), &state.q);
+    Ok(Basis { orientation, factor, groups, turns })
 }
 
 /// Writes the rates of a state at an instant; the q of the state already belongs to that instant.
@@ -96,20 +96,18 @@ pub(super) fn rates(
 }
 
 /// The longest step in which no body turns by more than the options allow. `nearest` is the distance of the group that
-/// is nearest to its limit; `weights` are those of [`groups::weights`].
+/// is nearest to its limit; `turns` are those of [`groups::turns`].
 pub(super) fn natural_step(
     equations: &Equations<'_>,
     [q_dot, q_ddot]: [&[f64]; 2],
     nearest: f64,
-    weights: &[f64],
+    turns: &[f64],
 ) -> f64 {
-    let most = most_turn(&Control::of(&equations.options), nearest);
-    let by_velocity = most / turn(equations, weights, q_dot);
-    let by_acceleration = (2.0 * most / turn(equations, weights, q_ddot)).sqrt();
-    by_velocity.min(by_acceleration)
-}
-
-/// The largest rotation in a displacement: on the common scale, and by the weights of the plan.
-pub(super) fn turn(equations: &Equations<'_>, weights: &[f64], displacement: &[f64]) -> f64 {
-    equations.scale.turn(displacement).max(largest_product(displacement, weights))
+    let control = Control::of(&equations.options);
+    let step = |most: f64, turn: &dyn Fn(&[f64]) -> f64| {
+        let by_velocity = most / turn(q_dot);
+        by_velocity.min((2.0 * most / turn(q_ddot)).sqrt())
+    };
+    let of_bodies = step(most_turn(&control, nearest), &|rates| equations.scale.turn(rates));
+    of_bodies.min(step(control.rotation, &|rates| largest_product(rates, turns)))
 }

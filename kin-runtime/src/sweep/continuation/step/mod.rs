@@ -2,7 +2,6 @@
 
 use super::branch::Orientation;
 use super::groups;
-use super::nodes::turn;
 use crate::analysis::acceleration::acceleration;
 use crate::analysis::velocity::{inconsistency, scaled};
 use crate::equations::Equations;
@@ -46,8 +45,8 @@ pub(crate) struct Basis {
     pub(crate) factor: Factorization,
     /// The branch values of all groups of the plan; empty where there is no plan.
     pub(crate) groups: Vec<f64>,
-    /// The factors by which the plan converts changes of coordinates to radians; empty where there is no plan.
-    pub(crate) weights: Vec<f64>,
+    /// By what angle the gradients of rows that the plan iterates turn with every coordinate; empty where there is no plan.
+    pub(crate) turns: Vec<f64>,
 }
 
 /// The start of a step: a node, its place on the course, and the derivatives of q along the course.
@@ -158,7 +157,7 @@ pub(super) fn settle(
     if let Some(row) = contact::turned_about(equations, &from.node.state.q, &state.q) {
         return Err(Fault::Jump(row));
     }
-    let Basis { orientation, factor, groups: before, weights } = from.basis;
+    let Basis { orientation, factor, groups: before, .. } = from.basis;
     let memory = to.basis.take();
     let (memory, mut oriented) =
         memory.map_or((None, orientation.clone()), |basis| (Some(basis.factor), basis.orientation));
@@ -171,7 +170,7 @@ pub(super) fn settle(
     groups::write(equations, &state.q, groups);
     let is_redundant = equations.model.plan.watched().next().is_some();
     fill(motion, predicted.iter().zip(&from.node.state.q).map(|(a, b)| a - b));
-    let turn = turn(equations, weights, motion);
+    let turn = equations.scale.turn(motion);
     if !groups::stay([before, predicted_groups, groups], turn, is_redundant) {
         return Err(Fault::Jump(worst));
     }
@@ -200,8 +199,8 @@ pub(super) fn settle(
     state.condition = Some(found.condition);
     state.residual = closing.iter().map(|&row| equations.phi[row].abs()).fold(0.0, f64::max);
     state.iterations = iterations;
-    let weights = groups::weights(equations, &equations.instant(), &state.q);
-    to.basis = Some(Basis { orientation: oriented, factor: found, groups: groups.clone(), weights });
+    let turns = groups::turns(equations, &equations.instant(), &state.q);
+    to.basis = Some(Basis { orientation: oriented, factor: found, groups: groups.clone(), turns });
     Ok(())
 }
 

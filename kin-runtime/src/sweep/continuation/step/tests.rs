@@ -23,7 +23,7 @@ fn is_expected([old, acceleration, new]: [f64; 3], h: f64) -> bool {
     equations.evaluate(Subset::VELOCITY, &state.q, None).unwrap();
     let factor = equations.factorise(Purpose::Rank, None);
     let orientation = Orientation::here(&equations, &factor).unwrap();
-    let basis = Basis { orientation, factor, groups: Vec::new(), weights: Vec::new() };
+    let basis = Basis { orientation, factor, groups: Vec::new(), turns: Vec::new() };
     let node = Node { s: 0.0, state, basis: None, fallback: None };
     let (q_dot, q_ddot) = ([old, 0.1, 0.0], [acceleration, 0.0, 0.0]);
     let start = Start { node: &node, basis: &basis, s: 0.0, q_dot: &q_dot, q_ddot: &q_ddot };

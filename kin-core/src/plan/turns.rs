@@ -1,0 +1,119 @@
+//! How far the rows of a group turn when a coordinate that is no angle changes.
+//!
+//! The steps of a motion are limited by the angle that bodies turn. Where a plan iterates on lengths or on scalar
+//! coordinates, bodies may move far without turning. The factor w of such unknowns converts their change to radians:
+//!
+//! ```text
+//! w² = Σᵢ 1/ρᵢ²,   ρᵢ² = Σ_u Dᵢᵤ/Nᵢᵤ
+//! Dᵢᵤ = Σⱼ (∂fᵢ/∂xⱼ)²,   Nᵢᵤ = Σₖ Σⱼ (∂²fᵢ/∂xₖ∂xⱼ)²
+//! ```
+//!
+//! Here fᵢ are the residuals of the iteration, k counts the unknowns that w belongs to (all lengths, or one
+//! scalar), and j those unknowns of one kind u (lengths, angles, or one scalar), so that ρ has the unit of xₖ whatever
+//! the other units are. The gradient of fᵢ turns by about 1/ρᵢ per unit of xₖ. For a cylinder from a fixed pin ρ is of
+//! the order of its length; for a single unknown 1/ρ is |f″/f′|, so that steps become shorter towards a limit. A row
+//! that depends linearly on xₖ and on some unknowns of another kind does not count.
+
+use super::closures::LEAST;
+use super::tree::{Block, Core, Part, SolutionMethod};
+use crate::constraint::{Coordinate, CoordinateKind};
+use crate::expr::{ExprId, Graph, Jet, total_derivatives};
+use crate::mechanism::Component;
+use crate::vocabulary::Function;
+use std::collections::BTreeMap;
+
+/// Unknowns of the same unit; scalars have an unknown unit each.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Unit {
+    Length,
+    Angle,
+    Scalar(u32),
+}
+
+/// w of all coordinates at a configuration, which is 0 for angles and for coordinates that are not iterated on; empty
+/// where it is 0 for all of them.
+pub(super) fn turns(graph: &mut Graph, tree: &Block, coordinates: &[Coordinate]) -> Vec<ExprId> {
+    let mut found = BTreeMap::new();
+    of_block(graph, tree, coordinates, &mut found);
+    if found.is_empty() {
+        return Vec::new();
+    }
+    let zero = graph.zero();
+    (0..).zip(coordinates).map(|(k, _): (u32, _)| found.get(&k).copied().unwrap_or(zero)).collect()
+}
+
+const fn unit(k: u32, coordinate: &Coordinate) -> Unit {
+    match coordinate.kind {
+        CoordinateKind::Pose(_, Component::Phi) => Unit::Angle,
+        CoordinateKind::Pose(..) => Unit::Length,
+        CoordinateKind::Scalar => Unit::Scalar(k),
+    }
+}
+
+fn of_block(graph: &mut Graph, block: &Block, coordinates: &[Coordinate], found: &mut BTreeMap<u32, ExprId>) {
+    for part in &block.parts {
+        match part {
+            Part::Core(core) => of_core(graph, core, coordinates, found),
+            Part::Block(block) => of_block(graph, block, coordinates, found),
+            Part::Pair(pair) => of_block(graph, &pair.inner, coordinates, found),
+        }
+    }
+}
+
+fn of_core(graph: &mut Graph, core: &Core, coordinates: &[Coordinate], found: &mut BTreeMap<u32, ExprId>) {
+    let SolutionMethod::Newton { residuals } = &core.method else { return };
+    let mut members: BTreeMap<Unit, Vec<u32>> = BTreeMap::new();
+    for &k in &core.coordinates {
+        members.entry(unit(k, &coordinates[k as usize])).or_default().push(k);
+    }
+    let mut squares: BTreeMap<Unit, ExprId> = BTreeMap::new();
+    for jet in total_derivatives(graph, residuals) {
+        let mut gradient: BTreeMap<Unit, Vec<ExprId>> = BTreeMap::new();
+        for &(k, entry) in
+            jet.gradient.iter().filter(|(k, entry)| core.coordinates.contains(k) && !graph.is_zero(*entry))
+        {
+            gradient.entry(unit(k, &coordinates[k as usize])).or_default().push(entry);
+        }
+        let changes: Vec<(Vec<ExprId>, Vec<Jet>)> =
+            gradient.into_values().map(|entries| (entries.clone(), total_derivatives(graph, &entries))).collect();
+        for (&of, members) in members.iter().filter(|(unit, _)| **unit != Unit::Angle) {
+            if let Some(share) = turn(graph, &changes, members) {
+                let sum = squares.get(&of).copied().unwrap_or_else(|| graph.zero());
+                squares.insert(of, graph.add(sum, share));
+            }
+        }
+    }
+    for (of, square) in squares {
+        let weight = graph.call(Function::Sqrt, square);
+        found.extend(members[&of].iter().map(|&k| (k, weight)));
+    }
+}
+
+/// 1/ρ² of a row for the unknowns `by`; `None` where the row does not count. The row is given by the entries of its
+/// gradient, unit by unit, with their derivatives.
+fn turn(graph: &mut Graph, gradient: &[(Vec<ExprId>, Vec<Jet>)], by: &[u32]) -> Option<ExprId> {
+    let least = graph.number(LEAST);
+    let mut radius = graph.zero();
+    for (entries, changes) in gradient {
+        let by_members = changes.iter().flat_map(|jet| &jet.gradient).filter(|(k, _)| by.contains(k));
+        let change: Vec<ExprId> = by_members.map(|(_, entry)| *entry).collect();
+        let (size, change) = (sum_of_squares(graph, entries), sum_of_squares(graph, &change));
+        if graph.is_zero(change) {
+            return None;
+        }
+        let change = graph.add(change, least);
+        let square = graph.div(size, change);
+        radius = graph.add(radius, square);
+    }
+    let radius = graph.add(radius, least);
+    let one = graph.number(1.0);
+    Some(graph.div(one, radius))
+}
+
+fn sum_of_squares(graph: &mut Graph, entries: &[ExprId]) -> ExprId {
+    let zero = graph.zero();
+    entries.iter().fold(zero, |sum, &entry| {
+        let square = graph.square(entry);
+        graph.add(sum, square)
+    })
+}

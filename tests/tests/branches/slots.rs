@@ -1,0 +1,148 @@
+//! Motions without rotation: pins in waved slots, and Kepler's equation. An iteration on lengths or on scalars could pass
+//! a dead centre and go on along another part of the curve, since no body turns.
+
+use crate::case::{Case, Group};
+use crate::draw::Draw;
+use crate::jet::Jet;
+use crate::tally::{Tally, motions};
+use crate::ways::follow;
+use kin_runtime::mechanism;
+use kin_tests::random::Random;
+use std::f64::consts::PI;
+
+/// A plate that is lifted, with a slot Y = a cos X/w + b cos(k X/w + c) for a pin that slides along the ground.
+#[mechanism]
+#[body(pin, y = 0, phi = 0)]
+#[body(plate, x = 0, phi = 0)]
+#[on_curve(slot: plate @ (0, 0), pin @ (0, 0), implicit(X, Y) = Y - a * cos(X / w) - b * cos(k * X / w + c))]
+#[driver(lift: plate.y = start + rate * t)]
+#[derive(Clone, Debug)]
+struct Slot {
+    a: f64,
+    b: f64,
+    k: f64,
+    c: f64,
+    w: f64,
+    start: f64,
+    rate: f64,
+}
+
+/// u + e sin u = m + t.
+#[mechanism]
+#[coordinates(u)]
+#[constraint(anomaly: u + e * sin(u) = m + t)]
+#[derive(Clone, Debug)]
+struct Kepler {
+    e: f64,
+    m: f64,
+}
+
+/// A function with its first two derivatives.
+type Curve = Box<dyn Fn(f64) -> [f64; 3]>;
+
+/// The first place from `from` on, in the direction of `way`, at which f′ changes its sign; `None` within the distance
+/// `far`.
+fn fold(f: &Curve, from: f64, way: f64, far: f64) -> Option<f64> {
+    let rises = f(from)[1] > 0.0;
+    let step = way * far / 4000.0;
+    let (mut low, mut high) = (0..4000)
+        .map(|k| (from + f64::from(k) * step, from + f64::from(k + 1) * step))
+        .find(|(_, next)| (f(*next)[1] > 0.0) != rises)?;
+    for _ in 0..60 {
+        let middle = 0.5 * (low + high);
+        if (f(middle)[1] > 0.0) == rises { low = middle } else { high = middle }
+    }
+    Some(low)
+}
+
+/// The root u of f(u) = s between two places, between which f is monotone, with its rates.
+fn root(f: &Curve, [mut low, mut high]: [f64; 2], s: Jet) -> Option<Jet> {
+    let above = |u: f64| f(u)[0] > s.x;
+    let at_low = above(low);
+    if at_low == above(high) {
+        return None;
+    }
+    for _ in 0..100 {
+        let middle = 0.5 * (low + high);
+        if above(middle) == at_low { low = middle } else { high = middle }
+    }
+    let u = 0.5 * (low + high);
+    let [_, d, dd] = f(u);
+    let v = s.v / d;
+    Some(Jet::new(u, v, (s.a - dd * v * v) / d))
+}
+
+/// Instants up to a time that is usually behind the dead centre at `fold`.
+fn instants(random: &mut Random, fold: Option<f64>) -> Vec<f64> {
+    let end = fold.map_or(2.0, |fold| fold * random.between(0.7, 3.0));
+    let count = random.whole(1, 30);
+    (0..=count).map(|k| end * k as f64 / count as f64).collect()
+}
+
+fn slot(random: &mut Random) -> (Case<Slot>, Vec<f64>) {
+    loop {
+        let (a, k, c) = (random.between(0.1, 0.3), random.whole(2, 3) as f64, random.between(-3.0, 3.0));
+        let (b, w) = (a * random.between(0.2, 1.2) / k, random.between(0.2, 1.5));
+        let wave = move |u: f64| {
+            let (inner, outer) = (u.sin_cos(), (k * u + c).sin_cos());
+            [a * inner.1 + b * outer.1, -a * inner.0 - b * k * outer.0, -a * inner.1 - b * k * k * outer.1]
+        };
+        let f: Curve = Box::new(wave);
+        let (from, way) = (random.between(-3.0, 3.0), random.sign());
+        if f(from)[1].abs() < 0.05 * a {
+            continue;
+        }
+        // The other end of the monotone part, behind the start.
+        let Some(behind) = fold(&f, from, -way, 7.0) else { continue };
+        let Some(end) = fold(&f, from, way, 7.0) else { continue };
+        // The plate is lifted by the amount by which the wave changes.
+        let (start, rate) = (f(from)[0], 0.1 * (f(end)[0] - f(from)[0]).signum());
+        let dead_centre = (f(end)[0] - start) / rate;
+        let mechanism = Slot { a, b, k, c, w, start: -start, rate: -rate };
+        let times = instants(random, Some(dead_centre));
+        let branch = move |t: f64, off: f64| {
+            let s = Jet::time(t) * (1.0 + off) * rate + start * (1.0 + off);
+            let u = root(&f, [behind, end], s)?;
+            Some(vec![u * w, -s])
+        };
+        let note = format!("from X/w = {from}");
+        return (Case::new(mechanism, branch, [vec![dead_centre], vec![]], note), times);
+    }
+}
+
+fn kepler(random: &mut Random) -> (Case<Kepler>, Vec<f64>) {
+    let e = 1.0 + random.small(-4.0, -0.5);
+    let f: Curve = Box::new(move |u: f64| [u + e * u.sin(), 1.0 + e * u.cos(), -e * u.sin()]);
+    let from = random.between(0.5, 2.3);
+    let end = fold(&f, from, 1.0, PI);
+    let m = f(from)[0];
+    let dead_centre = end.map(|end| f(end)[0] - m);
+    let times = instants(random, dead_centre);
+    let branch = move |t: f64, off: f64| {
+        let s = Jet::time(t) * (1.0 + off) + m * (1.0 + off);
+        Some(vec![root(&f, [0.0, end.unwrap_or(20.0)], s)?])
+    };
+    let mechanism = Kepler { e, m };
+    let note = format!("from u = {from}");
+    (Case::new(mechanism, branch, [dead_centre.into_iter().collect(), vec![]], note), times)
+}
+
+#[test]
+fn pins_in_waved_slots() {
+    let (mut random, mut tally) = (Random::new(1012), Tally::default());
+    for _ in 0..motions(0.4) {
+        let (case, times) = slot(&mut random);
+        follow(&mut tally, &Group::new(times, vec![case]));
+    }
+    tally.obeys("slots");
+}
+
+#[test]
+fn anomalies_of_kepler() {
+    let (mut random, mut tally) = (Random::new(1013), Tally::default());
+    for _ in 0..motions(0.4) {
+        let (case, times) = kepler(&mut random);
+        follow(&mut tally, &Group::new(times, vec![case]));
+    }
+    tally.obeys("Kepler's equation");
+}

@@ -1,0 +1,103 @@
+//! Special dimensions and starts: equal pulleys, a dimension of 0 by which the plan divides, a start beside a dead centre.
+
+use kin_runtime::{Instant, Kinematics, Options, Planned, mechanism};
+
+/// An arm whose platform a belt over equal pulleys keeps parallel, so that the angle of the platform does not depend on
+/// that of the arm.
+#[mechanism]
+#[body(arm, x = 0, y = 0)]
+#[bodies(platform)]
+#[revolute(A: arm @ (0.4, 0), platform @ (0, 0))]
+#[belt(level: ground, platform, radii = (r1, r2), carrier = arm)]
+#[distance(link: platform @ (0.3, 0), ground @ (0.2, 0.9), length = 0.6 + 0.05 * t)]
+#[guess(arm.phi = 1.1)]
+struct Parallel {
+    #[param(0.03)]
+    r1: f64,
+    #[param(0.03)]
+    r2: f64,
+}
+
+/// The plan divides by no difference of dimensions that may be equal.
+#[test]
+fn equal_pulleys_are_followed_by_every_method() {
+    let times: Vec<f64> = (0..=20).map(|k| 0.05 * f64::from(k)).collect();
+    for ratio in [1.0, 1.0 + 1e-15, 1.0 - 1e-12, 1.0 + 1e-6, 1.1] {
+        let mechanism = Parallel { r1: 0.03, r2: 0.03 * ratio };
+        let swept = mechanism.kinematic_analysis(&times).unwrap();
+        let newton = Options { use_plan: false, ..Options::default() };
+        let by_newton = mechanism.solver().with_options(newton).sweep(&times).unwrap();
+        assert!(swept.fallbacks.is_empty(), "{ratio}");
+        let mut planned = Planned::new(&mechanism, &Instant::at(0.0), &swept.states[0].q).unwrap();
+        for (state, other) in swept.states.iter().zip(&by_newton.states) {
+            planned.at(&Instant::at(state.t)).unwrap();
+            for k in 0..state.q.len() {
+                let near = |a: f64, b: f64| (a - b).abs() < 1e-12;
+                assert!(near(state.q[k], other.q[k]) && near(state.q_ddot[k], other.q_ddot[k]), "{ratio}");
+                assert!(near(state.q[k], planned.q()[k]) && near(state.q_dot[k], planned.q_dot()[k]), "{ratio}");
+            }
+            // With equal pulleys the platform does not turn.
+            assert!(ratio != 1.0 || state.q[3].abs() < 1e-15, "{}", state.q[3]);
+        }
+    }
+}
+
+/// A dimension of 0 by which the plan divides: full Newton follows the motion.
+#[mechanism]
+#[coordinates(u, v)]
+#[constraint(first: u + k * v + 0.3 * sin(u) = 1 + t)]
+#[constraint(second: v + 0.3 * sin(v) + k * u * u = 0.5)]
+#[guess(u = 0.8, v = 0.4)]
+struct Coupled {
+    k: f64,
+}
+
+#[test]
+fn a_plan_that_divides_by_zero_is_left_to_newton() {
+    let times: Vec<f64> = (0..=10).map(|k| 0.05 * f64::from(k)).collect();
+    let swept = Coupled { k: 0.0 }.kinematic_analysis(&times).unwrap();
+    assert_eq!(11, swept.states.len());
+    for state in &swept.states {
+        let (u, v) = (state.q[0], state.q[1]);
+        assert!((u + 0.3 * u.sin() - 1.0 - state.t).abs() < 1e-12 && (v + 0.3 * v.sin() - 0.5).abs() < 1e-12);
+        assert!((state.q_dot[0] * (1.0 + 0.3 * u.cos()) - 1.0).abs() < 1e-12 && state.q_dot[1] == 0.0);
+    }
+}
+
+/// A slider whose link turns with time, with a pin in an oval slot.
+#[mechanism]
+#[bodies(link)]
+#[body(slider, y = 0, phi = 0)]
+#[revolute(A: slider @ (0, 0), link @ (0, 0))]
+#[on_curve(oval: ground @ (0, h), link @ (l, 0), implicit(X, Y) = X * X / (p * p) + Y * Y / (q * q) + e * X * Y - 1)]
+#[driver(turn: link.phi = start + t)]
+struct Oval {
+    l: f64,
+    h: f64,
+    p: f64,
+    q: f64,
+    e: f64,
+    start: f64,
+}
+
+/// A group that only slides is told from a crossing by its branch value, as it has no angle. The dead centre is 1.5e-5
+/// before the start.
+#[test]
+fn a_slider_may_start_beside_its_dead_centre() {
+    let mechanism = Oval {
+        l: 0.37939697113801835,
+        h: -0.3935631436652173,
+        p: 0.6174901176773493,
+        q: 0.306954999802453,
+        e: -0.11456760226780922,
+        start: 3.37186774655162,
+    };
+    let start = [0.3798004055369866, 0.0, 3.37186774655162, 0.3798004055369866];
+    let state = mechanism.solver().state_from(&Instant::at(0.0), &start).unwrap();
+    let planned = Planned::new(&mechanism, &Instant::at(0.0), &start).unwrap();
+    assert!((planned.q_dot()[0] - state.q_dot[0]).abs() < 1e-6 * state.q_dot[0] && state.q_dot[0] > 100.0);
+    // Backwards it ends there.
+    let error = mechanism.solver().sweep_from(&start, &[0.0, -0.01]).unwrap_err();
+    let limit = error.source.limit().and_then(|limit| limit.at()).unwrap();
+    assert!((limit + 1.50269e-5).abs() < 1e-9, "{limit:?}");
+}
