@@ -56,7 +56,8 @@ pub(crate) fn rounded(t: f64) -> f64 {
     if t == 0.0 || !t.is_finite() {
         return t;
     }
-    let mut scale = 1.0;
+    // Thousandths are kept however long the motion has lasted.
+    let mut scale = if t.abs() < 1e5 { 1.0 } else { 1e3 };
     while t.abs() * scale < 1e5 && scale < 1e12 {
         scale *= 10.0;
     }

@@ -95,6 +95,11 @@ impl Limit {
         }
     }
 
+    /// The time at which a group locks: that of the limit, unless it is the limit of a divisor.
+    pub(crate) fn locks_at(&self) -> Option<f64> {
+        self.at().filter(|_| self.step.closes() || self.step.is_iterated())
+    }
+
     /// The kind of limit, where it is known.
     pub const fn kind(&self) -> Option<LimitKind> {
         match self.located {
@@ -121,7 +126,7 @@ impl fmt::Display for Limit {
         if let Some(miss) = self.contradiction() {
             return write!(f, "{step} missed by {miss:.1e} of the mechanism's size and motion");
         }
-        let (Some(at), true) = (self.at(), step.closes() || step.is_iterated()) else {
+        let Some(at) = self.locks_at() else {
             let singular = step.info().singular;
             return match (step.closes(), *margin < 0.0) {
                 (true, true) => write!(f, "{step} cannot close"),
@@ -283,18 +288,13 @@ impl fmt::Display for PlanError {
         match self {
             Self::NoPlan { why } => write!(f, "no plan because {why}"),
             Self::Limit { t, limit } => {
-                match limit.at().is_some_and(|at| (at - t).abs() > 1e-9 * t.abs()) {
-                    true => write!(f, "cannot reach t = {}: {limit}", rounded(*t))?,
-                    false => write!(f, "at t = {}, {limit}", rounded(*t))?,
-                }
+                write_at(f, *t, limit)?;
                 // Finding the input that is to blame takes longer than a tick of a controller; the message says where to ask.
                 let hint =
                     if limit.step.has_inputs() { "; `Planned::out_of_range` says what its inputs can be" } else { "" };
                 f.write_str(hint)
             }
-            Self::Singular { t, limit } | Self::Contradiction { t, limit } => {
-                write!(f, "at t = {t}, {limit}", t = rounded(*t))
-            }
+            Self::Singular { t, limit } | Self::Contradiction { t, limit } => write_at(f, *t, limit),
             Self::Undecided { t, mode } => {
                 write!(f, "at t = {t}, the start does not say which closure of {mode} is meant", t = rounded(*t))
             }
@@ -319,6 +319,11 @@ impl fmt::Display for PlanError {
                     t_refused = rounded(*t_refused)
                 )
             }
+            Self::NonFinite { what: "margins", t, .. } => write!(
+                f,
+                "at t = {t} the plan has no solution: it divides by a dimension, or a difference of dimensions, that is 0",
+                t = rounded(*t)
+            ),
             Self::NonFinite { what, index, name, t } => {
                 write!(f, "{what}[{index}]")?;
                 if !name.is_empty() {
@@ -335,6 +340,15 @@ impl fmt::Display for PlanError {
                 Ok(())
             }
         }
+    }
+}
+
+/// A limit with the instant that cannot be reached.
+fn write_at(f: &mut fmt::Formatter<'_>, t: f64, limit: &Limit) -> fmt::Result {
+    let is_elsewhere = limit.locks_at().is_some_and(|at| (at - t).abs() > 1e-9 * t.abs());
+    match is_elsewhere {
+        true => write!(f, "cannot reach t = {}: {limit}", rounded(t)),
+        false => write!(f, "at t = {}, {limit}", rounded(t)),
     }
 }
 

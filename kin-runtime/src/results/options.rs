@@ -34,7 +34,8 @@ pub struct Options {
     pub restarts: usize,
     /// Radius of the trust region of the first iteration of a position analysis, on the common scale.
     pub trust_radius: f64,
-    /// Largest rotation (rad), or displacement on the common scale, in one internal step of a sweep.
+    /// Largest rotation (rad) of a body in one internal step of a sweep, or of the gradient of a row that the plan iterates;
+    /// for full Newton also the largest displacement on the common scale.
     pub max_rotation_per_step: f64,
     /// Largest correction of the predicted position, relative to the predicted motion, that a step of a sweep accepts.
     pub prediction_tolerance: f64,

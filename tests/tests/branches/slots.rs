@@ -111,20 +111,22 @@ fn slot(random: &mut Random) -> (Case<Slot>, Vec<f64>) {
 }
 
 fn kepler(random: &mut Random) -> (Case<Kepler>, Vec<f64>) {
-    let e = 1.0 + random.small(-4.0, -0.5);
+    let case = kepler_from(1.0 + random.small(-4.0, -0.5), random.between(0.5, 2.3));
+    let times = instants(random, case.folds.first().copied());
+    (case, times)
+}
+
+fn kepler_from(e: f64, from: f64) -> Case<Kepler> {
     let f: Curve = Box::new(move |u: f64| [u + e * u.sin(), 1.0 + e * u.cos(), -e * u.sin()]);
-    let from = random.between(0.5, 2.3);
     let end = fold(&f, from, 1.0, PI);
     let m = f(from)[0];
     let dead_centre = end.map(|end| f(end)[0] - m);
-    let times = instants(random, dead_centre);
     let branch = move |t: f64, off: f64| {
         let s = Jet::time(t) * (1.0 + off) + m * (1.0 + off);
         Some(vec![root(&f, [0.0, end.unwrap_or(20.0)], s)?])
     };
-    let mechanism = Kepler { e, m };
     let note = format!("from u = {from}");
-    (Case::new(mechanism, branch, [dead_centre.into_iter().collect(), vec![]], note), times)
+    Case::new(Kepler { e, m }, branch, [dead_centre.into_iter().collect(), vec![]], note)
 }
 
 #[test]
@@ -144,5 +146,15 @@ fn anomalies_of_kepler() {
         let (case, times) = kepler(&mut random);
         follow(&mut tally, &Group::new(times, vec![case]));
     }
+    tally.obeys("Kepler's equation");
+}
+
+/// Two dead centres that are 0.33 rad apart, and a step of 1.7 rad across both.
+#[test]
+fn an_anomaly_with_two_dead_centres_in_one_step() {
+    let case = kepler_from(1.0135490680531092, 2.4130066668324575);
+    assert_eq!(1, case.folds.len());
+    let mut tally = Tally::default();
+    follow(&mut tally, &Group::new(vec![0.0, 0.1953327218975706], vec![case]));
     tally.obeys("Kepler's equation");
 }

@@ -24,7 +24,7 @@ impl fmt::Display for SolveError {
                 )
             }
             Self::Singular { limit: Some(limit), .. } | Self::StepRefused { limit: Some(limit), .. }
-                if limit.kind().is_some() =>
+                if limit.locks_at().is_some() =>
             {
                 write!(f, "{}: {limit}", limit.step.mechanism())
             }
@@ -85,7 +85,7 @@ impl fmt::Display for SolveError {
             Self::StepRefused { t, t_refused, reason: reason @ Refusal::StepTooSmall, .. } => {
                 write!(
                     f,
-                    "the velocities cannot be integrated beyond t = {t} to t = {t_refused}: {reason}",
+                    "no step is short enough to follow the motion from t = {t} towards t = {t_refused}: {reason}",
                     t = rounded(*t),
                     t_refused = rounded(*t_refused)
                 )
