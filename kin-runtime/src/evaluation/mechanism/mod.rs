@@ -11,6 +11,7 @@ mod length;
 mod workspaces;
 
 pub use length::LengthError;
+use workspaces::evaluated;
 pub use workspaces::{Observations, Workspace};
 
 /// A planar mechanism with closed-form constraints, implemented by `#[mechanism]`.
@@ -81,7 +82,6 @@ pub trait Mechanism: Sized {
     }
 
     /// Evaluates Φ, Φ_q, Φ_t, γ, or any subset, at parameters of the caller; common terms are computed once.
-    ///
     /// Units follow the parameters. Parts that `subset` does not request may be overwritten or left unchanged.
     ///
     /// # Errors
@@ -107,10 +107,7 @@ pub trait Mechanism: Sized {
         q: &[T],
         phi: &mut Self::Rows<T>,
     ) -> Result<(), LengthError> {
-        let mut workspace = Self::workspace::<T>();
-        let rest = Self::Coordinates::<T>::filled(T::from_f64(0.0));
-        self.evaluate_with(parameters, Subset::PHI, at, q, rest.as_ref(), &mut workspace)?;
-        *phi = *workspace.parts_mut().0;
+        *phi = *evaluated(self, parameters, Subset::PHI, at, q, None)?.parts_mut().0;
         Ok(())
     }
 
@@ -131,7 +128,6 @@ pub trait Mechanism: Sized {
     }
 
     /// Computes q, q̇ and q̈, as far as `depth` says, by the plan ([`Model::plan`]): in closed form where possible.
-    ///
     /// `modes` has a sign, ±1, for every mode of the plan. Angles are within half a turn of those in `start`, n
     /// numbers, from which iterations start. The results are valid only where all margins are positive; nothing is
     /// written without a plan.
@@ -169,8 +165,6 @@ pub trait Mechanism: Sized {
     /// [`closures_with`](Self::closures_with), followed by a number for every group that is solved by iteration
     /// ([`Plan::orientations`](crate::plan::Plan::orientations)), the normalised determinant of the group's system.
     ///
-    /// A mechanism without such groups implements only [`closures_with`](Self::closures_with), which this method then
-    /// calls; one with such groups implements this method, and the other one with its first numbers.
     /// # Errors
     /// When an argument has the wrong length.
     fn branches_with<T: Scalar>(
@@ -183,8 +177,7 @@ pub trait Mechanism: Sized {
         self.closures_with(parameters, at, q, branches)
     }
 
-    /// Writes for every coordinate by what angle, in radians per unit, the gradients of iterated rows turn when it changes,
-    /// n numbers: 0 for angles, and for coordinates on which the plan does not iterate.
+    /// Writes how far the gradients of iterated rows turn with each length or scalar, in radians per unit; else 0.
     ///
     /// # Errors
     /// When an argument has the wrong length.
@@ -195,7 +188,7 @@ pub trait Mechanism: Sized {
         q: &[T],
         turns: &mut [T],
     ) -> Result<(), LengthError> {
-        turns.iter_mut().for_each(|turn| *turn = T::from_f64(0.0));
+        turns.fill(T::from_f64(0.0));
         Ok(())
     }
 
@@ -368,8 +361,7 @@ pub trait Mechanism: Sized {
         q_dot: &[T],
         workspace: &mut Workspace<Self, T>,
     ) -> Result<(), LengthError> {
-        let parameters = self.parameters::<T>();
-        self.evaluate_with(parameters.as_ref(), subset, at, q, q_dot, workspace)
+        self.evaluate_with(self.parameters::<T>().as_ref(), subset, at, q, q_dot, workspace)
     }
 
     /// Φ(q, t), s numbers.
@@ -387,10 +379,7 @@ pub trait Mechanism: Sized {
     /// # Errors
     /// As [`evaluate_with`](Self::evaluate_with).
     fn jacobian<T: Scalar>(&self, at: &Instant<'_, T>, q: &[T]) -> Result<Self::NonZeros<T>, LengthError> {
-        let mut workspace = Self::workspace::<T>();
-        let rest = Self::Coordinates::<T>::filled(T::from_f64(0.0));
-        self.evaluate(Subset::JACOBIAN, at, q, rest.as_ref(), &mut workspace)?;
-        Ok(*workspace.parts_mut().1)
+        Ok(*evaluated(self, self.parameters().as_ref(), Subset::JACOBIAN, at, q, None)?.parts_mut().1)
     }
 
     /// Φ_t(q, t), s numbers; ν = −Φ_t.
@@ -398,10 +387,7 @@ pub trait Mechanism: Sized {
     /// # Errors
     /// As [`evaluate_with`](Self::evaluate_with).
     fn time_derivative<T: Scalar>(&self, at: &Instant<'_, T>, q: &[T]) -> Result<Self::Rows<T>, LengthError> {
-        let mut workspace = Self::workspace::<T>();
-        let rest = Self::Coordinates::<T>::filled(T::from_f64(0.0));
-        self.evaluate(Subset::TIME_DERIVATIVE, at, q, rest.as_ref(), &mut workspace)?;
-        Ok(*workspace.parts_mut().2)
+        Ok(*evaluated(self, self.parameters().as_ref(), Subset::TIME_DERIVATIVE, at, q, None)?.parts_mut().2)
     }
 
     /// γ(q, q̇, t) = −(Φ_q q̇)_q q̇ − 2 Φ_qt q̇ − Φ_tt, s numbers.
@@ -409,8 +395,6 @@ pub trait Mechanism: Sized {
     /// # Errors
     /// As [`evaluate_with`](Self::evaluate_with).
     fn gamma<T: Scalar>(&self, at: &Instant<'_, T>, q: &[T], q_dot: &[T]) -> Result<Self::Rows<T>, LengthError> {
-        let mut workspace = Self::workspace::<T>();
-        self.evaluate(Subset::GAMMA, at, q, q_dot, &mut workspace)?;
-        Ok(*workspace.parts_mut().3)
+        Ok(*evaluated(self, self.parameters().as_ref(), Subset::GAMMA, at, q, Some(q_dot))?.parts_mut().3)
     }
 }
