@@ -52,6 +52,13 @@ pub struct Kernels {
     pub solution: Option<SolutionKernels>,
 }
 
+impl Kernels {
+    /// Whether there is a list of the turns of iterated rows.
+    pub fn turns_rows(&self) -> bool {
+        self.lists.iter().any(|list| list.method == solution::TURNS)
+    }
+}
+
 /// Makes the kernels of a mechanism.
 pub fn kernels(system: &KinematicSystem, plan: &SolutionPlan, forces: Option<&Forces>) -> Kernels {
     let set = &system.set;

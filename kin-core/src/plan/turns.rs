@@ -1,7 +1,8 @@
-//! How far the rows of a group turn when a coordinate that is no angle changes.
+//! How far the rows of a group turn when one of its unknowns changes.
 //!
 //! The steps of a motion are limited by the angle that bodies turn. Where a plan iterates on lengths or on scalar
-//! coordinates, bodies may move far without turning. The factor w of such unknowns converts their change to radians:
+//! coordinates, bodies may move far without turning, and on a curve with waves the direction of contact turns faster than
+//! they do. The factor w of such unknowns converts their change to radians:
 //!
 //! ```text
 //! w² = Σᵢ 1/ρᵢ²,   ρᵢ² = Σ_u Dᵢᵤ/Nᵢᵤ
@@ -17,7 +18,7 @@
 use super::closures::LEAST;
 use super::tree::{Block, Core, Part, SolutionMethod};
 use crate::constraint::{Coordinate, CoordinateKind};
-use crate::expr::{ExprId, Graph, Jet, total_derivatives};
+use crate::expr::{Depends, ExprId, Graph, Jet, Node, total_derivatives};
 use crate::mechanism::Component;
 use crate::vocabulary::Function;
 use std::collections::BTreeMap;
@@ -30,8 +31,8 @@ enum Unit {
     Scalar(u32),
 }
 
-/// w of all coordinates at a configuration, which is 0 for angles and for coordinates that are not iterated on; empty
-/// where it is 0 for all of them.
+/// w of all coordinates at a configuration. It is 0 for coordinates that are not iterated on, and for angles unless the
+/// group has a curve; empty where it is 0 for all coordinates.
 pub(super) fn turns(graph: &mut Graph, tree: &Block, coordinates: &[Coordinate]) -> Vec<ExprId> {
     let mut found = BTreeMap::new();
     of_block(graph, tree, coordinates, &mut found);
@@ -62,6 +63,7 @@ fn of_block(graph: &mut Graph, block: &Block, coordinates: &[Coordinate], found:
 
 fn of_core(graph: &mut Graph, core: &Core, coordinates: &[Coordinate], found: &mut BTreeMap<u32, ExprId>) {
     let SolutionMethod::Newton { residuals } = &core.method else { return };
+    let curves = has_curves(graph, residuals);
     let mut members: BTreeMap<Unit, Vec<u32>> = BTreeMap::new();
     for &k in &core.coordinates {
         members.entry(unit(k, &coordinates[k as usize])).or_default().push(k);
@@ -76,7 +78,7 @@ fn of_core(graph: &mut Graph, core: &Core, coordinates: &[Coordinate], found: &m
         }
         let changes: Vec<(Vec<ExprId>, Vec<Jet>)> =
             gradient.into_values().map(|entries| (entries.clone(), total_derivatives(graph, &entries))).collect();
-        for (&of, members) in members.iter().filter(|(unit, _)| **unit != Unit::Angle) {
+        for (&of, members) in members.iter().filter(|(unit, _)| **unit != Unit::Angle || curves) {
             if let Some(share) = turn(graph, &changes, members) {
                 let sum = squares.get(&of).copied().unwrap_or_else(|| graph.zero());
                 squares.insert(of, graph.add(sum, share));
@@ -87,6 +89,19 @@ fn of_core(graph: &mut Graph, core: &Core, coordinates: &[Coordinate], found: &m
         let weight = graph.call(Function::Sqrt, square);
         found.extend(members[&of].iter().map(|&k| (k, weight)));
     }
+}
+
+/// True if a residual depends on coordinates by more than products of lengths and rotated vectors, whose gradients turn no
+/// faster than bodies do.
+fn has_curves(graph: &Graph, residuals: &[ExprId]) -> bool {
+    let varies = |id: ExprId| graph.depends(id).on(Depends::COORDINATE);
+    graph.reachable(residuals.iter().copied()).into_iter().any(|id| match graph.node(id) {
+        Node::Call(_, a) | Node::Supplied(_, _, a) | Node::Powf(a, _) => varies(a),
+        Node::Powi(a, n) => n.abs() > 2 && varies(a),
+        Node::Div(_, b) => varies(b),
+        Node::Atan2(y, x) => varies(y) || varies(x),
+        _ => false,
+    })
 }
 
 /// 1/ρ² of a row for the unknowns `by`; `None` where the row does not count. The row is given by the entries of its

@@ -115,6 +115,7 @@ fn mechanism(
     let [position_lengths, lengths] = [position_lengths(&scalar, "q"), lengths(&scalar)];
     let (lists, curves, kept) =
         (lists::lists(lowered, kernels), lists::curves(lowered, kernels), set.kept_lengths().count());
+    let turning = kernels.turns_rows().then(|| quote! { const ROWS_TURN: bool = true; });
     let constraints_with = method(
         &TokenStream::new(),
         "constraints_with",
@@ -167,6 +168,7 @@ fn mechanism(
             const PARAMETERS: usize = #p;
             const INPUTS: usize = #u;
             const LENGTHS: usize = #kept;
+            #turning
             type Parameters<__T: __kin::Scalar> = [__T; #p];
             type Inputs<__T: __kin::Scalar> = [__kin::Signal<__T>; #u];
             type Coordinates<__T: __kin::Scalar> = [__T; #n];

@@ -7,8 +7,8 @@
 use super::branch::Branch;
 use super::lists::{Distances, Margins, Modes};
 use crate::mechanism::Mechanism;
-use crate::model::{Component, CoordinateKind, Model};
-use crate::plan::StepKind;
+use crate::model::{Component, CoordinateKind};
+use crate::plan::{PlanStep, StepKind};
 use crate::signal::{Instant, Signal};
 use crate::workspace::Array;
 
@@ -86,10 +86,10 @@ pub(crate) struct PlanFollower<M: Mechanism> {
     /// Factors that convert the coordinates to radians.
     pub(super) weights: M::Coordinates<f64>,
     /// By what angle the gradients of iterated rows turn with each coordinate, at the accepted state; used if
-    /// `iterates_lengths`.
+    /// `rows_turn_alone`.
     pub(super) turns: M::Coordinates<f64>,
-    /// Whether an unknown of an iteration is no angle, so that the turns of bodies do not bound how far it moves.
-    pub(super) iterates_lengths: bool,
+    /// See [`rows_turn_alone`].
+    pub(super) rows_turn_alone: bool,
     /// q at the limit that ended the last motion, if it was located.
     pub(super) limit: Option<M::Coordinates<f64>>,
 }
@@ -115,16 +115,18 @@ pub(crate) enum Fault {
     NonFinite,
 }
 
-/// True if an unknown of an iteration of the plan is no angle.
-pub(crate) fn iterates_lengths(model: &Model) -> bool {
+/// Whether the turns of bodies do not bound those of iterated rows: an unknown is no angle, or a row has a curve.
+pub(crate) fn rows_turn_alone<M: Mechanism>() -> bool {
+    let model = M::model();
     let is_angle = |k: usize| {
         let kind = model.coordinates.get(k).map(|coordinate| coordinate.kind);
         matches!(kind, Some(CoordinateKind::Pose { component: Component::Phi, .. }))
     };
-    model.plan.steps.iter().any(|step| match step.kind {
+    let iterates_others = |step: &PlanStep| match step.kind {
         StepKind::Newton(unknowns) => step.coordinates.iter().take(unknowns).any(|&(k, _)| !is_angle(k)),
         _ => false,
-    })
+    };
+    M::ROWS_TURN || model.plan.steps.iter().any(iterates_others)
 }
 
 impl<M: Mechanism> PlanFollower<M> {
@@ -146,7 +148,7 @@ impl<M: Mechanism> PlanFollower<M> {
             distances: Distances::filled(0.0),
             weights: zeros,
             turns: zeros,
-            iterates_lengths: iterates_lengths(M::model()),
+            rows_turn_alone: rows_turn_alone::<M>(),
             limit: None,
         }
     }
@@ -186,7 +188,7 @@ impl<M: Mechanism> PlanFollower<M> {
     /// Computes `turns` at a configuration, if they are used.
     #[inline]
     pub(super) fn measure_turns(&mut self, mechanism: &M, at: &Instant<'_>, q: &M::Coordinates<f64>) {
-        if self.iterates_lengths {
+        if self.rows_turn_alone {
             let turns = mechanism.turns_with(self.parameters.as_ref(), at, q.as_ref(), self.turns.as_mut());
             debug_assert!(turns.is_ok(), "q and turns have n numbers");
         }

@@ -1,5 +1,6 @@
 //! The trial state: the solution of the plan at an instant, and the check whether it is on the branch of the motion.
 
+use super::between::certainty_between;
 use super::branch::{first_uncertain, may_have_touched_limit};
 use super::follower::{Control, NEGLIGIBLE, PlanFollower, Poses};
 use super::lists::BranchValues;
@@ -55,17 +56,31 @@ impl<M: Mechanism> PlanFollower<M> {
         self.states[1 - self.good].margins.write_distances(&mut self.distances)
     }
 
-    /// True if in a step of the length h with these q̇ and q̈ the gradients of iterated rows turn no farther than bodies
-    /// may, and the trial state is as near to its prediction.
+    /// True if in a step of the length h from `here` the gradients of iterated rows turn no farther than bodies may, the
+    /// trial state is as near to its prediction, and no iterated group comes near its limit in between.
     #[inline]
-    pub(super) fn rows_turn_little(&self, rates: [&[f64]; 2], h: f64, control: &Control) -> bool {
-        if !self.iterates_lengths {
-            return true;
+    pub(super) fn rows_are_followed(
+        &self,
+        mechanism: &M,
+        at: &Instant<'_>,
+        here: &Poses<M>,
+        h: f64,
+        control: &Control,
+    ) -> Result<bool, LengthError> {
+        if !self.rows_turn_alone {
+            return Ok(true);
         }
-        let turns = self.turns.as_ref();
-        let turn = largest_turn(rates, turns, h);
-        let away = turned(self.states[1 - self.good].q.as_ref(), self.predicted.as_ref(), turns);
-        turn <= control.rotation && away <= control.correction * turn + NEGLIGIBLE
+        let (turns, tried) = (self.turns.as_ref(), &self.states[1 - self.good]);
+        let turn = largest_turn([here.q_dot.as_ref(), here.q_ddot.as_ref()], turns, h);
+        let away = turned(tried.q.as_ref(), self.predicted.as_ref(), turns);
+        let is_near = turn <= control.rotation && away <= control.correction * turn + NEGLIGIBLE;
+        if !is_near {
+            return Ok(false);
+        }
+        let ends = [here.q.as_ref(), here.q_dot.as_ref(), tried.q.as_ref(), tried.q_dot.as_ref()];
+        let certainty =
+            certainty_between(mechanism, (self.parameters.as_ref(), at), &self.branch.modes, (ends, turns), h)?;
+        Ok(certainty >= 0.0)
     }
 
     /// True if no iterated group has changed the sign of its determinant.

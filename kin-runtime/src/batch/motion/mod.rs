@@ -7,8 +7,9 @@ use super::end::{End, Outcome};
 use super::poses::{Limits, Poses, Question, copy_lane};
 use crate::mechanism::Mechanism;
 use crate::plan::{Depth, Plan};
+use crate::planned::between::certainty_between;
 use crate::planned::branch::{FAR_FROM_LIMITS, OUT_OF_REACH, certainty_of, resolves};
-use crate::planned::follower::{Control, NEGLIGIBLE, PlanFollower, iterates_lengths};
+use crate::planned::follower::{Control, NEGLIGIBLE, PlanFollower, rows_turn_alone};
 use crate::planned::lists::{BranchValues, Distances, Margins, Modes};
 use crate::planned::passed::CLOSE;
 use crate::planned::predict::{largest_turn, parabola, turned, weights};
@@ -35,9 +36,9 @@ pub(super) struct Motion<M: Mechanism> {
     t: f64,
     /// The weight of each coordinate in every set: radians per unit.
     weights: M::Coordinates<Octet>,
-    /// By what angle the gradients of iterated rows turn with each coordinate; used if `iterates_lengths`.
+    /// By what angle the gradients of iterated rows turn with each coordinate; used if `rows_turn_alone`.
     turns: M::Coordinates<Octet>,
-    iterates_lengths: bool,
+    rows_turn_alone: bool,
 }
 
 /// For every set without an answer the margin to report, and the step of the plan that is the reason, if there is one.
@@ -60,7 +61,7 @@ impl<M: Mechanism> Motion<M> {
             t: 0.0,
             weights: Array::generate(nothing),
             turns: Array::generate(nothing),
-            iterates_lengths: iterates_lengths(M::model()),
+            rows_turn_alone: rows_turn_alone::<M>(),
         }
     }
 
@@ -137,8 +138,8 @@ impl<M: Mechanism> Motion<M> {
         // The least of all numbers that must not be negative.
         let rotation = Octet::from_f64(control.rotation) - turn;
         let mut least = rotation.least(allowed - away);
-        if self.iterates_lengths {
-            least = least.least(self.certainty_of_rows(h, &control));
+        if self.rows_turn_alone {
+            least = least.least(self.certainty_of_rows(mechanism, at, h, &control));
         }
         if M::LENGTHS > 0 {
             // The follower reports a negative length.
@@ -198,7 +199,7 @@ impl<M: Mechanism> Motion<M> {
         self.good = 1 - self.good;
         self.t = at.t.lane(0);
         self.inputs.as_mut().iter_mut().zip(at.inputs).for_each(|(to, from)| *to = from.map(|x| x.lane(0)));
-        if self.iterates_lengths {
+        if self.rows_turn_alone {
             let q = self.poses[self.good].q;
             let turns = mechanism.turns_with(self.parameters.as_ref(), at, q.as_ref(), self.turns.as_mut());
             debug_assert!(turns.is_ok(), "q and turns have n numbers");
@@ -206,15 +207,19 @@ impl<M: Mechanism> Motion<M> {
     }
 
     /// Not negative in lanes in which a step of the length h turns the gradients of iterated rows no farther than bodies
-    /// may turn, and its end is as near to its prediction.
+    /// may turn, its end is as near to its prediction, and no iterated group comes near its limit in between.
     #[cold]
     #[inline(never)]
-    fn certainty_of_rows(&self, h: f64, control: &Control) -> Octet {
+    fn certainty_of_rows(&self, mechanism: &M, at: &Instant<'_, Octet>, h: f64, control: &Control) -> Octet {
         let (here, tried, turns) = (self.poses(), &self.poses[1 - self.good], self.turns.as_ref());
         let turn = largest_turn([here.q_dot.as_ref(), here.q_ddot.as_ref()], turns, h);
         let away = turned(tried.q.as_ref(), self.predicted.as_ref(), turns);
         let allowed = Octet::from_f64(control.correction) * turn + Octet::from_f64(NEGLIGIBLE);
-        (Octet::from_f64(control.rotation) - turn).least(allowed - away)
+        let ends = [here.q.as_ref(), here.q_dot.as_ref(), tried.q.as_ref(), tried.q_dot.as_ref()];
+        let between = certainty_between(mechanism, (self.parameters.as_ref(), at), &self.modes, (ends, turns), h);
+        debug_assert!(between.is_ok(), "the columns have been counted");
+        let between = between.unwrap_or_else(|_| Octet::from_f64(-1.0));
+        (Octet::from_f64(control.rotation) - turn).least(allowed - away).least(between)
     }
 
     /// Repeats the step of the sets for which it was not accepted, one by one.

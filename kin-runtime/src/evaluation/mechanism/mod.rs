@@ -33,6 +33,8 @@ pub trait Mechanism: Sized {
     const INPUTS: usize;
     /// The number of lengths that joints keep (of links, cylinders and drivers of distances), at most `ROWS`.
     const LENGTHS: usize = 0;
+    /// Whether the mechanism implements [`turns_with`](Self::turns_with).
+    const ROWS_TURN: bool = false;
 
     /// `[T; PARAMETERS]`.
     type Parameters<T: Scalar>: Array<T>;
@@ -177,7 +179,7 @@ pub trait Mechanism: Sized {
         self.closures_with(parameters, at, q, branches)
     }
 
-    /// Writes how far the gradients of iterated rows turn with each length or scalar, in radians per unit; else 0.
+    /// Writes how far the gradients of iterated rows turn with each coordinate, in radians per unit.
     ///
     /// # Errors
     /// When an argument has the wrong length.

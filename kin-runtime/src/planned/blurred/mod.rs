@@ -55,13 +55,14 @@ impl<M: Mechanism> PlanFollower<M> {
         let tried = &self.states[1 - self.good];
         let (q, q_dot) = (tried.q.as_ref(), tried.q_dot.as_ref());
         // A configuration a little further on, within which the motion is a straight line; it gives ẇ by differences.
-        let further = LITTLE / largest_angle(M::model(), q_dot);
+        let turns = if self.rows_turn_alone { self.turns.as_ref() } else { &[] };
+        let further = LITTLE / largest_angle(M::model(), turns, q_dot);
         let ahead = M::Coordinates::<f64>::generate(|k| q[k] + further * q_dot[k]);
         let of = |q: &[f64]| BranchValues::<M>::at(mechanism, self.parameters.as_ref(), at, q).ok();
         let (now, mut rates) = (of(q)?, of(ahead.as_ref())?);
         rates.as_mut().iter_mut().zip(now.as_ref()).for_each(|(then, now)| *then = (*then - now) / further);
         let groups = [now.as_ref(), rates.as_ref()];
-        blurred_group(M::model(), groups, self.distances.as_ref(), [q_dot, tried.q_ddot.as_ref()])
+        blurred_group(M::model(), groups, self.distances.as_ref(), [q_dot, tried.q_ddot.as_ref()], turns)
     }
 
     /// The error that the rates of the trial state are dominated by rounding.
@@ -93,17 +94,18 @@ impl<M: Mechanism> PlanFollower<M> {
     }
 }
 
-/// The largest rate of an angle or a scalar.
-pub(crate) fn largest_angle(model: &Model, rates: &[f64]) -> f64 {
-    largest_of(model, &mut (0..rates.len()), rates)
+/// The largest rate of an angle or a scalar, or of a row that turns with a length; see [`blurred_group`].
+pub(crate) fn largest_angle(model: &Model, turns: &[f64], rates: &[f64]) -> f64 {
+    largest_of(model, turns, &mut (0..rates.len()), rates)
 }
 
-fn largest_of(model: &Model, places: &mut dyn Iterator<Item = usize>, rates: &[f64]) -> f64 {
-    places.filter(|k| turns(model, *k)).map(|k| rates[k].abs()).fold(0.0, f64::max)
+fn largest_of(model: &Model, turns: &[f64], places: &mut dyn Iterator<Item = usize>, rates: &[f64]) -> f64 {
+    let weight = |k: usize| if is_angle(model, k) { 1.0 } else { turns.get(k).copied().unwrap_or(0.0) };
+    places.map(|k| (weight(k) * rates[k]).abs()).fold(0.0, f64::max)
 }
 
 /// True for an angle or a scalar.
-fn turns(model: &Model, k: usize) -> bool {
+fn is_angle(model: &Model, k: usize) -> bool {
     !matches!(model.coordinates[k].kind, CoordinateKind::Pose { component: Component::X | Component::Y, .. })
 }
 
@@ -113,7 +115,8 @@ fn groups_of(plan: &Plan) -> impl Iterator<Item = usize> {
 }
 
 /// The group that is so near to a crossing of branches that rounding errors dominate the rates. The arguments are w and
-/// ẇ of every group, √margin of every group (`distances`), q̇ and q̈.
+/// ẇ of every group, √margin of every group (`distances`), q̇ and q̈, and by what angle iterated rows turn with every
+/// coordinate, or an empty list: a body that slides without turning moves its group, too.
 ///
 /// With x = q̇ w/ẇ, the angle between the group and the crossing, the rounding of w² causes an error of about ε/(w x²)
 /// in q̈/q̇². Where √margin is much smaller than |w|, the closures are apart, and it is the pins at both ends of the
@@ -123,6 +126,7 @@ pub(crate) fn blurred_group(
     [groups, rates_of_groups]: [&[f64]; 2],
     distances: &[f64],
     [q_dot, q_ddot]: [&[f64]; 2],
+    turns: &[f64],
 ) -> Option<usize> {
     let plan = &model.plan;
     let meet = |group: &usize| distances[*group] < NEAR.min(PINS * groups[*group].abs());
@@ -131,12 +135,13 @@ pub(crate) fn blurred_group(
     }
     groups_of(plan).enumerate().filter(|(group, _)| distances[*group] < NEAR).find_map(|(group, step)| {
         let of = |step: &'static PlanStep| step.coordinates.iter().map(|&(k, _)| k);
-        let own = |rates: &[f64]| largest_of(model, &mut plan.steps.iter().skip(step).take(1).flat_map(of), rates);
+        let own =
+            |rates: &[f64]| largest_of(model, turns, &mut plan.steps.iter().skip(step).take(1).flat_map(of), rates);
         // The rate of the steps that drive the group; groups near their own limits do not count, since they move as
         // fast as this one.
         let is_near = |step: usize| groups_of(plan).enumerate().any(|(k, other)| other == step && distances[k] < NEAR);
         let steps = plan.steps.iter().take(step).enumerate().filter(|(step, _)| !is_near(*step));
-        let before = largest_of(model, &mut steps.flat_map(|(_, step)| of(step)), q_dot);
+        let before = largest_of(model, turns, &mut steps.flat_map(|(_, step)| of(step)), q_dot);
         let (moves, acceleration, distance) = (own(q_dot), own(q_ddot), distances[group]);
         let angle = |velocity: f64| velocity * (distance / rates_of_groups[group]).abs();
         // A group may stand still while the bodies that drive it move.
@@ -146,7 +151,13 @@ pub(crate) fn blurred_group(
         // This criterion holds for any acceleration of the drive; without a drive, the acceleration of the group
         // decides.
         // A group that only slides has no angle from its limit. Its w² is proportional to the distance from a fold.
-        let slides = !plan.steps.iter().skip(step).take(1).flat_map(of).any(|k| turns(model, k));
+        let slides = !plan
+            .steps
+            .iter()
+            .skip(step)
+            .take(1)
+            .flat_map(of)
+            .any(|k| is_angle(model, k) || turns.get(k).is_some_and(|turn| *turn > 0.0));
         let bend = if slides { (distance * rates_of_groups[group]).abs() } else { moves * angle(moves) };
         let (is_slow, is_fast) = (bend <= SLOW * before, before > 0.0 && bend > FAST * before);
         let crosses = is_slow || !is_fast && distance * acceleration <= FOLD * velocity * velocity;

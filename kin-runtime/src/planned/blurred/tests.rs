@@ -25,8 +25,13 @@ impl Beside {
         // Angles of the crank, the coupler and the rocker; rates of x and y are ignored.
         (q_dot[2], q_dot[5], q_dot[8]) = (self.crank, 0.5 * self.group, -self.group);
         (q_ddot[2], q_ddot[5], q_ddot[8]) = (1e9, -self.acceleration, 0.5 * self.acceleration);
-        let found =
-            blurred_group(PlannedFourBar::model(), [&[self.w], &[self.w_dot]], &[self.distance], [&q_dot, &q_ddot]);
+        let found = blurred_group(
+            PlannedFourBar::model(),
+            [&[self.w], &[self.w_dot]],
+            &[self.distance],
+            [&q_dot, &q_ddot],
+            &[],
+        );
         assert!(found.is_none_or(|sign| sign == 0));
         found.is_some()
     }
@@ -128,6 +133,10 @@ fn pins_that_meet_are_found_by_the_margin_alone() {
 fn angles_and_scalars_have_rates_that_count_and_places_have_none() {
     let mut rates = [0.0; 9];
     (rates[0], rates[4], rates[5], rates[8]) = (7.0, -9.0, -3.0, 2.0);
-    assert_eq!(3.0, largest_angle(PlannedFourBar::model(), &rates));
-    assert_eq!(4.0, largest_angle(FourBarLoop::model(), &[1.0, -4.0, 2.0]));
+    assert_eq!(3.0, largest_angle(PlannedFourBar::model(), &[], &rates));
+    assert_eq!(4.0, largest_angle(FourBarLoop::model(), &[], &[1.0, -4.0, 2.0]));
+    // A length counts with the turn of the rows.
+    let mut turns = [0.0; 9];
+    turns[0] = 2.5;
+    assert_eq!(2.5 * rates[0], largest_angle(PlannedFourBar::model(), &turns, &rates));
 }

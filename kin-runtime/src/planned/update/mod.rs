@@ -198,7 +198,7 @@ impl<M: Mechanism> PlanFollower<M> {
     /// Solves at an instant that is unrelated to the last one.
     fn solve_anew(&mut self, mechanism: &M, at: &Instant<'_>) -> Result<(), PlanError> {
         self.limit = None;
-        let kept = self.branch.modes;
+        let kept = (self.branch.modes, self.turns);
         let good = self.solve_in_modes(mechanism, at)? || self.retry_in_other_modes(mechanism, at)?;
         if !good {
             self.before = f64::NAN;
@@ -206,9 +206,11 @@ impl<M: Mechanism> PlanFollower<M> {
         }
         let plan = &M::model().plan;
         let nearest = self.measure();
+        let q = self.states[1 - self.good].q;
+        self.measure_turns(mechanism, at, &q);
         if self.is_blurred(mechanism, at) {
             let error = self.explain_blurred(mechanism, at);
-            self.branch.modes = kept;
+            (self.branch.modes, self.turns) = kept;
             return Err(error);
         }
         if !plan.orientations.is_empty() {
@@ -220,9 +222,7 @@ impl<M: Mechanism> PlanFollower<M> {
             }
         }
         self.accept(at, nearest, false);
-        let q = self.state().q;
         weights(M::model(), q.as_ref(), self.weights.as_mut());
-        self.measure_turns(mechanism, at, &q);
         self.starts_anew = false;
         self.requested = Modes::filled(0.0);
         Ok(())
@@ -246,8 +246,7 @@ impl<M: Mechanism> PlanFollower<M> {
         let away = turned(tried.q.as_ref(), self.predicted.as_ref(), self.weights.as_ref());
         let is_expected = away <= control.correction * turn + NEGLIGIBLE;
         let here = &self.states[self.good];
-        let rates = [here.q_dot.as_ref(), here.q_ddot.as_ref()];
-        if !is_expected || !self.rows_turn_little(rates, at.t - self.t, control) {
+        if !is_expected || !self.rows_are_followed(mechanism, at, here, at.t - self.t, control)? {
             return Ok(false);
         }
         // Where every group is out of reach of its limit, no sign can have changed: neither within the step nor between
@@ -257,7 +256,7 @@ impl<M: Mechanism> PlanFollower<M> {
         let least = f64::min(nearest, self.nearest);
         let far = least >= OUT_OF_REACH * turn && least >= NEAR;
         let stays = match far {
-            true => !self.iterates_lengths || self.keeps_orientations(mechanism, at)?,
+            true => !self.rows_turn_alone || self.keeps_orientations(mechanism, at)?,
             false => self.stays_on_its_branch(mechanism, at, resolves(least, turn))?,
         };
         if !stays {

@@ -56,7 +56,7 @@ impl<M: Mechanism> PlanFollower<M> {
             }
             let rates = [here.q_dot.as_ref(), here.q_ddot.as_ref()];
             let mut natural = natural_step(rates, self.weights.as_ref(), most_turn(control, nearest));
-            if self.iterates_lengths {
+            if self.rows_turn_alone {
                 natural = natural.min(natural_step(rates, self.turns.as_ref(), control.rotation));
             }
             if smallest.is_nan() {
@@ -74,7 +74,7 @@ impl<M: Mechanism> PlanFollower<M> {
                     self.branch.distances = self.distances;
                     nearest = self.measure();
                     s = next;
-                    if self.iterates_lengths {
+                    if self.rows_turn_alone {
                         let t = course.at(s, inputs.as_mut());
                         self.measure_turns(mechanism, &Instant { t, inputs: inputs.as_ref() }, &here.q);
                     }
@@ -132,8 +132,9 @@ impl<M: Mechanism> PlanFollower<M> {
         let modes = self.branch.modes;
         let allowed = control.correction * turn + NEGLIGIBLE;
         let judged = self.judge(mechanism, course, [s, next], inputs, (here, &modes), [allowed, turn, nearest]);
-        let rates = [here.q_dot.as_ref(), here.q_ddot.as_ref()];
-        let result = judged.and_then(|effort| match self.rows_turn_little(rates, h, control) {
+        let t = course.at(next, inputs.as_mut());
+        let end = Instant { t, inputs: inputs.as_ref() };
+        let result = judged.and_then(|effort| match self.rows_are_followed(mechanism, &end, here, h, control)? {
             true => Ok(effort),
             false => Err(Fault::Coarse),
         });

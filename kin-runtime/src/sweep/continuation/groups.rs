@@ -7,6 +7,7 @@
 
 use crate::analysis::by_plan;
 use crate::equations::Equations;
+use crate::planned::between::{LEAST, on_cubic, places};
 use crate::planned::blurred::{blurred_group, largest_angle};
 use crate::planned::branch::{OUT_OF_REACH, certainty_of, resolves};
 use crate::workspace::Instant;
@@ -74,6 +75,25 @@ pub(super) fn stay([before, predicted, found]: [&[f64]; 3], turn: f64, is_redund
     })
 }
 
+/// True if no iterated group comes much nearer to its limit within a step than at its ends. The arguments are the branch
+/// values, q and q̇ at the start, and those at the end.
+pub(super) fn stay_between(equations: &Equations<'_>, [before, found]: [&[f64]; 2], ends: [&[f64]; 4], h: f64) -> bool {
+    let iterated = equations.model.plan.modes.len();
+    if before.len() <= iterated {
+        return true;
+    }
+    let (mut q, mut groups) = (vec![0.0; ends[0].len()], Vec::new());
+    places().all(|s| {
+        on_cubic(&mut q, ends, h, s);
+        write(equations, &q, &mut groups);
+        let all = groups.iter().zip(before).zip(found).skip(iterated);
+        all.into_iter().all(|((w, before), found)| {
+            let sign = before.signum();
+            before.is_nan() || sign * w >= LEAST * f64::min(sign * before, sign * found)
+        })
+    })
+}
+
 /// True where the configuration is so near to a meeting of branches that its rates are dominated by rounding.
 /// `condition` is the condition number of Φ_q.
 pub(super) fn are_blurred(
@@ -91,12 +111,13 @@ pub(super) fn are_blurred(
     let by_margin = |sign: usize| plan.margin_of_group(sign).map_or(1.0, |place| margins[place].max(0.0).sqrt());
     let distance = |(sign, w): (usize, &f64)| if w.is_nan() { 1.0 } else { w.abs().min(by_margin(sign)) };
     let distances: Vec<f64> = groups.iter().enumerate().map(distance).collect();
-    let further = 1e-6 / largest_angle(equations.model, q_dot);
+    let turns = turns(equations, &equations.instant(), q);
+    let further = 1e-6 / largest_angle(equations.model, &turns, q_dot);
     let ahead: Vec<f64> = q.iter().zip(q_dot).map(|(q, v)| q + further * v).collect();
     let mut rates = Vec::new();
     write(equations, &ahead, &mut rates);
     rates.iter_mut().zip(groups).for_each(|(then, now)| *then = (*then - now) / further);
-    blurred_group(equations.model, [groups, &rates], &distances, [q_dot, q_ddot]).is_some()
+    blurred_group(equations.model, [groups, &rates], &distances, [q_dot, q_ddot], &turns).is_some()
 }
 
 /// The smallest size of a branch value, at most 1.

@@ -180,6 +180,10 @@ pub(super) fn settle(
         return Err(Fault::Open(worst));
     }
     equations.check("q_dot", q_dot.as_slice())?;
+    let ends = [&*from.node.state.q, from.q_dot, &*state.q, q_dot.as_slice()];
+    if !is_redundant && !groups::stay_between(equations, [before, groups], ends, s - from.s) {
+        return Err(Fault::Coarse(0.5));
+    }
     fill(&mut state.q_dot, q_dot.iter().copied());
     // Near a singular configuration the contradiction of the rows is due to rounding.
     state.q_ddot = acceleration(equations, &state.q, &state.q_dot, &found).map_err(|error| match error {

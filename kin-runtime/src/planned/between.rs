@@ -1,0 +1,137 @@
+//! The branch of iterated groups between the ends of a step.
+//!
+//! A closure has two solutions, whose distance is known from its margin. An iteration may have any number of solutions, and
+//! a curve may bend between two straight parts, so that nothing at the ends of a step tells of it. Therefore the branch
+//! values w of iterated groups are looked at in between, on the cubic through both ends:
+//!
+//! ```text
+//! q(s) = (2s³ − 3s² + 1) q₀ + (s³ − 2s² + s) h q̇₀ + (3s² − 2s³) q₁ + (s³ − s²) h q̇₁
+//! ```
+
+use super::lists::{BranchValues, Modes};
+use crate::mechanism::{LengthError, Mechanism};
+use crate::model::{Component, CoordinateInfo, CoordinateKind};
+use crate::plan::{Plan, StepKind};
+use crate::scalar::compare::Compare;
+use crate::signal::Instant;
+use crate::workspace::Array;
+
+/// Number of places between the ends of a step.
+pub(crate) const PLACES: u32 = 7;
+
+/// Smallest w in between, relative to the smaller one at both ends.
+pub(crate) const LEAST: f64 = 0.5;
+
+/// Largest deviation from the mean of the rates at both ends, relative to the larger one.
+const SMOOTH: f64 = 0.25;
+
+/// Error of the end of an iteration, relative to the coordinate or to the radius of its rows.
+const ROUNDING: f64 = 1e-10;
+
+/// The places, relative to the length of the step.
+pub(crate) fn places() -> impl Iterator<Item = f64> {
+    (1..=PLACES).map(|place| f64::from(place) / f64::from(PLACES + 1))
+}
+
+/// Writes the configuration at a place s between the ends of a step of the length h; `ends` are q₀, q̇₀, q₁ and q̇₁.
+pub(crate) fn on_cubic<V: Compare>(to: &mut [V], ends: [&[V]; 4], h: f64, s: f64) {
+    let rest = 1.0 - s;
+    let shares = [rest * rest * (1.0 + 2.0 * s), h * s * rest * rest, s * s * (3.0 - 2.0 * s), -h * s * s * rest];
+    for (k, to) in to.iter_mut().enumerate() {
+        let terms = ends.iter().zip(shares).map(|(numbers, share)| numbers[k] * V::from_f64(share));
+        *to = terms.fold(V::from_f64(0.0), |sum, term| sum + term);
+    }
+}
+
+/// A measure that is negative where an iterated group comes much nearer to its limit within a step than at its ends, or
+/// has another sign there. The instant is that of the end.
+pub(crate) fn certainty_between<M: Mechanism, V: Compare>(
+    mechanism: &M,
+    (parameters, at): (&[V], &Instant<'_, V>),
+    modes: &Modes<M, V>,
+    (ends, turns): ([&[V]; 4], &[V]),
+    h: f64,
+) -> Result<V, LengthError> {
+    if h == 0.0 {
+        return Ok(V::from_f64(1.0));
+    }
+    let iterated = M::model().plan.modes.len();
+    let of = |q: &[V]| BranchValues::at(mechanism, parameters, at, q);
+    let (first, last) = (of(ends[0])?, of(ends[2])?);
+    let mut certainty = certainty_of_rates(&M::model().plan, M::model().coordinates, (ends, turns), h);
+    let mut q = M::Coordinates::<V>::filled(V::from_f64(0.0));
+    for s in places() {
+        on_cubic(q.as_mut(), ends, h, s);
+        let between = of(q.as_ref())?;
+        let groups = modes.as_ref().iter().zip(first.as_ref()).zip(last.as_ref()).zip(between.as_ref());
+        for (((mode, first), last), w) in groups.skip(iterated) {
+            let nearer = (*mode * *first).least(*mode * *last);
+            certainty = certainty.least(*mode * *w - V::from_f64(LEAST) * nearer);
+        }
+    }
+    Ok(certainty)
+}
+
+/// A measure that is negative where the unknowns of an iteration have not moved as their rates at both ends say:
+///
+/// ```text
+/// |q₁ − q₀ − ½ h (q̇₀ + q̇₁)| ≤ ¼ |h| max(|q̇₀|, |q̇₁|)
+/// ```
+///
+/// The left side is of third order in h. Lengths are compared together, and so are angles; a scalar alone.
+fn certainty_of_rates<V: Compare>(
+    plan: &Plan,
+    coordinates: &[CoordinateInfo],
+    (ends, turns): ([&[V]; 4], &[V]),
+    h: f64,
+) -> V {
+    let zero = V::from_f64(0.0);
+    let [first, v0, last, v1] = ends;
+    let mut certainty = V::from_f64(1.0);
+    for step in plan.steps {
+        let StepKind::Newton(unknowns) = step.kind else { continue };
+        // The excess of the largest motion over the largest difference: of lengths and of angles.
+        let mut largest = [[zero; 2]; 2];
+        for &(k, _) in step.coordinates.iter().take(unknowns) {
+            let difference = (last[k] - first[k] - V::from_f64(0.5 * h) * (v0[k] + v1[k])).abs();
+            let motion = V::from_f64(h.abs()) * v0[k].abs().greatest(v1[k].abs());
+            // The coordinate may be 0, but a row that turns has a radius.
+            let radius = turns[k] / (turns[k] * turns[k] + V::from_f64(1e-300));
+            let rounding = V::from_f64(ROUNDING) * (last[k].abs() + radius + V::from_f64(1e-300));
+            let allowed = V::from_f64(SMOOTH) * motion + rounding;
+            let of = match coordinates[k].kind {
+                CoordinateKind::Scalar => {
+                    certainty = certainty.least(allowed - difference);
+                    continue;
+                }
+                CoordinateKind::Pose { component: Component::Phi, .. } => &mut largest[1],
+                CoordinateKind::Pose { .. } => &mut largest[0],
+            };
+            *of = [of[0].greatest(allowed), of[1].greatest(difference)];
+        }
+        for [allowed, difference] in largest {
+            certainty = certainty.least(allowed + V::from_f64(1e-300) - difference);
+        }
+    }
+    certainty
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{on_cubic, places};
+
+    #[test]
+    fn a_cubic_is_met_everywhere() {
+        let at = |t: f64| 0.3 + t * (0.5 - t * (0.7 + 0.2 * t));
+        let rate = |t: f64| 0.5 - t * (1.4 + 0.6 * t);
+        for h in [0.4, -1.5] {
+            for s in places().chain([0.0, 1.0]) {
+                let mut q = [f64::NAN];
+                on_cubic(&mut q, [&[at(0.1)], &[rate(0.1)], &[at(0.1 + h)], &[rate(0.1 + h)]], h, s);
+                assert!((q[0] - at(0.1 + s * h)).abs() < 1e-14, "{h} {s}");
+            }
+        }
+        let all: Vec<f64> = places().collect();
+        assert!(all.len() == 7 && all[0] == 0.125 && all[6] == 0.875);
+    }
+}
