@@ -34,17 +34,19 @@ pub(crate) fn places() -> impl Iterator<Item = f64> {
 }
 
 /// Writes the configuration at a place s between the ends of a step of the length h; `ends` are q₀, q̇₀, q₁ and q̇₁.
-pub(crate) fn on_cubic<V: Compare>(to: &mut [V], ends: [&[V]; 4], h: f64, s: f64) {
+pub(crate) fn on_cubic<V: Compare>(to: &mut [V], [q0, v0, q1, v1]: [&[V]; 4], h: f64, s: f64) {
     let rest = 1.0 - s;
     let shares = [rest * rest * (1.0 + 2.0 * s), h * s * rest * rest, s * s * (3.0 - 2.0 * s), -h * s * s * rest];
-    for (k, to) in to.iter_mut().enumerate() {
-        let terms = ends.iter().zip(shares).map(|(numbers, share)| numbers[k] * V::from_f64(share));
-        *to = terms.fold(V::from_f64(0.0), |sum, term| sum + term);
+    let [a, b, c, d] = shares.map(V::from_f64);
+    for (((to, q0), v0), (q1, v1)) in to.iter_mut().zip(q0).zip(v0).zip(q1.iter().zip(v1)) {
+        *to = (a * *q0 + c * *q1) + (b * *v0 + d * *v1);
     }
 }
 
 /// A measure that is negative where an iterated group comes much nearer to its limit within a step than at its ends, or
 /// has another sign there. The instant is that of the end.
+#[cold]
+#[inline(never)]
 pub(crate) fn certainty_between<M: Mechanism, V: Compare>(
     mechanism: &M,
     (parameters, at): (&[V], &Instant<'_, V>),
@@ -63,10 +65,10 @@ pub(crate) fn certainty_between<M: Mechanism, V: Compare>(
     for s in places() {
         on_cubic(q.as_mut(), ends, h, s);
         let between = of(q.as_ref())?;
-        let groups = modes.as_ref().iter().zip(first.as_ref()).zip(last.as_ref()).zip(between.as_ref());
-        for (((mode, first), last), w) in groups.skip(iterated) {
-            let nearer = (*mode * *first).least(*mode * *last);
-            certainty = certainty.least(*mode * *w - V::from_f64(LEAST) * nearer);
+        for group in iterated..M::model().plan.signs() {
+            let of = |list: &[V]| modes.as_ref()[group] * list[group];
+            let nearer = of(first.as_ref()).least(of(last.as_ref()));
+            certainty = certainty.least(of(between.as_ref()) - V::from_f64(LEAST) * nearer);
         }
     }
     Ok(certainty)
@@ -79,41 +81,49 @@ pub(crate) fn certainty_between<M: Mechanism, V: Compare>(
 /// ```
 ///
 /// The left side is of third order in h. Lengths are compared together, and so are angles; a scalar alone.
+#[cold]
+#[inline(never)]
 fn certainty_of_rates<V: Compare>(
     plan: &Plan,
     coordinates: &[CoordinateInfo],
     (ends, turns): ([&[V]; 4], &[V]),
     h: f64,
 ) -> V {
-    let zero = V::from_f64(0.0);
-    let [first, v0, last, v1] = ends;
     let mut certainty = V::from_f64(1.0);
     for step in plan.steps {
         let StepKind::Newton(unknowns) = step.kind else { continue };
-        // The excess of the largest motion over the largest difference: of lengths and of angles.
-        let mut largest = [[zero; 2]; 2];
+        let (mut lengths, mut angles) = ([V::from_f64(0.0); 2], [V::from_f64(0.0); 2]);
         for &(k, _) in step.coordinates.iter().take(unknowns) {
-            let difference = (last[k] - first[k] - V::from_f64(0.5 * h) * (v0[k] + v1[k])).abs();
-            let motion = V::from_f64(h.abs()) * v0[k].abs().greatest(v1[k].abs());
-            // The coordinate may be 0, but a row that turns has a radius.
-            let radius = turns[k] / (turns[k] * turns[k] + V::from_f64(1e-300));
-            let rounding = V::from_f64(ROUNDING) * (last[k].abs() + radius + V::from_f64(1e-300));
-            let allowed = V::from_f64(SMOOTH) * motion + rounding;
-            let of = match coordinates[k].kind {
-                CoordinateKind::Scalar => {
-                    certainty = certainty.least(allowed - difference);
-                    continue;
+            let kind = coordinates[k].kind;
+            let [allowed, difference] = of_coordinate(kind, ends.map(|numbers| numbers[k]), turns[k], h);
+            match kind {
+                CoordinateKind::Scalar => certainty = certainty.least(allowed - difference),
+                CoordinateKind::Pose { component: Component::Phi, .. } => {
+                    angles = [angles[0].greatest(allowed), angles[1].greatest(difference)];
                 }
-                CoordinateKind::Pose { component: Component::Phi, .. } => &mut largest[1],
-                CoordinateKind::Pose { .. } => &mut largest[0],
-            };
-            *of = [of[0].greatest(allowed), of[1].greatest(difference)];
+                CoordinateKind::Pose { .. } => {
+                    lengths = [lengths[0].greatest(allowed), lengths[1].greatest(difference)];
+                }
+            }
         }
-        for [allowed, difference] in largest {
-            certainty = certainty.least(allowed + V::from_f64(1e-300) - difference);
-        }
+        let least = V::from_f64(1e-300);
+        certainty = certainty.least(lengths[0] + least - lengths[1]).least(angles[0] + least - angles[1]);
     }
     certainty
+}
+
+/// The largest deviation of a coordinate that is allowed, and the one found.
+#[inline(never)]
+fn of_coordinate<V: Compare>(kind: CoordinateKind, [first, v0, last, v1]: [V; 4], turn: V, h: f64) -> [V; 2] {
+    let difference = (last - first - V::from_f64(0.5 * h) * (v0 + v1)).abs();
+    let motion = V::from_f64(h.abs()) * v0.abs().greatest(v1.abs());
+    // The coordinate may be 0; then a radian counts, or the radius of a row that turns.
+    let radius = match kind {
+        CoordinateKind::Pose { component: Component::Phi, .. } => V::from_f64(1.0),
+        _ => turn / (turn * turn + V::from_f64(1e-300)),
+    };
+    let rounding = V::from_f64(ROUNDING) * (last.abs() + radius + V::from_f64(1e-300));
+    [V::from_f64(SMOOTH) * motion + rounding, difference]
 }
 
 #[cfg(test)]

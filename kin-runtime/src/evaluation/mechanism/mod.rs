@@ -11,7 +11,6 @@ mod length;
 mod workspaces;
 
 pub use length::LengthError;
-use workspaces::evaluated;
 pub use workspaces::{Observations, Workspace};
 
 /// A planar mechanism with closed-form constraints, implemented by `#[mechanism]`.
@@ -70,7 +69,6 @@ pub trait Mechanism: Sized {
     }
 
     /// Writes the arguments at which supplied functions are evaluated, one for every entry of [`Model::arguments`].
-    ///
     /// # Errors
     /// As [`evaluate_with`](Self::evaluate_with).
     fn write_arguments<T: Scalar>(
@@ -85,7 +83,6 @@ pub trait Mechanism: Sized {
 
     /// Evaluates Φ, Φ_q, Φ_t, γ, or any subset, at parameters of the caller; common terms are computed once.
     /// Units follow the parameters. Parts that `subset` does not request may be overwritten or left unchanged.
-    ///
     /// # Errors
     /// When `parameters`, the inputs, `q` or `q_dot` have the wrong length.
     fn evaluate_with<T: Scalar>(
@@ -99,7 +96,6 @@ pub trait Mechanism: Sized {
     ) -> Result<(), LengthError>;
 
     /// Evaluates Φ(q, t) alone. A scalar type that only this method uses (a dual number) compiles no derivatives.
-    ///
     /// # Errors
     /// As [`evaluate_with`](Self::evaluate_with).
     fn constraints_with<T: Scalar>(
@@ -109,12 +105,14 @@ pub trait Mechanism: Sized {
         q: &[T],
         phi: &mut Self::Rows<T>,
     ) -> Result<(), LengthError> {
-        *phi = *evaluated(self, parameters, Subset::PHI, at, q, None)?.parts_mut().0;
+        let mut workspace = Self::workspace::<T>();
+        let rest = Self::Coordinates::<T>::filled(T::from_f64(0.0));
+        self.evaluate_with(parameters, Subset::PHI, at, q, rest.as_ref(), &mut workspace)?;
+        *phi = *workspace.parts_mut().0;
         Ok(())
     }
 
     /// Evaluates η = B(q, t) q̇ + b(q, t) of the rows of velocity level, for any scalar type; 0 in all other rows.
-    ///
     /// # Errors
     /// When an argument has the wrong length.
     fn velocity_constraints_with<T: Scalar>(
@@ -133,7 +131,6 @@ pub trait Mechanism: Sized {
     /// `modes` has a sign, ±1, for every mode of the plan. Angles are within half a turn of those in `start`, n
     /// numbers, from which iterations start. The results are valid only where all margins are positive; nothing is
     /// written without a plan.
-    ///
     /// # Errors
     /// When an argument has the wrong length.
     fn solve_with<T: Scalar>(
@@ -150,7 +147,6 @@ pub trait Mechanism: Sized {
 
     /// Writes for every mode of the plan a number w, −1 ≤ w ≤ 1, whose sign is the mode of the configuration q and
     /// whose size is the distance between the two closures: 0 where they meet.
-    ///
     /// # Errors
     /// When an argument has the wrong length.
     fn closures_with<T: Scalar>(
@@ -166,7 +162,6 @@ pub trait Mechanism: Sized {
     /// Writes the branch values of all groups of the plan at the configuration q: the numbers of
     /// [`closures_with`](Self::closures_with), followed by a number for every group that is solved by iteration
     /// ([`Plan::orientations`](crate::plan::Plan::orientations)), the normalised determinant of the group's system.
-    ///
     /// # Errors
     /// When an argument has the wrong length.
     fn branches_with<T: Scalar>(
@@ -180,7 +175,6 @@ pub trait Mechanism: Sized {
     }
 
     /// Writes how far the gradients of iterated rows turn with each coordinate, in radians per unit.
-    ///
     /// # Errors
     /// When an argument has the wrong length.
     fn turns_with<T: Scalar>(
@@ -195,7 +189,6 @@ pub trait Mechanism: Sized {
     }
 
     /// Factorises Φ_q at q for systems Φ_q x = b, by the blocks of the plan; nothing is written where there is no plan.
-    ///
     /// # Errors
     /// When an argument has the wrong length.
     fn factorise_with<T: Scalar>(
@@ -211,7 +204,6 @@ pub trait Mechanism: Sized {
     /// Solves Φ_q x = b for x (n numbers) from b (s numbers) and the factors of Φ_q; nothing is written where there is
     /// no plan. Where Φ_q is singular, x is not finite or far too large: the caller checks Φ_q x = b, or the margins of
     /// a solution.
-    ///
     /// # Errors
     /// When an argument has the wrong length.
     fn solve_factorised<T: Scalar>(factors: &Self::Factors<T>, b: &[T], x: &mut [T]) -> Result<(), LengthError> {
@@ -219,7 +211,6 @@ pub trait Mechanism: Sized {
     }
 
     /// Evaluates the observables with their Jacobian, time derivative and acceleration right-hand side.
-    ///
     /// # Errors
     /// As [`evaluate_with`](Self::evaluate_with).
     fn observe_with<T: Scalar>(
@@ -232,7 +223,6 @@ pub trait Mechanism: Sized {
     ) -> Result<(), LengthError>;
 
     /// Writes local points, axes and values of all joints and points, [`Model::geometry`] numbers.
-    ///
     /// # Errors
     /// As [`evaluate_with`](Self::evaluate_with).
     fn write_geometry<T: Scalar>(
@@ -246,7 +236,6 @@ pub trait Mechanism: Sized {
 
     /// Writes the lengths that joints keep, [`LENGTHS`](Self::LENGTHS) numbers in the order of their joints. A row of
     /// such a joint contains the square, which does not depend on the sign: a negative length is an error.
-    ///
     /// # Errors
     /// As [`evaluate_with`](Self::evaluate_with).
     fn lengths_with<T: Scalar>(&self, parameters: &[T], at: &Instant<'_, T>, out: &mut [T]) -> Result<(), LengthError> {
@@ -254,7 +243,6 @@ pub trait Mechanism: Sized {
     }
 
     /// Writes r = Q − M q̈, n numbers: the generalized forces that the constraints must balance, Φ_qᵀ λ = r.
-    ///
     /// # Errors
     /// When an argument has the wrong length.
     fn generalized_forces_with<T: Scalar>(
@@ -271,7 +259,6 @@ pub trait Mechanism: Sized {
 
     /// Writes what gravity, applied loads and springs exert on bodies at q and q̇: for each of the model's
     /// [`loads`](crate::model::ForceModel::loads) the point and the force in the inertial frame, or the couple.
-    ///
     /// # Errors
     /// When an argument has the wrong length.
     fn loads_with<T: Scalar>(
@@ -287,7 +274,6 @@ pub trait Mechanism: Sized {
 
     /// Writes efforts, reactions, energies and powers at a solved q, q̇, q̈, the numbers of
     /// [`ForceModel`](crate::model::ForceModel). `right` is λ, s numbers; or nothing: closed forms along the plan compute it.
-    ///
     /// # Errors
     /// When an argument has the wrong length.
     #[allow(clippy::too_many_arguments, reason = "one argument per quantity that the forces depend on")]
@@ -305,7 +291,6 @@ pub trait Mechanism: Sized {
     }
 
     /// Writes the guessed values of the coordinates listed in [`Model::guesses`].
-    ///
     /// # Errors
     /// As [`evaluate_with`](Self::evaluate_with).
     fn write_guesses<T: Scalar>(&self, parameters: &[T], guesses: &mut [T]) -> Result<(), LengthError> {
@@ -314,7 +299,6 @@ pub trait Mechanism: Sized {
 
     /// A point of the curve of `joint`, an index in [`Model::joints`], at the argument `s` (see [`CurvePoint`]); `None`
     /// for a joint without a curve and for one in implicit form. It is the cam's outline without roller.
-    ///
     /// # Errors
     /// As [`evaluate_with`](Self::evaluate_with).
     fn curve_with<T: Scalar>(
@@ -328,7 +312,6 @@ pub trait Mechanism: Sized {
     }
 
     /// [`curve_with`](Self::curve_with) at the struct's own parameters.
-    ///
     /// # Errors
     /// As [`evaluate_with`](Self::evaluate_with).
     fn curve_point<T: Scalar>(
@@ -351,7 +334,6 @@ pub trait Mechanism: Sized {
     }
 
     /// Evaluates Φ, Φ_q, Φ_t, γ, or any subset of them, at the struct's own parameters.
-    ///
     /// # Errors
     /// As [`evaluate_with`](Self::evaluate_with).
     #[inline(always)]
@@ -367,7 +349,6 @@ pub trait Mechanism: Sized {
     }
 
     /// Φ(q, t), s numbers.
-    ///
     /// # Errors
     /// As [`evaluate_with`](Self::evaluate_with).
     fn constraints<T: Scalar>(&self, at: &Instant<'_, T>, q: &[T]) -> Result<Self::Rows<T>, LengthError> {
@@ -377,26 +358,31 @@ pub trait Mechanism: Sized {
     }
 
     /// The non-zeros of Φ_q(q, t), in the order of [`Model::constraint_pattern`].
-    ///
     /// # Errors
     /// As [`evaluate_with`](Self::evaluate_with).
     fn jacobian<T: Scalar>(&self, at: &Instant<'_, T>, q: &[T]) -> Result<Self::NonZeros<T>, LengthError> {
-        Ok(*evaluated(self, self.parameters().as_ref(), Subset::JACOBIAN, at, q, None)?.parts_mut().1)
+        let mut workspace = Self::workspace::<T>();
+        let rest = Self::Coordinates::<T>::filled(T::from_f64(0.0));
+        self.evaluate(Subset::JACOBIAN, at, q, rest.as_ref(), &mut workspace)?;
+        Ok(*workspace.parts_mut().1)
     }
 
     /// Φ_t(q, t), s numbers; ν = −Φ_t.
-    ///
     /// # Errors
     /// As [`evaluate_with`](Self::evaluate_with).
     fn time_derivative<T: Scalar>(&self, at: &Instant<'_, T>, q: &[T]) -> Result<Self::Rows<T>, LengthError> {
-        Ok(*evaluated(self, self.parameters().as_ref(), Subset::TIME_DERIVATIVE, at, q, None)?.parts_mut().2)
+        let mut workspace = Self::workspace::<T>();
+        let rest = Self::Coordinates::<T>::filled(T::from_f64(0.0));
+        self.evaluate(Subset::TIME_DERIVATIVE, at, q, rest.as_ref(), &mut workspace)?;
+        Ok(*workspace.parts_mut().2)
     }
 
     /// γ(q, q̇, t) = −(Φ_q q̇)_q q̇ − 2 Φ_qt q̇ − Φ_tt, s numbers.
-    ///
     /// # Errors
     /// As [`evaluate_with`](Self::evaluate_with).
     fn gamma<T: Scalar>(&self, at: &Instant<'_, T>, q: &[T], q_dot: &[T]) -> Result<Self::Rows<T>, LengthError> {
-        Ok(*evaluated(self, self.parameters().as_ref(), Subset::GAMMA, at, q, Some(q_dot))?.parts_mut().3)
+        let mut workspace = Self::workspace::<T>();
+        self.evaluate(Subset::GAMMA, at, q, q_dot, &mut workspace)?;
+        Ok(*workspace.parts_mut().3)
     }
 }

@@ -100,8 +100,14 @@ pub(crate) fn largest_angle(model: &Model, turns: &[f64], rates: &[f64]) -> f64 
 }
 
 fn largest_of(model: &Model, turns: &[f64], places: &mut dyn Iterator<Item = usize>, rates: &[f64]) -> f64 {
-    let weight = |k: usize| if is_angle(model, k) { 1.0 } else { turns.get(k).copied().unwrap_or(0.0) };
-    places.map(|k| (weight(k) * rates[k]).abs()).fold(0.0, f64::max)
+    places.map(|k| turning(model, turns, rates, k)).fold(0.0, f64::max)
+}
+
+/// The size of a rate, in radians. Not inlined, because LLVM 22 crashes when it vectorises the loop around it.
+#[inline(never)]
+fn turning(model: &Model, turns: &[f64], rates: &[f64], k: usize) -> f64 {
+    let weight = if is_angle(model, k) { 1.0 } else { turns.get(k).copied().unwrap_or(0.0) };
+    (weight * rates[k]).abs()
 }
 
 /// True for an angle or a scalar.
