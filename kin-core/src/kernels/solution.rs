@@ -83,13 +83,13 @@ pub(super) fn of_plan(system: &KinematicSystem, plan: &SolutionPlan) -> Option<S
     })
 }
 
+/// The method of the list of [`turns`].
+pub(super) const TURNS: &str = "turns_with";
+
 /// The list of the angles by which the gradients of iterated rows turn with the coordinates, unless they are all 0.
 pub(super) fn turns(plan: &SolutionPlan) -> Option<List> {
     (!plan.turns.outputs.is_empty()).then(|| List::of(TURNS, "turns", Given::Position, &plan.turns))
 }
-
-/// The method of that list.
-pub(super) const TURNS: &str = "turns_with";
 
 /// The list of branch values, which give the modes of a configuration and, if there are iterations, their orientations.
 pub(super) fn branch_values(plan: &SolutionPlan) -> Option<List> {

@@ -249,8 +249,8 @@ impl Reduction<'_> {
     }
 
     /// The next pivot: a coefficient of ±1 is preferred to other numbers, these to parameters and products of
-    /// parameters, and these to sums, which may be 0; among equal ones
-    /// the row with the fewest unknowns, which keeps the loops short.
+    /// parameters, and these to sums, which may be 0; among equal ones the row with the fewest unknowns, which keeps the
+    /// loops short.
     fn pivot(
         &mut self,
         rows: &[usize],

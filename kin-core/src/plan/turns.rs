@@ -40,7 +40,8 @@ pub(super) fn turns(graph: &mut Graph, tree: &Block, coordinates: &[Coordinate])
         return Vec::new();
     }
     let zero = graph.zero();
-    (0..).zip(coordinates).map(|(k, _): (u32, _)| found.get(&k).copied().unwrap_or(zero)).collect()
+    let of = |(k, _): (u32, &Coordinate)| found.get(&k).copied().unwrap_or(zero);
+    (0..).zip(coordinates).map(of).collect()
 }
 
 const fn unit(k: u32, coordinate: &Coordinate) -> Unit {
@@ -86,8 +87,8 @@ fn of_core(graph: &mut Graph, core: &Core, coordinates: &[Coordinate], found: &m
         }
     }
     for (of, square) in squares {
-        let weight = graph.call(Function::Sqrt, square);
-        found.extend(members[&of].iter().map(|&k| (k, weight)));
+        let factor = graph.call(Function::Sqrt, square);
+        found.extend(members[&of].iter().map(|&k| (k, factor)));
     }
 }
 

@@ -128,7 +128,8 @@ fn of_coordinate<V: Compare>(kind: CoordinateKind, [first, v0, last, v1]: [V; 4]
 
 #[cfg(test)]
 mod tests {
-    use super::{on_cubic, places};
+    use super::{certainty_of_rates, of_coordinate, on_cubic, places};
+    use crate::model::{Component, CoordinateKind};
 
     #[test]
     fn a_cubic_is_met_everywhere() {
@@ -143,5 +144,50 @@ mod tests {
         }
         let all: Vec<f64> = places().collect();
         assert!(all.len() == 7 && all[0] == 0.125 && all[6] == 0.875);
+    }
+    const PHI: CoordinateKind = CoordinateKind::Pose { body: 0, component: Component::Phi };
+    const X: CoordinateKind = CoordinateKind::Pose { body: 0, component: Component::X };
+
+    /// Whether the unknown has moved as its rates say.
+    fn is_smooth(kind: CoordinateKind, ends: [f64; 4], turn: f64, h: f64) -> bool {
+        let [allowed, difference] = of_coordinate::<f64>(kind, ends, turn, h);
+        difference <= allowed
+    }
+
+    #[test]
+    fn a_motion_that_its_rates_do_not_tell_is_none() {
+        for kind in [PHI, X, CoordinateKind::Scalar] {
+            for h in [2.0, -2.0] {
+                // Between the rates 1 and 1.4 the motion is 1.2 h, give or take a quarter of 1.4 h.
+                let moved = |share: f64| is_smooth(kind, [5.0, 1.0, 5.0 + share * h, 1.4], 0.0, h);
+                assert!(moved(1.2) && moved(1.549) && moved(0.851) && !moved(1.551) && !moved(0.849), "{h}");
+                // From rest with a jerk j: the rate is ½ j h², the motion j h³/6.
+                assert!(is_smooth(kind, [0.0, 0.0, h * h * h / 6.0, 0.5 * h * h], 0.0, h));
+            }
+        }
+        assert!(!is_smooth(PHI, [0.0, f64::NAN, 0.0, 0.0], 0.0, 1.0));
+    }
+
+    #[test]
+    fn rounding_is_no_motion() {
+        // At 0 a radian counts for angles, and for others the radius 1/turn.
+        assert!(
+            is_smooth(PHI, [0.0, 0.0, 9e-11, 0.0], 0.0, 1.0) && !is_smooth(PHI, [0.0, 0.0, 1.1e-10, 0.0], 0.0, 1.0)
+        );
+        assert!(is_smooth(X, [0.0, 0.0, 4e-11, 0.0], 2.0, 1.0) && !is_smooth(X, [0.0, 0.0, 6e-11, 0.0], 2.0, 1.0));
+        assert!(
+            is_smooth(X, [7.0, 0.0, 7.0 + 6e-10, 0.0], 0.0, 1.0)
+                && !is_smooth(X, [7.0, 0.0, 7.0 + 8e-10, 0.0], 0.0, 1.0)
+        );
+    }
+
+    /// Without an iteration there is nothing to compare.
+    #[test]
+    fn a_plan_without_iterations_is_certain() {
+        use crate::Mechanism;
+        let model = crate::fixture::PlannedFourBar::model();
+        let (zeros, ones) = ([0.0; 9], [1.0; 9]);
+        let ends: [&[f64]; 4] = [&zeros, &zeros, &ones, &zeros];
+        assert_eq!(1.0, certainty_of_rates::<f64>(&model.plan, model.coordinates, (ends, &zeros), 1.0));
     }
 }

@@ -22,7 +22,8 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     ///
     /// Between two instants as many steps are taken as the motion needs by its velocities and accelerations. What a driver
     /// does in between without a trace in these is not seen: if it rests at both instants, an excursion between them, even one
-    /// past a dead centre, leaves no error. Choose instants that see every rise and dwell of a driver.
+    /// past a dead centre, leaves no error. Nor is a bump of a curve seen that is straight before it and much narrower than the
+    /// motion between two instants. Choose instants that see every rise and dwell of a driver, and every feature of a curve.
     ///
     /// # Errors
     /// As [`state`](Self::state) for the first instant; then [`Singular`](SolveError::Singular) or

@@ -127,6 +127,55 @@ fn platforms_on_cylinders() {
     tally.obeys("platforms on cylinders");
 }
 
+/// A 3-RPR platform that is moved along a straight line without turning.
+#[mechanism]
+#[bodies(platform)]
+#[driver(ram[i in 0..3]: distance(ground @ (x[i], y[i]), platform @ (px[i], py[i]))
+    = sqrt(pow(dx[i] + vx * t, 2) + pow(dy[i] + vy * t, 2)))]
+#[derive(Clone, Debug)]
+struct Carried {
+    x: [f64; 3],
+    y: [f64; 3],
+    px: [f64; 3],
+    py: [f64; 3],
+    dx: [f64; 3],
+    dy: [f64; 3],
+    vx: f64,
+    vy: f64,
+}
+
+/// Where nothing turns, rates of angles tell nothing of how near a crossing is. The determinant is that of the directions
+/// of the rams.
+#[test]
+fn platforms_that_translate() {
+    let (mut random, mut tally) = (Random::new(273), Tally::default());
+    let mut left = motions(0.2);
+    while left > 0 {
+        let rig = Rig::of_cylinders(&mut random);
+        let (vx, vy) = (random.between(-0.2, 0.2), random.between(-0.2, 0.2));
+        let [x0, y0, phi] = rig.pose;
+        let moved = |t: f64| Rig { pose: [x0 + vx * t, y0 + vy * t, phi], ..rig };
+        let sides: Vec<f64> = (0..=50).map(|k| moved(0.02 * f64::from(k)).relative_side()).collect();
+        let side = sides[0].signum();
+        // Singular poses are excluded, and those in their neighbourhood.
+        if sides.iter().any(|other| side * other < 0.03) {
+            continue;
+        }
+        let d = rig.links([x0, y0, phi, 0.0].map(Jet::from)).map(|[x, y]| [x.x, y.x]);
+        let (dx, dy) = (d.map(|d| d[0]), d.map(|d| d[1]));
+        let Rig { x, y, px, py, .. } = rig;
+        let branch = move |t: f64, off: f64| {
+            let t = Jet::time(t) * (1.0 + off);
+            Some(vec![t * vx + x0, t * vy + y0, Jet::from(phi)])
+        };
+        let case = Case::new(Carried { x, y, px, py, dx, dy, vx, vy }, branch, [vec![], vec![]], String::new());
+        let times = (0..=10).map(|k| 0.1 * f64::from(k)).collect();
+        follow(&mut tally, &Group::new(times, vec![case]));
+        left -= 1;
+    }
+    tally.obeys("platforms that translate");
+}
+
 /// The platform returns to a pose of the other branch, which it reaches without turning much: of all steps across two
 /// folds the one that is most like a motion.
 #[test]

@@ -246,6 +246,13 @@ impl Rig {
         Some(std::array::from_fn(|k| Jet::new(z[k], v[k], a[k])))
     }
 
+    /// The determinant at the pose, relative to the sizes of its rows: 0 at singular poses.
+    pub(crate) fn relative_side(&self) -> f64 {
+        let z = [self.pose[0], self.pose[1], self.pose[2], 0.0];
+        let size: f64 = self.rows(&z).iter().map(|row| row[0].hypot(row[1])).product();
+        self.side(&z) / size
+    }
+
     /// The sign of a determinant that changes at singular poses.
     fn side(&self, z: &[f64; 4]) -> f64 {
         let rows = self.rows(z);

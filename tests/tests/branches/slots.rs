@@ -1,5 +1,5 @@
-//! Motions without rotation: pins in waved slots, and Kepler's equation. An iteration on lengths or on scalars could pass
-//! a dead centre and go on along another part of the curve, since no body turns.
+//! Motions with little rotation or none: pins in waved slots, long arms on them, and Kepler's equation. An iteration could
+//! pass a dead centre and go on along another part of the curve, since no body turns far.
 
 use crate::case::{Case, Group};
 use crate::draw::Draw;
@@ -34,6 +34,35 @@ struct Slot {
 #[derive(Clone, Debug)]
 struct Kepler {
     e: f64,
+    m: f64,
+}
+
+/// An arm with a pin in a slot Y = m X + a sin(k X + c) of a plate that is lifted. A long arm passes a wave while it turns
+/// little.
+#[mechanism]
+#[body(arm, x = 0, y = 0)]
+#[body(plate, x = 0, phi = 0)]
+#[on_curve(slot: plate @ (0, 0), arm @ (l, 0), implicit(X, Y) = Y - m * X - a * sin(k * X + c))]
+#[driver(lift: plate.y = start + rate * t)]
+#[derive(Clone, Debug)]
+struct Arm {
+    l: f64,
+    m: f64,
+    a: f64,
+    k: f64,
+    c: f64,
+    start: f64,
+    rate: f64,
+}
+
+/// x + a/(1 + (x − c)²) = m + t: straight, but for a bump at c.
+#[mechanism]
+#[body(slider, y = 0, phi = 0)]
+#[constraint(bump: slider.x + a / (1 + pow(slider.x - c, 2)) = m + t)]
+#[derive(Clone, Debug)]
+struct Bump {
+    a: f64,
+    c: f64,
     m: f64,
 }
 
@@ -127,6 +156,72 @@ fn kepler_from(e: f64, from: f64) -> Case<Kepler> {
     };
     let note = format!("from u = {from}");
     Case::new(Kepler { e, m }, branch, [dead_centre.into_iter().collect(), vec![]], note)
+}
+
+fn arm(random: &mut Random) -> (Case<Arm>, Vec<f64>) {
+    loop {
+        let mut of = |low: f64, high: f64| random.between(low, high);
+        let (l, m, a, k, c) = (of(0.5, 6.0), of(-0.6, 0.6), of(0.1, 0.6), of(1.0, 4.0), of(-3.0, 3.0));
+        let from = of(-1.3, 1.3);
+        let f: Curve = Box::new(move |phi: f64| {
+            let (sin, cos) = phi.sin_cos();
+            let (x, x1, x2) = (l * cos, -l * sin, -l * cos);
+            let (wave, slope) = (k * x + c).sin_cos();
+            let outer = m + a * k * slope;
+            [l * sin - m * x - a * wave, l * cos - outer * x1, -l * sin - outer * x2 + a * k * k * wave * x1 * x1]
+        });
+        let way = random.sign();
+        let (Some(behind), Some(end)) = (fold(&f, from, -way, 3.0), fold(&f, from, way, 3.0)) else { continue };
+        if f(from)[1].abs() < 0.2 * l || (end - from).abs() < 0.02 {
+            continue;
+        }
+        let start = f(from)[0];
+        let rate = (f(end)[0] - start).signum() * random.between(0.3, 1.0);
+        let dead_centre = (f(end)[0] - start) / rate;
+        let mechanism = Arm { l, m, a, k, c, start, rate };
+        let times = instants(random, Some(dead_centre));
+        let branch = move |t: f64, off: f64| {
+            let s = Jet::time(t) * (1.0 + off) * rate + start * (1.0 + off);
+            Some(vec![root(&f, [behind, end], s)?, s])
+        };
+        return (Case::new(mechanism, branch, [vec![dead_centre], vec![]], format!("from {from}")), times);
+    }
+}
+
+fn bump(a: f64, c: f64, from: f64) -> Case<Bump> {
+    let f: Curve = Box::new(move |x: f64| {
+        let u = x - c;
+        let d = 1.0 + u * u;
+        [x + a / d, 1.0 - 2.0 * a * u / (d * d), -2.0 * a / (d * d) + 8.0 * a * u * u / (d * d * d)]
+    });
+    let end = fold(&f, from, 1.0, c - from + 3.0).expect("a bump with a dead centre");
+    let m = f(from)[0];
+    let dead_centre = f(end)[0] - m;
+    let branch = move |t: f64, off: f64| {
+        let s = Jet::time(t) * (1.0 + off) + m * (1.0 + off);
+        Some(vec![root(&f, [from - 1.0, end], s)?])
+    };
+    Case::new(Bump { a, c, m }, branch, [vec![dead_centre], vec![]], format!("from x = {from}"))
+}
+
+#[test]
+fn arms_on_waved_slots() {
+    let (mut random, mut tally) = (Random::new(1014), Tally::default());
+    for _ in 0..motions(0.4) {
+        let (case, times) = arm(&mut random);
+        follow(&mut tally, &Group::new(times, vec![case]));
+    }
+    tally.obeys("arms");
+}
+
+/// The curve is nearly straight where the step begins and where it could end.
+#[test]
+fn bumps_behind_straight_stretches() {
+    let mut tally = Tally::default();
+    for (a, end) in [(2.0, 8.0), (2.0, 12.0), (-3.0, 8.0), (-3.0, 12.0), (1.6, 9.0), (5.0, 14.0)] {
+        follow(&mut tally, &Group::new(vec![0.0, end], vec![bump(a, 3.0, -3.0)]));
+    }
+    tally.obeys("bumps");
 }
 
 #[test]

@@ -132,11 +132,11 @@ impl<M: Mechanism> PlanFollower<M> {
         let modes = self.branch.modes;
         let allowed = control.correction * turn + NEGLIGIBLE;
         let judged = self.judge(mechanism, course, [s, next], inputs, (here, &modes), [allowed, turn, nearest]);
-        let t = course.at(next, inputs.as_mut());
-        let end = Instant { t, inputs: inputs.as_ref() };
-        let result = judged.and_then(|effort| match self.rows_are_followed(mechanism, &end, here, h, control)? {
-            true => Ok(effort),
-            false => Err(Fault::Coarse),
+        let result = judged.and_then(|effort| {
+            let t = course.at(next, inputs.as_mut());
+            let end = Instant { t, inputs: inputs.as_ref() };
+            let followed = self.rows_are_followed(mechanism, &end, here, h, control)?;
+            if followed { Ok(effort) } else { Err(Fault::Coarse) }
         });
         if result.is_err() {
             self.branch.modes = modes;
