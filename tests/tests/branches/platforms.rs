@@ -144,35 +144,50 @@ struct Carried {
     vy: f64,
 }
 
-/// Where nothing turns, rates of angles tell nothing of how near a crossing is. The determinant is that of the directions
-/// of the rams.
+/// A platform that moves by (vx, vy) t from the pose of the rig.
+fn carried(rig: Rig, [vx, vy]: [f64; 2]) -> Case<Carried> {
+    let Rig { x, y, px, py, pose: [x0, y0, phi], .. } = rig;
+    let d = rig.links([x0, y0, phi, 0.0].map(Jet::from)).map(|[x, y]| [x.x, y.x]);
+    let (dx, dy) = (d.map(|d| d[0]), d.map(|d| d[1]));
+    let branch = move |t: f64, off: f64| {
+        let t = Jet::time(t) * (1.0 + off);
+        Some(vec![t * vx + x0, t * vy + y0, Jet::from(phi)])
+    };
+    Case::new(Carried { x, y, px, py, dx, dy, vx, vy }, branch, [vec![], vec![]], String::new())
+}
+
+/// Where nothing turns, rates of angles tell nothing of how near a crossing is.
 #[test]
 fn platforms_that_translate() {
     let (mut random, mut tally) = (Random::new(273), Tally::default());
+    let times: Vec<f64> = (0..=10).map(|k| 0.1 * f64::from(k)).collect();
     let mut left = motions(0.2);
     while left > 0 {
-        let rig = Rig::of_cylinders(&mut random);
-        let (vx, vy) = (random.between(-0.2, 0.2), random.between(-0.2, 0.2));
+        let (rig, v) = (Rig::of_cylinders(&mut random), [random.between(-0.2, 0.2), random.between(-0.2, 0.2)]);
         let [x0, y0, phi] = rig.pose;
-        let moved = |t: f64| Rig { pose: [x0 + vx * t, y0 + vy * t, phi], ..rig };
+        let moved = |t: f64| Rig { pose: [x0 + v[0] * t, y0 + v[1] * t, phi], ..rig };
         let sides: Vec<f64> = (0..=50).map(|k| moved(0.02 * f64::from(k)).relative_side()).collect();
-        let side = sides[0].signum();
         // Singular poses are excluded, and those in their neighbourhood.
-        if sides.iter().any(|other| side * other < 0.03) {
+        if sides.iter().any(|side| sides[0].signum() * side < 0.03) {
             continue;
         }
-        let d = rig.links([x0, y0, phi, 0.0].map(Jet::from)).map(|[x, y]| [x.x, y.x]);
-        let (dx, dy) = (d.map(|d| d[0]), d.map(|d| d[1]));
-        let Rig { x, y, px, py, .. } = rig;
-        let branch = move |t: f64, off: f64| {
-            let t = Jet::time(t) * (1.0 + off);
-            Some(vec![t * vx + x0, t * vy + y0, Jet::from(phi)])
-        };
-        let case = Case::new(Carried { x, y, px, py, dx, dy, vx, vy }, branch, [vec![], vec![]], String::new());
-        let times = (0..=10).map(|k| 0.1 * f64::from(k)).collect();
-        follow(&mut tally, &Group::new(times, vec![case]));
+        follow(&mut tally, &Group::new(times.clone(), vec![carried(rig, v)]));
         left -= 1;
     }
+    // Its rams are nearly parallel.
+    let rig = Rig {
+        x: [-0.1, -1.3, 1.0],
+        y: [-0.6, 0.5, -1.1],
+        r: [0.0; 3],
+        l: [0.0; 3],
+        px: [-0.2, -0.4, -0.3],
+        py: [-0.5, -0.1, -0.2],
+        start: [0.0; 3],
+        rate: [0.0; 3],
+        stroke: [0.0; 3],
+        pose: [-0.3, -0.3, 2.0],
+    };
+    follow(&mut tally, &Group::new(times, vec![carried(rig, [-0.1, -0.1])]));
     tally.obeys("platforms that translate");
 }
 
