@@ -82,6 +82,8 @@ pub struct SolutionPlan {
     pub branch_values: Program,
     /// By what angle the gradients of iterated rows turn with every coordinate, n numbers; empty where they are all 0.
     pub turns: Program,
+    /// Whether rows with curves are iterated on.
+    pub iterates_on_curves: bool,
     /// Two programs that solve Φ_q x = b at a configuration: the first computes the `factors` values that depend on
     /// Φ_q alone, the second computes x from these values and b.
     pub resolve: [Program; 2],
@@ -157,6 +159,7 @@ fn planned(system: &KinematicSystem, rank: usize, written: bool) -> Result<(Solu
     let outputs: Vec<_> =
         branch_values.into_iter().chain(orientations).enumerate().map(|(k, id)| (Slot::Entry(k), id)).collect();
     let branch_values = lower(&graph, &outputs);
+    let iterates_on_curves = turns::iterates_on_curves(&graph, &tree);
     let turns = turns::turns(&mut graph, &tree, &set.coordinates);
     let outputs: Vec<_> = turns.into_iter().enumerate().map(|(k, id)| (Slot::Entry(k), id)).collect();
     let turns = lower(&graph, &outputs);
@@ -180,6 +183,7 @@ fn planned(system: &KinematicSystem, rank: usize, written: bool) -> Result<(Solu
         held,
         branch_values,
         turns,
+        iterates_on_curves,
         resolve,
         factors,
         regular,

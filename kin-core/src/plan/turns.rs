@@ -52,6 +52,16 @@ const fn unit(k: u32, coordinate: &Coordinate) -> Unit {
     }
 }
 
+/// True if the plan iterates on rows with curves.
+pub(super) fn iterates_on_curves(graph: &Graph, block: &Block) -> bool {
+    block.parts.iter().any(|part| match part {
+        Part::Core(Core { method: SolutionMethod::Newton { residuals }, .. }) => has_curves(graph, residuals),
+        Part::Core(_) => false,
+        Part::Block(block) => iterates_on_curves(graph, block),
+        Part::Pair(pair) => iterates_on_curves(graph, &pair.inner),
+    })
+}
+
 fn of_block(graph: &mut Graph, block: &Block, coordinates: &[Coordinate], found: &mut BTreeMap<u32, ExprId>) {
     for part in &block.parts {
         match part {

@@ -10,10 +10,10 @@ use crate::model::{Model, Pattern};
 use crate::plan::{Depth, Solved};
 use crate::planned::PlanError;
 use crate::planned::follower::{Control, PlanFollower, Poses};
-use crate::scalar::Scalar;
+use crate::scalar::{Interval, Scalar};
 use crate::signal::Signal;
 use crate::state::State;
-use crate::workspace::{Instant, Subset};
+use crate::workspace::{Array, Instant, Subset};
 use core::borrow::Borrow;
 
 /// The values e of rows or observables, the non-zeros of their Jacobian, their time derivatives and the right-hand
@@ -85,6 +85,20 @@ pub(crate) trait System {
     }
     /// Writes for every coordinate by what angle the gradients of iterated rows turn with it.
     fn turns(&self, at: &Instant<'_>, q: &[f64], turns: &mut [f64]) -> Result<(), LengthError> {
+        let _ = (at, q, turns);
+        Ok(())
+    }
+    /// Whether the plan iterates on rows with curves.
+    fn iterates_on_curves(&self) -> bool {
+        false
+    }
+    /// Writes enclosures of the [`turns`](Self::turns) over a box; nothing where no rows with curves are iterated on.
+    fn turns_over(
+        &self,
+        at: &Instant<'_, Interval>,
+        q: &[Interval],
+        turns: &mut [Interval],
+    ) -> Result<(), LengthError> {
         let _ = (at, q, turns);
         Ok(())
     }
@@ -249,6 +263,23 @@ impl<B: Borrow<M>, M: Mechanism> System for Evaluator<B, M> {
 
     fn turns(&self, at: &Instant<'_>, q: &[f64], turns: &mut [f64]) -> Result<(), LengthError> {
         self.mechanism.borrow().turns_with(self.parameters.as_ref(), at, q, turns)
+    }
+
+    fn iterates_on_curves(&self) -> bool {
+        M::ROWS_CURVE
+    }
+
+    fn turns_over(
+        &self,
+        at: &Instant<'_, Interval>,
+        q: &[Interval],
+        turns: &mut [Interval],
+    ) -> Result<(), LengthError> {
+        if M::ROWS_CURVE {
+            let known: M::Parameters<Interval> = Array::generate(|k| Interval::from_f64(self.parameters.as_ref()[k]));
+            self.mechanism.borrow().turns_with(known.as_ref(), at, q, turns)?;
+        }
+        Ok(())
     }
 
     fn generalized_forces(&self, at: &Instant<'_>, state: &State, generalized: &mut [f64]) -> Result<(), LengthError> {

@@ -10,8 +10,8 @@
 
 use super::lists::{BranchValues, Modes};
 use crate::mechanism::{LengthError, Mechanism};
-use crate::model::{Component, CoordinateInfo, CoordinateKind};
-use crate::plan::{Plan, StepKind};
+use crate::model::{Component, CoordinateKind, Model};
+use crate::plan::StepKind;
 use crate::scalar::compare::Compare;
 use crate::signal::Instant;
 use crate::workspace::Array;
@@ -43,28 +43,30 @@ pub(crate) fn on_cubic<V: Compare>(to: &mut [V], [q0, v0, q1, v1]: [&[V]; 4], h:
     }
 }
 
-/// A measure that is negative where an iterated group comes much nearer to its limit within a step than at its ends, or
-/// has another sign there. The instant is that of the end.
+/// A place s of a step of the length h to an instant, whose inputs are used everywhere.
+pub(crate) fn within<'a, V: Compare>(at: &Instant<'a, V>, h: f64, s: f64) -> Instant<'a, V> {
+    Instant { t: at.t - V::from_f64((1.0 - s) * h), inputs: at.inputs }
+}
+
+/// A measure that is negative where an iterated group comes much nearer to its limit at a place within a step than at its
+/// ends, or has another sign there. The instant is that of the end.
 #[cold]
 #[inline(never)]
-pub(crate) fn certainty_between<M: Mechanism, V: Compare>(
+pub(crate) fn certainty_at_places<M: Mechanism, V: Compare>(
     mechanism: &M,
     (parameters, at): (&[V], &Instant<'_, V>),
     modes: &Modes<M, V>,
-    (ends, turns): ([&[V]; 4], &[V]),
+    ends: [&[V]; 4],
     h: f64,
 ) -> Result<V, LengthError> {
-    if h == 0.0 {
-        return Ok(V::from_f64(1.0));
-    }
     let iterated = M::model().plan.modes.len();
-    let of = |q: &[V]| BranchValues::at(mechanism, parameters, at, q);
-    let (first, last) = (of(ends[0])?, of(ends[2])?);
-    let mut certainty = certainty_of_rates(&M::model().plan, M::model().coordinates, (ends, turns), h);
+    let of = |s: f64, q: &[V]| BranchValues::at(mechanism, parameters, &within(at, h, s), q);
+    let (first, last) = (of(0.0, ends[0])?, of(1.0, ends[2])?);
+    let mut certainty = V::from_f64(1.0);
     let mut q = M::Coordinates::<V>::filled(V::from_f64(0.0));
     for s in places() {
         on_cubic(q.as_mut(), ends, h, s);
-        let between = of(q.as_ref())?;
+        let between = of(s, q.as_ref())?;
         for group in iterated..M::model().plan.signs() {
             let of = |list: &[V]| modes.as_ref()[group] * list[group];
             let nearer = of(first.as_ref()).least(of(last.as_ref()));
@@ -83,12 +85,8 @@ pub(crate) fn certainty_between<M: Mechanism, V: Compare>(
 /// The left side is of third order in h. Lengths are compared together, and so are angles; a scalar alone.
 #[cold]
 #[inline(never)]
-fn certainty_of_rates<V: Compare>(
-    plan: &Plan,
-    coordinates: &[CoordinateInfo],
-    (ends, turns): ([&[V]; 4], &[V]),
-    h: f64,
-) -> V {
+pub(crate) fn certainty_of_rates<V: Compare>(model: &Model, (ends, turns): ([&[V]; 4], &[V]), h: f64) -> V {
+    let (plan, coordinates) = (&model.plan, model.coordinates);
     let mut certainty = V::from_f64(1.0);
     for step in plan.steps {
         let StepKind::Newton(unknowns) = step.kind else { continue };
@@ -188,6 +186,6 @@ mod tests {
         let model = crate::fixture::PlannedFourBar::model();
         let (zeros, ones) = ([0.0; 9], [1.0; 9]);
         let ends: [&[f64]; 4] = [&zeros, &zeros, &ones, &zeros];
-        assert_eq!(1.0, certainty_of_rates::<f64>(&model.plan, model.coordinates, (ends, &zeros), 1.0));
+        assert_eq!(1.0, certainty_of_rates::<f64>(model, (ends, &zeros), 1.0));
     }
 }

@@ -1,5 +1,6 @@
 //! A mechanism solved by its plan, instant by instant, without an allocator: for controllers and fast loops.
 
+pub(crate) mod bends;
 pub(crate) mod between;
 pub(crate) mod blurred;
 pub(crate) mod branch;

@@ -1,6 +1,7 @@
 //! The trial state: the solution of the plan at an instant, and the check whether it is on the branch of the motion.
 
-use super::between::certainty_between;
+use super::bends::{Span, bends_are_followed};
+use super::between::{certainty_at_places, certainty_of_rates};
 use super::branch::{first_uncertain, may_have_touched_limit};
 use super::follower::{Control, NEGLIGIBLE, PlanFollower, Poses};
 use super::lists::BranchValues;
@@ -78,9 +79,18 @@ impl<M: Mechanism> PlanFollower<M> {
             return Ok(false);
         }
         let ends = [here.q.as_ref(), here.q_dot.as_ref(), tried.q.as_ref(), tried.q_dot.as_ref()];
-        let certainty =
-            certainty_between(mechanism, (self.parameters.as_ref(), at), &self.branch.modes, (ends, turns), h)?;
-        Ok(certainty >= 0.0)
+        if h == 0.0 {
+            return Ok(true);
+        }
+        let is_smooth = certainty_of_rates(M::model(), (ends, turns), h) >= 0.0;
+        if !is_smooth {
+            return Ok(false);
+        }
+        let (known, modes) = ((self.parameters.as_ref(), at), &self.branch.modes);
+        if M::ROWS_CURVE {
+            return bends_are_followed(mechanism, known, modes, Span { ends, h }, control.rotation);
+        }
+        Ok(certainty_at_places(mechanism, known, modes, ends, h)? >= 0.0)
     }
 
     /// True if no iterated group has changed the sign of its determinant.

@@ -34,6 +34,8 @@ pub trait Mechanism: Sized {
     const LENGTHS: usize = 0;
     /// Whether the mechanism implements [`turns_with`](Self::turns_with).
     const ROWS_TURN: bool = false;
+    /// Whether the plan iterates on rows with curves, whose gradients may turn faster than bodies do.
+    const ROWS_CURVE: bool = false;
 
     /// `[T; PARAMETERS]`.
     type Parameters<T: Scalar>: Array<T>;

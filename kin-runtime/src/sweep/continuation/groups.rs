@@ -7,9 +7,11 @@
 
 use crate::analysis::by_plan;
 use crate::equations::Equations;
-use crate::planned::between::{LEAST, on_cubic, places};
+use crate::planned::bends::{Span, stays_in_bends};
+use crate::planned::between::{LEAST, on_cubic, places, within};
 use crate::planned::blurred::{blurred_group, largest_angle};
 use crate::planned::branch::{OUT_OF_REACH, certainty_of, resolves};
+use crate::scalar::{Interval, Scalar};
 use crate::workspace::Instant;
 
 /// Size of a branch value below which rounding no longer allows a group to be assigned to either closure.
@@ -75,23 +77,39 @@ pub(super) fn stay([before, predicted, found]: [&[f64]; 3], turn: f64, is_redund
     })
 }
 
-/// True if no iterated group comes much nearer to its limit within a step than at its ends. The arguments are the branch
-/// values, q and q̇ at the start, and those at the end.
-pub(super) fn stay_between(equations: &Equations<'_>, [before, found]: [&[f64]; 2], ends: [&[f64]; 4], h: f64) -> bool {
+/// True if no iterated group comes much nearer to its limit within a step than at its ends, at which the branch values
+/// are `before` and `found`.
+pub(super) fn stay_between(equations: &Equations<'_>, [before, found]: [&[f64]; 2], span: Span<'_>) -> bool {
     let iterated = equations.model.plan.modes.len();
     if before.len() <= iterated {
         return true;
     }
-    let (mut q, mut groups) = (vec![0.0; ends[0].len()], Vec::new());
-    places().all(|s| {
-        on_cubic(&mut q, ends, h, s);
-        write(equations, &q, &mut groups);
-        let all = groups.iter().zip(before).zip(found).skip(iterated);
-        all.into_iter().all(|((w, before), found)| {
+    let (mut q, mut groups) = (vec![0.0; equations.coordinates()], vec![0.0; before.len()]);
+    let at = equations.instant();
+    let mut stays_at = |s: f64| {
+        on_cubic(&mut q, span.ends, span.h, s);
+        if equations.system.branches(&within(&at, span.h, s), &q, &mut groups).is_err() {
+            return false;
+        }
+        let mut all = groups.iter().zip(before).zip(found).skip(iterated);
+        all.all(|((w, before), found)| {
             let sign = before.signum();
             before.is_nan() || sign * w >= LEAST * f64::min(sign * before, sign * found)
         })
-    })
+    };
+    if !equations.system.iterates_on_curves() {
+        return places().all(stays_at);
+    }
+    let inputs: Vec<_> = at.inputs.iter().map(|input| input.map(Interval::from_f64)).collect();
+    let buffers = [(); 2].map(|()| vec![Interval::ZERO; span.ends[0].len()]);
+    let [mut box_of_part, mut turns] = buffers;
+    let mut turns_over = |place: Interval, part: &[Interval], turns: &mut [Interval]| {
+        let t = Interval::from_f64(at.t) + (place - Interval::from_f64(1.0)) * Interval::from_f64(span.h);
+        equations.system.turns_over(&Instant { t, inputs: &inputs }, part, turns)
+    };
+    let rotation = equations.options.max_rotation_per_step;
+    let buffers = [&mut box_of_part[..], &mut turns[..]];
+    stays_in_bends(span, rotation, buffers, &mut turns_over, &mut |s| Ok(stays_at(s))).unwrap_or(false)
 }
 
 /// True where the configuration is so near to a meeting of branches that its rates are dominated by rounding.

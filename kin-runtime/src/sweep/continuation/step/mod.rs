@@ -10,6 +10,7 @@ use crate::equations::factorisation::Purpose;
 use crate::error::SolveError;
 use crate::linear::Factorization;
 use crate::nonlinear::newton::rounding;
+use crate::planned::bends::Span;
 use crate::state::State;
 use crate::trajectory::Fallback;
 use crate::workspace::Subset;
@@ -181,7 +182,7 @@ pub(super) fn settle(
     }
     equations.check("q_dot", q_dot.as_slice())?;
     let ends = [&*from.node.state.q, from.q_dot, &*state.q, q_dot.as_slice()];
-    if !is_redundant && !groups::stay_between(equations, [before, groups], ends, s - from.s) {
+    if !is_redundant && !groups::stay_between(equations, [before, groups], Span { ends, h: s - from.s }) {
         return Err(Fault::Coarse(0.5));
     }
     fill(&mut state.q_dot, q_dot.iter().copied());

@@ -1,0 +1,235 @@
+//! Bends of the rows between the ends of a step.
+//!
+//! A curve may be straight at both ends of a step and at every place between them that is looked at, and still bend
+//! somewhere else; an iteration then finds a solution behind a dead centre. Therefore the turn of the gradients of
+//! iterated rows is bounded over whole parts of the step, in interval arithmetic:
+//!
+//! ```text
+//! turn ≤ max over k of (upper end of wₖ over the box) · (width of the box along k)
+//! ```
+//!
+//! wₖ is the turn per unit of a coordinate ([`turns_with`](Mechanism::turns_with)), and the box contains the cubic
+//! through both ends (see [`between`](super::between)) over the part. A part in which the gradients turn little hides
+//! nothing. Any other part is halved, and the branch values are looked at in its middle; if the whole step is such a part,
+//! they are also looked at in the usual places.
+
+use super::between::{LEAST, on_cubic, places, within};
+use super::lists::{BranchValues, Modes};
+use crate::mechanism::{LengthError, Mechanism};
+use crate::scalar::{Interval, Scalar};
+use crate::signal::Instant;
+use crate::workspace::Array;
+
+/// How often a part is halved at most.
+const HALVINGS: u32 = 20;
+
+/// The largest number of parts of the same length. Where more of them would have to be looked at, the bound says
+/// nothing, as for a function that the program supplies, which has no enclosure.
+const PARTS: usize = 16;
+
+/// The largest turn of a part that is not halved, relative to the largest rotation of a step.
+const SMALL: f64 = 2.0;
+
+/// A step: q₀, q̇₀, q₁ and q̇₁, and its length.
+#[derive(Clone, Copy)]
+pub(crate) struct Span<'a> {
+    /// The configurations and rates at both ends.
+    pub(crate) ends: [&'a [f64]; 4],
+    /// The length of the step.
+    pub(crate) h: f64,
+}
+
+/// Writes enclosures of the turns per unit over a part of the step, given by its place and its box.
+pub(crate) type TurnsOver<'a> = dyn FnMut(Interval, &[Interval], &mut [Interval]) -> Result<(), LengthError> + 'a;
+
+/// True if `stays_at` is true wherever the gradients of the rows turn by more than [`SMALL`] times `rotation`. The buffers
+/// have a number for every coordinate.
+pub(crate) fn stays_in_bends(
+    span: Span<'_>,
+    rotation: f64,
+    [box_of_part, turns]: [&mut [Interval]; 2],
+    turns_over: &mut TurnsOver<'_>,
+    stays_at: &mut dyn FnMut(f64) -> Result<bool, LengthError>,
+) -> Result<bool, LengthError> {
+    // The parts are numbered from the beginning of the step.
+    let (mut parts, mut count, mut width) = ([0_u32; PARTS], 1, 1.0);
+    for _ in 0..=HALVINGS {
+        let (mut halves, mut halved) = ([0_u32; PARTS], 0);
+        for &part in &parts[..count] {
+            let start = f64::from(part) * width;
+            hull(box_of_part, span, start, width);
+            turns_over(Interval::new(start, start + width), box_of_part, turns)?;
+            let turn_by = |(turn, along): (&Interval, &Interval)| {
+                let wide = along.upper() - along.lower();
+                if wide == 0.0 { 0.0 } else { turn.upper() * wide }
+            };
+            let is_small = |turn: f64| turn <= SMALL * rotation;
+            if turns.iter().zip(&*box_of_part).map(turn_by).all(is_small) {
+                continue;
+            }
+            if !stays_at(start + 0.5 * width)? {
+                return Ok(false);
+            }
+            if width == 1.0 {
+                for s in places() {
+                    if !stays_at(s)? {
+                        return Ok(false);
+                    }
+                }
+            }
+            if halved + 2 > PARTS {
+                return Ok(true);
+            }
+            (halves[halved], halves[halved + 1]) = (2 * part, 2 * part + 1);
+            halved += 2;
+        }
+        (parts, count, width) = (halves, halved, 0.5 * width);
+    }
+    Ok(true)
+}
+
+/// Writes a box that contains the cubic from a place over a part of the step: the hull of its Bézier points.
+fn hull(to: &mut [Interval], Span { ends: [q0, v0, q1, v1], h }: Span<'_>, start: f64, width: f64) {
+    for ((to, (q0, v0)), (q1, v1)) in to.iter_mut().zip(q0.iter().zip(v0)).zip(q1.iter().zip(v1)) {
+        let at = |s: f64| {
+            let rest = 1.0 - s;
+            let q = rest * rest * ((1.0 + 2.0 * s) * q0 + h * s * v0) + s * s * ((3.0 - 2.0 * s) * q1 - h * rest * v1);
+            let slope = 6.0 * s * rest * (q1 - q0) + h * (rest * (1.0 - 3.0 * s) * v0 - s * (2.0 - 3.0 * s) * v1);
+            [q, slope * width / 3.0]
+        };
+        let ([a, beyond_a], [b, before_b]) = (at(start), at(start + width));
+        let points = [a, a + beyond_a, b - before_b, b];
+        let [least, most] = [f64::min, f64::max].map(|choose| points.into_iter().fold(a, choose));
+        *to = Interval::new(least, most);
+    }
+}
+
+/// True if no iterated group comes much nearer to its limit in a bend of the rows than at the ends of the step. The
+/// instant is that of the end, whose inputs are used everywhere.
+#[cold]
+#[inline(never)]
+pub(crate) fn bends_are_followed<M: Mechanism>(
+    mechanism: &M,
+    (parameters, at): (&[f64], &Instant<'_>),
+    modes: &Modes<M>,
+    span: Span<'_>,
+    rotation: f64,
+) -> Result<bool, LengthError> {
+    let known: M::Parameters<Interval> = Array::generate(|k| Interval::from_f64(parameters[k]));
+    let inputs = M::Inputs::<Interval>::generate(|k| at.inputs[k].map(Interval::from_f64));
+    let of = |s: f64, q: &[f64]| BranchValues::at(mechanism, parameters, &within(at, span.h, s), q);
+    let (first, last) = (of(0.0, span.ends[0])?, of(1.0, span.ends[2])?);
+    let zeros = M::Coordinates::<Interval>::filled(Interval::ZERO);
+    let (mut box_of_part, mut turns) = (zeros, zeros);
+    let mut q = M::Coordinates::<f64>::filled(0.0);
+    let groups = M::model().plan.modes.len()..M::model().plan.signs();
+    stays_in_bends(
+        span,
+        rotation,
+        [box_of_part.as_mut(), turns.as_mut()],
+        &mut |place, part, turns| {
+            let since = (place - Interval::from_f64(1.0)) * Interval::from_f64(span.h);
+            let over = Instant { t: Interval::from_f64(at.t) + since, inputs: inputs.as_ref() };
+            mechanism.turns_with(known.as_ref(), &over, part, turns)
+        },
+        &mut |s| {
+            on_cubic(q.as_mut(), span.ends, span.h, s);
+            let between = of(s, q.as_ref())?;
+            Ok(groups.clone().all(|group| {
+                let w = |list: &BranchValues<M>| modes.as_ref()[group] * list.as_ref()[group];
+                w(&between) >= LEAST * f64::min(w(&first), w(&last))
+            }))
+        },
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{HALVINGS, PARTS, Span, hull, stays_in_bends};
+    use crate::mechanism::LengthError;
+    use crate::planned::between::on_cubic;
+    use crate::scalar::Interval;
+
+    /// A step of the length 2 in which one coordinate goes from 0 to 2 at the rate 1.
+    const UNIFORM: Span<'_> = Span { ends: [&[0.0], &[1.0], &[2.0], &[1.0]], h: 2.0 };
+
+    /// The verdict, the number of enclosures and the places that are looked at, where the turn per unit over a box is
+    /// `turn`; at the places for which `limit` is true there is a limit.
+    fn look(turn: impl Fn(Interval) -> f64, limit: impl Fn(f64) -> bool) -> (bool, usize, Vec<f64>) {
+        let (mut enclosures, mut places) = (0, Vec::new());
+        let [mut part, mut turns] = [[Interval::ZERO]; 2];
+        let mut over = |place: Interval, part: &[Interval], turns: &mut [Interval]| -> Result<(), LengthError> {
+            enclosures += 1;
+            // The motion is uniform, so the box is the part of the step.
+            assert!((part[0].lower() - 2.0 * place.lower()).abs() < 1e-15, "{place} {}", part[0]);
+            assert!((part[0].upper() - 2.0 * place.upper()).abs() < 1e-15, "{place} {}", part[0]);
+            turns[0] = Interval::new(0.0, turn(part[0]));
+            Ok(())
+        };
+        let mut stays_at = |s: f64| {
+            places.push(s);
+            Ok(!limit(s))
+        };
+        let stays = stays_in_bends(UNIFORM, 0.3, [&mut part, &mut turns], &mut over, &mut stays_at);
+        (stays.expect("the lengths are right"), enclosures, places)
+    }
+
+    #[test]
+    fn a_box_contains_the_cubic() {
+        let ends: [&[f64]; 4] = [&[0.3, -2.0], &[-4.0, 1.0], &[0.5, 3.0], &[7.0, -30.0]];
+        for h in [1.5, -0.7] {
+            for (start, width) in [(0.0, 1.0), (0.25, 0.25), (0.875, 0.125)] {
+                let mut part = [Interval::ZERO; 2];
+                hull(&mut part, Span { ends, h }, start, width);
+                for k in 0..=20 {
+                    let mut q = [f64::NAN; 2];
+                    on_cubic(&mut q, ends, h, start + width * f64::from(k) / 20.0);
+                    for (part, q) in part.iter().zip(q) {
+                        assert!(part.lower() - 1e-12 <= q && q <= part.upper() + 1e-12, "{h} {start} {k}: {part} {q}");
+                    }
+                }
+                // Over short parts the box is little larger than the cubic.
+                let mut halves = [[Interval::ZERO; 2]; 2];
+                hull(&mut halves[0], Span { ends, h }, start, 0.5 * width);
+                hull(&mut halves[1], Span { ends, h }, start + 0.5 * width, 0.5 * width);
+                for k in 0..2 {
+                    let both = halves[0][k].hull(halves[1][k]);
+                    assert!(part[k].lower() - 1e-12 <= both.lower() && both.upper() <= part[k].upper() + 1e-12, "{k}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_step_without_bends_is_not_looked_at() {
+        // 0.3 per unit along 2 units is twice the rotation of 0.3.
+        assert_eq!((true, 1, vec![]), look(|_| 0.299, |_| true));
+        let (stays, enclosures, places) = look(|_| 0.301, |_| false);
+        assert!(stays && enclosures == 3, "{enclosures}");
+        assert_eq!(vec![0.5, 0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875], places);
+        // A limit in the middle is seen.
+        assert!(!look(|_| 0.301, |s| s == 0.5).0 && !look(|_| 0.301, |s| s == 0.625).0);
+    }
+
+    /// A bend in which the gradients turn by 1e5 per unit, between 1.2345 and 1.2346: by 10 rad.
+    #[test]
+    fn a_narrow_bend_is_found() {
+        let bend = |part: Interval| if part.lower() < 1.2346 && part.upper() > 1.2345 { 1e5 } else { 0.0 };
+        let is_inside = |s: f64| (1.2345..1.2346).contains(&(2.0 * s));
+        let (stays, enclosures, places) = look(bend, is_inside);
+        assert!(!stays && enclosures < 40, "{enclosures}");
+        assert!(places.last().is_some_and(|s| is_inside(*s)), "{places:?}");
+        // Without a limit in it the step is accepted.
+        let (stays, enclosures, _) = look(bend, |_| false);
+        assert!(stays && enclosures < 60, "{enclosures}");
+    }
+
+    /// A turn without a bound at one place: halving ends. Without a bound anywhere it ends early.
+    #[test]
+    fn halving_comes_to_an_end() {
+        let (stays, enclosures, _) = look(|part| if part.contains(0.7) { f64::NAN } else { 0.0 }, |_| false);
+        assert!(stays && enclosures <= 2 * (HALVINGS as usize + 1), "{enclosures}");
+        let (stays, enclosures, places) = look(|_| f64::NAN, |_| false);
+        assert!(stays && enclosures < 2 * PARTS && places.len() < 2 * PARTS + 8, "{enclosures}");
+    }
+}
