@@ -4,8 +4,8 @@ use super::graph::Graph;
 use super::map::IdMap;
 use super::node::{ExprId, Node, Rotation, Symbol, Turning};
 
-/// An interpretation of the operations. Methods receive the values of operands, or operands whose values can be read
-/// with [`value`](Self::value).
+/// An interpretation of the operations of expressions. Methods receive the values of operands, or operands whose values
+/// can be read with [`value`](Self::value).
 pub(crate) trait Algebra {
     /// The result for an expression.
     type Value: Copy + Default;
@@ -15,7 +15,7 @@ pub(crate) trait Algebra {
     /// The values that have been computed.
     fn known(&mut self) -> &mut IdMap<Self::Value>;
 
-    /// The value of an expression that is known without visiting its operands.
+    /// The value of an expression if it is known without visiting the operands.
     fn at_once(&mut self, _id: ExprId) -> Option<Self::Value> {
         None
     }

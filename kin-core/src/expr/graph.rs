@@ -110,11 +110,11 @@ impl Graph {
         (0..self.nodes.len() as u32).map(ExprId)
     }
 
-    /// All expressions that `roots` consist of, operands first.
+    /// The expressions `roots` and all their subexpressions, operands first.
     pub fn reachable(&self, roots: impl IntoIterator<Item = ExprId>) -> Vec<ExprId> {
         let mut seen = vec![false; self.nodes.len()];
         let mut stack: Vec<ExprId> = roots.into_iter().collect();
-        // A list of the expressions found keeps small queries on a large graph cheap.
+        // The list of the expressions found keeps searches of a small part of a large graph cheap.
         let mut found = Vec::new();
         while let Some(id) = stack.pop() {
             if !std::mem::replace(&mut seen[id.index()], true) {

@@ -29,7 +29,7 @@ pub fn total_derivatives(graph: &mut Graph, roots: &[ExprId]) -> Vec<Jet> {
     derivatives(graph, roots, of_symbol)
 }
 
-/// The derivatives of `roots`, given those of symbols.
+/// The derivatives of `roots`; `of_symbol` gives those of symbols.
 pub(super) fn derivatives(graph: &mut Graph, roots: &[ExprId], of_symbol: fn(&mut Graph, Symbol) -> Jet) -> Vec<Jet> {
     let order = graph.reachable(roots.iter().copied());
     let unchanging = Rc::new(constant(graph));
@@ -69,7 +69,7 @@ fn derive(graph: &mut Graph, jets: &[Rc<Jet>], id: ExprId) -> Jet {
             linear(graph, &[(None, &jet(a)), (Some(minus), &jet(b))])
         }
         Node::Mul(a, b) if a == b => {
-            // (a²)˙ = 2a ȧ and (a²)¨ = 2a ä + 2ȧ², where the factor 2 of the rest is taken out.
+            // (a²)˙ = 2a ȧ and (a²)¨ = 2a ä + 2ȧ²; the factor 2 of the rest is factored out.
             let (a_jet, double) = (jet(a), graph.double(a));
             let mut out = linear(graph, &[(Some(double), &a_jet)]);
             let (product, square) = (graph.mul(a, a_jet.rest), graph.square(a_jet.rate));
@@ -183,7 +183,7 @@ pub(super) fn rate_of_given(graph: &mut Graph, symbol: Symbol) -> ExprId {
     }
 }
 
-/// Σ c·jet for coefficients that count as constant; a missing coefficient means 1.
+/// Σ c·jet, where the coefficients c are not differentiated; a missing coefficient is 1.
 fn linear(graph: &mut Graph, terms: &[(Option<ExprId>, &Jet)]) -> Jet {
     let zero = graph.zero();
     let mut out = Jet { gradient: Vec::new(), partial_t: zero, rate: zero, rest: zero };

@@ -17,17 +17,19 @@ impl ExprId {
 /// acceleration.
 pub const MAX_ORDER: u8 = 2;
 
-/// An input of an evaluation.
+/// A symbol: a quantity whose value is given to an evaluation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Symbol {
     /// A parameter; array fields are numbered element by element.
     Parameter(u32),
     /// Time t.
     Time,
-    /// An input: its value, rate or acceleration (order 0, 1, 2). Differentiation may write a higher order, up to
-    /// twice the highest; [`differentiate`](crate::system::differentiate) reports results that need it as errors.
+    /// A declared input: its value, rate or acceleration (order 0, 1, 2). Differentiation may produce a higher order,
+    /// up to twice the highest; [`differentiate`](crate::system::differentiate) reports an error if a result contains
+    /// one.
     Input(u32, u8),
-    /// A generalized coordinate q_k; or [`ARGUMENT`](Self::ARGUMENT), which a `match` must therefore name first.
+    /// A generalized coordinate q_k; or [`ARGUMENT`](Self::ARGUMENT), which a `match` must therefore list before this
+    /// variant.
     Coordinate(u32),
     /// The rate q̇_k of a coordinate.
     Rate(u32),
@@ -38,13 +40,13 @@ pub enum Symbol {
     Mode(u32),
     /// The start value of q_k: angles are taken within half a turn of it, and iterations start from it.
     Start(u32),
-    /// An unknown of an iteration: its current value, after the iteration its solution.
+    /// An unknown of an iteration: its current value and, after the iteration, its solution.
     Unknown(u32),
     /// A value that an earlier part of the solution has stored.
     Held(u32),
     /// Entry b_k of the right-hand side of Φ_q x = b.
     Right(u32),
-    /// The factor by which squared tolerances are larger for the scalar type than for `f64`, where it is 1.
+    /// The factor by which squared tolerances of the scalar type are larger than those of `f64`; 1 for `f64`.
     Coarseness,
 }
 
@@ -52,8 +54,8 @@ pub enum Symbol {
 const ARGUMENT: u32 = u32::MAX;
 
 impl Symbol {
-    /// The free argument of a curve. It is a coordinate without a place in q, so that [`partial`](super::partial)
-    /// differentiates by it as by any other.
+    /// The free argument of a curve. It is a coordinate that is not part of q, so that [`partial`](super::partial)
+    /// differentiates with respect to it as with respect to any other.
     pub const ARGUMENT: Self = Self::Coordinate(ARGUMENT);
 
     /// The index of the symbol in its array; 0 for time.
@@ -135,7 +137,7 @@ impl Bits {
 pub enum Node {
     /// A literal.
     Number(Bits),
-    /// An input of the evaluation.
+    /// A symbol.
     Symbol(Symbol),
     /// −a.
     Neg(ExprId),
@@ -159,7 +161,7 @@ pub enum Node {
     Atan2(ExprId, ExprId),
     /// The angle a + 2πn that is nearest to b.
     Nearest(ExprId, ExprId),
-    /// The value a as an opaque unit: products and sums that contain it are not rearranged with its parts.
+    /// The value a as an opaque unit: sums and products with it are not rearranged together with the parts of a.
     Opaque(ExprId),
     /// cos φ·s_x − sin φ·s_y.
     RotX(Rotation),

@@ -1,16 +1,16 @@
 //! Constructors with local simplification.
 //!
-//! Operations on literals are evaluated; zero terms and factors of 1 are dropped; signs are moved outwards, so that ρ
-//! and −ρ share one node; the factors of a product are sorted (numbers, parameters, other values, rates), so that
-//! equal products become one node; rotation by a right angle only permutes components. Products are never expanded,
-//! and nothing is cancelled that could hide a division by zero (x/x is kept).
+//! Operations on literals are evaluated; zero terms and factors of 1 are dropped; signs are moved outwards, so that e
+//! and −e share one node; the factors of a product are sorted (numbers, parameters, other values, rates), so that equal
+//! products become one node; rotation by a right angle only permutes components. Products are never expanded, and
+//! nothing is cancelled that could hide a division by zero (x/x is kept).
 
 use super::graph::Graph;
 use super::node::{Bits, ExprId, Node};
 use crate::vocabulary::Function;
 
-/// Maximum number of factors of a product that is sorted. Sorting costs the square of their number, and nested powers
-/// can have exponentially many.
+/// Maximum number of factors of a product that is sorted. The time of sorting grows with the square of their number,
+/// and nested squares can have exponentially many factors.
 const MAX_FACTORS: usize = 24;
 
 /// Classes of factors, in the order in which they appear in a product.

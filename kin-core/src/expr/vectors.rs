@@ -25,7 +25,8 @@ impl Graph {
             return [x, y];
         }
         let ((negative_x, positive_x), (negative_y, positive_y)) = (self.unsigned(x), self.unsigned(y));
-        // The node is built for the vector with x > 0 (or x = 0 and y > 0 in sign); its opposite is the negated node.
+        // The node is built for the vector whose first component that is not 0 has no minus sign; the opposite vector
+        // is the negated node.
         let negative = if self.is_zero(x) { negative_y } else { negative_x };
         let base = if negative { [positive_x, if negative_y { positive_y } else { self.neg(y) }] } else { [x, y] };
         let rotation = Rotation { angle, x: base[0], y: base[1] };

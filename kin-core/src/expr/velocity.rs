@@ -10,7 +10,7 @@ pub struct VelocityJet {
     /// ∂η/∂q̇_k for every rate that appears, by ascending k: the coefficients of q̈_k, and the row of B if η is linear
     /// in q̇.
     pub gradient: Vec<(u32, ExprId)>,
-    /// η_q q̇ + η_t for constant q̇, which is −γ.
+    /// η_q q̇ + η_t, the derivative for constant q̇, which is −γ.
     pub rest: ExprId,
 }
 

@@ -1,10 +1,10 @@
-//! A kernel: a finished program with everything that is needed to emit it as a function.
+//! A kernel: a program in its final form, with everything that is needed to emit it as a function.
 
 use crate::expr::Symbol;
 use crate::program::{Instruction, Piece, Program, Rolled, Slot, Source, Step, finished};
 use std::collections::BTreeSet;
 
-/// A finished program that becomes a function.
+/// A program in its final form, which becomes a function.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Kernel {
     /// The name of the function.
@@ -20,7 +20,7 @@ pub struct Kernel {
 }
 
 impl Kernel {
-    /// Finishes a program that writes to `arrays`.
+    /// The kernel of a program that writes to `arrays`.
     pub(super) fn new(name: impl Into<String>, program: &Program, arrays: &[(Slot, usize)]) -> Self {
         Self { name: name.into(), code: finished(program), arrays: arrays.to_vec(), held: 0, inlined: false }
     }

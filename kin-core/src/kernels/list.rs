@@ -36,7 +36,7 @@ pub struct List {
     pub length: usize,
     /// The program of the list.
     pub kernel: Kernel,
-    /// Where that solves for the multipliers λ itself: the program for λ that is given.
+    /// If `kernel` itself solves for the multipliers λ, a second program of the list, which reads λ.
     pub of_multipliers: Option<Kernel>,
 }
 
@@ -74,8 +74,8 @@ pub(super) fn lists(set: &ConstraintSet, arguments: &[ExprId]) -> Vec<List> {
     lists.into_iter().filter(|(.., values)| !values.is_empty()).map(list).collect()
 }
 
-/// The lists of forces: r, from which λ is solved numerically; the results, along the plan and given λ; and what loads
-/// exert, where there are loads.
+/// The non-empty lists of forces: r = Q − M q̈, from which λ is solved numerically; the results, with λ solved along
+/// the plan or given; and the forces and couples that loads exert.
 pub(super) fn of_forces(forces: &Forces) -> Vec<List> {
     let mut results = List::of("forces_with", "forces", Given::Multipliers, &forces.results);
     results.of_multipliers = forces.of_multipliers.as_ref().map(written);

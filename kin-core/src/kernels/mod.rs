@@ -1,6 +1,6 @@
 //! All programs of a mechanism in their final form; generated code consists of these kernels and of static tables.
 //!
-//! All optimisation is complete after this stage. A new list of numbers is added as an entry of `list::lists`: its
+//! No optimisation of programs follows this stage. A new list of numbers is added as an entry of `list::lists`: its
 //! method, the quantities that it is evaluated from, and its expressions.
 
 mod kernel;
@@ -53,7 +53,8 @@ pub struct Kernels {
 }
 
 impl Kernels {
-    /// Whether there is a list of the turns of iterated rows.
+    /// Whether there is a list of the angles by which the gradients of iterated rows turn (see
+    /// [`SolutionPlan::turns`]).
     pub fn turns_rows(&self) -> bool {
         self.lists.iter().any(|list| list.method == solution::TURNS)
     }

@@ -69,9 +69,10 @@ fn member_by_member(
         let row = row_of(outputs[*place].0);
         let own = |family: &&Family| (family.first..family.first + family.members * family.stride).contains(&row);
         match families.iter().find(own) {
-            // A family of joints between members has one row fewer; its first row belongs to the second member.
+            // A family of joints between neighbouring members has one member fewer; its first member is lowered with
+            // the second members.
             Some(family) => longest - family.members + (row - family.first) / family.stride,
-            // Rows that are declared after the families stay behind them.
+            // Rows that are declared after the families remain after them.
             None if row < begin => 0,
             None => usize::MAX,
         }

@@ -42,7 +42,7 @@ pub struct Iteration {
     pub unknowns: Vec<usize>,
     /// Whether each unknown is a length.
     pub lengths: Vec<bool>,
-    /// The index of the held value that says whether the iteration has converged.
+    /// The index of the held value that shows whether the iteration has converged.
     pub converged: usize,
 }
 
@@ -86,7 +86,7 @@ pub(super) fn of_plan(system: &KinematicSystem, plan: &SolutionPlan) -> Option<S
 /// The method of the list of [`turns`].
 pub(super) const TURNS: &str = "turns_with";
 
-/// The list of the angles by which the gradients of iterated rows turn with the coordinates, unless they are all 0.
+/// The list of the angles by which the gradients of iterated rows turn per unit of each coordinate, unless all are 0.
 pub(super) fn turns(plan: &SolutionPlan) -> Option<List> {
     (!plan.turns.outputs.is_empty()).then(|| List::of(TURNS, "turns", Given::Position, &plan.turns))
 }

@@ -7,9 +7,9 @@ use crate::expr::ExprId;
 use std::collections::{BTreeMap, BTreeSet};
 
 impl Reduction<'_> {
-    /// The elimination *norm*: an angle that appears in two rows only, in which it turns a known vector, the same one or one
-    /// each. If several
-    /// angles qualify, the one with the fewest terms in its rows is taken.
+    /// The elimination *norm* of an angle that appears in exactly two rows and rotates a known vector in each of them
+    /// (the same vector or two different ones). If several angles qualify, the one with the fewest terms in its rows is
+    /// taken.
     pub(super) fn norm(
         &mut self,
         rows: &[usize],
@@ -66,7 +66,7 @@ impl Reduction<'_> {
         let direct = zero_test.equal(graph, s2, c1) && zero_test.equal(graph, c2, minus_s1);
         let reflected = zero_test.opposite(graph, s2, c1) && zero_test.equal(graph, minus_c2, minus_s1);
         if direct || reflected {
-            // M is a rotation, or a reflection if its second row has the opposite sign, times |s|.
+            // M is |s| times a rotation or, if its second row has the opposite sign, |s| times a reflection.
             let g = if reflected { graph.neg(g) } else { g };
             let square = graph.plain_dot([c1, s1], [c1, s1]);
             if zero_test.is_zero(graph, square) {
@@ -101,8 +101,9 @@ impl Reduction<'_> {
         Some((PairValue::Angle { turn, cos, sin, size: square, square: None, vectors: Some(vectors) }, row))
     }
 
-    /// Removes an angle of more than two rows from all but two of them by subtracting multiples of these two rows; the
-    /// other rows then describe loops that bypass the angle, and the two rows are combined as in [`norm`](Self::norm).
+    /// Removes an angle that appears in more than two rows from all but two of them by subtracting multiples of these
+    /// two rows; the other rows then describe loops that bypass the angle, and the two rows are combined as in
+    /// [`norm`](Self::norm).
     pub(super) fn norm_of_loops(
         &mut self,
         rows: &[usize],
@@ -116,7 +117,8 @@ impl Reduction<'_> {
             let keys: BTreeSet<&Key> =
                 with.iter().flat_map(|row| forms[row].terms.keys()).filter(|key| key.holds(k)).collect();
             let mut keys = keys.into_iter();
-            // A replaced row has another scale than its row of Φ_q, and a row with a rest cannot be split into terms.
+            // The combined row of Φ_q is the derivative of a replaced row only up to a factor, and a row with a rest
+            // cannot be split into terms.
             let plain = with.iter().all(|row| forms[row].rest.is_none() && !self.replaced.contains(row));
             if let (Some(key), None, true) = (keys.next(), keys.next(), plain)
                 && key.powers.is_empty()
@@ -186,7 +188,7 @@ impl Reduction<'_> {
         let (graph, zero_test) = (&mut *self.graph, &mut self.memory.zero_test);
         let (zero, one) = (graph.zero(), graph.number(1.0));
         let minus_one = graph.number(-1.0);
-        // Most often the loops share the joint, so that h is ±a or ±b.
+        // In most cases the loops share a joint of the rotating body, so that h is ±a or ±b.
         for (factor, test) in [(one, true), (minus_one, false)] {
             for (place, own) in [a, b].into_iter().enumerate() {
                 let same = (0..2).all(|k| match test {

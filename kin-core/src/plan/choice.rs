@@ -1,10 +1,12 @@
 //! Selects the rows that a plan uses when there are more rows than coordinates, and builds the tree of the plan.
 //!
-//! The first candidate leaves out the row declared last in each circuit, driving rows excepted. If that leaves bodies
-//! that no driver moves, the second candidate leaves out the rows that close the circuits on a walk from the driver.
-//! If the best tree still needs an iteration, other rows of the same circuits are tried. A row that is left out can
-//! still help if another row of the same joint is kept and both turn the same vector: together they give the cosine
-//! and the sine of the angle, so no sign has to be chosen.
+//! Two sets of rows to leave out are compared first. A *circuit* is a minimal set of linearly dependent rows. The first
+//! set consists of the row declared last in each circuit; the second, of the rows that close the circuits on a walk
+//! from the driver, is taken if it leaves fewer angles and scalars that no driver moves or, if equally many, fewer
+//! unknowns to iterate on. A driving row is left out only if it depends on other driving rows. If the better tree still
+//! needs an iteration, other rows of the same circuits are tried. A row that is left out can still be used if another
+//! row of the same joint is kept and both rotate the same vector: together they give the cosine and the sine of the
+//! angle, so no sign has to be chosen.
 
 use super::form::ReaderCache;
 use super::matching;
@@ -18,14 +20,14 @@ use std::collections::{BTreeMap, BTreeSet};
 /// Maximum number of alternative rows that are tried.
 const TRIES: usize = 16;
 
-/// A tree, and the rows it was made from.
+/// A tree, and the rows from which it was built.
 pub(super) struct Chosen {
     pub(super) tree: Block,
     /// For each row, the original rows that it has been combined from.
     pub(super) source_rows: Vec<BTreeSet<usize>>,
     /// Redundant rows that the tree does not use, in order of declaration.
     pub(super) left_out: Vec<usize>,
-    /// Those of the redundant rows that give an angle together with a kept row.
+    /// The redundant rows that give an angle together with a kept row.
     pub(super) paired: Vec<PairedRows>,
     score: Score,
 }
@@ -78,8 +80,8 @@ struct Search<'a> {
 }
 
 impl Search<'_> {
-    /// The better of two trees without the given rows: one that uses redundant rows of the same joints, and one that
-    /// does not.
+    /// The better of two trees without the given rows: one that uses left-out rows together with kept rows of the same
+    /// joint, and one that does not.
     fn of(&mut self, mut left_out: Vec<usize>) -> Option<Chosen> {
         left_out.sort_unstable();
         let rows = &self.system.set.rows;
@@ -146,7 +148,7 @@ impl Search<'_> {
     }
 }
 
-/// How much work a tree leaves; smaller is better, compared field by field in this order.
+/// The cost of a tree; smaller is better. The fields are compared in this order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct Score {
     /// Number of angles and scalars that no driving row reaches. If a mechanism moves only because of its special
@@ -158,7 +160,7 @@ pub(super) struct Score {
     closures: usize,
 }
 
-/// A key for comparison: no tree at all is worse than any tree.
+/// A key for comparison: a missing tree is worse than any tree.
 fn score(chosen: &Option<Chosen>) -> (bool, Option<Score>) {
     (chosen.is_none(), chosen.as_ref().map(|chosen| chosen.score))
 }
@@ -169,7 +171,7 @@ fn cost(chosen: &Option<Chosen>) -> (bool, Option<[usize; 2]>) {
     (chosen.is_none(), chosen.as_ref().map(|Chosen { score, .. }| [score.still, score.iterated]))
 }
 
-/// The tree with the better score; the first of two equal ones.
+/// The tree with the better score; the first one if both scores are equal.
 fn better(first: Option<Chosen>, second: Option<Chosen>) -> Option<Chosen> {
     if score(&second) < score(&first) { second } else { first }
 }

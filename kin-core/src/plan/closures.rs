@@ -1,21 +1,22 @@
 //! Closed-form solutions: roots with a sign for the mode, their margins, and the branch values that give the mode of a
 //! known configuration.
 //!
-//! A margin is about 1 far from a singular position, 0 where both solutions coincide, and negative where there is
-//! none. It also goes to 0 where a divisor of the solution is a small difference of large terms.
+//! A margin is about 1 far from a singular configuration, 0 where both solutions coincide, and negative where there is
+//! no solution. It also goes to 0 where a divisor of the solution is a small difference of large terms.
 
 use crate::expr::{ExprId, Graph, Node, Symbol};
 use crate::vocabulary::Function;
 
-/// Weight of the squared terms of a difference against its square. They outweigh it only where digits cancel.
+/// Weight of the squared terms of a sum relative to the square of the sum. The weighted terms are the larger only where
+/// the terms nearly cancel.
 pub(super) const TERM_WEIGHT: f64 = 1e-6;
 
-/// Added to denominators, so that 0/0 becomes 0: less than the squares of any lengths. In f32 it is 0 itself; there a margin
-/// 0/0 is NaN, which counts as no solution.
+/// Added to denominators, so that 0/0 becomes 0; smaller than the square of any length. In f32 this number is itself 0;
+/// a margin 0/0 is then NaN, which counts as no solution.
 pub(super) const LEAST: f64 = 1e-300;
 
-/// The sum of the squared terms of a sum, the product of such sums for a product; below `depth` levels the plain
-/// square.
+/// The sum of the squared terms of an expression: Σ terms² for a sum, the product of the values of both factors for a
+/// product, and the plain square below `depth` levels.
 pub(super) fn sum_of_squared_terms(graph: &mut Graph, id: ExprId, depth: usize) -> ExprId {
     if depth == 0 {
         return graph.square(id);
@@ -35,7 +36,7 @@ pub(super) fn sum_of_squared_terms(graph: &mut Graph, id: ExprId, depth: usize) 
 }
 
 /// An upper estimate of the square of an expression, to judge whether the expression is nearly 0: the sum of its
-/// squared terms, in which a rotated vector counts with its length in every direction.
+/// squared terms, in which every component of a rotated vector is estimated by the length of the vector.
 pub(super) fn squared_size(graph: &mut Graph, id: ExprId, depth: usize) -> ExprId {
     if depth == 0 {
         return graph.square(id);
@@ -60,10 +61,11 @@ pub(super) fn squared_size(graph: &mut Graph, id: ExprId, depth: usize) -> ExprI
     }
 }
 
-/// The margin of a divisor: its square divided by the sum of itself, the squares of `others` (the other coefficients
-/// of its rows) and `TERM_WEIGHT` times the squared terms of `parts`, which the divisor is made of. `None` if there is
-/// nothing to compare it with. A constant divisor leads to no limit: it is a dimension such as the radius of a gear
-/// and may be far smaller than others before digits are lost, so `others` are then weighted with `TERM_WEIGHT`, too.
+/// The margin of a divisor: its square divided by the sum of this square, the squares of `others` (the other
+/// coefficients of its rows) and `TERM_WEIGHT` times the squared terms of `parts`, which the divisor is made of. `None`
+/// if there is nothing to compare it with. A constant divisor cannot approach 0 during a motion: it is a dimension,
+/// such as the radius of a gear, and may be far smaller than the other coefficients before digits are lost; `others`
+/// are then weighted with `TERM_WEIGHT`, too.
 pub(super) fn share(graph: &mut Graph, square: ExprId, others: &[ExprId], parts: &[ExprId]) -> Option<ExprId> {
     let is_term = |graph: &mut Graph, part: ExprId| sum_of_squared_terms(graph, part, 8) == graph.square(part);
     let terms = parts.iter().all(|&part| is_term(graph, part));
@@ -127,8 +129,8 @@ pub(super) fn angle(graph: &mut Graph, mode: ExprId, [a, b, c]: [ExprId; 3]) -> 
     let inverse = inverse(graph, d);
     let w = signed_root(graph, mode, inside);
     let turned = [graph.plain_cross([a, b], [w, c]), graph.plain_dot([b, a], [c, w])];
-    // If two pins coincide, a and b vanish and the direction is undefined. If a and b are constant, they are small
-    // beside c because of the dimensions only, and c is included in the comparison.
+    // If two pins coincide, a and b vanish and the direction is undefined. Constant a and b are small compared with c
+    // only because of the dimensions; c is then included in the comparison.
     let still = [a, b].iter().all(|&e| graph.depends(e).is_static());
     let parts = [a, b, c];
     let whole = with_squared_terms(graph, d, if still { &parts } else { &parts[..2] });
@@ -156,7 +158,7 @@ pub(super) fn quadratic(graph: &mut Graph, mode: ExprId, [a, b, c]: [ExprId; 3])
     let w = signed_root(graph, sign, inside);
     let t = graph.add(h, w);
     let t = graph.whole(t);
-    // 1 for the first root and 0 for the second, which selects a root without a branch.
+    // 1 for the first root and 0 for the second: this selects a root without a conditional.
     let same = graph.mul(mode, sign);
     let same = graph.mul(half, same);
     let (first, second) = (graph.add(half, same), graph.sub(half, same));
@@ -187,7 +189,7 @@ pub(super) fn circle(graph: &mut Graph, mode: ExprId, [e, lx, ly, k, nx, ny, m]:
     let (dx, dy) = (graph.plain_dot([off, w], [nx, ny]), graph.plain_cross([w, off], [ny, nx]));
     let [dx, dy] = [dx, dy].map(|d| graph.div(d, n2));
     let at = [graph.sub(x0, dx), graph.add(y0, dy)];
-    // For concentric circles n vanishes, and there is no line.
+    // For concentric circles n is 0, and there is no line.
     let size = graph.call(Function::Abs, full);
     let size = with_squared_terms(graph, size, &[off]);
     (at, graph.div(inside, size))

@@ -21,9 +21,9 @@ pub(super) struct Solved {
 /// relative to its row of M: the harmonic mean of sᵢ², which is of the order of the smallest sᵢ² for any n. A single
 /// unknown has no margin.
 ///
-/// `lengths` says which unknowns are lengths. If the matrix has columns of lengths and of angles, columns of lengths
-/// are scaled by a length taken from the rows that contain both kinds, so that the margin does not depend on the unit
-/// of length.
+/// `lengths` says which unknowns are lengths. If the matrix has columns of lengths and others (of angles or scalars),
+/// the columns of lengths are scaled by a length taken from the rows that contain both kinds, so that the margin does
+/// not depend on the unit of length.
 pub(super) fn solve(graph: &mut Graph, matrix: &[Vec<ExprId>], rights: &[Vec<ExprId>], lengths: &[bool]) -> Solved {
     match matrix.len() {
         0 => alone(rights.iter().map(|_| Vec::new()).collect()),
@@ -48,8 +48,9 @@ fn alone(solutions: Vec<Vec<ExprId>>) -> Solved {
     Solved { solutions, margin: None, orientation: None }
 }
 
-/// The square of the factor for columns of lengths: over the rows that contain both kinds, the squared entries of
-/// angles divided by the squared entries of lengths. `None` if no row contains both kinds; then no scaling is needed.
+/// The square of the factor for columns of lengths: over the rows that contain both kinds, the sum of the squared
+/// entries in the other columns divided by that in the columns of lengths. `None` if no row contains both kinds; then
+/// no scaling is needed.
 fn squared_length(graph: &mut Graph, matrix: &[Vec<ExprId>], lengths: &[bool]) -> Option<ExprId> {
     let mut sums = [graph.zero(); 2];
     for row in matrix {
@@ -168,13 +169,13 @@ fn eliminate(graph: &mut Graph, matrix: &[Vec<ExprId>], rights: &[Vec<ExprId>], 
         };
         let entries = rows.iter().flat_map(|&i| columns.iter().map(move |&j| (i, j)));
         let best = entries.filter(|&(i, j)| filled(graph, i, j)).map(|(i, j)| score(i, j)).min();
-        // There is no non-zero entry left: the matrix is singular for all values, which a margin of 0 reports.
+        // No non-zero entry is left: the matrix is singular for all values, which a margin of 0 reports.
         let Some((_, _, i, j)) = best else {
             let solutions = rights.iter().map(|_| vec![graph.zero(); n]).collect();
             return Solved { solutions, margin: Some(graph.zero()), orientation: Some(graph.zero()) };
         };
-        // The pivot is compared with its original row. After subtractions the whole row may be small, and the last
-        // pivot is alone in its row.
+        // The pivot is compared with its row of the original matrix: after the subtractions the whole row may be small,
+        // and the last pivot is the only entry left in its row.
         let mut size = graph.zero();
         for (c, &entry) in matrix[i].iter().enumerate() {
             let magnitude = magnitude(graph, entry, c);

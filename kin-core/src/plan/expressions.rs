@@ -1,8 +1,9 @@
-//! Builds expressions from the tree of a plan: q step by step, then q̇ and q̈ by the linear level of the same tree.
+//! Builds expressions from the tree of a plan: q step by step, then q̇ and q̈ as solutions of Φ_q x = b along the same
+//! tree.
 //!
 //! An angle closure gives cosine and sine; the angle itself is needed for the result only (atan2, plus the number of
-//! whole turns that brings it nearest to its start value). The sign of the mode stands before every root, and the root
-//! is taken of the magnitude of its argument, so no result is NaN: the margin says whether the result is valid.
+//! whole turns that brings it nearest to its start value). Every root is multiplied by the sign of the mode and taken
+//! of the magnitude of its argument, so that no result is NaN; the margin shows whether the result is valid.
 
 use super::closures::{self, angle_branch_value, circle_branch_value, inverse, quadratic_branch_value};
 use super::dense;
@@ -18,7 +19,7 @@ use crate::hash::FastMap;
 use crate::program::Slot;
 use std::collections::BTreeMap;
 
-/// The numbers of the first stages of q̇ and of q̈.
+/// The indices of the first stages of q̇ and of q̈.
 pub(super) struct FirstStages {
     pub(super) velocity: usize,
     pub(super) acceleration: usize,
@@ -54,7 +55,7 @@ impl Build<'_> {
         FirstStages { velocity, acceleration }
     }
 
-    /// The solution x of Φ_q x = `right` and the margins of its cores, when all coordinates are known.
+    /// The solution x of Φ_q x = `right` and the margins of its cores, once all coordinates are known.
     fn rates(&mut self, tree: &Block, right: Vec<ExprId>) -> (Vec<ExprId>, BTreeMap<usize, ExprId>) {
         let mut entries = Vec::new();
         for equation in &self.system.equations {
@@ -134,8 +135,8 @@ impl Build<'_> {
     }
 
     /// An angle from the cosine and sine of `turn`, a sum of integer multiples of angles; `x` and `y` are these
-    /// multiplied by a positive number whose inverse is `scale`. Whole turns, and a multiple of the angle itself,
-    /// leave several values; the one nearest the start value is taken.
+    /// multiplied by a positive number whose inverse is `scale`. The sum is determined up to whole turns, and the
+    /// unknown angle up to whole turns divided by its multiple; the value nearest to the start value is taken.
     fn angle(&mut self, k: u32, turn: &[(u32, i32)], [x, y]: [ExprId; 2], scale: ExprId) {
         let graph = &mut self.graph;
         let [cos, sin] = [x, y].map(|e| graph.mul(e, scale)).map(|e| graph.whole(e));
@@ -227,7 +228,8 @@ impl Build<'_> {
         }
     }
 
-    /// Adds a mode and its margin to a step. The sign of `value` is the mode of a known configuration.
+    /// Adds a mode and its margin to a step. `value` is the branch value, whose sign is the mode of a known
+    /// configuration.
     fn closure(&mut self, step: StepId, value: ExprId) -> (ExprId, usize) {
         self.branch_values.push(value);
         let place = self.listed.margin(step);
@@ -282,7 +284,8 @@ impl Build<'_> {
     }
 }
 
-/// The expressions of the tree that the linear level uses: squared lengths of turned vectors, factors of exchanges.
+/// The expressions of the tree that the solution of Φ_q x = b uses: squared lengths of rotated vectors, factors of
+/// exchanges.
 fn constants(block: &Block) -> Vec<ExprId> {
     let (mut out, mut open) = (Vec::new(), vec![block]);
     while let Some(block) = open.pop() {

@@ -1,12 +1,13 @@
-//! Rows as sums of terms in their unknowns, the form in which closures are recognised.
+//! Rows as sums of terms in their unknowns. Closed-form solutions are recognised in this form.
 //!
 //! ```text
 //! f = Σ_m Σ_θ m (C cos θ + S sin θ) + rest
 //! ```
 //!
-//! The m are products of powers of unknowns, the θ sums of integer multiples of unknown angles, and C and S
+//! The m are products of powers of unknowns, the θ are sums of integer multiples of unknown angles, and C and S are
 //! expressions without unknowns. Everything else (a supplied function of an unknown, for example) is the rest.
-//! Coefficients that are identically zero are found by [`ZeroTest`] and removed; so |A(φ)s|² contains no φ.
+//! Coefficients that are identically zero are found by [`ZeroTest`] and removed, so that, for example, |A(φ)s|²
+//! contains no φ.
 
 use super::zero::ZeroTest;
 use crate::expr::{ExprId, Graph, IdMap, Node, Symbol};
@@ -15,7 +16,7 @@ use crate::vocabulary::Function;
 use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 
-/// Maximum number of terms; a longer expression is treated as a rest.
+/// Maximum number of terms of an expression; a longer one becomes part of the rest.
 const MAX_TERMS: usize = 64;
 
 /// The key of a term: a product of unknowns (index of q, power) and a sum of multiples of unknown angles (index of q,
@@ -78,7 +79,7 @@ impl<'a> Reader<'a> {
         Self { graph, memory, unknowns }
     }
 
-    /// The coordinates that are solved for; all others count as known.
+    /// The coordinates that are solved for; all other coordinates count as known.
     pub(super) fn unknowns(&self) -> &'a BTreeSet<u32> {
         self.unknowns
     }

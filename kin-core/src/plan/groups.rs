@@ -1,5 +1,6 @@
-//! Names dyads by the letters of their joints (R revolute, P prismatic). A dyad of joints is walked from one outer
-//! joint to the other, where a carried origin counts as a pin; a dyad of free equations is named by its closed form.
+//! Names dyads by the letters of their joints (R revolute, P prismatic). A dyad of joints is named by traversing it
+//! from one outer joint to the other; the point at which another body carries a body's origin counts as a pin. A dyad
+//! of free equations of the user is named after its closed form.
 
 use super::step::Step;
 use super::tree::{Core, Pair, PairValue, Part, SolutionMethod};
@@ -9,7 +10,7 @@ use crate::vocabulary::JointKind;
 use crate::vocabulary::StepKind;
 use std::collections::BTreeSet;
 
-/// The letters of a core of two rows: two circles intersect, or a circle and a line.
+/// The letters of a core of two rows, which intersects two circles or a circle and a line.
 pub(super) fn letters_of_method(method: &SolutionMethod) -> Option<&'static str> {
     match method {
         SolutionMethod::Circle { of_two: true, .. } => Some("RRR"),
@@ -18,8 +19,8 @@ pub(super) fn letters_of_method(method: &SolutionMethod) -> Option<&'static str>
     }
 }
 
-/// The letters of a pair around a single closure: a link that turns freely at its end, or a guide that turns with its
-/// link or does not.
+/// The letters of a pair whose inner block is a single closure. The pair gives either the angle of a link or the stroke
+/// along a guide, whose direction depends on the unknown of the closure (RPR) or not (RRP).
 pub(super) fn letters_of_pair(graph: &Graph, pair: &Pair) -> Option<&'static str> {
     let [Part::Core(Core { coordinates, method, .. })] = pair.inner.parts.as_slice() else { return None };
     let &[k] = coordinates.as_slice() else { return None };
@@ -35,7 +36,7 @@ pub(super) fn letters_of_pair(graph: &Graph, pair: &Pair) -> Option<&'static str
     }
 }
 
-/// Orders the joints of a dyad from one end to the other, and writes the step's group and singular position.
+/// Orders the joints of a dyad from one end to the other, and sets the `group` and `singular` of the step.
 pub(super) fn name_group(set: &ConstraintSet, step: &mut Step) {
     let bodies = std::mem::take(&mut step.bodies);
     let free = step.joints.iter().all(|&joint| set.joints[joint].kind == JointKind::Constraint);
@@ -70,13 +71,13 @@ pub(super) fn name_group(set: &ConstraintSet, step: &mut Step) {
     };
 }
 
-/// A joint of a dyad; an origin that another body carries is a pin without a name.
+/// A joint of a dyad. The pin at which another body carries an origin has no declared joint.
 struct Hinge {
     joint: Option<usize>,
     frames: [Option<Frame>; 2],
 }
 
-/// The joints of a dyad from one end to the other, and its letters; `None` if the step is no dyad.
+/// The joints of a dyad from one end to the other, and its letters; `None` if the step is not a dyad.
 fn walk(set: &ConstraintSet, joints: &[usize], bodies: &BTreeSet<usize>) -> Option<(Vec<usize>, String)> {
     let inside = |frame: Option<Frame>| match frame {
         Some(Frame::Body(body)) => bodies.contains(&body).then_some(body),
@@ -99,7 +100,7 @@ fn walk(set: &ConstraintSet, joints: &[usize], bodies: &BTreeSet<usize>) -> Opti
         return None;
     }
     let mut letters = String::new();
-    // A joint is crossed forwards if the walk goes from its body i to its body j: the first joint from the outside
+    // A joint is crossed forwards if the traversal goes from its body i to its body j: the first joint from the outside
     // into `start`, the inner joint out of it, the last joint to the outside.
     let entered = ends(first);
     let start = entered.iter().flatten().next().copied();

@@ -1,4 +1,5 @@
-//! The coordinates that are already solved, by values, rotations and rates, and expressions in terms of them.
+//! Values, rotations and rates of the coordinates that are already solved, and the rewriting of expressions in terms of
+//! them.
 
 use super::rewrite::{Substitution, Turned, rewrite};
 use crate::expr::{ExprId, Graph, IdMap, Node, Symbol};
@@ -11,12 +12,12 @@ pub(super) struct Known {
     pub(super) values: FastMap<u32, ExprId>,
     pub(super) turns: FastMap<u32, Turned>,
     pub(super) rates: FastMap<u32, ExprId>,
-    /// Cache of rewritten expressions of the description.
+    /// Cache of the rewritten expressions of the system.
     pub(super) rewritten: IdMap<ExprId>,
 }
 
 impl Known {
-    /// Rewrites an expression of the description in terms of the known coordinates.
+    /// Rewrites an expression of the system in terms of the known coordinates.
     pub(super) fn value(&mut self, graph: &mut Graph, id: ExprId) -> ExprId {
         let Self { values, turns, rates, rewritten } = self;
         rewrite(graph, id, rewritten, &mut KnownValues { values, turns, rates })

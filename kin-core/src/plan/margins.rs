@@ -28,9 +28,9 @@ impl Build<'_> {
         }
     }
 
-    /// Writes the margins of the divisors, when all coordinates are known. The square of a divisor is compared with
-    /// the squared entries of Φ_q for other coordinates of the same kind (lengths or angles) in its rows, and with the
-    /// terms it is made of.
+    /// Writes the margins of the divisors, once all coordinates are known. The square of a divisor is compared with the
+    /// squared entries of Φ_q for other coordinates of the same kind (lengths or angles) in its rows, and with the
+    /// terms of which the divisor is a sum.
     pub(super) fn divisor_margins(&mut self) {
         let system = self.system;
         let is_length = |k: u32| match system.set.coordinates[k as usize].kind {
@@ -50,7 +50,8 @@ impl Build<'_> {
         }
     }
 
-    /// Writes the margins of iterations: 0 unless the iteration has converged and its block of Φ_q is regular.
+    /// Writes the margins of iterations. A margin is 0 unless the iteration has converged and its block of Φ_q is
+    /// regular.
     pub(super) fn iteration_margins(&mut self, margins: &BTreeMap<usize, ExprId>) {
         for (row, place, converged) in std::mem::take(&mut self.pending) {
             let mut margin = self.graph.symbol(Symbol::Held(converged));

@@ -81,7 +81,7 @@ fn augment(rows: &[Vec<usize>], row_of: &mut [Option<usize>], start: usize) -> b
     false
 }
 
-/// Strongly connected components; each comes after the components that it leads to.
+/// Strongly connected components; each comes after the components that can be reached from it.
 fn components(successors: &[Vec<usize>]) -> Vec<Vec<usize>> {
     const NEW: usize = usize::MAX;
     let n = successors.len();

@@ -9,14 +9,15 @@
 //! is either solvable in closed form (a cos φ + b sin φ = c, a quadratic, a circle and a line, a linear system) or a
 //! small system for Newton's iteration. For mechanisms described joint by joint the blocks are the Assur groups: dyads
 //! are solved without iteration, triads with two unknowns. Recognition works on the equations, not on the kinds of
-//! joints, so it also applies to loops written as free equations, to carried or held coordinates, and to `distance`
-//! and `point_on_line`.
+//! joints, so it also applies to loops written as free equations of the user, to carried or held coordinates, and to
+//! `distance` and `point_on_line`.
 //!
 //! If there are more rows than coordinates, the plan uses a subset of rows that determines all coordinates (see
 //! `choice`) and checks the redundant rows: each has a margin that says whether the solution satisfies it (see
 //! `redundant_rows`).
 //!
-//! Velocities, accelerations and any other solution of Φ_q x = b follow the same tree (see `rates`).
+//! Velocities, accelerations and any other solution of Φ_q x = b follow the same tree (see `rates`); this is the
+//! *linear level* of the plan.
 
 mod angles;
 mod choice;
@@ -66,8 +67,8 @@ pub struct SolutionPlan {
     pub steps: Vec<Step>,
     /// The assembly modes.
     pub modes: Vec<Mode>,
-    /// The groups that are solved by iteration. Neighbouring solutions of such a group differ in the sign of the
-    /// determinant of its small system.
+    /// The groups that are solved by iteration. Near a singular configuration, in which two solutions of a group
+    /// coincide, these differ in the sign of the Jacobian determinant of the group.
     pub orientations: Vec<Mode>,
     /// Number of margins of a solution.
     pub margins: usize,
@@ -80,7 +81,8 @@ pub struct SolutionPlan {
     /// The branch values of a configuration: one entry per mode, whose sign is the mode, then one per iteration, whose
     /// sign is its orientation.
     pub branch_values: Program,
-    /// By what angle the gradients of iterated rows turn with every coordinate, n numbers; empty where they are all 0.
+    /// For each of the n coordinates, the angle by which the gradients of iterated rows turn per unit of the
+    /// coordinate; empty if all are 0.
     pub turns: Program,
     /// Whether rows with curves are iterated on.
     pub iterates_on_curves: bool,
@@ -90,7 +92,7 @@ pub struct SolutionPlan {
     /// Number of values that the first program of `resolve` stores: those that the second reads, followed by
     /// `regular`.
     pub factors: usize,
-    /// The range of those values that are 0 where Φ_q is singular, so that Φ_q x = b does not determine x.
+    /// The range of the values that show where Φ_q is singular: where one of them is 0, Φ_q x = b does not determine x.
     pub regular: Range<usize>,
     /// The steps as formulas, if they were requested.
     pub formulas: Vec<Formulas>,

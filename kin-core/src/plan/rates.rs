@@ -1,6 +1,6 @@
 //! Solves Φ_q x = b along the tree of a plan: velocities, accelerations and any other system with the matrix Φ_q.
 //!
-//! The eliminations are those of the position level, differentiated. A pivot eliminates its coordinate from the other
+//! The eliminations are the derivatives of those at position level. A pivot eliminates its coordinate from the other
 //! rows. A pair of rows (p x_k + …) and (q x_k + …) is combined into q times the first minus p times the second, in
 //! which x_k is missing; back substitution then gives x_k = (p b₁ + q b₂)/(p² + q²). Cores are small dense systems.
 //! Expressions that depend on Φ_q alone are the same for every b, so all levels share them.
@@ -14,10 +14,10 @@ use crate::hash::FastMap;
 use crate::vocabulary::Function;
 use std::collections::BTreeMap;
 
-/// ½ and a little more: after rounding, a/max(a, b) still does not exceed 1.
+/// Slightly more than ½, so that a/max(a, b) does not exceed 1 after rounding.
 const HALF_ROUNDED_UP: f64 = 0.5 + 4.0 * f64::EPSILON;
 
-/// Depth to which the terms of a divisor are taken into account.
+/// Depth to which the terms of a divisor are examined.
 const DEPTH: usize = 8;
 
 /// A linear system that is solved along a tree.
@@ -33,10 +33,10 @@ pub(super) struct Rates<'g> {
     pub(super) margins: BTreeMap<usize, ExprId>,
     /// The branch values of cores, by first row; see [`dense::Solved::orientation`].
     pub(super) orientations: BTreeMap<usize, ExprId>,
-    /// For every division by an expression that varies, a value that is 0 where the divisor is 0: its square divided
-    /// by the squared size of its terms.
+    /// For every division by an expression that varies, a value that is 0 where the divisor is 0: the square of the
+    /// divisor divided by the squared size of its terms, or the margin of a core.
     pub(super) regular: Vec<ExprId>,
-    /// The values of expressions of the tree; an expression that is missing stands for itself.
+    /// The values of expressions of the tree; an expression that is missing has itself as its value.
     known: FastMap<ExprId, ExprId>,
 }
 
@@ -85,7 +85,7 @@ impl<'g> Rates<'g> {
         for pivot in block.pivots.iter().rev() {
             let Some(coefficient) = self.entries[pivot.row].remove(&pivot.coordinate) else { continue };
             self.fold(pivot.row);
-            // Dividing by way of the inverse lets every b share it.
+            // The inverse is one value that the solutions for all right-hand sides b share.
             let one = self.graph.number(1.0);
             let inverse = self.graph.div(one, coefficient);
             let inverse = self.graph.whole(inverse);
@@ -95,7 +95,7 @@ impl<'g> Rates<'g> {
         }
     }
 
-    /// Moves the terms of known unknowns to the right-hand side.
+    /// Moves the terms of unknowns that are already solved to the right-hand side.
     fn fold(&mut self, row: usize) {
         let (mut right, graph) = (self.right[row], &mut *self.graph);
         self.entries[row].retain(|&k, entry| match self.solution[k as usize] {
@@ -109,7 +109,7 @@ impl<'g> Rates<'g> {
         self.right[row] = right;
     }
 
-    /// Subtracts `factor` times the row `other` from `row`, leaving out the column `but`.
+    /// Subtracts `factor` times the row `other` from `row` in all columns except `but`.
     fn subtract(&mut self, row: usize, factor: ExprId, other: usize, but: u32) {
         let zero = self.graph.zero();
         for (k, entry) in self.entries[other].clone() {
@@ -145,7 +145,7 @@ impl<'g> Rates<'g> {
         if let (Some(mut margin), Some(&row)) = (margin, core.rows.first()) {
             self.regular.push(margin);
             if let (true, Some(orientation)) = (iterates, orientation) {
-                // The margin of `dense` is relative to the rows as they stand, so it does not show when a whole row
+                // The margin of `dense` is relative to the current rows, so it does not show where a whole row
                 // vanishes.
                 let share = self.row_regularity(&matrix);
                 let root = self.graph.call(Function::Sqrt, share);
@@ -169,7 +169,7 @@ impl<'g> Rates<'g> {
         }
     }
 
-    /// The maximum of two non-negative numbers plus a tiny positive number, without a branch.
+    /// The maximum of two non-negative numbers plus a tiny positive number, without a conditional.
     fn maximum(&mut self, a: ExprId, b: ExprId) -> ExprId {
         let graph = &mut *self.graph;
         let (difference, half, least) = (graph.sub(a, b), graph.number(HALF_ROUNDED_UP), graph.number(LEAST));
@@ -179,8 +179,8 @@ impl<'g> Rates<'g> {
         graph.add(larger, least)
     }
 
-    /// How much of its rows has not cancelled: the product over the rows of the mean of (entry² / squared size of the
-    /// entry's terms). It is dimensionless, and 0 where a row vanishes.
+    /// A dimensionless measure of the cancellation in the rows of a matrix, 0 where a row vanishes: the product over
+    /// the rows of the mean of (entry² / squared size of the entry's terms).
     fn row_regularity(&mut self, matrix: &[Vec<ExprId>]) -> ExprId {
         let mut product = self.graph.number(1.0);
         for row in matrix {

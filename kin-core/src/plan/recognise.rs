@@ -32,7 +32,7 @@ fn coefficient(reader: &mut Reader<'_>, form: &Form, key: &Key) -> [ExprId; 2] {
     form.terms.get(key).copied().unwrap_or([zero; 2])
 }
 
-/// True if a form contains no keys but these.
+/// True if a form contains no other keys than `keys`.
 fn only(form: &Form, keys: &[Key]) -> bool {
     form.terms.keys().all(|key| keys.contains(key))
 }

@@ -3,17 +3,19 @@
 //! Three eliminations that are exact in every configuration are applied in this order, as long as one applies:
 //!
 //! - *pivot*: a coordinate that is linear in a row with a constant coefficient (origins of pinned bodies, angles of
-//!   sliders and gears). Its row gives it, and it is eliminated from all other rows.
-//! - *ratio*: an unknown x that is linear in two rows, f₁x + f₀ and g₁x + g₀, and appears in no other. The row
-//!   f₁g₀ − g₁f₀ = 0 does not contain it, and x = −(f₁f₀ + g₁g₀)/(f₁² + g₁²) (the stroke along a turning guide).
-//! - *norm*: an angle θ that turns a known vector s in two rows, F + A(θ)s = 0, and appears in no other. The row
-//!   |F|² = |s|² does not contain it, and A(θ)s = −F determines it uniquely (a link between two pins is a distance).
-//!   If the angle occurs in several loops, it is first removed from all but one of them (see `angles`).
+//!   sliders and gears). The row determines the coordinate, which is eliminated from all other rows.
+//! - *ratio*: an unknown x that is linear in two rows, f₁x + f₀ = 0 and g₁x + g₀ = 0, and appears in no other row. The
+//!   combination f₁g₀ − g₁f₀ = 0 does not contain x, and x = −(f₁f₀ + g₁g₀)/(f₁² + g₁²) (the stroke along a turning
+//!   guide).
+//! - *norm*: an angle θ that rotates a known vector s in two rows, F + A(θ)s = 0, and appears in no other row. The
+//!   combination |F|² = |s|² does not contain θ, and A(θ)s = −F determines θ uniquely (a link between two pins
+//!   prescribes their distance). If the angle occurs in several loops, it is first removed from all but one of them
+//!   (see `angles`).
 //!
 //! After each elimination the remaining rows are again split into blocks. A block of one row in one angle,
-//! a cos φ + b sin φ = c, has two solutions, which a sign distinguishes; so have a quadratic equation and the
-//! intersection of a circle with a line or a circle. What is left is solved by Newton's iteration on the remaining
-//! unknowns.
+//! a cos φ + b sin φ = c, has two solutions, which are distinguished by a sign; so does a quadratic equation or the
+//! intersection of a circle with a line or a circle. A block that has no such closed form is solved by Newton's
+//! iteration on its unknowns.
 
 use super::form::{Form, Key, Reader, ReaderCache};
 use super::matching::blocks;
@@ -31,8 +33,8 @@ pub(super) struct Reduction<'a> {
     pub(super) rows: Vec<ExprId>,
     /// For each row, the original rows that it has been combined from.
     pub(super) source_rows: Vec<BTreeSet<usize>>,
-    /// Rows that have been replaced by the combined row of a pair; they are no longer on the scale of their rows of
-    /// Φ_q.
+    /// Rows that have been replaced by the combined row of a pair. The combined row of Φ_q (see `rates`) is the
+    /// derivative of such a row only up to a factor.
     pub(super) replaced: BTreeSet<usize>,
     /// Cache of the substitution in progress: the rewritten form of each expression.
     pub(super) rewritten: IdMap<ExprId>,
@@ -40,15 +42,15 @@ pub(super) struct Reduction<'a> {
     pub(super) paired: Vec<PairedRows>,
 }
 
-/// Two rows, one of them redundant, that turn the same known vector. Together they give the angle uniquely; they are
-/// consistent if both give the vector the same length.
+/// Two rows F + A(θ)s = 0, one of them redundant, in which θ rotates the same known vector s. Together they determine θ
+/// uniquely; they are consistent if |F| = |s|.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct PairedRows {
     /// The kept row and the redundant one.
     pub(super) rows: [usize; 2],
-    /// Half the difference of the squared lengths of the vector according to the two rows.
+    /// The difference (|F|² − |s|²)/2.
     pub(super) difference: ExprId,
-    /// The squared length of the vector.
+    /// The squared length |s|².
     pub(super) square: ExprId,
 }
 
@@ -76,7 +78,7 @@ impl Substitution for Replaced {
 
 impl Reduction<'_> {
     /// Reduces `rows` over `unknowns`; `None` if the rows do not determine them. `removable` lists redundant rows that
-    /// may help; the coordinates of other blocks in them are known.
+    /// may be used in addition; the coordinates of other blocks count as known in them.
     pub(super) fn block(&mut self, rows: &[usize], unknowns: &BTreeSet<u32>, removable: &[usize]) -> Option<Block> {
         let (mut rows, mut unknowns) = (rows.to_vec(), unknowns.clone());
         let mut out = Block::default();
@@ -89,7 +91,7 @@ impl Reduction<'_> {
             unknowns.remove(&coordinate);
             self.rewritten.clear();
             for &other in rows.iter().chain(removable) {
-                // A coordinate that cancels out of a row has already been removed from its expression.
+                // A coordinate that cancels out of a row has already been removed from the expression of the row.
                 let holds = match forms.get(&other) {
                     Some(form) => self.has(form, coordinate),
                     None => !self.written(other, &BTreeSet::from([coordinate])).is_empty(),
@@ -161,7 +163,8 @@ impl Reduction<'_> {
         }
         let replaced = pair_rows.iter().any(|row| self.replaced.contains(row));
         let value = match value {
-            // A replaced row has another scale than its row of Φ_q, so `square` cannot be reused for the rates.
+            // The combined row of Φ_q is the derivative of a replaced row only up to a factor, so that `square` cannot
+            // be reused for the rates.
             PairValue::Angle { turn, cos, sin, size, vectors, .. } if replaced => {
                 PairValue::Angle { turn, cos, sin, size, square: None, vectors }
             }
@@ -223,8 +226,8 @@ impl Reduction<'_> {
         self.unknowns(&Form { rest: Some(self.rows[row]), ..Form::default() }, unknowns)
     }
 
-    /// Combines a single row in one angle with a redundant row that turns the same vector. The two rows always
-    /// determine the angle, and no sign has to be chosen.
+    /// Combines a single row in one angle with a redundant row in which the angle rotates the same vector. The two rows
+    /// always determine the angle, and no sign has to be chosen.
     fn paired(&mut self, rows: &[usize], removable: usize, unknowns: &BTreeSet<u32>) -> Option<Pair> {
         let &[first] = rows else { return None };
         let rows = [first, removable];
@@ -238,7 +241,8 @@ impl Reduction<'_> {
         Some(Pair { rows, coordinate, value, exchanges, inner: Block::default() })
     }
 
-    /// True for a sum or difference, which may be 0 although none of its terms is, as r₁ − r₂ of equal pulleys.
+    /// True if a factor is a sum or difference, which may be 0 although none of its terms is (r₁ − r₂ for equal
+    /// pulleys).
     fn is_sum(&self, id: ExprId) -> bool {
         match self.graph.node(id) {
             Node::Neg(a) | Node::Opaque(a) => self.is_sum(a),
@@ -248,9 +252,9 @@ impl Reduction<'_> {
         }
     }
 
-    /// The next pivot: a coefficient of ±1 is preferred to other numbers, these to parameters and products of
-    /// parameters, and these to sums, which may be 0; among equal ones the row with the fewest unknowns, which keeps the
-    /// loops short.
+    /// The next pivot: a coefficient of ±1 is preferred to other numbers, numbers to parameters and products of
+    /// parameters, and these to sums, which may be 0; among coefficients of the same rank the row with the fewest
+    /// unknowns is taken, which keeps the loops short.
     fn pivot(
         &mut self,
         rows: &[usize],
@@ -284,7 +288,7 @@ impl Reduction<'_> {
         best.map(|(_, _, row, coordinate)| (row, coordinate))
     }
 
-    /// The coordinate from a row in which it is linear.
+    /// The value of a coordinate from a row in which it is linear.
     fn solved_for(&mut self, form: &Form, coordinate: u32) -> ExprId {
         let key = Key::power(coordinate, 1);
         let coefficient = form.terms[&key][0];

@@ -20,15 +20,15 @@ use crate::expr::{ExprId, Symbol};
 use crate::program::Slot;
 use crate::vocabulary::Function;
 
-/// Residuals ρ below this count as satisfied.
+/// A row whose residual ρ is less than this counts as satisfied.
 pub const TOLERANCE: f64 = 3e-11;
 
 /// Rounding error of a solution far from limits. It grows by a factor 1/√margin near a limit, and by another for each
 /// derivative.
 const ROUNDING: f64 = 1e-13;
 
-/// Added to denominators, so that 0/0 becomes 0. Rows that are satisfied exactly are the rule here, in f32 as well, so that it
-/// must be more than 0 there.
+/// Added to denominators, so that 0/0 becomes 0. Rows are often satisfied exactly, so that this number must be greater
+/// than 0 in f32 as well.
 const LEAST: f64 = f32::MIN_POSITIVE as f64;
 
 impl Build<'_> {
@@ -54,8 +54,8 @@ impl Build<'_> {
             let rows = redundant.paired.map_or(vec![redundant.row], |paired| paired.rows.to_vec());
             redundant.sizes = rows.iter().map(|&row| self.size(row, &sizes.weights)).collect();
             let (miss, size) = match redundant.paired {
-                // The angle is the one that fits both rows best, so only the lengths that they see tell whether they
-                // are consistent.
+                // The angle already minimises the residuals of both rows, so that only the lengths |F| and |s| show
+                // whether the rows are consistent.
                 Some(PairedRows { difference, square, .. }) => {
                     let [difference, square] = [difference, square].map(|e| self.known_value(e));
                     (difference, self.graph.square(square))
@@ -102,7 +102,7 @@ impl Build<'_> {
                     let term = self.graph.mul(entry, solution[k as usize]);
                     rest = self.graph.add(rest, term);
                 }
-                // Where Φₜ is a small difference of large terms (a drive that reverses), its rounding error is that of
+                // Where Φₜ is a small difference of large terms (a driver that reverses), its rounding error is that of
                 // the terms.
                 let (terms, share) =
                     (sum_of_squared_terms(&mut self.graph, right[row], 6), self.graph.number(TERM_WEIGHT));
@@ -163,8 +163,8 @@ impl Build<'_> {
         Sizes { weights, nearness, velocity: one }
     }
 
-    /// The square of the length taken from rows that contain both lengths and angles; if there are none, the sum of
-    /// all squared lengths.
+    /// The square of a length taken from the rows that contain both lengths and angles; if there are no such rows, the
+    /// sum of the squares of all coordinates that are lengths.
     fn squared_length(&mut self) -> ExprId {
         let coordinates = &self.system.set.coordinates;
         let mut sums = [self.graph.zero(); 2];

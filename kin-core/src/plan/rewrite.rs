@@ -11,7 +11,7 @@ pub(crate) trait Substitution {
     fn whole(&mut self, _graph: &mut Graph, _id: ExprId) -> Option<ExprId> {
         None
     }
-    /// The rotation that replaces the cosine and sine of `angle`; `known` has the rewritten operands of the angle.
+    /// The rotation that replaces the cosine and sine of `angle`; `known` contains the rewritten operands of the angle.
     fn turn(&mut self, _graph: &mut Graph, _known: &IdMap<ExprId>, _angle: ExprId) -> Option<Turned> {
         None
     }

@@ -1,5 +1,5 @@
-//! Turns stages into programs. A value that a later stage shares with an earlier one is computed once and stored
-//! ("held").
+//! Turns stages into programs. A value that a later stage shares with an earlier one is computed once and stored; it is
+//! *held*.
 
 use super::rewrite::{Substitution, rewrite};
 use super::state::Stage;
@@ -17,7 +17,7 @@ pub enum Section {
         unknowns: Vec<u32>,
         /// The program for the corrections that are subtracted from the current values of the unknowns.
         correction: Program,
-        /// The index of the held value that says whether the iteration has converged: 1 or 0.
+        /// The index of the held value that is 1 if the iteration has converged and 0 otherwise.
         converged: u32,
     },
 }
@@ -36,7 +36,7 @@ struct Places {
     /// The section that computes an expression.
     owner: IdMap<usize>,
     held: IdMap<u32>,
-    /// (section, index, expression) of everything that is held.
+    /// (section, index, expression) of every held value.
     wanted: Vec<(usize, u32, ExprId)>,
     next: u32,
 }
@@ -61,7 +61,7 @@ impl Places {
 struct HeldValues<'p> {
     places: &'p mut Places,
     section: usize,
-    /// Whether symbols are held, too, because later sections do not have the inputs they stand for.
+    /// Whether symbols are held, too, because later sections cannot read what they stand for.
     symbols: bool,
 }
 

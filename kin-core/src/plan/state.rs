@@ -13,12 +13,12 @@ pub(super) enum Stage {
     /// The outputs: each slot with the expression that is stored there.
     Closed(Vec<(Slot, ExprId)>),
     /// Newton's iteration: the unknowns; for each the correction that is subtracted from its current value; the index
-    /// of the held value that says whether the iteration has converged.
+    /// of the held value that is 1 if the iteration has converged and 0 otherwise.
     Newton { unknowns: Vec<u32>, corrections: Vec<ExprId>, converged: u32 },
 }
 
 /// A divisor of a step: the step, its rows, the unknown that is found, the square of the divisor, and the expressions
-/// that the divisor is made of.
+/// from which the divisor is formed.
 pub(super) struct Divisor {
     pub(super) step: StepId,
     pub(super) rows: Vec<usize>,
@@ -27,7 +27,7 @@ pub(super) struct Divisor {
     pub(super) parts: Vec<ExprId>,
 }
 
-/// A redundant row, which the solution is checked against.
+/// A redundant row, with which the solution is checked.
 pub(super) struct RedundantRow {
     pub(super) row: usize,
     /// The kept row that gives an angle together with this row, if there is one.
@@ -44,7 +44,7 @@ pub(super) struct RedundantRow {
 pub(super) struct Sizes {
     /// The weights wₖ.
     pub(super) weights: Vec<ExprId>,
-    /// Σ 1/|margin| over the margins of all steps, which estimates the inverse squared distance from the nearest
+    /// 1 + Σ 1/|margin| over the margins of all steps, which estimates the inverse squared distance from the nearest
     /// limit.
     pub(super) nearness: ExprId,
     /// V², the squared size of the velocity.
@@ -59,10 +59,10 @@ pub(super) struct Build<'a> {
     pub(super) stages: Vec<Stage>,
     /// The steps with their modes and margins.
     pub(super) listed: StepList,
-    /// Number of values that say whether an iteration has converged.
+    /// Number of iterations; for each, one held value shows whether it has converged.
     pub(super) iterations: u32,
     /// For every iteration whose margin is still to be written: its first row, the index of its margin, and the index
-    /// of the value that says whether it has converged.
+    /// of the held value that shows whether it has converged.
     pub(super) pending: Vec<(usize, usize, u32)>,
     /// For every iteration: its first row, its step and the index of its margin.
     pub(super) iterated: Vec<(usize, StepId, usize)>,
@@ -99,7 +99,7 @@ impl<'a> Build<'a> {
         }
     }
 
-    /// Rewrites an expression of the description in terms of the known coordinates.
+    /// Rewrites an expression of the system in terms of the known coordinates.
     pub(super) fn known_value(&mut self, id: ExprId) -> ExprId {
         self.known.value(&mut self.graph, id)
     }

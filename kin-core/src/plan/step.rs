@@ -34,13 +34,13 @@ pub struct Step {
     pub modes: core::ops::Range<usize>,
     /// The margins of the step, as indices of the margins of a solution.
     pub margins: core::ops::Range<usize>,
-    /// In which position the step is singular.
+    /// The configuration in which the step is singular, in words.
     pub singular: String,
     /// The rows of Φ that the step uses.
     pub rows: BTreeSet<usize>,
     /// The bodies of the group, needed only until the group is named.
     pub(super) bodies: BTreeSet<usize>,
-    /// The dyad letters of its closed form, from the equations alone.
+    /// The dyad letters of the closed form of the step, from the equations alone.
     pub(super) closed_as: Option<&'static str>,
 }
 

@@ -106,8 +106,8 @@ impl StepList {
         self.steps.push(Step { closed_as: letters_of_method(&core.method), ..step });
     }
 
-    /// Adds a coordinate that `row` gives once the rest of its group is known: to the step that uses the row, or to a
-    /// new explicit step.
+    /// Adds a coordinate that `row` gives once the rest of its group is known. It is added to the step that uses the
+    /// row, to the preceding explicit step of the same joint, or to a new explicit step.
     fn attach(&mut self, system: &KinematicSystem, row: usize, coordinate: u32) {
         let joint = system.set.rows[row].joint;
         if let Some(place) = self.steps.iter().rposition(|step| step.rows.contains(&row)) {
@@ -141,7 +141,7 @@ impl StepList {
         self.of_margins.len() - 1
     }
 
-    /// The entry for a group that is solved by iteration; `margin` is the provisional index of its margin.
+    /// The [`Mode`] that describes a group solved by iteration; `margin` is the provisional index of its margin.
     pub(super) fn iteration(&self, system: &KinematicSystem, step: StepId, margin: usize) -> Mode {
         let name = self.joined(system, step);
         Mode { name, step, margin: self.places.get(margin).copied().unwrap_or(margin) }

@@ -63,9 +63,9 @@ pub(super) struct Exchange {
 #[derive(Clone, Debug)]
 pub(super) enum PairValue {
     /// The cosine and sine of `turn`, a sum of integer multiples of angles that includes the unknown, both multiplied
-    /// by `size`. If both rows turn the same vector, `size` is its squared length; `square` is the same where it is
-    /// also the squared norm of the unknown's two entries of Φ_q. If the rows turn different vectors, `size` is the
-    /// square of their cross product, and `vectors` holds their squared lengths.
+    /// by `size`. If both rows rotate the same vector, `size` is its squared length; `square` is the same expression if
+    /// it is also the sum of the squares of the two entries of Φ_q for the unknown. If the rows rotate different
+    /// vectors, `size` is the square of their cross product, and `vectors` holds their squared lengths.
     Angle {
         turn: Vec<(u32, i32)>,
         cos: ExprId,
@@ -81,7 +81,7 @@ pub(super) enum PairValue {
 /// A part that is solved at once.
 #[derive(Clone, Debug)]
 pub(super) struct Core {
-    /// The rows, as they stand after all eliminations.
+    /// The rows; their expressions are those after all eliminations.
     pub(super) rows: Vec<usize>,
     /// The coordinates that the part gives.
     pub(super) coordinates: Vec<u32>,

@@ -1,19 +1,20 @@
-//! How far the rows of a group turn when one of its unknowns changes.
+//! How fast the gradients of the rows of a group turn as one of its unknowns changes.
 //!
 //! The steps of a motion are limited by the angle that bodies turn. Where a plan iterates on lengths or on scalar
-//! coordinates, bodies may move far without turning, and on a curve with waves the direction of contact turns faster than
-//! they do. The factor w of such unknowns converts their change to radians:
+//! coordinates, bodies may move far without turning, and on a wavy curve the direction of contact turns faster than the
+//! bodies. The factor w of such an unknown converts its change to radians:
 //!
 //! ```text
 //! w² = Σᵢ 1/ρᵢ²,   ρᵢ² = Σ_u Dᵢᵤ/Nᵢᵤ
 //! Dᵢᵤ = Σⱼ (∂fᵢ/∂xⱼ)²,   Nᵢᵤ = Σₖ Σⱼ (∂²fᵢ/∂xₖ∂xⱼ)²
 //! ```
 //!
-//! Here fᵢ are the residuals of the iteration, k counts the unknowns that w belongs to (all lengths, or one
-//! scalar), and j those unknowns of one kind u (lengths, angles, or one scalar), so that ρ has the unit of xₖ whatever
-//! the other units are. The gradient of fᵢ turns by about 1/ρᵢ per unit of xₖ. For a cylinder from a fixed pin ρ is of
-//! the order of its length; for a single unknown 1/ρ is |f″/f′|, so that steps become shorter towards a limit. A row
-//! that depends linearly on xₖ and on some unknowns of another kind does not count.
+//! Here fᵢ are the residuals of the iteration, k counts the unknowns of the kind for which w is computed, j those of a
+//! kind u (kinds are lengths, angles, and every scalar by itself), so that ρ has the unit of xₖ whatever the other
+//! units are. The gradient of fᵢ turns by about 1/ρᵢ per unit of xₖ. For a cylinder from a fixed pin ρ is of the order
+//! of its length; for a single unknown 1/ρ is |f″/f′|, so that steps become shorter towards a limit. The sum over u
+//! comprises the kinds that occur in fᵢ; if Nᵢᵤ is identically 0 for one of them, ρᵢ is infinite and the row does not
+//! count.
 
 use super::closures::LEAST;
 use super::tree::{Block, Core, Part, SolutionMethod};
@@ -23,7 +24,7 @@ use crate::mechanism::Component;
 use crate::vocabulary::Function;
 use std::collections::BTreeMap;
 
-/// Unknowns of the same unit; scalars have an unknown unit each.
+/// Kinds of unknowns by their unit; the unit of a scalar is not known, so every scalar is a kind by itself.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Unit {
     Length,
@@ -102,8 +103,8 @@ fn of_core(graph: &mut Graph, core: &Core, coordinates: &[Coordinate], found: &m
     }
 }
 
-/// True if a residual depends on coordinates by more than products of lengths and rotated vectors, whose gradients turn no
-/// faster than bodies do.
+/// True if a residual depends on coordinates in another way than by products of lengths and rotated vectors, whose
+/// gradients turn no faster than the bodies.
 fn has_curves(graph: &Graph, residuals: &[ExprId]) -> bool {
     let varies = |id: ExprId| graph.depends(id).on(Depends::COORDINATE);
     graph.reachable(residuals.iter().copied()).into_iter().any(|id| match graph.node(id) {

@@ -17,7 +17,7 @@ pub(crate) struct ZeroTest {
 }
 
 impl ZeroTest {
-    /// A zero_test for expressions over the given number of coordinates.
+    /// A test for expressions over the given number of coordinates.
     pub(crate) fn new(coordinates: usize) -> Self {
         let draw = Draw(0x6b69_6e00_706c_616e);
         Self { turns: Turns::free(coordinates, draw), draw, known: IdMap::default() }

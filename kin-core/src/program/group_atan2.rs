@@ -1,6 +1,6 @@
 //! Groups independent atan2 instructions, because several of them evaluated together cost little more than one.
 //!
-//! This applies to straight-line code only; in a program with loops it would break up the repetition.
+//! This applies to straight-line code only; in a program from which loops are formed it would destroy the repetition.
 
 use super::{Instruction, Program, Value};
 

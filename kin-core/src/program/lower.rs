@@ -195,7 +195,8 @@ impl Lowering<'_> {
         (sin, cos)
     }
 
-    /// A component of A(φ)s. A literal zero component of s costs nothing, and a literal ±1 costs no multiplication.
+    /// A component of A(φ)s. A component of s that is literally 0 needs no operation, and one that is literally ±1 no
+    /// multiplication.
     ///
     /// To compute −ρ only the first non-zero component of s is negated: its term comes first, and the other term is
     /// added or subtracted.
@@ -259,7 +260,7 @@ impl Lowering<'_> {
         }
     }
 
-    /// Small integer powers by repeated squaring, which is cheaper than a function call.
+    /// An integer power: by repeated squaring up to the exponent ±32, which is cheaper than a function call.
     fn power(&mut self, a: ExprId, n: i32) -> Signed {
         let Signed { value, negative } = self.signed(a);
         let negative = negative && n % 2 != 0;
@@ -294,9 +295,9 @@ impl Program {
     }
 }
 
-/// Drops unused instructions and orders the rest. The angles come first, grouped by the number of nested sines and
-/// cosines they depend on, so that the sines and cosines of a group are adjacent; every other instruction follows in
-/// its original order.
+/// Drops unused instructions and orders the rest. The instructions that compute angles come first, grouped by the
+/// number of nested sines and cosines on which the angles depend, so that the sines and cosines of a group are
+/// adjacent; every other instruction follows in its original order.
 fn schedule(program: Program) -> Program {
     let Program { instructions, outputs } = program;
     let is_pair = |place: usize| matches!(instructions[place], Instruction::SinCos(_));

@@ -34,7 +34,7 @@ impl Value {
 pub enum Instruction {
     /// A literal.
     Number(Bits),
-    /// An input of the program.
+    /// The value of a symbol.
     Load(Symbol),
     /// −a.
     Neg(Value),
@@ -46,7 +46,7 @@ pub enum Instruction {
     Mul(Value, Value),
     /// a / b.
     Div(Value, Value),
-    /// The sine and cosine of an angle, taken together.
+    /// The sine and cosine of an angle, computed together.
     SinCos(Value),
     /// The sine of a pair.
     SinOf(Value),
@@ -64,7 +64,7 @@ pub enum Instruction {
     Powi(Value, i32),
     /// a to a real constant power.
     Powf(Value, Bits),
-    /// A supplied function with its first two derivatives, taken together.
+    /// A supplied function with its first two derivatives, computed together.
     Supplied(u32, Value),
     /// The value (0), first (1) or second (2) derivative of a supplied function.
     SuppliedOf(Value, u8),
@@ -167,11 +167,11 @@ slots! {
     Gamma "γ",
     /// An entry of a plain list (geometry, guesses).
     Entry "",
-    /// An entry of q of a solution.
+    /// An entry of q in a solution.
     Position "q",
-    /// An entry of q̇ of a solution.
+    /// An entry of q̇ in a solution.
     Velocity "q_dot",
-    /// An entry of q̈ of a solution.
+    /// An entry of q̈ in a solution.
     Acceleration "q_ddot",
     /// A margin of a solution.
     Margin "margin",

@@ -1,8 +1,8 @@
 //! Reorders the terms of sums so that terms that depend on the result of a function are added last.
 //!
-//! A row of a joint is the difference of two points, (r + A s) − (r′ + A′ s′). In this order all but two operations
-//! depend on sines and cosines; in (r − r′) + A s − A′ s′ the difference of the origins does not. The rows of a joint
-//! then become chains of the same form, which a compiler vectorises.
+//! A row of a joint is the difference of two points, (r + A s) − (r′ + A′ s′). In this order all additions depend on
+//! sines and cosines; in (r − r′) + A s − A′ s′ the difference of the origins does not. The rows of a joint then become
+//! chains of the same form, which a compiler vectorises.
 
 use super::value_numbering::ValueNumbering;
 use super::{Instruction, Program, Value};

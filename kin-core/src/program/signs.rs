@@ -1,9 +1,9 @@
 //! Chooses which vectors and differences to compute with the opposite sign, so that few explicit negations are needed.
 //!
-//! During lowering every value carries a sign at no cost; a negation is emitted only if an output needs the opposite
-//! of the computed value. A rotated body vector can be computed negated for free if its components contain a literal
-//! factor (−l/2 costs no more than l/2), a difference by swapping its operands. Each output votes for the signs of the
-//! vectors and differences that determine its own sign.
+//! During lowering every value carries a sign at no cost; a negation is emitted only if an output needs the opposite of
+//! the computed value. A rotated body vector can be negated at no cost if its leading component is a literal or has a
+//! literal factor (−l/2 costs no more than l/2), a difference by swapping its operands. For every vector and
+//! difference, the outputs whose sign it determines are counted as votes for one of the two signs.
 
 use crate::expr::{ExprId, Graph, IdMap, Node, Rotation};
 use crate::hash::FastMap;
@@ -36,7 +36,7 @@ pub(super) fn choose(graph: &Graph, outputs: impl Iterator<Item = ExprId>) -> Si
     signs
 }
 
-/// True if −id costs no more than id.
+/// True if the negative of `id` costs no more than `id`.
 pub(super) fn is_free(graph: &Graph, id: ExprId) -> bool {
     match graph.node(id) {
         Node::Number(_) | Node::Neg(_) => true,

@@ -6,7 +6,7 @@ use super::shown::{Row, Shown, symbol};
 use super::steps::bracketed;
 use crate::notation::{Formula, Notation};
 
-/// Largest numbers of coordinates and of rows of a mechanism whose matrices are written beside its joints.
+/// Maximum numbers of coordinates and of rows of a mechanism whose matrices are written in addition to its joints.
 const MOST: usize = 24;
 /// Width, in columns of plain text, of an entry of Φ_q and of an entry of a column vector.
 const ENTRY: [usize; 2] = [24, 72];
@@ -24,8 +24,8 @@ pub(super) struct Assembled {
 }
 
 impl Sheet {
-    /// The matrices of the whole mechanism; none if joints are left out, or if they are written beside the joints and would be
-    /// too large to be read.
+    /// The matrices of the whole mechanism. `None` if only the joints are to be written, or if the matrices are written
+    /// in addition to the joints and would be too large to be read.
     pub(super) fn assembled(&self, notation: Notation) -> Option<Assembled> {
         let rows: Vec<&Row> = self.joints.iter().flat_map(|joint| &joint.rows).collect();
         let wanted = match self.rows {
@@ -76,7 +76,7 @@ impl Assembled {
         std::iter::once(q).chain(self.matrices.into_iter().map(matrix)).chain(self.long).collect()
     }
 
-    /// As text: every matrix with the names of its rows beside it, and Φ_q with the names of its columns above it.
+    /// The matrices as text, each with the names of its rows beside it, and Φ_q with the names of its columns above it.
     pub(super) fn text(&self) -> String {
         let mut out = String::new();
         for (name, rows) in &self.matrices {
@@ -88,7 +88,7 @@ impl Assembled {
     }
 }
 
-/// The name for a long entry. It differs from all names of a mechanism.
+/// The name for a long entry, which cannot be a name of the mechanism.
 fn numbered(number: usize, notation: Notation) -> String {
     match notation {
         Notation::Unicode => format!("⟨{number}⟩"),

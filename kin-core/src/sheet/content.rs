@@ -10,7 +10,7 @@ use crate::vectors::{Equation, NamedJoint};
 pub struct Sheet {
     /// The mechanism's name.
     pub name: String,
-    /// First paragraph of its documentation.
+    /// The first paragraph of the mechanism's documentation.
     pub doc: String,
     /// The coordinates in q.
     pub coordinates: Vec<String>,
@@ -45,7 +45,7 @@ impl Sheet {
     }
 }
 
-/// M and Q by the names of their coordinates.
+/// The mass matrix M and the generalized forces Q, with the names of their coordinates.
 #[derive(Clone, Debug, Default)]
 pub struct Dynamics {
     /// Entries of the symmetric M that are not 0, each once.
@@ -55,7 +55,7 @@ pub struct Dynamics {
 }
 
 impl Dynamics {
-    /// From the names of the coordinates, and texts as the graph prints them.
+    /// M and Q from the names of the coordinates and from the texts that the graph prints.
     pub fn new<'t>(
         coordinates: &[String],
         mass: impl IntoIterator<Item = (usize, usize, &'t str)>,
@@ -88,7 +88,7 @@ pub struct Joint {
 }
 
 impl Joint {
-    /// A joint without rows yet.
+    /// A joint whose rows are still to be added.
     pub fn new(joint: &NamedJoint<'_>) -> Self {
         let keyword = joint.kind.keyword();
         let frames: Vec<&str> = joint.frames.iter().flatten().map(|body| body.unwrap_or("ground")).collect();

@@ -1,7 +1,7 @@
 //! A sheet as documentation of the mechanism's struct: HTML inside Markdown, without network access.
 //!
-//! A block of HTML ends at a blank line, so there is none. Of large mechanisms the equations of some joints are written
-//! out and the rest are named; derivatives are folded.
+//! A block of HTML ends at a blank line, so that no blank lines are written. For large mechanisms the equations of the
+//! first joints are written out and the other joints only named; derivatives are folded.
 
 use super::content::{Joint, Sheet};
 use super::html::{STYLE, WIDTH, html_step, math, own_equations, table};
@@ -10,7 +10,7 @@ use super::shown::symbol;
 use crate::notation::Notation::MathMl;
 use crate::notation::escaped;
 
-/// Size in bytes after which joints are only named. A four-bar takes a tenth of it.
+/// Size in bytes beyond which joints are only named. A four-bar needs a tenth of this size.
 const LONG: usize = 200_000;
 
 /// Largest number of coordinates that are listed.
@@ -19,7 +19,8 @@ const MANY: usize = 60;
 impl Sheet {
     /// Sections for the documentation of the struct, to stand after the user's own text.
     ///
-    /// One member of a family is written, with the names of the others; after 200 000 bytes joints are only named.
+    /// Of a family only one member is written, with the names of the others; beyond 200 000 bytes joints are only
+    /// named.
     pub fn docs(&self) -> String {
         let mut out =
             format!("\n\n# Equations\n\n<style>{STYLE}{OWN}</style>\n<div class=\"kin-sheet\">\n{}", self.q());
@@ -117,7 +118,7 @@ fn section(joint: &Joint) -> String {
     )
 }
 
-/// `a, b and c`; of many names the first two and the last.
+/// `a, b and c`; of more than six names only the first two and the last.
 fn enumeration(names: &[&str]) -> String {
     let escaped: Vec<String> = names.iter().map(|name| escaped(name)).collect();
     match escaped.as_slice() {

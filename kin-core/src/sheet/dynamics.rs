@@ -1,4 +1,4 @@
-//! The equations of motion on a sheet: M, Q and how they go with Φ_q and λ.
+//! The equations of motion on a sheet: M q̈ + Φ_qᵀ λ = Q and the entries of M and Q.
 
 use super::content::{Dynamics, Sheet};
 use super::html::{WIDTH as PAGE, math, table};
@@ -35,7 +35,7 @@ fn indexed(letter: &str, names: &[&str], notation: Notation) -> String {
     }
 }
 
-/// What stands above the entries.
+/// The text above the entries.
 const WORDS: &str = "M is symmetric, and entries of M and Q that are not written are 0. Joints and drivers exert";
 
 impl Sheet {

@@ -10,7 +10,7 @@ use crate::vectors;
 /// Width of a page in columns of plain text.
 pub(super) const WIDTH: usize = 92;
 
-/// Styles of equations, limited to a class of their own, because the surrounding page may have tables, too.
+/// Styles of equations, limited to a separate class, because the surrounding page may contain tables, too.
 pub(super) const STYLE: &str = "\
 .kin-eq{overflow-x:auto;overflow-y:hidden;margin:.2rem 0 .6rem;padding-bottom:.2rem}\
 .kin-eq.kin-eq table{display:table;width:auto;margin:0;border:0;border-collapse:separate;border-spacing:0 .1rem}\
@@ -21,7 +21,7 @@ pub(super) const STYLE: &str = "\
 .kin-eq math{font-size:1.06em;math-style:normal}\
 .kin-eq mfrac{margin:0 .1em}";
 
-/// Shadows at the sides to which an equation can be scrolled, and a scroll bar that is always visible.
+/// Shadows at the sides towards which an equation can be scrolled, and a scroll bar that is always visible.
 const SHADOWS: &str = "\
 .kin-eq{scrollbar-width:thin;background:\
 linear-gradient(90deg,Canvas 30%,transparent) left/2.5rem 100% no-repeat local,\
@@ -70,7 +70,7 @@ impl Sheet {
     }
 }
 
-/// A step: positions, and the rest folded.
+/// A step: the lines for positions, with the other lines folded.
 pub(super) fn html_step(step: &Step, heading: &str) -> String {
     let [position, velocity, acceleration] =
         [0, 1, 2].map(|order| table(step.lines[order].iter().flat_map(|line| line.write(MathMl, WIDTH))));
@@ -105,7 +105,7 @@ pub(super) fn own_equations(joint: &Joint) -> String {
     format!("<div class=\"kin-eq\">{}</div>\n", lines.collect::<String>())
 }
 
-/// Equations aligned at their signs; empty if there are none.
+/// Equations aligned at their equals signs; empty if there are none.
 pub(super) fn table(lines: impl Iterator<Item = Line>) -> String {
     let row = |line: Line| {
         let more = |part: &String| {

@@ -10,7 +10,7 @@ use crate::vectors;
 const WIDTH: usize = 80;
 
 impl Sheet {
-    /// A document that compiles as it is, with pdfLaTeX too.
+    /// A complete document, which also compiles with pdfLaTeX.
     pub fn latex(&self) -> String {
         format!(
             "\\documentclass[a4paper]{{article}}\n\\usepackage[T1]{{fontenc}}\n\\usepackage[utf8]{{inputenc}}\n\
@@ -80,7 +80,7 @@ pub(super) fn display(lines: &[String]) -> String {
     }
 }
 
-/// An equation; continuation lines are indented to the right of its sign.
+/// An equation; continuation lines are indented to the right of the equals sign.
 pub(super) fn equation(line: &Line) -> String {
     let right: Vec<&str> = line.right.iter().map(|part| part.trim_start()).collect();
     format!("{} &= {}", line.left, right.join(" \\\\\n&\\quad {} "))
@@ -113,7 +113,7 @@ mod tests {
     fn what_means_something_to_latex_stands_for_itself() {
         let escaped = r"\# \$ \% \& \_ \{ \} \textbackslash{} \textasciicircum{} \textasciitilde{}";
         assert_eq!(escaped, prose(r"# $ % & _ { } \ ^ ~"));
-        // One letter after the other: what is written for one is not read again.
+        // The letters are escaped one by one; an escape sequence is not escaped again.
         assert_eq!(r"100 \% of \textbackslash{}\{a\_b\}", prose(r"100 % of \{a_b}"));
         assert_eq!(r"crank -- rod, $\sigma$ = $\pm$1, 2$\times$2", prose("crank – rod, σ = ±1, 2×2"));
     }

@@ -1,4 +1,4 @@
-//! The lines of a row in every notation, with left sides and right sides that may be broken.
+//! The equations of a row in every notation; a right side may be broken into several lines.
 
 use super::shown::{Row, Shown, symbol};
 use crate::notation::Notation;
@@ -6,7 +6,7 @@ use crate::notation::escaped;
 
 /// An equation.
 pub(super) struct Line {
-    /// Left of the sign.
+    /// The left side.
     pub(super) left: String,
     /// The right side, one entry per line.
     pub(super) right: Vec<String>,

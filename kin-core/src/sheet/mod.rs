@@ -1,5 +1,5 @@
-//! The derivation for people: joint by joint, each with its own equation first, then its rows of Φ, Φ_q, Φ_t and γ, and
-//! how the solution plan solves them; as text, LaTeX, a page, and documentation of the struct.
+//! The derivation as a document (a *sheet*): for each joint its vector equations, then its rows of Φ, Φ_q, Φ_t and γ;
+//! then the steps of the solution plan; as text, as LaTeX, as an HTML page, and as documentation of the struct.
 //!
 //! The formulas of a sheet come from the graph from which the code is generated: directly by [`Sheet::of_system`] at
 //! compile time, or from the tables of a compiled mechanism.

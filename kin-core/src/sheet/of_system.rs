@@ -13,9 +13,9 @@ use crate::vocabulary::JointKind;
 use crate::vocabulary::Role;
 
 impl Sheet {
-    /// The derivation of a system. Of a family only the first member is written, with the names of the others, if these
-    /// differ in their indices only. The steps are those of a plan that was made with its formulas. A mechanism with masses
-    /// has its equations of motion.
+    /// The derivation of a system. Of the members of a family that differ only in their indices, the first is written,
+    /// with the names of the others. There are steps only if the plan was made with its formulas, and equations of
+    /// motion only if the mechanism has masses or loads.
     pub fn of_system(mechanism: &Mechanism, system: &KinematicSystem, plan: &SolutionPlan) -> Self {
         let set = &system.set;
         let mut joints: Vec<Joint> = Vec::new();
@@ -49,7 +49,8 @@ impl Sheet {
     }
 }
 
-/// The shape of a member of a family: which derivatives it has, and how long these are.
+/// The shape of a member of a family: the texts of its residuals without digits, which are equal for members that
+/// differ only in indices.
 fn shape(system: &KinematicSystem, joint: &JointInstance) -> Vec<String> {
     let without_digits = |text: String| text.chars().filter(|c| !c.is_ascii_digit()).collect::<String>();
     let rows = joint.first_row..joint.first_row + joint.rows;

@@ -7,7 +7,7 @@ use crate::notation::{Formula, Name, Notation, escaped};
 pub struct Row {
     /// Its name.
     pub name: String,
-    /// False for a row of velocity level: η, its B and b stand for Φ, Φ_q and Φ_t.
+    /// False for a row of velocity level; `phi`, `phi_q` and `phi_t` are then η and the row of B and b.
     pub position: bool,
     /// Φ.
     pub phi: Shown,
@@ -19,7 +19,7 @@ pub struct Row {
     pub gamma: Shown,
 }
 
-/// A formula, or a text that is too long to be parsed as one.
+/// A formula, or a text that cannot be parsed as one, for example because it was cut off.
 #[derive(Clone, Debug)]
 pub enum Shown {
     /// A simplified formula.
@@ -34,7 +34,7 @@ impl Shown {
         Formula::parse(text).map_or_else(|_| Self::Text(text.to_owned()), |formula| Self::Formula(formula.tidied()))
     }
 
-    /// On one line.
+    /// The formula on one line.
     pub(super) fn write(&self, notation: Notation) -> String {
         match (self, notation) {
             (Self::Formula(formula), _) => formula.write(notation),

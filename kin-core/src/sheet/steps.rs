@@ -11,7 +11,7 @@ use crate::plan;
 pub struct Step {
     /// Its number in the plan, from 1.
     pub number: usize,
-    /// What it is, in words.
+    /// A description in words.
     pub what: String,
     /// Lines for q, q̇ and q̈.
     pub lines: [Vec<Line>; 3],
@@ -20,7 +20,7 @@ pub struct Step {
 /// A line of a step.
 #[derive(Clone, Debug)]
 pub enum Line {
-    /// A name and its value, or a residual that an iteration makes 0.
+    /// A name and its value, or a residual that an iteration brings to 0.
     Equation {
         /// The name.
         left: String,
@@ -70,7 +70,8 @@ impl Line {
         Self::Equation { left: left.to_owned(), right: Shown::new(right), zero }
     }
 
-    /// As equations: a system is written with matrices if these fit into `width`, otherwise row by row.
+    /// The line as equations. A system is written with matrices if these fit into `width`, otherwise row by row; as
+    /// plain text always row by row.
     pub(super) fn write(&self, notation: Notation, width: usize) -> Vec<lines::Line> {
         match self {
             Self::Equation { left, right, zero } => {

@@ -66,7 +66,7 @@ fn of_row(row: &Row) -> String {
     aligned(std::iter::once(first).chain(derivatives(row, Unicode, usize::MAX)).collect())
 }
 
-/// Equations aligned at their signs.
+/// Equations aligned at their equals signs.
 pub(super) fn aligned(lines: Vec<Line>) -> String {
     let width = lines.iter().map(|line| shown(&line.left)).max().unwrap_or(0);
     let line = |Line { left, right }: Line| {
@@ -83,8 +83,8 @@ pub(super) fn shown(text: &str) -> usize {
     text.chars().filter(|c| !('\u{300}'..='\u{36f}').contains(c)).count()
 }
 
-/// Breaks a text before the signs of terms, outside of brackets if possible; a single long term is broken inside its
-/// brackets.
+/// Breaks a text before the signs of its terms, outside of brackets if possible. A term that is too long is broken
+/// before the signs inside its brackets, and at any space if necessary.
 fn wrap(text: &str, width: usize) -> Vec<String> {
     let mut lines = vec![String::new()];
     let fits = |line: &str, more: &str| line.is_empty() || shown(line) + 1 + shown(more) <= width;

@@ -9,7 +9,7 @@ use super::turn::Turns;
 use crate::system::KinematicSystem;
 use core::fmt;
 
-/// Seeds of the random poses. If rows are redundant at the first pose, the pose with the largest rank counts.
+/// Seeds of the random poses. If rows are redundant at the first pose, the pose with the largest rank is used.
 pub(super) const DRAWS: [u64; 3] = [0x6b69_6e31, 0x6b69_6e32, 0x6b69_6e33];
 
 /// A redundant row and its circuit: a minimal set of linearly dependent rows of Φ_q, dependent at every pose and for
@@ -97,8 +97,8 @@ impl<'a> RandomJacobian<'a> {
         Self { system, rows, weights }
     }
 
-    /// Eliminates the rows in order of ascending key, rows of equal key in order of declaration. After each row,
-    /// `seen` is called with the row and the rank so far. Returns the rows that do not increase the rank.
+    /// Eliminates the rows in order of ascending key, rows of equal key in order of declaration. After each row, `seen`
+    /// is called with the row and the current rank. Returns the rows that do not increase the rank.
     pub(super) fn redundant<K: Ord>(
         &self,
         key: impl Fn(usize) -> K,

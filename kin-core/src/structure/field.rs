@@ -1,15 +1,15 @@
-//! Arithmetic modulo the prime p = 2⁶¹ − 1, which is exact, so that no rounding error affects a rank.
+//! Arithmetic modulo the prime p = 2⁶¹ − 1, which is exact, so that rounding errors cannot affect a rank.
 //!
-//! A rational expression that is not identically zero has a non-zero residue at all points of F_p but for a fraction
-//! (degree / p) of them. Therefore one random point gives the generic rank of a matrix of such expressions almost
-//! certainly (Schwartz 1980, Zippel 1979). Since p ≡ 3 (mod 4), −1 is no square, and the rational parametrisation of
-//! the circle has no pole.
+//! A rational expression that is not identically zero has a non-zero residue at all points of F_p except a fraction
+//! degree/p of them. Therefore one random point gives the generic rank of a matrix of such expressions almost certainly
+//! (Schwartz 1980, Zippel 1979). Since p ≡ 3 (mod 4), −1 is not a square, and the rational parametrisation of the
+//! circle has no pole.
 
 use core::ops::{Add, Mul, Neg, Sub};
 
 /// p = 2⁶¹ − 1.
 const P: u64 = (1 << 61) - 1;
-/// The largest denominator of a fraction that a decimal number is interpreted as.
+/// The largest denominator of a fraction as which a decimal number is interpreted.
 const DENOMINATOR: i64 = 1 << 20;
 
 /// A residue modulo p.
@@ -26,8 +26,8 @@ impl Residue {
         if value < 0 { -magnitude } else { magnitude }
     }
 
-    /// The residue of the number that `value` stands for: the fraction with the smallest denominator that rounds to it
-    /// (1/3, 0.1), or else its exact binary value.
+    /// The residue of the number that `value` approximates: the fraction with the smallest denominator that rounds to
+    /// it (1/3, 0.1), or else its exact binary value.
     pub(crate) fn number(value: f64) -> Self {
         if let Some((p, q)) = fraction(value, 0.0) {
             return Self::integer(p) * Self::integer(q).inverse();
@@ -125,7 +125,7 @@ pub(crate) fn fraction(value: f64, tolerance: f64) -> Option<(i64, i64)> {
     None
 }
 
-/// Reproducible random values: each depends only on the seed, on the sort of object and on its number.
+/// Reproducible random values: each depends only on the seed and on the sort and number of the object.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Draw(pub(crate) u64);
 

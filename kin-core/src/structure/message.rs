@@ -151,7 +151,7 @@ fn advice(set: &ConstraintSet, own: &[usize], redundant: &[&Redundancy], driving
     if let [(None, _)] = kinds[..] {
         return format!("remove {it}");
     }
-    // The shorter part, a removal, comes first.
+    // The shorter part of the advice, a removal, comes first.
     kinds.sort_by_key(|(instead, _)| instead.is_some());
     let parts = kinds.iter().map(|(instead, joints)| {
         let names = list(joints.iter().map(|joint| set.joints[*joint].name.as_str()));
@@ -163,7 +163,7 @@ fn advice(set: &ConstraintSet, own: &[usize], redundant: &[&Redundancy], driving
     parts.collect::<Vec<_>>().join(", and ")
 }
 
-/// A joint that has only the non-redundant rows of this joint, if there is one.
+/// The kind of joint that has only the non-redundant rows of this joint, if there is one.
 fn instead_of(set: &ConstraintSet, place: usize, redundant: &[&Redundancy]) -> Option<&'static str> {
     let joint = &set.joints[place];
     let is_redundant = |row: usize| redundant.iter().any(|r| r.row == row);

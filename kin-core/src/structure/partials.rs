@@ -1,8 +1,9 @@
 //! The rows of Φ_q at a random pose.
 //!
-//! For joints whose points have drawn positions the rows are computed from ∂r/∂φ = perp(r − r_i); factors that scale a
-//! whole row are omitted. All other rows are the symbolic partial derivatives, whose residues are computed where
-//! possible and random elsewhere. In both cases the sparsity pattern is correct and literal coefficients are exact.
+//! For joints whose points have random positions (see `place`) the rows are computed from ∂r/∂φ = perp(r − r_i);
+//! factors that scale a whole row are omitted. All other rows are residues of the symbolic partial derivatives;
+//! subexpressions without a residue have random values. In both cases the sparsity pattern is correct and literal
+//! coefficients are exact.
 
 use super::field::Residue;
 use super::place::local;
@@ -13,7 +14,7 @@ use crate::expr::Depends;
 use crate::system::KinematicSystem;
 use crate::vocabulary::Role;
 
-/// ∂r of a point with respect to each coordinate that moves it.
+/// The partial derivatives of the position r of a point with respect to each coordinate that moves the point.
 type Motion = Vec<(usize, [Residue; 2])>;
 
 /// A row of Φ_q at the random pose.
@@ -27,7 +28,7 @@ pub(super) fn row(system: &KinematicSystem, residues: &mut Residues<'_>, row: us
     })
 }
 
-/// The row, if its joint is one whose points have drawn positions.
+/// The row, if its joint is one whose points have random positions.
 fn of_joint(system: &KinematicSystem, residues: &mut Residues<'_>, row: usize) -> Option<Row> {
     let set = &system.set;
     let joint = &set.joints[set.rows[row].joint];
@@ -83,7 +84,7 @@ fn unit(component: usize) -> [Residue; 2] {
     if component == 0 { [Residue::ONE, Residue::ZERO] } else { [Residue::ZERO, Residue::ONE] }
 }
 
-/// Σ weight · ∂r.
+/// Σ weight · ∂r, one term per point.
 fn combined(terms: &[(&Motion, [Residue; 2])]) -> Row {
     let mut row = Row::new();
     for (motion, weight) in terms {
@@ -94,11 +95,12 @@ fn combined(terms: &[(&Motion, [Residue; 2])]) -> Row {
     row
 }
 
-/// ∂r of a point at `r`, with respect to the coordinates of its body and of the bodies that carry it.
+/// The partial derivatives of a point at `r` with respect to the coordinates of its body and of the bodies that carry
+/// this body.
 fn motion(residues: &Residues<'_>, frame: Frame, r: [Residue; 2]) -> Motion {
     let set: &ConstraintSet = residues.set;
     let (mut moved, mut r, mut frame) = (Motion::new(), r, frame);
-    // A chain of carriers has at most as many members as there are bodies.
+    // A chain of carrying bodies has at most as many members as there are bodies.
     for _ in 0..=set.bodies.len() {
         let Frame::Body(place) = frame else { break };
         let body = &set.bodies[place];

@@ -1,14 +1,15 @@
 //! Random positions in the plane that satisfy the joints for given rotations.
 //!
-//! The unknowns are the origins of the bodies and every distinct point of a body; equal expressions on one body are
-//! one point. For known rotations all conditions imposed here are linear with constant coefficients: points joined by
-//! revolute and fixed joints coincide, literal x and y hold, equal held expressions have equal values, and a point
-//! lies on a line of literal direction. Undetermined unknowns are random. The body-fixed coordinates of the points are
-//! not needed: Φ_q depends only on the vector from the origin to the point.
+//! The unknowns are the origins of the bodies and every distinct point of a body; points of a body with equal
+//! expressions are one point. For known rotations all conditions imposed here are linear with constant coefficients:
+//! points joined by revolute and fixed joints coincide, x and y held at a literal have its value, x and y held at equal
+//! expressions are equal, and a point lies on a line of exactly known direction if its offset from the line is 0.
+//! Undetermined unknowns are random. The body-fixed coordinates of the points are not needed: Φ_q depends only on the
+//! vector from the origin to the point.
 //!
-//! A point is not forced onto a line that rotates. Its distance from the line does not affect the rank of the line's
-//! own row, and forcing it could make points coincide that are distinct in general. Without the condition the pose is
-//! more general, so a dependency that is found still holds at every pose.
+//! A point is not forced onto a line that rotates. The distance of the point from the line does not affect the rank of
+//! the row of this joint, and the condition could make points coincide that are distinct in general. Without the
+//! condition the pose is more general, so a dependency that is found still holds at every pose.
 
 use super::field::{Draw, Residue, fraction};
 use super::rank::{Elimination, Row, add_to};
@@ -55,7 +56,7 @@ impl Unknowns {
         [first, first + 1].map(|k| (vec![(k, Residue::ONE)], Residue::ZERO))
     }
 
-    /// A held value: a literal, or one unknown for all uses of the same expression.
+    /// The value at which a coordinate is held: a literal, or one unknown for all uses of the same expression.
     fn value(&mut self, graph: &Graph, id: ExprId) -> Linear {
         if let Some(value) = graph.literal(id) {
             return (Vec::new(), Residue::number(value));
@@ -72,13 +73,13 @@ impl Unknowns {
 pub(super) struct Places {
     origins: Vec<[Residue; 2]>,
     points: HashMap<Key, [Residue; 2]>,
-    /// The points of each body, to recognise rotated vectors in expressions.
+    /// The points of each body, by which rotated vectors in expressions are recognised.
     of_body: Vec<Vec<(ExprId, ExprId)>>,
     /// The body whose angle an expression is; `None` if several bodies have it.
     turning: HashMap<ExprId, Option<usize>>,
 }
 
-/// A literal direction as a ratio of small integers if possible, of any length.
+/// A literal direction, if possible as a ratio of small integers; the length of the vector is arbitrary.
 pub(super) fn literal_direction(graph: &Graph, [x, y]: [ExprId; 2]) -> Option<[Residue; 2]> {
     const ROUNDING: f64 = 8.0 * f64::EPSILON;
     let (x, y) = (graph.literal(x)?, graph.literal(y)?);
@@ -148,7 +149,8 @@ impl Places {
         }
     }
 
-    /// The rotated vector to a point with a drawn position, or the negative of such a vector.
+    /// The rotated vector from the origin of a body to a point with a random position, or the negative of such a
+    /// vector.
     pub(super) fn vector(&self, set: &ConstraintSet, r: Rotation) -> Option<[Residue; 2]> {
         let body = (*self.turning.get(&r.angle)?)?;
         let graph = &set.graph;

@@ -20,7 +20,7 @@ pub(super) fn add_to(row: &mut Row, column: usize, value: Residue) {
     }
 }
 
-/// A row after elimination: its pivot entry is 1, its entries in earlier pivots' columns are 0.
+/// A row after elimination: its pivot entry is 1, and its entries in the columns of earlier pivots are 0.
 #[derive(Clone, Debug)]
 struct Pivot {
     column: usize,

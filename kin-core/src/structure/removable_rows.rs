@@ -1,9 +1,9 @@
-//! Determines redundant rows that a solution for all coordinates can leave out.
+//! Determines redundant rows that can be left out of a solution for all coordinates.
 //!
-//! For the rank, any row of a circuit could be left out. But rows may be redundant only for special dimensions: three
-//! cranks hold a platform in general, and one of them is redundant if they are parallel. Therefore the rows that are
-//! kept have to lead from the drivers to all other bodies, and the row that is left out belongs to the joint that
-//! closes the circuit.
+//! To preserve the rank, any row of a circuit (a minimal set of linearly dependent rows) could be left out. But rows
+//! may be redundant only for special dimensions: three cranks fix a platform in general, and one of them is redundant
+//! if they are parallel. Therefore the rows that are kept have to connect the drivers with all other bodies, and the
+//! row that is left out belongs to the joint that closes the circuit.
 
 use super::diagnosis::{DRAWS, RandomJacobian, Redundancy};
 use super::field::Draw;
@@ -15,19 +15,19 @@ use std::collections::{BTreeMap, BTreeSet, VecDeque};
 pub(crate) struct RemovableRows<'a> {
     system: &'a KinematicSystem,
     jacobian: RandomJacobian<'a>,
-    /// Driving rows that are redundant because the other rows alone are rigid for general dimensions.
+    /// Driving rows that, for general dimensions, depend only on rows that are not driving.
     driving: Vec<usize>,
-    /// Rows of joints between bodies that other joints already connect, such that together they would be rigidly
-    /// locked.
+    /// Rows of joints between two bodies that another joint already connects, where both joints together would lock the
+    /// two bodies.
     doubled: BTreeSet<usize>,
 }
 
 impl<'a> RemovableRows<'a> {
     pub(crate) fn new(system: &'a KinematicSystem) -> Self {
-        // One random pose suffices: should it be a special one, the kept rows are singular, which a margin reports.
+        // One random pose suffices: if its rank is too small, the kept rows are singular, which a margin reports.
         let jacobian = RandomJacobian::new(system, Draw(DRAWS[0]));
-        // If the geometry is rigid for general dimensions, a driving row is redundant to it. A mechanism that is
-        // driven nevertheless has special dimensions, so a row of the geometry has to be left out and not the driver.
+        // A driver whose row depends only on rows that are not driving can move the mechanism for special dimensions
+        // only. One of those rows has to be left out then, not the driving row.
         let classes = &system.classes;
         let rigid = |found: &Redundancy| {
             classes[found.row].driving && !found.circuit.iter().any(|&other| classes[other].driving)
@@ -38,9 +38,10 @@ impl<'a> RemovableRows<'a> {
         Self { system, jacobian, driving, doubled }
     }
 
-    /// The rows to leave out: the last row of every circuit. The order is: driving rows that the geometry alone makes
-    /// redundant, other rows, rows that a moving held coordinate drives, other driving rows, and within each of these
-    /// groups by `places`. Doubled joints come after all of them, and the rows `preferred` last.
+    /// The rows to leave out: the last row of every circuit. The order is: the driving rows in `driving`, rows that are
+    /// not driving, rows that a moving held coordinate makes rheonomic, other driving rows; within each of these groups
+    /// the order of `places`. The rows in `doubled` come after all of them, and the rows `preferred`, which are to be
+    /// left out, last.
     pub(crate) fn rows(&self, places: &[usize], preferred: &[usize]) -> Vec<Redundancy> {
         let key = |row: usize| {
             let class = self.system.classes[row];
@@ -68,9 +69,9 @@ impl<'a> RemovableRows<'a> {
             rows.flat_map(|(_, nodes)| nodes.iter().copied())
         };
         let mut queue: VecDeque<usize> = nodes_of(|class| class.driving).collect();
-        // Bodies that are joined to something that moves come next.
+        // Next come the bodies of rows that a moving held coordinate makes rheonomic.
         queue.extend(nodes_of(|class| class.leads()));
-        // Bodies that are connected to the ground only come last.
+        // All other bodies come last.
         queue.extend(all.flat_map(|(_, nodes)| nodes.iter().copied()));
         let mut rows_of: Vec<Vec<usize>> = vec![Vec::new(); self.system.set.coordinates.len()];
         nodes.iter().enumerate().for_each(|(row, nodes)| nodes.iter().for_each(|&node| rows_of[node].push(row)));
@@ -95,7 +96,7 @@ impl<'a> RemovableRows<'a> {
         places
     }
 
-    /// The bodies of every row, each identified by the first of its coordinates; scalars stand for themselves.
+    /// The bodies of every row, each identified by the first of its coordinates; a scalar counts as a body.
     fn nodes(&self) -> Vec<BTreeSet<usize>> {
         let coordinates = &self.system.set.coordinates;
         let node = |k: u32| match coordinates[k as usize].kind {
@@ -111,9 +112,9 @@ impl<'a> RemovableRows<'a> {
     }
 }
 
-/// The rows of joints that would lock two bodies which another joint with at least as many rows connects already. Such
-/// a joint is meant to be redundant (two pins on one axis, two guides along one line). Rows of angles alone are not
-/// included, since they may be meant to lock the bodies.
+/// The rows of joints that would lock two bodies already connected by another joint with at least as many rows. Such a
+/// joint is intentionally redundant (two pins on one axis, two guides along one line). Joints with rows for angles only
+/// are not included, since they may be intended to lock the bodies.
 fn doubled(system: &KinematicSystem, jacobian: &RandomJacobian<'_>) -> BTreeSet<usize> {
     let set = &system.set;
     let number = |frame: Frame| match frame {

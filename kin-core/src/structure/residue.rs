@@ -73,7 +73,7 @@ impl<P: Pose> Algebra for ResidueFold<'_, P> {
     fn mul(&mut self, a: Residue, b: Residue) -> Residue {
         a * b
     }
-    /// A random value where the divisor is 0 in F_p, because the quotient is unknown there.
+    /// The quotient, or a random value if the divisor is 0 in F_p, because the quotient is then undefined.
     fn div(&mut self, id: ExprId, a: Residue, b: Residue) -> Residue {
         if b.is_zero() { self.drawn(id) } else { a * b.inverse() }
     }
@@ -84,7 +84,7 @@ impl<P: Pose> Algebra for ResidueFold<'_, P> {
             _ => a.inverse().power(u64::from(n.unsigned_abs())),
         }
     }
-    /// The drawn vector of a point, or else the rotated vector.
+    /// The random vector to a point if the pose contains it; otherwise the rotated vector.
     fn rotate(&mut self, r: Rotation) -> [Residue; 2] {
         match self.pose.vector(r) {
             Some(rho) => rho,
@@ -144,7 +144,8 @@ impl<'a> Residues<'a> {
         ResidueFold { graph: &set.graph, turns, pose: Placed { set, places }, draw, known }.fold(id)
     }
 
-    /// The direction of an axis in its frame, of any length: a literal ratio, or the vector before normalisation.
+    /// The direction of an axis in its frame: a literal ratio, or the vector before normalisation. Its length is
+    /// arbitrary.
     pub(super) fn direction(&mut self, local: [ExprId; 2]) -> [Residue; 2] {
         match super::place::literal_direction(&self.set.graph, local) {
             Some(direction) => direction,

@@ -1,10 +1,10 @@
 //! Random rotations that satisfy the angle rows.
 //!
 //! Every angle is a point (cos, sin) of the unit circle over F_p. Rows that prescribe the difference or the sum of two
-//! angles relate their rotations; angles without such a row are random. Constant angles are rotations, too: literal
-//! multiples of π/2 are exact, all others random, the same for equal expressions, and sums, differences and integer
-//! multiples of angles compose correctly. The last angle row of a closed circuit is assumed to be consistent, because
-//! that depends on numerical values.
+//! angles relate their rotations; angles without such a row are random. Constant angles are represented by rotations,
+//! too: those of literal multiples of π/2 are exact, all others are random and equal for equal expressions, and sums,
+//! differences and integer multiples of angles compose correctly. The last angle row of a closed loop of angle rows is
+//! assumed to be consistent with the others, because its consistency depends on numerical values.
 
 use super::field::{Draw, Residue};
 use crate::constraint::{ConstraintSet, CoordinateKind};
@@ -77,7 +77,8 @@ fn multiple(graph: &Graph, a: ExprId, b: ExprId) -> Option<(i64, ExprId)> {
 /// Writes an angle as a sum of integer multiples of distinct expressions.
 ///
 /// Operands have smaller ids than their users, so processing in descending order visits each node once, when its
-/// coefficient is complete. Overflow of a coefficient is harmless: 2⁶¹ times any angle is the zero rotation modulo p.
+/// coefficient is complete. Overflow of a coefficient is harmless: the rotation by 2⁶¹ times any angle is the identity
+/// modulo p.
 pub(crate) fn terms(graph: &Graph, angle: ExprId) -> Vec<(i64, ExprId)> {
     let (mut open, mut sum) = (BTreeMap::from([(angle, 1_i64)]), Vec::new());
     while let Some((id, times)) = open.pop_last() {
@@ -105,7 +106,7 @@ pub(crate) fn terms(graph: &Graph, angle: ExprId) -> Vec<(i64, ExprId)> {
     sum
 }
 
-/// A row ±φ_a ± φ_b + rest = 0; a row of one angle has the ground for b.
+/// A row ±φ_a ± φ_b + rest = 0; in a row with one angle, b is the ground.
 struct Relation {
     ends: [(usize, i64); 2],
     rest: Turn,
@@ -185,7 +186,7 @@ impl Turns {
             [a, b] => [end(a)?, end(b)?],
             _ => return None,
         };
-        // The rest of the sum must not depend on coordinates.
+        // The remaining terms of the sum must not depend on coordinates.
         let still = |&(_, id): &(i64, ExprId)| match set.graph.node(id) {
             Node::Symbol(Symbol::Coordinate(_)) => true,
             _ => !set.graph.depends(id).on(Depends::COORDINATE),

@@ -1,4 +1,4 @@
-//! Vector equations of joints: in terms of r + A s′ of both bodies, not of coordinates.
+//! Vector equations of joints, in terms of the vectors r + A s′ of both bodies and not of coordinates.
 
 use crate::vocabulary::JointKind;
 

@@ -81,7 +81,7 @@ impl<'a> Terms<'a> {
         equals(vec![Piece::Scalar(self.j.phi()), Piece::Op(" − "), Piece::Scalar(self.i.phi())], what)
     }
 
-    /// The position r + A s′ of a point; for a point of the ground s.
+    /// The position r + A s′ of a point, with `sign` in place of the plus sign; s for a point of the ground.
     fn point(&self, frame: Frame<'_>, sign: &'static str) -> Equation {
         let local = Symbol::bold("s").of(frame.index()).at(self.name);
         match frame.0 {

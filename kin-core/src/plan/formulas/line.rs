@@ -2,8 +2,8 @@
 
 use crate::plan::step::StepId;
 
-/// The formulas of a step, in the user's names. A step whose coordinates are found at several places of the order of
-/// solution has an entry for each place.
+/// The formulas of a step, in the user's names. If the coordinates of a step are not found one directly after another,
+/// the step has one entry for each uninterrupted sequence of them.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Formulas {
     /// The step.

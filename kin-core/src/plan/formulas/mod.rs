@@ -1,12 +1,13 @@
-//! Writes the closed forms of a plan as a person would derive them, from the same tree as the programs: for each step
-//! its coordinates, then their rates and accelerations, each in terms of quantities that come before.
+//! Writes the closed forms of a plan as they would be derived by hand, from the same tree as the programs: for each
+//! step its coordinates, then their rates and accelerations, each in terms of quantities that come before.
 //!
 //! ```text
 //! tree → items in order of solution (collect) → derivatives of all items → lines (write, share)
 //! ```
 //!
-//! Known coordinates appear by name, so every line is about its own step only. Long expressions are split: a part that
-//! occurs several times or is long in itself gets a name and a line of its own (see `share`).
+//! Known coordinates appear by name, so that the lines of a step do not repeat the expressions of earlier steps. Long
+//! expressions are split: a part that occurs several times or is itself long gets a name and a separate line (see
+//! `share`).
 
 mod collect;
 mod line;

@@ -1,7 +1,7 @@
 //! Names for shared and long parts of expressions.
 //!
 //! A graph of a hundred nodes may be a million characters when written out, so parts that occur several times are
-//! written once. A readable line has some dozens of symbols; longer expressions are split, too.
+//! written once. A readable line has a few dozen symbols; longer expressions are split, too.
 
 use crate::constraint::ConstraintSet;
 use crate::expr::{ExprId, Graph, Names, Node, Symbol};
@@ -24,9 +24,9 @@ pub(super) struct Naming<'a> {
     /// Names of parts, each with the order of derivative of the line that defines it.
     parts: BTreeMap<ExprId, (usize, String)>,
     /// The order of derivative of the lines being written. Lines for positions precede those for rates and cannot use
-    /// names that are defined there.
+    /// names that are defined in the latter.
     pub(super) order: usize,
-    /// All names as they are typeset; names that look alike would confuse the reader.
+    /// All names as they are typeset, so that no two names look alike.
     taken: HashSet<String>,
 }
 
@@ -35,7 +35,8 @@ impl Names for Naming<'_> {
         match symbol {
             Symbol::Right(k) => self.own.get(k as usize).cloned().unwrap_or_default(),
             Symbol::Mode(k) => self.modes.get(&k).cloned().unwrap_or_default(),
-            // Lines are written before values are held, so this symbol is free to stand for an acceleration.
+            // The lines are written before any value is stored as held, so that this symbol can stand for an
+            // acceleration.
             Symbol::Held(k) => format!("{}_ddot", self.set.coordinate_name(k)),
             other => self.set.symbol(other),
         }
@@ -97,8 +98,8 @@ impl<'a> Naming<'a> {
         found
     }
 
-    /// Whether an expression is short enough for one line. This is decided without a table, because most expressions
-    /// are.
+    /// Whether an expression is short enough for one line. The test needs no table of sizes and is fast for the many
+    /// expressions that are short.
     fn is_short(&self, graph: &Graph, id: ExprId) -> bool {
         let (mut open, mut size) = (vec![id], 0);
         while let Some(id) = open.pop() {

@@ -1,5 +1,5 @@
-//! Writes the lines for q, q̇ and q̈ of each item that `collect` has found. They are built as expressions of the graph,
-//! which simplifies factors of 0 and 1.
+//! Writes the lines for q, q̇ and q̈ of each item that `collect` has found. The formulas are built as expressions of
+//! the graph, which simplifies factors of 0 and 1.
 
 use super::collect::{Item, Solved};
 use super::line::{Formulas, Line};
@@ -178,7 +178,8 @@ impl Writer<'_> {
         }
     }
 
-    /// Defines a name for an expression and for its derivatives; numbers get no name, zero derivatives no line.
+    /// Defines a name for an expression and for each of its derivatives. A literal gets no name, and a derivative that
+    /// is 0 no line.
     fn named(&mut self, letter: &str, root: usize, number: usize) -> [ExprId; 3] {
         let value = self.roots[root];
         let zero = self.graph.zero();
@@ -289,8 +290,8 @@ impl Writer<'_> {
         }
     }
 
-    /// Lines for the centre (u, v), d = n·(u, v) + m, w = σ √((u² + v² − k/e) |n|² − d²) and (x, y) = (u, v) − (d
-    /// n + w perp⁻¹(n))/|n|².
+    /// Lines for the centre (u, v), d = n·(u, v) + m, w = σ √((u² + v² − k/e) |n|² − d²) and
+    /// (x, y) = (u, v) − (d n + w perp⁻¹(n))/|n|².
     fn circle(&mut self, at: [u32; 2], coefficients: [usize; 7], number: usize) {
         let letters = ["e", "l", "l", "k", "n", "n", "m"];
         let mut values = [self.graph.zero(); 7];

@@ -1,7 +1,7 @@
 //! Detects loops: parts of a stream that repeat with a fixed period while all addresses advance by fixed steps.
 //!
-//! At every item, the distances to later items of the same kind (and followed by the same kinds) are candidates for
-//! the period. The candidate that covers the most items is taken, and the search continues behind it.
+//! At every item, the distances to later items of the same kind (and followed by the same kinds) are candidates for the
+//! period. The candidate that saves the most items is taken, and the search continues after its loop.
 
 use super::stream::{Operand, Stream};
 use crate::hash::{Table, hash_of};
@@ -150,7 +150,8 @@ impl Search<'_> {
 
     /// The loop, shortened to the iterations whose operands can be addressed; `None` if too few remain.
     fn addressable(&self, mut span: Span) -> Option<Span> {
-        // The first iterations may read values of another loop at irregular places; they are left to straight code.
+        // The first iterations may read values of another loop at irregular addresses; these iterations remain straight
+        // code.
         for _ in 0..3 {
             if span.count < self.fewest {
                 return None;

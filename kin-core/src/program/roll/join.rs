@@ -16,8 +16,8 @@ pub struct Angles<'r> {
 }
 
 impl Rolled {
-    /// The number of iterations and the steps of a loop that only computes sines and cosines of angles that are known
-    /// before the loop.
+    /// The number of iterations and the steps of a loop that computes nothing but sines and cosines of angles that are
+    /// known before the loop.
     pub fn angles<'r>(&self, piece: &'r Piece) -> Option<(usize, Vec<Angles<'r>>)> {
         let Piece::Loop { count, body } = piece else { return None };
         let steps: Option<Vec<Angles<'r>>> = (body.iter())

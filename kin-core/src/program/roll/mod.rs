@@ -5,8 +5,8 @@
 //!          stream            detect              resolve, join
 //! ```
 //!
-//! The input needs no annotation: a chain of bodies written out one by one is rolled up like one written as a family.
-//! A loop replaces a part of the program that repeats with a fixed period, while the indices of its loads, outputs and
+//! The input needs no annotation: a chain of bodies declared one by one becomes a loop like one declared as a family. A
+//! loop replaces a part of the program that repeats with a fixed period, while the indices of its loads, outputs and
 //! operands advance by fixed steps; literals that differ between iterations become a table. Values that are read
 //! outside their own iteration (in the next iteration, in another loop or in straight code) are stored in arrays. Code
 //! without repetition remains straight.

@@ -14,11 +14,12 @@ struct Member {
     period: usize,
 }
 
-/// The array for one part of the items `template + k·period`, as far as it is read outside their iteration.
+/// The array for one part of the items `template + k·period`, if this part is read outside the iteration that computes
+/// it.
 #[derive(Clone, Copy, Debug)]
 struct Range {
     number: usize,
-    /// The range of iterations, including items that straight code computes before and behind the loop.
+    /// The range of iterations, including items that straight code computes before and after the loop.
     first: i64,
     last: i64,
 }

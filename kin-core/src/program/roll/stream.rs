@@ -1,8 +1,9 @@
 //! A program as a stream of items in which repetition can be detected.
 //!
-//! An item is an instruction that computes a value, or the writing of an output. An operand refers to an address: the
-//! item that computes it, the index of a symbol, or the index of a slot. All other properties of an item form its
-//! kind. So items of the same kind are the same code, and the differences of their addresses are the steps of a loop.
+//! An item is an instruction that computes a value, or the writing of an output. An operand has an address: the number
+//! of the item that computes it, the index of a symbol, or the index of a slot. All other properties of an item form
+//! its kind. Items of the same kind therefore have the same code, and the differences of their addresses are the steps
+//! of a loop.
 
 use super::rolled::Part;
 use crate::expr::{Bits, Symbol};
@@ -57,7 +58,7 @@ pub(super) enum Operand {
     Slot(usize),
 }
 
-/// The properties that items must share to be the same code.
+/// The properties that items with the same code have in common.
 #[derive(PartialEq, Eq, Hash)]
 struct Kind {
     head: Head,
@@ -133,7 +134,7 @@ impl Stream {
     }
 }
 
-/// True for instructions that are no items: they are written as operands where they are used.
+/// True for instructions that are not items but are written as operands where they are used.
 fn is_operand(instruction: &Instruction) -> bool {
     matches!(
         instruction,
