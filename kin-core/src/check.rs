@@ -15,7 +15,8 @@
 //! - `lengths_are_positive`: a literal length is greater than 0;
 //! - `radii_are_not_zero`: a radius is not a literal 0;
 //! - `divisors_are_not_zero`: no divisor is a literal 0;
-//! - `curves_depend_on_their_variables`: a literal polar radius is positive, and a curve contains its variables;
+//! - `curves_depend_on_their_variables`: a literal polar radius is positive, an implicit curve contains X or Y, and a
+//!   parametric curve its parameter;
 //! - `roller_curves_have_derivatives`: the curve of a roller has a third derivative;
 //! - `velocity_rows_are_linear`: a row of velocity level is linear in `dot(…)` and contains the rate of something that
 //!   varies;
@@ -27,7 +28,8 @@
 //! - `loads_have_valid_sizes`: masses are not negative, and a spring has a stiffness or a damping;
 //! - `one_field_of_gravity`: gravity is declared at most once.
 //!
-//! Rules for the mechanism as a whole ([`check`]); the second and third are checked only if all rows are correct:
+//! Rules for the mechanism as a whole ([`check`]); the second and third are checked only if the first is satisfied and
+//! all rows are correct:
 //! - `has_coordinates`: there is at least one coordinate;
 //! - `bodies_are_in_rows`: the rows contain a coordinate of every body;
 //! - `scalars_are_in_rows`: the rows contain every scalar coordinate;
@@ -77,7 +79,7 @@ pub fn check(mechanism: &Mechanism) -> Vec<ModelError> {
         has_coordinates(mechanism, &mut errors);
         let mut of_rows = Vec::new();
         check_rows(mechanism, &mut of_rows);
-        // An incorrect row may be the one that should contain the coordinate that no row contains.
+        // A coordinate may be missing in all rows only because one of them is incorrect.
         if errors.len() == before && of_rows.is_empty() {
             bodies_are_in_rows(mechanism, &mut errors);
             scalars_are_in_rows(mechanism, &mut errors);
@@ -135,7 +137,7 @@ fn references_resolve(mechanism: &Mechanism) -> bool {
     errors.is_empty()
 }
 
-/// Sorts the errors and removes duplicates, which arise from a point that is used several times.
+/// Sorts the errors and removes duplicates, which arise if a point with an error is used several times.
 fn sorted(mut errors: Vec<ModelError>) -> Vec<ModelError> {
     errors.sort_by_key(|error| error.origin);
     errors.dedup();

@@ -1,6 +1,6 @@
 //! Errors in a mechanism and their places in the source.
 //!
-//! This crate knows neither tokens nor spans. Every part of a [`Mechanism`](crate::mechanism::Mechanism) carries an
+//! This crate contains neither tokens nor spans. Every part of a [`Mechanism`](crate::mechanism::Mechanism) carries an
 //! opaque [`Origin`], which the code that built the mechanism can map back to a place in the source.
 
 use core::fmt;

@@ -1,9 +1,9 @@
 //! A fast hash for small keys, and a hash table of indices.
 //!
 //! Macros are compiled without optimisation, where the keyed hash and the SIMD-style tables of the standard library
-//! take a considerable part of the time of an expansion. Resistance against chosen keys is not needed: the keys are
-//! ids and instructions of a mechanism that its author compiles. The maps are never iterated, so their order does not
-//! matter.
+//! take a considerable part of the time of a macro expansion. Resistance against chosen keys is not needed: the keys
+//! are ids and instructions of a mechanism that its author compiles. The maps are never iterated, so their order does
+//! not matter.
 
 use core::hash::{BuildHasherDefault, Hash, Hasher};
 use std::collections::HashMap;
@@ -57,7 +57,7 @@ impl Hasher for Fast {
     }
 }
 
-/// The hash of a key; its upper half is mixed best.
+/// The hash of a key; its upper half, which [`Table`] uses, is mixed best.
 pub(crate) fn hash_of(key: &impl Hash) -> u64 {
     let mut hasher = Fast::default();
     key.hash(&mut hasher);

@@ -5,11 +5,11 @@
 //!    assemble      differentiate        plan          forces      kernels
 //! ```
 //!
-//! Each arrow is one function from one type to the next; no stage calls an earlier one. All other modules need the
-//! feature `compiler`, which the macro enables.
+//! Each arrow is one function from one type to the next; no stage calls an earlier one. The modules need the feature
+//! `compiler`, which the macro enables, unless the list says otherwise.
 //!
-//! - [`vocabulary`]: the kinds and names shared with kin-runtime; the only module that needs no feature.
-//! - `hash`, [`error`]: a table that is fast without optimisation; errors with the place that they are about.
+//! - [`vocabulary`]: the kinds and names shared with kin-runtime; needs no feature.
+//! - `hash`, [`error`]: hash tables that are fast in unoptimised builds; errors with their places in the source.
 //! - [`expr`]: hash-consed expressions, their total derivatives, and the fold that evaluates and rewrites them.
 //! - [`mechanism`]: the mechanism as the user declared it, with names resolved; a joint is a list of operands for its
 //!   slots.
@@ -20,10 +20,10 @@
 //!   feature `units`.
 //! - [`system`]: Φ_q, Φ_t, γ and the class of every row.
 //! - [`structure`]: structural analysis without numbers: generic rank, redundant rows.
-//! - [`program`]: straight-line code shared by all outputs, and loops for its repetition.
+//! - [`program`]: straight-line programs in which every value is computed once, and loops for repeated parts.
 //! - [`mod@plan`]: how the mechanism is solved, step by step.
-//! - [`loads`]: masses and loads, the multipliers λ along the plan, and what drivers and joints exert.
-//! - [`mod@kernels`]: all programs of the mechanism in final form, which generated code consists of.
+//! - [`loads`]: masses and loads, the multipliers λ along the plan, and the forces that drivers and joints exert.
+//! - [`mod@kernels`]: all programs of the mechanism in final form, of which the generated code consists.
 //! - [`sheet`]: the derivation as a document.
 //!
 //! Each module depends only on those before it in this list. The crate has no tokens, no spans and no I/O.

@@ -32,13 +32,13 @@ pub struct RowClass {
     /// True if t or an input appears; otherwise the row is scleronomic.
     pub rheonomic: bool,
     /// True if the row is declared by `driver` or `speed`, or if its own operands contain t or an input. A row that is
-    /// rheonomic only because of a moving held coordinate is not driving.
+    /// rheonomic only because a held coordinate of a body varies with time is not driving.
     pub driving: bool,
 }
 
 impl RowClass {
     /// True if the row transmits motion into the mechanism: it is driving, or a held coordinate of one of its bodies
-    /// moves.
+    /// varies with time.
     pub fn leads(self) -> bool {
         self.driving || self.rheonomic
     }

@@ -1,5 +1,5 @@
-//! The words that all crates share: what kinds of joints there are and what their geometry is for, what a frame and a
-//! coordinate of a pose are, what kinds of steps a solution plan has, how far a solution goes, and what it costs.
+//! Terms that all crates share: kinds of joints and loads, roles of their geometry, frames, components of poses,
+//! functions of formulas, kinds of steps of a solution plan, depths of solutions, and operation counts.
 
 use core::fmt;
 
@@ -43,7 +43,10 @@ macro_rules! words {
 }
 
 words! {
-    /// What kind of joint, constraint or driver a row belongs to.
+    /// The kind of a joint, constraint or driver.
+    ///
+    /// The variants show their rows of Φ. P is the first point, of body i, and Q the second, of body j; v̂ is the axis
+    /// as a unit vector, w = A_iᵀ(r_Q − r_P), perp(v) = (−v_y, v_x), R a radius, p the lead, c an angle and e a value.
     #[non_exhaustive]
     JointKind,
     /// The keyword of the language.
@@ -101,25 +104,26 @@ words! {
 }
 
 impl JointKind {
-    /// True for what is declared to drive; a joint may drive, too, with a length or an angle that moves.
+    /// True for the kinds that always drive. A joint of another kind drives if one of its operands, such as a length or
+    /// an angle, depends on t or an input.
     pub const fn drives(self) -> bool {
         matches!(self, Self::Driver | Self::Speed)
     }
 
-    /// True for an equation whose both sides are the user's own formulas.
+    /// True for an equation both sides of which are the user's own formulas.
     pub const fn is_free_equation(self) -> bool {
         matches!(self, Self::Constraint | Self::Nonholonomic | Self::Driver)
     }
 
-    /// True where it keeps a distance between points, which is not negative: a link, a cylinder, a rope, or a driver of a
-    /// distance, which is the only driver with a second point.
+    /// True for kinds that prescribe a length, which must not be negative: a distance (link, cylinder), a rope, or a
+    /// driver of a distance, which is the only driver with a second point.
     pub const fn keeps_length(self, has_second_point: bool) -> bool {
         matches!(self, Self::Distance | Self::Rope) || matches!(self, Self::Driver) && has_second_point
     }
 }
 
 words! {
-    /// What kind of mass or load.
+    /// The kind of a mass or load.
     #[non_exhaustive]
     LoadKind,
     /// The keyword of the language.
@@ -138,7 +142,7 @@ words! {
     TorsionSpring "torsion_spring",
 }
 
-/// What a statement of the language that has operands declares.
+/// The kind of a statement of the language that has operands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum StatementKind {
     /// A joint, constraint or driver: it has rows of Φ.
@@ -163,24 +167,26 @@ impl StatementKind {
 }
 
 words! {
-    /// What a piece of geometry is for.
+    /// The role of a geometric operand of a joint.
     #[non_exhaustive]
     Role,
-    /// What it is, in words.
+    /// The role in words.
     words:
     /// Body-fixed coordinates of the first operand's point, two numbers.
     P "first point",
     /// Body-fixed coordinates of the second operand's point, two numbers.
     Q "second point",
-    /// Body-fixed coordinates of a point between the first and the last, two numbers; in the order of the joint.
+    /// Body-fixed coordinates of a point between the first and the last, two numbers; several are in the order along
+    /// the rope.
     Via "point between",
     /// Unit vector of an axis in the frame it is fixed in, two numbers.
     Axis "axis",
-    /// Length, angle, offset or right-hand side, one number; may depend on t and inputs. The frame of a gear's or a
-    /// belt's is that of its carrier.
+    /// Length, angle, offset or right-hand side, one number; may depend on t and inputs. For a gear or a belt the
+    /// frame is that of the carrier.
     Value "value",
-    /// Radius of a disc or gear of that frame's body, one number; negative where the other runs inside. A roller's is that
-    /// to the left of the curve that it runs on.
+    /// Radius of a disc or gear fixed in the frame, one number; negative for a ring, inside which the other one runs,
+    /// and for a disc to the right of the line on which it rolls. For a roller on a curve the frame is that of the
+    /// curve, and the radius is positive to the left of the direction in which the parameter grows.
     Radius "radius",
 }
 
@@ -189,11 +195,11 @@ words! {
 pub enum Frame {
     /// The inertial frame O–xy.
     Ground,
-    /// A moving body, by its place among all bodies.
+    /// A moving body, by its index among all bodies.
     Body(usize),
 }
 
-/// `ground` or the place of a body.
+/// `ground`, or `body` and its index.
 impl fmt::Display for Frame {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -206,7 +212,7 @@ impl fmt::Display for Frame {
 words! {
     /// One of the three coordinates of a body's pose, in the order of q.
     Component,
-    /// As in the name of a coordinate.
+    /// The component as it is written in the name of a coordinate.
     name:
     /// x of the body's origin in the inertial frame.
     X "x",
@@ -250,20 +256,20 @@ impl Function {
     }
 }
 
-/// What kind of step of a solution plan.
+/// The kind of a step of a solution plan.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum StepKind {
-    /// Given by a formula of what is known.
+    /// A formula of known quantities.
     Explicit,
-    /// A linear system of so many unknowns.
+    /// A linear system; the number of its unknowns.
     Linear(usize),
     /// A group that closes without iteration, in one of two ways.
     Closure,
-    /// An iteration over so many unknowns.
+    /// Newton's iteration; the number of its unknowns.
     Newton(usize),
-    /// Redundant rows that all other steps do without, whole or but for a sign that they decide. It gives no coordinate; a
-    /// margin for each of them says whether the solution satisfies it, too, with its velocities and accelerations as far
-    /// as they are solved.
+    /// Redundant rows, which no other step uses, except that a row may determine a sign. The step gives no coordinate;
+    /// the margin of each row shows whether the solution satisfies it, including its velocity and acceleration
+    /// equations as far as these are solved.
     Watched,
 }
 
@@ -303,9 +309,9 @@ impl fmt::Display for StepKind {
 }
 
 words! {
-    /// How far a solution goes.
+    /// The highest time derivative of q that a solution includes.
     Depth,
-    /// What is solved.
+    /// The quantities that are solved for.
     solved:
     /// q.
     Position "q",
@@ -315,7 +321,7 @@ words! {
     Acceleration "q, q̇ and q̈",
 }
 
-/// Operations of a program: of one combined evaluation of Φ, Φ_q, Φ_t and γ, for example.
+/// The operations of a program, for example of one combined evaluation of Φ, Φ_q, Φ_t and γ.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct OperationCount {
     /// Additions and subtractions.
@@ -341,7 +347,7 @@ impl OperationCount {
     }
 }
 
-/// `50: 19 mul, 24 add, 4 neg, 3 sincos`; what there is none of is left out.
+/// `50: 19 mul, 24 add, 4 neg, 3 sincos`; operations that do not occur are left out.
 impl fmt::Display for OperationCount {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { add, mul, neg, div, sqrt, sincos, function } = *self;

@@ -1,5 +1,5 @@
-//! From tokens to a checked model, through two gates: first the description is parsed and its names are resolved, then
-//! the rules of [`kin_core::check`] are applied. All errors are reported together. The third gate checks the
+//! From tokens to a checked model: first the description is parsed and its names are resolved, then the rules of
+//! [`kin_core::check`] are applied. The errors of both are reported together. [`derive_equations`] then checks the
 //! structure of the equations of the model.
 
 use crate::lower::{Lowered, Outcome, lower};
@@ -45,7 +45,7 @@ pub(crate) fn analyse(args: TokenStream, item: TokenStream) -> (Option<ItemStruc
     (item, result)
 }
 
-/// The second gate. Parts with errors are missing in the model; then only the rules that examine a single part apply.
+/// Applies the rules. Parts with errors are missing in the model; then only the rules that examine a single part apply.
 fn check_model(lowered: &Lowered, report: &Report) {
     let rules = if report.count() == 0 { check } else { check_parts };
     for error in rules(&lowered.mechanism) {
@@ -58,8 +58,7 @@ fn check_model(lowered: &Lowered, report: &Report) {
     }
 }
 
-/// The third gate: differentiates the equations and diagnoses their structure. An equation that cannot be assembled is
-/// an error.
+/// Differentiates the equations and checks their structure. An equation that cannot be assembled is an error.
 pub(crate) fn derive_equations(lowered: &Lowered) -> syn::Result<(kin_core::KinematicSystem, kin_core::Structure)> {
     let spanned = |errors: Vec<kin_core::ModelError>| {
         let spanned = errors.into_iter().map(|error| syn::Error::new(lowered.span(error.origin), error));

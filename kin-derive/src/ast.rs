@@ -1,7 +1,7 @@
 //! The description as the user wrote it: parsed, with spans, and with names that are not resolved yet.
 //!
 //! A part that could not be parsed is a hole ([`ExprKind::Hole`], [`PointExpr::Hole`]): its error has been reported,
-//! and the rest of its row is still checked.
+//! and the rest of its statement is still checked.
 
 use kin_core::mechanism::{Function, OperandType, Relation, StatementForm};
 use proc_macro2::Span;
@@ -33,7 +33,7 @@ pub(crate) struct Flags {
     pub(crate) cross_check: bool,
     /// Accept redundant rows.
     pub(crate) allow_redundant: bool,
-    /// Accepted for the sake of old descriptions; units are always checked.
+    /// Without effect, because units are always checked; accepted for compatibility.
     pub(crate) check_units: bool,
 }
 
@@ -141,7 +141,7 @@ pub(crate) struct FunctionDecl {
     pub(crate) name: NewName,
 }
 
-/// The start value of one coordinate for the assembly, or of that of every member of a family.
+/// The start value for the assembly of one coordinate, or of the same coordinate of every member of a family.
 #[derive(Debug)]
 pub(crate) struct GuessDecl {
     /// The body or scalar coordinate.

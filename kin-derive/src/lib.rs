@@ -5,9 +5,9 @@
 //!     parse        lower       assemble       differentiate        plan       kernels    expand
 //! ```
 //!
-//! Parsing and lowering collect all errors. The rules of `kin_core::check` are the second gate, and the
-//! structural analysis of the equations by `kin_core::structure` is the third; after it, expansion cannot fail. For a
-//! description with errors, `fallback` emits the struct and empty items beside the errors.
+//! Errors come from three stages: parsing and lowering, the rules of `kin_core::check`, and the structural analysis of
+//! the equations by `kin_core::structure`. Expansion cannot fail. For a description with errors, `fallback` emits the
+//! struct and empty items beside the errors.
 
 mod analyse;
 mod ast;

@@ -57,7 +57,7 @@ impl Assembly<'_> {
         self.error_once(origin, format!("{what}{member} {message}"));
     }
 
-    /// The radius of a disc or gear, which must not be 0. Literal numbers have been checked by a rule before.
+    /// The radius of a disc or gear, which must not be 0. A literal 0 has been rejected by a rule before.
     pub(crate) fn radius(&mut self, radius: &Value) -> ExprId {
         let before = self.errors.len();
         let value = self.formula(&radius.value);
@@ -73,8 +73,8 @@ impl Assembly<'_> {
         set.observables.len() - 1
     }
 
-    /// The instances of a range, as (index to show, index): a single one without a range, otherwise one for every
-    /// index.
+    /// The instances of a range, as (index in the name, index): without a range a single instance, otherwise one for
+    /// every index.
     pub(crate) fn instances(range: Option<Range>) -> Vec<(Option<i64>, i64)> {
         match range {
             None => vec![(None, 0)],

@@ -23,8 +23,8 @@ impl Assembly<'_> {
                     Relation::Less => self.graph.sub(right, left),
                 };
                 let name = indexed(&condition.name, shown.is_some(), index);
-                // Only a member with a special index gets here; formulas that are constant in general are rejected by
-                // a rule before.
+                // This happens only for some members of a family; a condition that is constant for all indices has
+                // been rejected by a rule.
                 if self.graph.depends(value).is_static() {
                     let message = format!(
                         "unilateral `{name}` depends on parameters alone, so that no motion changes it; one of its \

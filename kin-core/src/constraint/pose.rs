@@ -1,4 +1,4 @@
-//! The state of bodies, points and axes in the inertial frame.
+//! Points, axes and poses of bodies as expressions in the inertial frame.
 
 use crate::expr::ExprId;
 use crate::vocabulary::Frame;

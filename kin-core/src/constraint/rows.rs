@@ -20,7 +20,7 @@ pub(crate) struct JointRows {
 }
 
 impl JointRows {
-    /// JointRows of a joint between two points, with the geometry of the points.
+    /// The geometry of a joint between two points, as yet without rows.
     pub(crate) fn between(p: &PlacedPoint, q: &PlacedPoint) -> Self {
         Self {
             frames: [Some(p.frame), Some(q.frame)],

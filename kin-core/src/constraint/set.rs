@@ -16,7 +16,7 @@ pub enum CoordinateKind {
 }
 
 impl CoordinateKind {
-    /// True for x and y of a body. Scalar coordinates count as dimensionless, because their unit is unknown.
+    /// True for x and y of a body. Scalar coordinates count as dimensionless, because they need not have a unit.
     pub fn is_length(self) -> bool {
         matches!(self, Self::Pose(_, Component::X | Component::Y))
     }
@@ -94,7 +94,7 @@ pub struct Geometry {
 /// A quantity that a joint reports.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Quantity {
-    /// `angle`, `stroke` or `distance`.
+    /// `angle`, `stroke`, `distance`, `length` or `theta`.
     pub name: &'static str,
     /// The observable.
     pub observable: usize,
@@ -185,7 +185,7 @@ pub struct ConditionInstance {
     pub family: (usize, i64),
     /// The inequality as the user wrote it.
     pub text: String,
-    /// The observable g, which is the larger side minus the smaller one.
+    /// The observable g: the side that is to be larger minus the other one.
     pub observable: usize,
     /// True if the condition contains t or an input.
     pub rheonomic: bool,
@@ -261,13 +261,13 @@ pub struct ConstraintSet {
     pub conditions: Vec<ConditionInstance>,
     /// The observables.
     pub observables: Vec<Observable>,
-    /// The numbers of the geometry: body-fixed points, axes and values.
+    /// The numbers of the geometry: body-fixed coordinates of points, axes, values and radii.
     pub geometry: Vec<ExprId>,
     /// The families of bodies, by indices of `bodies`.
     pub body_families: Vec<Family>,
     /// The families of rows, by indices of `rows`.
     pub row_families: Vec<Family>,
-    /// The coordinates with a guess, and its value.
+    /// The coordinates that have a guess, each with its value.
     pub guesses: Vec<(u32, ExprId)>,
 }
 

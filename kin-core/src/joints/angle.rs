@@ -1,10 +1,10 @@
-//! Absolute and relative angle of bodies.
+//! Absolute angle of a body, and relative angle of two bodies.
 //!
 //! Row (1), in radians, not reduced modulo 2π:
 //! ```text
 //! φ − e = 0        or        φ_b − φ_a − e = 0
 //! ```
-//! After Haug (1989), section 3.2 and 3.3.
+//! After Haug (1989), sections 3.2 and 3.3.
 
 use super::joint::{JointType, joint};
 use crate::constraint::{Assembly, Frame, JointRows, RowMeaning};

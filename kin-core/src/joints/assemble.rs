@@ -13,8 +13,9 @@ use core::ops::Range;
 /// Assembles Φ and everything that is reported.
 ///
 /// # Errors
-/// Indices out of range and cyclic definitions, at their origins. A mechanism that [`check`](crate::check::check)
-/// accepts has none.
+/// Indices out of range and cyclic definitions, which [`check`](crate::check::check) also finds; and operands that are
+/// degenerate for a member of a family or after constant folding, such as a radius of 0, of which `check` finds only
+/// literal ones.
 pub fn assemble(mechanism: &Mechanism) -> Result<ConstraintSet, Vec<ModelError>> {
     let mut set = ConstraintSet { name: mechanism.name.clone(), ..ConstraintSet::default() };
     let mut assembly = Assembly::new(mechanism, &mut set);
@@ -104,8 +105,8 @@ fn write(
 }
 
 /// The rows, of `rows` in all, whose own operands contain t or an input. Such rows are driving: a length, angle,
-/// offset or right-hand side that varies with time prescribes a motion. A joint of a body with a moving held
-/// coordinate also contains t, but only by the pose of the body; it is not driving.
+/// offset or right-hand side that varies with time prescribes a motion. A joint of a body with a held coordinate
+/// that varies with time also contains t, but only through the pose of the body; it is not driving.
 fn moving_rows(mechanism: &Mechanism, operands: &Operands, rows: usize) -> Range<usize> {
     let moves = |formulas: Vec<_>| formulas.into_iter().any(|formula| contains_signal(mechanism, formula));
     let moving = operands.iter().filter(|(slot, operand)| slot.may_move() && moves(operand.formulas()));

@@ -1,31 +1,32 @@
-//! Where bodies touch: in which direction one presses on the other.
+//! Contacts of bodies: the direction of the normal force.
 
 use crate::expr::{ExprId, Graph};
 use crate::vocabulary::Function;
 
-/// What the sign of a length may be divided by besides its size, so that of 0 there is a number, too.
+/// Added to |x| in the sign x/|x|, so that the sign of 0 is 0 and not NaN.
 const SMALLEST: f64 = 1e-30;
 
-/// The normal of a contact, from the body of the first operand to that of the second.
+/// The normal of a contact: the direction in which the body of the first operand presses on that of the second.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Contact {
     pub(crate) normal: Normal,
-    /// +1 or −1 for its side.
+    /// The factor +1 or −1 by which `normal` is multiplied to point to the side of the second body.
     pub(crate) side: ExprId,
-    /// Whether the contact also carries a force along the line or disc that it lies on, as where nothing slips.
+    /// Whether the contact also transmits a tangential force, because the bodies roll without slipping.
     pub(crate) sticks: bool,
 }
 
-/// How a normal is found.
+/// How the normal is determined, up to its side.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Normal {
-    /// The gradient of the first row by the place of the second body.
+    /// The gradient of the first row with respect to the origin of the second body, to be normalised.
     Gradient,
-    /// The same, which is of length 1.
+    /// The same gradient, which has length 1.
     UnitGradient,
-    /// To the left of the tangent along which a coordinate moves the rows.
+    /// Perpendicular to the tangent of a curve, on its left; the tangent is minus the column of Φ_q that belongs to
+    /// this coordinate, the parameter of the curve.
     LeftOf(u32),
-    /// The direction of an angle in the inertial frame.
+    /// The direction with this angle in the inertial frame.
     Direction(ExprId),
 }
 

@@ -1,6 +1,6 @@
 //! Fixed joint: two bodies move as one rigid body.
 //!
-//! JointRows (3): those of a revolute joint, and the relative angle.
+//! Rows (3): those of a revolute joint, and the relative angle.
 //! ```text
 //! x, y:   r_Q − r_P = 0
 //! angle:  φ_j − φ_i − c = 0

@@ -6,7 +6,7 @@ use crate::error::ModelError;
 use crate::mechanism::{Joint, Mechanism, Operands, StatementForm, TypedOperands};
 use crate::vectors::{Equation, NamedJoint};
 
-/// What the constraint reaction of a joint's rows acts as.
+/// How the constraint reaction of a joint acts on the bodies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Reaction {
     /// A force at the joint's point and a couple on the body of the second operand, and their opposites on the first.
@@ -21,7 +21,7 @@ pub(crate) enum Reaction {
 
 /// A kind of joint.
 pub(super) trait JointType: TypedOperands {
-    /// What the reaction acts as.
+    /// How the reaction acts.
     const REACTION: Reaction = Reaction::OnSecond;
 
     /// The rows of Φ.
@@ -30,7 +30,7 @@ pub(super) trait JointType: TypedOperands {
     /// The rules of this kind beyond those of its slots.
     fn check(&self, _joint: &Joint, _mechanism: &Mechanism, _errors: &mut Vec<ModelError>) {}
 
-    /// How its bodies touch; none where a joint holds them together.
+    /// The contact of the bodies; `None` if the joint holds them together in both directions.
     fn contact(&self, _a: &mut Assembly<'_>) -> Option<Contact> {
         None
     }

@@ -56,12 +56,12 @@ pub(crate) fn rows_of(a: &mut Assembly<'_>, operands: &Operands) -> JointRows {
     kind_of(operands).map_or_else(JointRows::default, |kind| (kind.rows)(a, operands))
 }
 
-/// What the reaction of a joint acts as.
+/// How the reaction of a joint acts on the bodies.
 pub(crate) fn reaction_of(operands: &Operands) -> Reaction {
     kind_of(operands).map_or(Reaction::Generalized, |kind| kind.reaction)
 }
 
-/// How the bodies of a joint touch; none where it holds them together.
+/// The contact of the bodies of a joint; `None` if it holds them together in both directions.
 pub(crate) fn contact_of(a: &mut Assembly<'_>, operands: &Operands) -> Option<Contact> {
     (kind_of(operands)?.contact)(a, operands)
 }

@@ -4,8 +4,9 @@
 //! ```text
 //! u × ṙ_P = −ẋ_P sin ψ + ẏ_P cos ψ = 0
 //! ```
-//! α may depend on time, as for a steered wheel. Never singular by itself: if the origin is free, B contains the unit
-//! vector perp(u) in its columns. After Neimark and Fufaev, Dynamics of Nonholonomic Systems (1972), chapter 1.
+//! α may depend on time, as for a steered wheel. Never singular by itself: if the origin of the body is free, its
+//! coefficients in B are the unit vector perp(u). After Neimark and Fufaev, Dynamics of Nonholonomic Systems (1972),
+//! chapter 1.
 
 use super::joint::{JointType, joint};
 use super::nonholonomic::{Heading, velocity_row};

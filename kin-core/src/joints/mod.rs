@@ -1,5 +1,5 @@
 //! From a mechanism to Φ. Each kind of joint is a file with its operands, its rows of Φ, its rules and its textbook
-//! equations. All other code sees a joint only by the [slots](crate::mechanism::OperandSlot) of its operands.
+//! equations. All other code uses a joint only through the [slots](crate::mechanism::OperandSlot) of its operands.
 
 mod angle;
 mod assemble;

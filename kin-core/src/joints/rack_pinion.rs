@@ -60,8 +60,8 @@ impl JointType for RackPinion {
     }
 }
 
-/// The row of a slide along `axis` that is proportional to a rotation, `by_radian` for each radian relative to the
-/// guide: u·(r_Q − r_P) − by_radian (φ_b − φ_i) − e.
+/// The row of a stroke along `axis` that is proportional to a rotation relative to the guide, `by_radian` for each
+/// radian: u·(r_Q − r_P) − by_radian (φ_b − φ_i) − e.
 pub(super) fn stroke_by_angle(
     a: &mut Assembly<'_>,
     [p, q]: [&Place; 2],
@@ -85,7 +85,7 @@ pub(super) fn stroke_by_angle(
     rows
 }
 
-/// Rule: the guide is not the rotating body, for any index of the range; `what` is the name of the latter.
+/// Rule: the guide is not the rotating body, for any index of the range; `what` names the latter in the message.
 pub(super) fn guide_does_not_turn(
     guide: BodyRef,
     turning: BodyRef,

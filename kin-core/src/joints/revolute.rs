@@ -1,6 +1,6 @@
 //! Revolute joint: P of body i and Q of body j coincide.
 //!
-//! JointRows (2), in the inertial frame, in units of length:
+//! Rows (2), in the inertial frame, in units of length:
 //! ```text
 //! x:  x_Q − x_P = 0
 //! y:  y_Q − y_P = 0        r = r_i + A_i s′

@@ -1,6 +1,6 @@
 //! Rolling on a disc: a disc of body j, centred at Q, rolls without slipping on a disc of body i, centred at P.
 //!
-//! JointRows (3), where d = r_Q − r_P and the scalar coordinate ψ is the direction of d in the inertial frame, in units of
+//! Rows (3), where d = r_Q − r_P and the scalar coordinate ψ is the direction of d in the inertial frame, in units of
 //! length:
 //! ```text
 //! x, y:  d − (R_i + R_j)(cos ψ, sin ψ) = 0
@@ -73,14 +73,14 @@ impl JointType for RollingOnDisc {
         rows
     }
 
-    /// From the point of contact to the centre of the second disc.
+    /// The normal points from the point of contact to the centre of the second disc.
     fn contact(&self, a: &mut Assembly<'_>) -> Option<Contact> {
         let (psi, radius) = (a.formula(&Formula::Scalar(self.along)), a.formula(&self.radii.j.value));
         Some(Contact { normal: Normal::Direction(psi), side: side(&mut a.graph, radius), sticks: true })
     }
 
-    /// Rule: literal radii do not put both discs on one centre. Radii that become so for a member of a family or by
-    /// constant folding are reported when the rows are written.
+    /// Rule: the sum of literal radii is not 0, which would put both discs on one centre. A sum that is 0 for a member
+    /// of a family, or after constant folding, is reported when the rows are written.
     fn check(&self, _: &Joint, _: &Mechanism, errors: &mut Vec<ModelError>) {
         if let (Some(i), Some(j)) = (self.radii.i.value.literal(), self.radii.j.value.literal())
             && i != 0.0

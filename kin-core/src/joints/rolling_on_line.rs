@@ -1,6 +1,6 @@
 //! Rolling on a line: a disc of body j, centred at Q, rolls without slipping on a line of body i through P.
 //!
-//! JointRows (2), with u = A_i v̂ and d = r_Q − r_P, in units of length:
+//! Rows (2), with u = A_i v̂ and d = r_Q − r_P, in units of length:
 //! ```text
 //! normal:  perp(u)·d − R = 0
 //! roll:    u·d + R(φ_j − φ_i) − e = 0
@@ -61,7 +61,7 @@ impl JointType for RollingOnLine {
         rows
     }
 
-    /// The line presses the disc to the side on which it lies.
+    /// The normal points from the line to the side on which the disc lies.
     fn contact(&self, a: &mut Assembly<'_>) -> Option<Contact> {
         let radius = a.formula(&self.radius.value);
         Some(Contact { normal: Normal::UnitGradient, side: side(&mut a.graph, radius), sticks: true })

@@ -1,6 +1,6 @@
 //! Translational joint: body j slides along an axis of body i and does not rotate relative to it.
 //!
-//! JointRows (2), with u = A_i v̂, |v̂| = 1:
+//! Rows (2), with u = A_i v̂, |v̂| = 1:
 //! ```text
 //! normal:  perp(u)·(r_Q − r_P) = 0      length
 //! angle:   φ_j − φ_i − c = 0            angle

@@ -1,10 +1,10 @@
 //! M and Q of M q̈ + Φ_qᵀ λ = Q as formulas for people.
 //!
-//! With masses m and moments of inertia J along the coordinates x of their centres and the angles φ of their bodies,
+//! For masses m with the coordinates x of their centres, and moments of inertia J with the angles φ of their bodies,
 //! ```text
 //! M_jk = Σ m ∂x/∂q_j ∂x/∂q_k + Σ J ∂φ/∂q_j ∂φ/∂q_k        Q = (Q − M q̈) where q̈ = 0
 //! ```
-//! so that what depends on the squares of rates stands in Q.
+//! so that terms that are quadratic in the rates are part of Q.
 
 use super::equilibrium::Equilibrium;
 use super::forces::all_acting;
@@ -18,13 +18,13 @@ use std::collections::BTreeMap;
 /// M and Q, printed.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Dynamics {
-    /// Entries of the symmetric M that are not 0: row, column, and the entry; the column is not before the row.
+    /// The non-zero entries of the symmetric matrix M with row ≤ column: row, column, entry.
     pub mass: Vec<(usize, usize, String)>,
-    /// Q, an entry for every coordinate.
+    /// Q, one entry for each coordinate.
     pub forces: Vec<String>,
 }
 
-/// The equations of motion of a mechanism; none where it has neither masses nor loads.
+/// The equations of motion of a mechanism; `None` if it has neither masses nor loads.
 pub fn dynamics(mechanism: &Mechanism, system: &KinematicSystem) -> Option<Dynamics> {
     if mechanism.loads.is_empty() {
         return None;
@@ -64,7 +64,7 @@ fn mass_matrix(graph: &mut Graph, inertial: &[(ExprId, ExprId)]) -> BTreeMap<(u3
     entries
 }
 
-/// No accelerations.
+/// The substitution q̈ = 0.
 struct AtRest;
 
 impl Substitution for AtRest {

@@ -7,14 +7,14 @@ use crate::mechanism::Formula;
 
 /// A spring with a damper along a length or an angle.
 pub(super) struct Elastic<'f> {
-    /// The length or angle, as the mechanism has it and with all bodies free.
+    /// The length or angle in both views of [`FreeBodies`].
     pub(super) length: [ExprId; 2],
     pub(super) stiffness: &'f Formula,
     pub(super) free: &'f Formula,
     pub(super) damping: &'f Formula,
 }
 
-/// The action of a spring: see [`Spring`](super::Spring).
+/// The action of a spring; for the formulas see [`Spring`](super::Spring).
 pub(super) fn stretched(bodies: &mut FreeBodies<'_>, elastic: &Elastic<'_>) -> Acting {
     let [k, free, c] = [elastic.stiffness, elastic.free, elastic.damping].map(|formula| bodies.formula(formula));
     let [length, of_free_bodies] = elastic.length;

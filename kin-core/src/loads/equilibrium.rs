@@ -1,11 +1,11 @@
-//! The equilibrium of free bodies: the generalised forces of loads and inertia that joints and drivers must balance.
+//! The equilibrium of free bodies: the generalized forces of loads and inertia that joints and drivers must balance.
 //!
 //! ```text
 //! M q̈ + Φ_qᵀ λ = Q        r = Q − M q̈ = Σ force · ∂quantity/∂q        Φ_qᵀ λ = r
 //! ```
-//! The same equations hold with the poses of all bodies free. Held and carried coordinates then have rows of their own,
-//! v − e = 0, and the multipliers of these rows follow from the columns of these coordinates, beginning with the last
-//! carried body.
+//! The same equations hold for free bodies, where every held or carried component v is a coordinate with a row of its
+//! own, v − e = 0. The multiplier of this row follows from the equation for v. Bodies at the end of a chain of carriers
+//! come first, because their rows also contain the coordinates of their carriers.
 
 use super::free_bodies::FreeBodies;
 use super::load::Acting;
@@ -15,7 +15,7 @@ use crate::joints::rows_of;
 use crate::mechanism::{BodyOrigin, Component, Source};
 use std::collections::BTreeMap;
 
-/// The derivatives of a row by the coordinates of free bodies.
+/// The derivatives of a row with respect to the coordinates of free bodies.
 #[derive(Clone, Debug, Default)]
 pub(super) struct FreeRow {
     /// ∂Φ/∂coordinate, or ∂η/∂rate of a row of velocity level.
@@ -27,7 +27,7 @@ pub(super) struct FreeRow {
 /// A row v − e = 0 of a coordinate that is held or carried.
 #[derive(Clone, Debug)]
 pub(super) struct Hold {
-    /// The body and its coordinate.
+    /// The body and the component of its pose.
     pub(super) body: usize,
     pub(super) component: Component,
     /// The index of v among the coordinates of free bodies.
@@ -35,11 +35,11 @@ pub(super) struct Hold {
     pub(super) row: FreeRow,
 }
 
-/// The equilibrium of a mechanism, as far as it does not depend on λ.
+/// The parts of the equilibrium of a mechanism that do not depend on λ.
 pub(super) struct Equilibrium {
-    /// r by the coordinates of q.
+    /// r for the coordinates in q.
     pub(super) posed: Vec<ExprId>,
-    /// r by the coordinates of free bodies.
+    /// r for the coordinates of free bodies.
     free: BTreeMap<u32, ExprId>,
     /// The rows of Φ.
     pub(super) rows: Vec<FreeRow>,
@@ -182,7 +182,7 @@ fn holds(bodies: &mut FreeBodies<'_>, set: &ConstraintSet) -> Vec<Hold> {
     holds
 }
 
-/// The length of the chain of bodies that carry a body.
+/// The number of bodies in the chain of carriers of a body.
 fn depth(set: &ConstraintSet, place: usize) -> usize {
     let mut depth = 0;
     let mut next = set.bodies[place].carried_by;

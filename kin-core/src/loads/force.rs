@@ -1,5 +1,5 @@
-//! A force F on a body at a point P; its components are those in the inertial frame, or in the frame of a body, with
-//! which they turn then.
+//! A force F on a body at a point P; its components are given in the inertial frame, or in the frame of a body b, with
+//! which the force then turns.
 //!
 //! ```text
 //! along r_P:  F, or A_b F        power  F·ṙ_P

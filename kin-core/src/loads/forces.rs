@@ -1,4 +1,4 @@
-//! The programs of forces: numbers in a fixed order, and what each of them is.
+//! The programs that compute forces as lists of numbers, and the meaning of these numbers.
 
 use super::equilibrium::Equilibrium;
 use super::free_bodies::FreeBodies;
@@ -14,14 +14,14 @@ use crate::program::{Program, Slot, lower};
 use crate::system::KinematicSystem;
 use crate::vocabulary::{LoadKind, StatementKind};
 
-/// A spring: length or angle, its rate, tension or torque on the second body, energy, power of the damper.
+/// The results of a spring: length or angle, its rate, tension or torque on the second body, energy, damper power.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SpringForce {
     /// Its name.
     pub name: String,
     /// True for a torsion spring.
     pub turns: bool,
-    /// The place of its first number among the results.
+    /// The index of its first number among the results.
     pub place: usize,
     /// Its numbers.
     pub numbers: [ExprId; 5],
@@ -34,27 +34,27 @@ pub struct LoadForce {
     pub name: String,
     /// The body.
     pub on: Frame,
-    /// The place of its first number among those of all loads.
+    /// The index of its first number among those of all loads.
     pub place: usize,
-    /// True for a force, four numbers with its point; otherwise it is a couple.
+    /// True for a force: four numbers, its point and its components. Otherwise a couple: one number.
     pub is_force: bool,
 }
 
-/// What is asked of the forces of a mechanism.
+/// The programs that compute the forces of a mechanism.
 ///
-/// The results stand in this order: force of shaking, its moment about the origin, the same of inertia alone; kinetic
-/// energy, that of gravity, that of springs; power of drivers, of applied loads, of dampers; the rate of all energy; λ; then efforts, reactions
-/// and springs.
+/// The order of the results is: the shaking force and its moment about the origin, the same of the inertia forces
+/// alone; the energies (kinetic, of gravity, of springs); the powers of drivers, of applied loads and of dampers; the
+/// rate of the total energy; λ; efforts, reactions, springs.
 #[derive(Clone, Debug)]
 pub struct Forces {
-    /// r = Q − M q̈, one number for every coordinate, from which λ is solved numerically.
+    /// r = Q − M q̈, one number for each coordinate, for a numerical solution of Φ_qᵀ λ = r.
     pub generalized: Program,
-    /// All results; they hold the solution for λ along the plan where there is one, and read it as right-hand sides
-    /// otherwise.
+    /// All results. λ is computed along the plan if possible; otherwise it is an argument, which is passed as the
+    /// right-hand sides.
     pub results: Program,
-    /// All results with λ as right-hand sides, where `results` hold its solution.
+    /// All results with λ as an argument, if `results` computes λ.
     pub of_multipliers: Option<Program>,
-    /// Their number.
+    /// The number of results.
     pub count: usize,
     /// Efforts.
     pub efforts: Vec<Effort>,
@@ -64,15 +64,15 @@ pub struct Forces {
     pub springs: Vec<SpringForce>,
     /// The forces and couples of loads on bodies, for pictures.
     pub exerted: Program,
-    /// What its numbers are.
+    /// The meaning of the numbers of `exerted`.
     pub loads: Vec<LoadForce>,
 }
 
-/// Numbers before λ: shaking, inertia, energies, powers, the rate of all energy.
+/// The number of results before λ: shaking, inertia, energies, powers, the rate of the total energy.
 const TOTALS: usize = 13;
 
-/// The forces of a mechanism, along the linear level of its plan where it has one; none where it has neither masses nor
-/// loads.
+/// The forces of a mechanism; `None` if it has neither masses nor loads. `linear` is the solution of Φ_q x = b along
+/// the plan, if there is one.
 pub fn forces(mechanism: &Mechanism, system: &KinematicSystem, linear: Option<Linear>) -> Option<Forces> {
     if mechanism.loads.is_empty() {
         return None;
@@ -87,7 +87,7 @@ pub fn forces(mechanism: &Mechanism, system: &KinematicSystem, linear: Option<Li
     let (loads, exerted) = on_bodies(&acting);
     let equilibrium = Equilibrium::new(&mut bodies, set, &acting);
     let rows = set.rows.len();
-    // Rows that are more than coordinates share the forces in a way that the plan does not know.
+    // With more rows than coordinates λ is not unique, and the plan does not determine it.
     let along_plan = solution.filter(|x| x.len() == rows);
     let solved = along_plan.and_then(|x| transpose(&mut bodies.a.graph, &x, &equilibrium.posed, rows));
     let is_solved = solved.is_some();
@@ -115,7 +115,7 @@ pub fn forces(mechanism: &Mechanism, system: &KinematicSystem, linear: Option<Li
     })
 }
 
-/// The forces and couples of loads on bodies: a table of the numbers, and the numbers.
+/// The forces and couples of loads on bodies: the meaning of the numbers, and the numbers.
 fn on_bodies(acting: &[Acting]) -> (Vec<LoadForce>, Vec<ExprId>) {
     let (mut loads, mut numbers) = (Vec::new(), Vec::new());
     for acting in acting {
@@ -129,7 +129,7 @@ fn on_bodies(acting: &[Acting]) -> (Vec<LoadForce>, Vec<ExprId>) {
     (loads, numbers)
 }
 
-/// All results, and what efforts and reactions they hold.
+/// All results, and the efforts and reactions among them.
 struct Results {
     list: Vec<ExprId>,
     efforts: Vec<Effort>,
@@ -137,7 +137,7 @@ struct Results {
 }
 
 impl Writer<'_, '_> {
-    /// The results for multipliers λ; springs learn their places.
+    /// The results for multipliers λ; stores the index of its first number in every spring.
     fn results(&mut self, lambda: &[ExprId], acting: &[Acting], springs: &mut [SpringForce]) -> Results {
         let of_holds = self.equilibrium.multipliers_of_holds(self.bodies, lambda);
         self.multipliers = lambda.iter().copied().chain(of_holds).collect();
@@ -164,7 +164,7 @@ impl Writer<'_, '_> {
     }
 }
 
-/// What all masses and loads do, the field of gravity first, and the springs among them.
+/// The actions of all masses and loads, and the springs among them. Gravity comes first, because masses use its field.
 pub(super) fn all_acting(bodies: &mut FreeBodies<'_>) -> (Vec<Acting>, Vec<SpringForce>) {
     let (mut all, mut springs) = (Vec::new(), Vec::new());
     let loads = &bodies.a.mechanism.loads;
@@ -215,7 +215,7 @@ fn totals(graph: &mut Graph, acting: &[Acting], efforts: &[Effort]) -> [ExprId; 
     totals
 }
 
-/// The time derivative of what holds q and q̇.
+/// The time derivative of an expression in q, q̇ and t.
 fn rate(graph: &mut Graph, value: ExprId) -> ExprId {
     let Some(jet) = velocity_derivatives(graph, &[value]).pop() else { return graph.zero() };
     jet.gradient.into_iter().fold(jet.rest, |sum, (k, coefficient)| {

@@ -1,8 +1,8 @@
 //! Free bodies: the bodies of a mechanism without their joints, each with its own x, y and φ.
 //!
 //! Held and carried coordinates are not in q, and the ground has no coordinates. To compute reactions, they are
-//! introduced as further symbols after those of q; expressions are differentiated by them, and then they are replaced
-//! by their values in terms of q.
+//! introduced as further symbols after those of q; expressions are differentiated with respect to them, and then they
+//! are replaced by their values in terms of q.
 
 use crate::constraint::{Assembly, ConstraintSet, Frame, PlacedPoint, Pose};
 use crate::expr::{ExprId, Graph, IdMap, Symbol, total_derivatives};
@@ -17,7 +17,8 @@ pub(super) struct Motion {
     pub(super) acceleration: ExprId,
 }
 
-/// The bodies of a mechanism in two views: as the mechanism has them, and with all bodies free.
+/// The bodies of a mechanism in two views: *posed*, with all poses in terms of q, and *free*, with x, y and φ of every
+/// body and of the ground as coordinates.
 pub(super) struct FreeBodies<'m> {
     pub(super) a: Assembly<'m>,
     /// The field of gravity.
@@ -39,7 +40,7 @@ struct View {
 }
 
 impl<'m> FreeBodies<'m> {
-    /// The bodies of an assembled mechanism; `graph` begins with that of the assembly.
+    /// The bodies of an assembled mechanism; `graph` contains the expressions of the assembly and perhaps more.
     pub(super) fn new(mechanism: &'m Mechanism, set: &ConstraintSet, graph: Graph) -> Self {
         let mut a = Assembly::new(mechanism, &mut ConstraintSet::default());
         a.graph = graph;
@@ -64,7 +65,7 @@ impl<'m> FreeBodies<'m> {
         Self { a, field: [zero; 2], other, ground, bodies, values }
     }
 
-    /// The results of `write` in both views: as the mechanism has the bodies, and with all of them free.
+    /// The results of `write` in both views: posed, free.
     pub(super) fn both<T>(&mut self, write: impl Fn(&mut Assembly<'m>) -> T) -> [T; 2] {
         let posed = write(&mut self.a);
         self.exchange();
@@ -73,7 +74,7 @@ impl<'m> FreeBodies<'m> {
         [posed, free]
     }
 
-    /// The result of `write` with all bodies free.
+    /// The result of `write` in the free view.
     pub(super) fn free<T>(&mut self, write: impl FnOnce(&mut Assembly<'m>) -> T) -> T {
         self.exchange();
         let free = write(&mut self.a);
@@ -95,7 +96,7 @@ impl<'m> FreeBodies<'m> {
         }
     }
 
-    /// x, y, φ of a frame as the mechanism has it.
+    /// x, y, φ of a frame in terms of q.
     pub(super) fn pose(&mut self, frame: Frame) -> [ExprId; 3] {
         match frame {
             Frame::Ground => [self.a.graph.zero(); 3],
@@ -113,7 +114,7 @@ impl<'m> FreeBodies<'m> {
         self.both(|a| a.pose(body)[2])
     }
 
-    /// A formula as the mechanism has it.
+    /// A formula in terms of q.
     pub(super) fn formula(&mut self, formula: &Formula) -> ExprId {
         self.a.formula(formula)
     }

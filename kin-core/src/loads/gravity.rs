@@ -1,4 +1,4 @@
-//! Gravity: a field g = (g_x, g_y) in the inertial frame, an acceleration, that pulls every mass with m g.
+//! Gravity: a field g = (g_x, g_y) in the inertial frame, an acceleration, that exerts the force m g on every mass m.
 
 use super::free_bodies::FreeBodies;
 use super::load::{Acting, LoadType, load};

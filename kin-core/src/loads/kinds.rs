@@ -5,8 +5,8 @@ use super::load::{Acting, Kind};
 use super::{Force, Gravity, Mass, Spring, Torque, TorsionSpring};
 use crate::mechanism::{Operands, StatementForm};
 
-/// Every kind of mass or load, in the order of the guide. A new kind is a file of its own, its word in the
-/// [vocabulary](crate::vocabulary), and a row here.
+/// Every kind of mass or load, in the order of the guide. A new kind needs a file of its own, a variant in the
+/// [vocabulary](crate::vocabulary), and an entry here.
 const KINDS: &[Kind] = &[
     Kind::of::<Gravity>(),
     Kind::of::<Mass>(),
@@ -16,12 +16,12 @@ const KINDS: &[Kind] = &[
     Kind::of::<TorsionSpring>(),
 ];
 
-/// How every kind of mass or load is written, in the order of the guide.
+/// The forms of all kinds of masses and loads, in the order of the guide.
 pub fn forms() -> impl Iterator<Item = &'static StatementForm> {
     KINDS.iter().map(|kind| kind.form)
 }
 
-/// The action of a mass or a load; none for other statements.
+/// The action of a mass or a load; `None` for other statements.
 pub(super) fn acts(bodies: &mut FreeBodies<'_>, operands: &Operands) -> Option<Acting> {
     let kind = KINDS.iter().find(|kind| kind.form == operands.form())?;
     (kind.acts)(bodies, operands)

@@ -1,29 +1,29 @@
-//! What every kind of mass or load has: operands, and what it does to the bodies.
+//! The interface of a kind of mass or load: operands, and the forces that it exerts on the bodies.
 
 use super::free_bodies::FreeBodies;
 use crate::constraint::Frame;
 use crate::expr::ExprId;
 use crate::mechanism::{Operands, StatementForm, TypedOperands};
 
-/// A force or couple with what it moves: Q_k = force · ∂quantity/∂q_k.
+/// A force or couple, and the quantity along which it does work: Q_k = force · ∂quantity/∂q_k.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Work {
-    /// What moves, by the coordinates.
+    /// The quantity, a length or an angle, in terms of q.
     pub(super) posed: ExprId,
-    /// The same with the poses of all bodies free.
+    /// The same quantity with all bodies free.
     pub(super) free: ExprId,
     /// The force along a length, or the couple along an angle.
     pub(super) force: ExprId,
 }
 
-/// A force and its moment about the origin of the inertial frame: f_x, f_y, m.
+/// A force and its moment about a point: f_x, f_y, m. In [`Acting`] the point is the origin of the inertial frame.
 pub(super) type Wrench = [ExprId; 3];
 
 /// The force or couple of a load on a body, for pictures.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Exerted {
     pub(super) on: Frame,
-    /// Where, and what force.
+    /// The point at which the force acts, and the force.
     pub(super) force: Option<[[ExprId; 2]; 2]>,
     pub(super) couple: Option<ExprId>,
 }
@@ -38,15 +38,15 @@ impl Exerted {
     }
 }
 
-/// What a mass or a load does; everything that it does not do is 0.
+/// The action of a mass or a load; contributions that it does not make are 0.
 #[derive(Clone, Debug)]
 pub(super) struct Acting {
-    /// What it is called; `gravity` for the weight of a mass.
+    /// Its name; `gravity` for the weight of a mass.
     pub(super) name: String,
     pub(super) work: Vec<Work>,
-    /// What has inertia: quantities that move, each with its mass or moment of inertia.
+    /// Coordinates of centres of mass and angles of bodies, each with its mass or moment of inertia.
     pub(super) inertial: Vec<(ExprId, ExprId)>,
-    /// What comes from outside of the mechanism: its weight, applied forces and couples.
+    /// The load from outside the mechanism: weight, applied forces and couples.
     pub(super) outside: Wrench,
     /// −m a and −J α, as a wrench.
     pub(super) inertia: Wrench,
@@ -81,7 +81,7 @@ impl Acting {
 
 /// A kind of mass or load.
 pub(super) trait LoadType: TypedOperands {
-    /// What it does.
+    /// Its action.
     fn acts(&self, bodies: &mut FreeBodies<'_>) -> Acting;
 }
 
@@ -97,7 +97,8 @@ impl Kind {
     }
 }
 
-/// Declares the operands of a kind of mass or load: a struct with a field for every slot, and how it is written.
+/// Declares the operands of a kind of mass or load: a struct with a field for every slot, and its form as a
+/// statement.
 macro_rules! load {
     (
         $(#[$meta:meta])*

@@ -1,12 +1,12 @@
-//! Forces: what drivers must supply and what joints carry, in closed form.
+//! Forces: the efforts of drivers and the reactions of joints, in closed form (inverse dynamics).
 //!
-//! A mechanism with masses and loads moves as its drivers say. With q, q̇, q̈ known,
+//! The motion of a mechanism is prescribed by its drivers. With q, q̇, q̈ known,
 //! ```text
 //! M q̈ + Φ_qᵀ λ = Q
 //! ```
-//! is linear in the multipliers λ, and rows with their multipliers exert −Φ_qᵀ λ on the bodies. Masses and loads are
-//! written as forces along quantities (see [`Mass`], [`Force`], [`Spring`], …); what drivers and joints exert follows from
-//! λ and the rows of free bodies. After Haug (1989), chapters 6 and 7.
+//! is linear in the multipliers λ, and the constraints exert the generalized forces −Φ_qᵀ λ. Masses and loads are
+//! written as forces along lengths and angles (see [`Mass`], [`Force`], [`Spring`], …). The forces of drivers and
+//! joints follow from λ and the rows of Φ for free bodies. After Haug (1989), chapters 6 and 7.
 
 mod dynamics;
 mod elastic;

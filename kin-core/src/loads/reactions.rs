@@ -1,7 +1,7 @@
 //! Efforts of drivers and reactions of joints, from the multipliers of their rows.
 //!
 //! A row Φ with its multiplier exerts −λ ∂Φ/∂(x, y, φ) on a body: a force, and a moment about the body's origin. About
-//! a point P it is m_P = m − (r_P − r) × f. These do not depend on the scale and the sign of a row.
+//! a point P it is m_P = m − (r_P − r) × f. Force and moment do not depend on the scale and the sign of the row.
 
 use super::equilibrium::{Equilibrium, FreeRow, Hold};
 use super::free_bodies::FreeBodies;
@@ -17,9 +17,9 @@ use crate::vocabulary::Role;
 /// The force or torque of a driver along the quantity that it drives, and the rate of that quantity.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Effort {
-    /// The driver's name, or that of a row.
+    /// The name of the driver, or of one of its rows.
     pub name: String,
-    /// The place of its first number among the results.
+    /// The index of its first number among the results.
     pub place: usize,
     /// Force or torque, and the rate.
     pub numbers: [ExprId; 2],
@@ -30,13 +30,13 @@ pub struct Effort {
 pub struct ReactionForce {
     /// The joint's name.
     pub name: String,
-    /// The place of its first number among the results.
+    /// The index of its first number among the results.
     pub place: usize,
     /// The rows whose multipliers it depends on; rows of held and carried coordinates come after those of Φ.
     pub rows: Vec<usize>,
     /// The body that force and moment act on.
     pub on: Option<Frame>,
-    /// The point at which it acts, and the force.
+    /// The point at which the force acts, and the force.
     pub force: Option<[[ExprId; 2]; 2]>,
     /// The moment about that point, or the couple.
     pub moment: Option<ExprId>,
@@ -46,7 +46,7 @@ pub struct ReactionForce {
     pub generalized: Vec<ExprId>,
     /// For contacts: the normal component of the force, positive if the bodies press on one another.
     pub normal: Option<ExprId>,
-    /// For rolling without slipping: the component along the line, or in the direction of growing ψ.
+    /// For rolling without slipping: the component along the axis of the line, or in the direction of increasing ψ.
     pub tangential: Option<ExprId>,
 }
 
@@ -86,7 +86,7 @@ impl Writer<'_, '_> {
         })
     }
 
-    /// A wrench about a point instead of about the origin of its body.
+    /// The moment of a wrench about a point; the wrench is about the origin of the body.
     fn about(&mut self, frame: Frame, point: [ExprId; 2], [x, y, moment]: Wrench) -> ExprId {
         let pose = self.bodies.pose(frame);
         let graph = &mut self.bodies.a.graph;
@@ -102,7 +102,7 @@ impl Writer<'_, '_> {
         if self.zero_test.is_zero(graph, id) { graph.zero() } else { id }
     }
 
-    /// The efforts of all drivers, and of coordinates that are held at something that moves.
+    /// The efforts of all drivers, and of held coordinates that vary with time.
     pub(super) fn efforts(&mut self) -> Vec<Effort> {
         let mut efforts = Vec::new();
         for joint in &self.system.set.joints {
@@ -129,7 +129,7 @@ impl Writer<'_, '_> {
         efforts
     }
 
-    /// −λ and −Φ_t; of a row that is the square of a length ℓ, −2 ℓ λ and −Φ_t/(2 ℓ).
+    /// −λ and −Φ_t; for a row that contains the square of the length ℓ, −2 ℓ λ and −Φ_t/(2 ℓ).
     fn effort(&mut self, row: usize, length: Option<ExprId>) -> [ExprId; 2] {
         let (lambda, partial_t) = (self.multipliers[row], self.row(row).partial_t);
         let graph = &mut self.bodies.a.graph;
@@ -231,7 +231,7 @@ impl Writer<'_, '_> {
         let left = match normal {
             Normal::Gradient | Normal::UnitGradient => [gradient(&first, graph, x), gradient(&first, graph, y)],
             Normal::LeftOf(along) => {
-                // The rows hold −c(u): their derivative is minus the tangent.
+                // The rows contain −A c(u), so their derivative with respect to u is minus the tangent.
                 let minus_tangent = [gradient(&first, graph, along), gradient(&second, graph, along)];
                 [minus_tangent[1], graph.neg(minus_tangent[0])]
             }
@@ -248,9 +248,9 @@ impl Writer<'_, '_> {
         }
         reaction.normal = Some(graph.mul(side, across));
         if sticks {
-            // The last row contains the arc R φ of the second body: its multiplier is the force on the body at the arm
-            // R, on a line along the axis, on a disc against growing ψ. A force that drives ψ does not act in the
-            // contact.
+            // The last row contains the arc R φ of the second body, so −λ of this row is the tangential force on the
+            // body at the arm R: along the axis of a line, or against increasing ψ. The total force is not used, since
+            // a driver of ψ contributes to it but does not act in the contact.
             let turning = self.multipliers[joint.first_row + joint.rows - 1];
             reaction.tangential =
                 Some(if matches!(normal, Normal::Direction(_)) { turning } else { graph.neg(turning) });

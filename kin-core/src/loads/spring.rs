@@ -3,8 +3,8 @@
 //! ```text
 //! tension  N = k (ℓ − ℓ₀) + c ℓ̇,  ℓ = |r_Q − r_P|        along ℓ:  −N
 //! ```
-//! Energy ½ k (ℓ − ℓ₀)², power of the damper −c ℓ̇². Where k or ℓ₀ moves, what moves it supplies the power
-//! ½ k̇ (ℓ − ℓ₀)² − k (ℓ − ℓ₀) ℓ̇₀, which counts as applied.
+//! Energy ½ k (ℓ − ℓ₀)², power of the damper −c ℓ̇². If k or ℓ₀ varies, the variation supplies the power
+//! ½ k̇ (ℓ − ℓ₀)² − k (ℓ − ℓ₀) ℓ̇₀, which is part of the power of applied loads.
 
 use super::elastic::{Elastic, stretched};
 use super::free_bodies::FreeBodies;

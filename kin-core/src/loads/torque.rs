@@ -34,7 +34,7 @@ impl LoadType for Torque {
         let rate = bodies.motion(posed).rate;
         let frames: Vec<_> = self.bodies.iter().filter_map(|body| bodies.a.frame(body)).collect();
         let graph = &mut bodies.a.graph;
-        // What has its reaction on another body cancels, unless that is the ground: then it is no load from outside.
+        // A couple between two bodies has its reaction on a body or on the ground, so it is no load from outside.
         if from_outside {
             acting.outside[2] = force;
         }

@@ -34,7 +34,7 @@ impl LoadType for TorsionSpring {
         let length = [0, 1].map(|view| bodies.a.graph.sub(b[view], a[view]));
         let (stiffness, damping) = (&self.stiffness, &self.damping);
         let mut acting = stretched(bodies, &Elastic { length, stiffness, free: &self.free_angle, damping });
-        // The couple on b, where a spring of lengths has its tension.
+        // The couple on b takes the place of the tension of a spring between points.
         if let (Some(spring), Some(work)) = (&mut acting.spring, acting.work.first()) {
             spring[2] = work.force;
             let couple = work.force;

@@ -1,13 +1,13 @@
 //! Φ_qᵀ λ = r along the tree of a plan.
 //!
 //! A plan solves Φ_q x = b as expressions that are linear in b. With weights r the sum Σ rᵢ xᵢ is rᵀ Φ_q⁻¹ b, and its
-//! derivative by b_k is λ_k. Adding up from the results back to the b_k (reverse accumulation) takes one product for
-//! every product of the solution, and what depends on Φ_q alone is shared.
+//! derivative with respect to b_k is λ_k. Reverse accumulation, from the results back to the b_k, takes one product for
+//! every product of the solution, and expressions in Φ_q alone are shared.
 
 use crate::expr::{ExprId, Graph, IdMap, Node, Symbol};
 
-/// λ for `rows` rows. `solution` is x for right-hand sides that are the symbols [`Symbol::Right`]; none if x does not
-/// consist of sums and products of them.
+/// λ for `rows` rows. `solution` is x for right-hand sides that are the symbols [`Symbol::Right`]; `None` if an
+/// operation on them in x is not linear.
 pub(super) fn transpose(graph: &mut Graph, solution: &[ExprId], r: &[ExprId], rows: usize) -> Option<Vec<ExprId>> {
     let order = graph.reachable(solution.iter().copied());
     let mut linear: IdMap<bool> = IdMap::default();

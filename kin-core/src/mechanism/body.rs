@@ -6,14 +6,15 @@ use crate::error::Origin;
 /// How the origin of a body is determined.
 #[derive(Clone, Debug, PartialEq)]
 pub enum BodyOrigin {
-    /// x and y are generalized coordinates unless they are held (lecture, solutions 1 and 2).
+    /// x and y are generalized coordinates unless they are held, that is, prescribed by a formula (lecture, solutions 1
+    /// and 2).
     Free {
         /// The held value of x, a formula of parameters, t, inputs and scalar coordinates.
         x: Option<Formula>,
         /// The held value of y, a formula of the same kind.
         y: Option<Formula>,
     },
-    /// The origin is a point of another body (lecture, solution 3).
+    /// The origin is a point of another body, its carrier, or of the ground (lecture, solution 3).
     Carried(Place),
 }
 
@@ -37,9 +38,9 @@ pub struct Body {
 pub enum Source<'m> {
     /// A generalized coordinate.
     Free,
-    /// Held at a value.
+    /// Held: prescribed by a formula of parameters, t, inputs and scalar coordinates.
     Held(&'m Formula),
-    /// The coordinate of a point of another body.
+    /// Carried: the coordinate of a point of another body.
     Carried(&'m Place),
 }
 
@@ -130,7 +131,7 @@ pub struct NamedPoint {
     pub origin: Origin,
 }
 
-/// A named expression, or a family of them; its rate and acceleration are reported if it contains coordinates.
+/// A named expression, or a family of them; its rate and acceleration are reported, too.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Define {
     /// The name without index.

@@ -72,9 +72,9 @@ pub enum OperandType {
     Radii,
     /// A formula of parameters, t and inputs.
     Signal,
-    /// An arbitrary formula: a side of an equation.
+    /// An arbitrary formula, such as a side of an equation.
     Side,
-    /// A side of an equation of velocity level, which may contain `dot(…)`.
+    /// A side of an equation of velocity level, or a couple: a formula that may contain `dot(…)`.
     SideOfRates,
     /// A support function, a formula in θ.
     Support,
@@ -221,7 +221,7 @@ impl OperandSlot {
         Self { positive: true, ..self }
     }
 
-    /// True for formulas that may contain t and inputs, which make the joint a driving one.
+    /// True for formulas that may contain t and inputs; if one does, the joint drives.
     pub const fn may_move(&self) -> bool {
         matches!(
             self.takes,

@@ -18,7 +18,7 @@ pub struct Joint {
     pub origin: Origin,
 }
 
-/// A mass or a load, or a family of them; without a name of its own it is called by its keyword.
+/// A mass or a load, or a family of them; its name is the keyword if none is given.
 pub type Load = Joint;
 
 /// The coordinate that a guess is for.

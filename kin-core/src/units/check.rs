@@ -107,7 +107,7 @@ impl Checker<'_> {
         }
     }
 
-    /// The common unit of the operands that must have one unit; the first one if they do not agree.
+    /// The common unit of the operands that must agree; that of the first if they do not.
     fn agreed(&mut self, joint: &Joint) -> Option<Unit> {
         let common = |slot: &OperandSlot| matches!(slot.dimension, Dimension::Common | Dimension::CommonLength);
         let together = |operand: &Operand| matches!(operand, Operand::Radii(_));

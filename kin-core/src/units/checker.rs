@@ -29,7 +29,7 @@ pub(super) struct Checker<'m> {
     pub(super) met: [Vec<Met>; 2],
     /// The unit of positions.
     pub(super) length: Unit,
-    /// The name that has a unit of length first.
+    /// The first name whose unit contains a length.
     pub(super) first_length: Option<String>,
     /// The unit of t.
     pub(super) time: Unit,
@@ -46,7 +46,7 @@ pub(super) struct Checker<'m> {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Written {
     pub(super) unit: Unit,
-    /// How often an angle is a factor of it.
+    /// The exponent of angles in it.
     pub(super) angle: f64,
 }
 
@@ -125,7 +125,7 @@ impl<'m> Checker<'m> {
         self.written(named, k).map_or(Any, |written| Of(written.unit))
     }
 
-    /// Records that a name without a unit, which is a formula by itself, is compared with a unit.
+    /// If the formula is the name of a scalar coordinate or an input alone, records the unit with which it is compared.
     pub(super) fn meets(&mut self, formula: &Formula, unit: Unit, angle: f64) {
         let (named, member) = match formula {
             Formula::Neg(a) => return self.meets(a, unit, angle),

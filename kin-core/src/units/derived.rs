@@ -57,7 +57,7 @@ pub fn derive(mechanism: &Mechanism) -> Units {
     units
 }
 
-/// A unit as text in the units of the mechanism; none for a number.
+/// A unit as text in the units of the mechanism; `None` for a number.
 fn text(units: &Units, checker: &Checker<'_>, unit: Unit, angle: f64) -> Option<String> {
     let [length, time, mass] = unit.powers;
     let scale = checker.length.scale.unwrap_or(1.0).powf(length) * checker.time.scale.unwrap_or(1.0).powf(time);

@@ -6,7 +6,7 @@ use super::parse::parse;
 use super::unit::Unit;
 use crate::mechanism::Mechanism;
 
-/// The units of forces, as text; none if no written unit determines that of masses.
+/// The units of forces, as text; all `None` if no written unit determines that of masses.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct ForceUnits {
     /// Of forces.

@@ -76,7 +76,8 @@ pub(super) fn symbol_of(unit: Unit) -> Option<&'static str> {
     COMMON.into_iter().find(|symbol| unit.scale.is_some() && parse(symbol).is_ok_and(|known| known.agrees(unit)))
 }
 
-/// Reads a unit: factors joined by `*`, `·`, `.` or a space, divided by what follows a `/`; powers as `^2` or `²`.
+/// Reads a unit: factors joined by `*`, `·`, `.` or a space, divided by the factor after a `/`; powers as `^2`
+/// or `²`.
 ///
 /// # Errors
 /// The first part that is not a known unit.
@@ -84,7 +85,7 @@ pub fn parse(text: &str) -> Result<Unit, UnknownUnit> {
     let is_joint = |c: char| matches!(c, '*' | '·' | '⋅' | '.' | ' ');
     let mut unit = Unit::NUMBER;
     for (k, quotient) in text.trim().split('/').enumerate() {
-        // `m/s·kg` divides by s alone.
+        // In `m/s·kg` only s is a divisor.
         for (n, factor) in quotient.trim().split(is_joint).enumerate() {
             let (name, power) = powered(factor)?;
             let known = symbol(name).ok_or_else(|| UnknownUnit(factor.to_owned()))?;

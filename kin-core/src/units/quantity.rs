@@ -36,7 +36,7 @@ impl Checker<'_> {
         }
     }
 
-    /// Checks that `formula` has `unit`; an error without a name of the formula to point at is at `at`.
+    /// Checks that `formula` has `unit`. An error points at the first name in the formula, or at `at` if there is none.
     pub(super) fn expect(&mut self, formula: &Formula, unit: Unit, at: Origin) {
         self.at = at;
         let Of(found) = self.quantity(formula) else { return self.meets(formula, unit, 1.0) };
@@ -56,7 +56,7 @@ impl Checker<'_> {
         }
     }
 
-    /// Checks that both have the same unit, and returns it; an error points at the second, if that contains a name.
+    /// Checks that both formulas have one unit, and returns it. An error points at the second if it contains a name.
     pub(super) fn same(&mut self, a: &Formula, b: &Formula) -> Quantity {
         let (left, right) = (self.quantity(a), self.quantity(b));
         for ((of, quantity), other) in [((a, right), b), ((b, left), a)] {
@@ -77,7 +77,7 @@ impl Checker<'_> {
                 let hint = conversion(this, that);
                 let message = format!("the units do not agree: this is {this}, and what it meets is {that}{hint}");
                 self.errors.push(ModelError::new(origin, message));
-                // The error is reported only once.
+                // `Any` agrees with every unit, so that no further errors follow.
                 Any
             }
             (Of(one), Of(other)) => Of(if one.scale.is_some() { one } else { other }),
@@ -212,9 +212,9 @@ impl Checker<'_> {
     }
 }
 
-/// A product. A plain number does not change the unit of the other factor, but a factor of a conversion leaves its
-/// scale open. Number times number is a plain number, and number times t may have any unit, since the number may be a
-/// rate.
+/// A product. A plain number does not change the unit of the other factor, but a typical factor of conversions leaves
+/// its scale open. Number times number is a plain number, and number times t may have any unit, since the number may be
+/// a rate.
 fn product(factors: [(Quantity, &Formula); 2]) -> Quantity {
     match factors.map(|(quantity, _)| quantity) {
         [Of(a), Of(b) | Clock(b)] | [Clock(a), Of(b)] => Of(a.times(b)),
@@ -270,7 +270,7 @@ fn conversion(from: Unit, to: Unit) -> String {
     format!("; {how} it is {}", if to.is_number() { "rad".to_owned() } else { to.to_string() })
 }
 
-/// True for a number with a factor of a conversion in it.
+/// True for a number that contains a typical factor of conversions.
 fn converts(formula: &Formula) -> bool {
     const FACTORS: [f64; 8] = [12.0, 25.4, 2.54, 30.0, 60.0, 180.0, 360.0, 3600.0];
     match formula {
@@ -285,7 +285,7 @@ fn converts(formula: &Formula) -> bool {
     }
 }
 
-/// The first name in a formula.
+/// The origin of the first name in a formula.
 pub(super) fn first_origin(formula: &Formula) -> Option<Origin> {
     match formula {
         Formula::Number(_) | Formula::Pi | Formula::Time | Formula::Index(_) | Formula::Curve(_) => None,

@@ -1,11 +1,12 @@
-//! How a unit prints.
+//! Prints a unit.
 
 use super::parse;
 use super::unit::{Unit, near};
 use core::fmt;
 
 impl fmt::Display for Unit {
-    /// In SI units, with a factor: `m/s`, `0.001 m`; a unit without dimension is `a number or rad`.
+    /// A common symbol if there is one: `m/s`, `mm`, `deg`; otherwise SI units with a factor: `0.1 m`. The unit of
+    /// plain numbers is `a number or rad`.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if self.is_number() {
             return match (self.scale, parse::symbol_of(*self)) {

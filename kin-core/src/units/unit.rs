@@ -1,15 +1,15 @@
-//! A unit.
+//! The type of units.
 
 /// A unit: powers of length, time and mass, and its size in SI units; an open scale agrees with every other.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Unit {
     /// Exponents of length, time and mass.
     pub powers: [f64; 3],
-    /// Its size in SI units; `None` (open) after a conversion.
+    /// Its size in SI units; `None` (open) after multiplication by a typical factor of conversions.
     pub scale: Option<f64>,
 }
 
-/// Exponents and scales that differ by rounding are equal.
+/// True for exponents or scales that are equal up to rounding.
 pub(super) fn near(a: f64, b: f64) -> bool {
     (a - b).abs() <= 1e-9 * a.abs().max(b.abs()).max(1e-300) || (a - b).abs() < 1e-12 && a.abs() < 1e-12
 }
@@ -43,7 +43,7 @@ impl Unit {
         self.powers.iter().all(|p| p.abs() < 1e-9)
     }
 
-    /// True for time and its powers.
+    /// True for positive powers of time.
     #[cfg(feature = "compiler")]
     pub(super) fn is_time(self) -> bool {
         self.powers[0].abs() < 1e-9 && self.powers[2].abs() < 1e-9 && self.powers[1] > 1e-9

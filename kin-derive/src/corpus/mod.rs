@@ -40,7 +40,7 @@ struct Diagnosed {
     structure: Structure,
 }
 
-/// Analyses a description that passes the first two gates.
+/// Analyses the structure of a description that is parsed and obeys the rules.
 fn diagnosed(item: TokenStream) -> Diagnosed {
     let (_, result) = analyse(TokenStream::new(), item);
     let lowered = result.unwrap_or_else(|broken| panic!("{:?}", broken.error.into_iter().collect::<Vec<_>>()));

@@ -84,7 +84,7 @@ impl Call {
     }
 }
 
-/// The name of the array and the first element.
+/// The array that keeps a result and the first element there; a temporary array for a result that is not needed.
 fn kept_in(place: Option<(usize, usize)>) -> (Ident, usize) {
     place.map_or_else(|| (format_ident!("__spare"), 0), |(number, first)| (array(number), first))
 }
@@ -163,8 +163,8 @@ impl Emitter<'_> {
         Statement { uses, tokens: members(count, &tokens), ..Statement::default() }
     }
 
-    /// The statement for loops that only compute sines and cosines: one call for the angles of all members, directly in the
-    /// arrays that keep the results.
+    /// The statement for loops that only compute sines and cosines: one call for the angles of all members, which works
+    /// in the arrays that keep the results.
     fn gathered(&self, loops: &[(usize, Vec<Angles<'_>>)]) -> Statement {
         let mut uses = Vec::new();
         let mut calls: Vec<(Call, TokenStream)> = Vec::new();

@@ -6,7 +6,7 @@
 //!
 //! rustc takes ten times as long to check the type of an index expression as that of a name, and most operands and
 //! results of a kernel are elements of arrays. An element is bound by reference, so it is read and written at the same
-//! places as by its index.
+//! points of the program as by its index.
 
 use super::instructions::{argument, target_name};
 use kin_core::expr::Symbol;
@@ -25,8 +25,8 @@ pub(super) struct Elements(BTreeMap<&'static str, BTreeSet<usize>>);
 impl Elements {
     /// The elements that a program reads and writes at constant indices.
     ///
-    /// Left out are arrays of which it uses few elements. Also left out are arrays that it writes and in which a loop moves
-    /// on from element to element: while an element is borrowed to be written, Rust allows no index into its array.
+    /// Left out are arrays of which the program uses few elements. Also left out are arrays that it writes and that a
+    /// loop accesses at a varying index: while an element is borrowed mutably, Rust allows no index into its array.
     pub(super) fn of(rolled: &Rolled) -> Self {
         let (mut named, mut written, mut by_index) = (Self::default(), BTreeSet::new(), BTreeSet::new());
         for piece in &rolled.pieces {

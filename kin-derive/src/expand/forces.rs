@@ -1,4 +1,4 @@
-//! The static table that describes the numbers of the closed forms of forces; empty for a mechanism without loads.
+//! The static table that describes the numbers computed by the programs of forces; empty for a mechanism without loads.
 
 use super::derivation::dynamics;
 use super::entries::{frame, optional};

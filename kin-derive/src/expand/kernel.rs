@@ -19,7 +19,7 @@ pub(crate) struct Printed {
 /// Prints a kernel.
 ///
 /// The function is outside of the implementation, without the generics of the struct. It therefore takes supplied
-/// functions as arguments of generic types. A function that is not inlined is compiled for several instruction sets where
+/// functions as arguments of generic types. A function that is not inlined is compiled for several instruction sets if
 /// the scalar type gains by it; inlined ones are compiled with their caller.
 pub(crate) fn kernel(lowered: &Lowered, kernel: &Kernel) -> Printed {
     let ident = |name: &str| Ident::new(name, Span::call_site());
@@ -66,7 +66,8 @@ pub(crate) fn kernel(lowered: &Lowered, kernel: &Kernel) -> Printed {
             fn #name #head { #statements }
         }
     } else {
-        // The arguments of a function do not overlap, which the compiler would not know of the captures of a closure.
+        // The inner function is needed because the compiler knows that the arguments of a function do not overlap, but
+        // not that the captures of a closure do not.
         quote! {
             #[inline]
             fn #name #head {

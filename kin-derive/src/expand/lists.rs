@@ -12,8 +12,8 @@ pub(super) fn lists(lowered: &Lowered, kernels: &Kernels) -> TokenStream {
     kernels.lists.iter().map(|of| list(lowered, of)).collect()
 }
 
-/// What lists are computed from: for each the argument, the local array with the right length and its type, and the name in the
-/// error for a wrong length.
+/// The data from which lists are computed: for each the argument, the local variable and the type of the array with the
+/// right length, and the name in the error about a wrong length.
 const KNOWN: [(Given, [&str; 3], &str); 6] = [
     (Given::Parameters, ["parameters", "p", "__Parameters"], "parameters"),
     (Given::Instant, ["at", "u", "__Inputs"], "inputs"),

@@ -24,7 +24,7 @@ pub(super) fn position_lengths(scalar: &Ident, q: &str) -> TokenStream {
     }
 }
 
-/// A method of the trait that is given parameters and an instant before its `arguments`, and may find wrong lengths.
+/// A method of the trait that takes parameters and an instant before its `arguments`, and reports wrong lengths.
 pub(super) fn method(
     inline: &TokenStream,
     name: &str,

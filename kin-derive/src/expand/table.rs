@@ -1,4 +1,4 @@
-//! The writer of static tables. It prints every table from one description: as struct literals or, where a table of the
+//! The writer of static tables. It prints every table from one description: as struct literals or, if any table of the
 //! mechanism is long, in packed form as one text, a list of the distinct kinds, and numbers in bytes, which
 //! `kin_runtime::tables` unpacks.
 //!

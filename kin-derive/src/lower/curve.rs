@@ -12,7 +12,7 @@ const THETA: &[CurveVariable] = &[CurveVariable::Theta];
 const POINT: &[CurveVariable] = &[CurveVariable::X, CurveVariable::Y];
 
 impl Lowerer<'_> {
-    /// Lowers the curve of a row.
+    /// Lowers the curve of a statement.
     pub(super) fn curve(&mut self, curve: &CurveExpr, range: &IndexRange) -> Option<Curve> {
         match curve {
             CurveExpr::Hole => None,

@@ -31,8 +31,8 @@ impl Lowerer<'_> {
             ExprKind::Binary(operator, a, b) => {
                 let (left, right) = (self.formula(a, scope), self.formula(b, scope));
                 if *operator == Operator::Div && right.as_ref().and_then(Formula::literal) == Some(0.0) {
-                    // Reported here, because a row with another error is missing in the model, where a later check
-                    // would find this.
+                    // Reported here, because a later check does not see a statement that is left out of the model
+                    // on account of another error.
                     return self.refuse(b.span, "this divides by 0; a divisor is never a literal 0");
                 }
                 let (left, right) = (Box::new(left?), Box::new(right?));

@@ -1,4 +1,4 @@
-//! Lowering of indices: `link[2*i + 1]` in a row that is repeated over `i`.
+//! Lowering of indices: `link[2*i + 1]` in an item that is repeated over `i`.
 
 use super::lowerer::Lowerer;
 use super::names::{Declared, Shape};

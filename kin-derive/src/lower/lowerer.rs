@@ -69,7 +69,7 @@ impl<'a> Lowerer<'a> {
         origin
     }
 
-    /// Reports an error; there is no result then.
+    /// Reports an error and returns `None`.
     pub(super) fn refuse<T>(&self, span: Span, message: impl Display) -> Option<T> {
         self.report.error(span, message);
         None

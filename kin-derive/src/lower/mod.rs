@@ -82,14 +82,14 @@ pub(crate) struct Docs {
     pub(crate) mechanism: String,
     /// Those of bodies, coordinates, inputs, points and defines, by name.
     pub(crate) names: Vec<(String, String)>,
-    /// Those of rows, by name.
+    /// Those of statements and conditions, by name.
     pub(crate) rows: Vec<(String, String)>,
 }
 
 /// The result of lowering.
 pub(crate) struct Outcome {
     pub(crate) lowered: Lowered,
-    /// True if an editor requests completions at its marker; then nobody sees the errors of this expansion.
+    /// True if an editor requests completions at its marker; then the errors of this expansion are not shown.
     pub(crate) completing: bool,
 }
 

@@ -1,4 +1,4 @@
-//! Lowering of rows and guesses.
+//! Lowering of statements, conditions and guesses.
 
 use super::lowerer::Lowerer;
 use super::names::Symbol;
@@ -12,7 +12,7 @@ use kin_core::mechanism::{
 use kin_core::vocabulary::StatementKind;
 
 impl Lowerer<'_> {
-    /// Lowers all rows and guesses in order; those with errors are left out.
+    /// Lowers all statements, conditions and guesses in order; those with errors are left out.
     pub(super) fn rows(&mut self, items: &[Item], ranges: &[IndexRange], mechanism: &mut Mechanism) {
         for (item, range) in items.iter().zip(ranges) {
             match item {
@@ -39,7 +39,7 @@ impl Lowerer<'_> {
         }
     }
 
-    /// Lowers all operands before a failure ends the row, so that all errors are reported.
+    /// Lowers all operands, even after one has failed, so that all errors are reported.
     fn operands(&mut self, row: &Statement, range: &IndexRange) -> Option<Operands> {
         let slots = row.form.slots.iter().zip(&row.operands);
         let lowered: Vec<Option<Operand>> = slots.map(|(slot, expr)| self.operand(row, slot, expr, range)).collect();

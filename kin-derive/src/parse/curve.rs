@@ -12,7 +12,7 @@ use proc_macro2::TokenTree;
 use syn::parse::ParseStream;
 use syn::{Error, Ident, Result, Token, parenthesized, token};
 
-/// The options of `on_curve` that define a curve; a row has exactly one of them.
+/// The options of `on_curve` that define a curve; a statement has exactly one of them.
 const CURVES: [&str; 3] = ["polar", "implicit", "parametric"];
 
 /// True for `word(…) =`, followed by anything.

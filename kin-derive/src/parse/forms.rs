@@ -15,7 +15,7 @@ pub(super) enum OptionForm {
     Path,
 }
 
-/// The form of the rows with one keyword.
+/// The form of the statements with one keyword.
 pub(super) struct KeywordForm {
     /// The name of the attribute.
     pub(super) keyword: &'static str,
@@ -27,7 +27,7 @@ pub(super) struct KeywordForm {
     pub(super) options: Vec<(&'static str, OptionForm)>,
 }
 
-/// The forms of all rows of the language, in the order of the guide.
+/// The forms of all statements of the language, in the order of the guide.
 pub(super) static FORMS: LazyLock<Vec<KeywordForm>> = LazyLock::new(|| {
     let mut rows: Vec<KeywordForm> = Vec::new();
     for form in joints::forms().chain(loads::forms()) {
@@ -65,18 +65,18 @@ fn options_of(slot: &OperandSlot) -> Vec<(&'static str, OptionForm)> {
 }
 
 impl KeywordForm {
-    /// An example of a row.
+    /// An example of a statement.
     pub(super) fn example(&self) -> &'static str {
         self.kinds.first().map_or("", |form| form.example)
     }
 
-    /// The correct form for a message: the example or, for another kind than the first, the description how to choose
-    /// the kind.
+    /// The text of a message that shows the correct form: the example or, for a kind other than the first, the
+    /// explanation of how to choose the kind.
     pub(super) fn right(&self, kind: &'static StatementForm) -> String {
         if self.kinds.first() == Some(&kind) { format!("`{}`", self.example()) } else { kind.choice.to_owned() }
     }
 
-    /// True if the row must begin with a name; otherwise the name is optional.
+    /// True if the statement must begin with a name; otherwise the name is optional.
     pub(super) fn is_named(&self) -> bool {
         self.kinds.iter().any(|form| form.named)
     }

@@ -15,7 +15,7 @@ pub(super) enum Keyword {
     Guess,
     /// Fields that hold supplied functions.
     Function,
-    /// A joint, driver or equation.
+    /// A joint, driver, equation, mass or load.
     Statement(&'static KeywordForm),
     /// A unilateral condition.
     Condition,
@@ -35,7 +35,7 @@ impl Keyword {
     }
 }
 
-/// The keywords other than those of rows.
+/// The keywords other than those of statements.
 const WORDS: [(&str, Keyword); 11] = [
     ("bodies", Keyword::Bodies),
     ("body", Keyword::Body),
@@ -54,7 +54,7 @@ fn words() -> impl Iterator<Item = (&'static str, Keyword)> {
     WORDS.into_iter().chain(forms::FORMS.iter().map(|form| (form.keyword, Keyword::Statement(form))))
 }
 
-/// All keywords of the language, with an example for those of rows.
+/// All keywords of the language, with an example for those of statements.
 #[cfg(test)]
 pub(crate) fn vocabulary() -> Vec<(&'static str, Option<&'static str>)> {
     let example = |keyword| if let Keyword::Statement(form) = keyword { Some(form.example()) } else { None };

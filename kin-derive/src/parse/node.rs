@@ -29,8 +29,8 @@ pub(super) fn chain(first: Expr, rest: Vec<(Operator, Expr)>, inverse: Operator)
     if rest.len() < LONGEST_AS_WRITTEN {
         return rest.into_iter().try_fold(first, |left, (operator, right)| binary(operator, left, right));
     }
-    // Neighbours are paired until one operand is left: a ∘ b, and after an inverse operator a ∘ (b ∘⁻¹ c), which
-    // applies the inverse to both operands of the pair.
+    // Neighbours are paired until one operand is left. A pair keeps the operator before its first operand; if this is
+    // the inverse operator, the operator inside the pair is exchanged: − b − c = −(b + c), − b + c = −(b − c).
     let mut operands: Vec<(Operator, Expr)> = core::iter::once((plain(inverse), first)).chain(rest).collect();
     while operands.len() > 1 {
         let mut paired = Vec::with_capacity(operands.len().div_ceil(2));

@@ -1,4 +1,4 @@
-//! Parsing of the parts of a row, with recovery from errors.
+//! Parsing of the parts of a statement, with recovery from errors.
 
 use super::curve::{self, is_bracketed};
 use super::expr::{end_of_expr, expr};
@@ -151,7 +151,7 @@ impl<'a> Parts<'a> {
         }
     }
 
-    /// The option of this row that follows without `=`.
+    /// The option of this statement that follows without `=`.
     fn option_without_equals(&self, input: ParseStream) -> Option<&'static str> {
         let word = text(&input.fork().parse::<Ident>().ok()?);
         self.keyword_form.options.iter().map(|(option, _)| *option).find(|option| *option == word)
@@ -219,7 +219,7 @@ impl<'a> Parts<'a> {
         }
     }
 
-    /// Reports that there are too few operands, unless an earlier error in the row may be the reason.
+    /// Reports that there are too few operands, unless an earlier error in the statement may be the reason.
     fn too_few(&mut self) {
         self.miscounted = true;
         if self.report.count() == self.errors_before {

@@ -23,7 +23,7 @@ pub(super) fn here(input: ParseStream, message: impl Display) -> Error {
     Error::new(input.span(), message)
 }
 
-/// The message of the first case that is there.
+/// The message of the first case that applies.
 fn first<'m>(cases: &[(bool, &'m str)]) -> Option<&'m str> {
     cases.iter().find(|(is_there, _)| *is_there).map(|(_, message)| *message)
 }

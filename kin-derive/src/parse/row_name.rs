@@ -1,4 +1,4 @@
-//! Parsing of the name of a row.
+//! Parsing of the name of a statement or condition.
 
 use super::index;
 use crate::ast::NewName;
@@ -17,7 +17,7 @@ pub(super) fn row_name_or_keyword(input: ParseStream, keyword: &Ident, report: &
     Ok(NewName { ident: keyword.clone(), bracket: None, doc: String::new() })
 }
 
-/// Parses `name:` at the beginning of a row.
+/// Parses `name:` at the beginning of a statement or condition.
 pub(super) fn row_name(input: ParseStream, keyword: &Ident, example: &str, report: &Report) -> Result<NewName> {
     let nameless = |span| Error::new(span, format!("a `{keyword}` begins with its name and a colon: `{example}`"));
     if input.is_empty() {

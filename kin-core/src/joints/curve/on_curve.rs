@@ -33,8 +33,8 @@ impl JointType for OnCurve {
         }
     }
 
-    /// The follower is pressed away from the centre of a polar curve, towards larger values of an implicit one, and to the
-    /// right of a parametric one, or to the side of its roller.
+    /// The normal points away from the centre of a polar curve, towards larger values of e for an implicit curve, and
+    /// to the right of a parametric curve, or to the side of its roller.
     fn contact(&self, a: &mut Assembly<'_>) -> Option<Contact> {
         let Curve::Parametric { parameter, roller, .. } = &self.curve else {
             return Some(Contact::smooth(&mut a.graph, Normal::Gradient));

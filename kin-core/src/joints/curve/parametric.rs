@@ -1,6 +1,6 @@
 //! A point on a curve in parametric form: Q of body j is at c(u) of body i, where u is a scalar coordinate.
 //!
-//! JointRows (2), lengths:
+//! Rows (2), lengths:
 //! ```text
 //! r_Q − r_P − A_i c(u) = 0
 //! ```

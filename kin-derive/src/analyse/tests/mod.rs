@@ -1,4 +1,4 @@
-//! Descriptions through the first two gates: the models of valid ones, and the errors of invalid ones.
+//! Parsing, resolution of names, and rules: the models of valid descriptions, and the errors of invalid ones.
 
 mod families;
 mod form;
