@@ -117,7 +117,7 @@ pub(super) struct Block<'b, V> {
 }
 
 impl<'a, M: Mechanism, V: Pack> Arguments<'a, M, V> {
-    /// With shared numbers filled in.
+    /// Buffers that contain the shared numbers.
     pub(super) fn new(configurations: &'a Configurations<'a>) -> Self {
         let shared = |columns: &[Column<'_>], place: usize| columns.get(place).map_or(V::default(), Column::shared);
         let numbers = Numbers {
@@ -150,7 +150,7 @@ impl<'a, M: Mechanism, V: Pack> Arguments<'a, M, V> {
         }
     }
 
-    /// Reads the tile whose first configuration is `first`; shared columns stay.
+    /// Reads the tile whose first configuration is `first`; the numbers of shared columns remain.
     #[inline(never)]
     fn read(&mut self, first: usize) {
         let Configurations { parameters, t, inputs, q, q_dot } = self.configurations;
@@ -200,8 +200,8 @@ impl Column<'_> {
         }
     }
 
-    /// Passes the blocks of the tile from configuration `first` to `put`; the last block is filled up with the last
-    /// number.
+    /// Passes the blocks of the tile that begins at configuration `first` to `put`; an incomplete last block is padded
+    /// with the last number.
     #[inline(always)]
     fn read<V: Pack>(&self, first: usize, mut put: impl FnMut(usize, V)) {
         let Self::Each(numbers) = self else { return };

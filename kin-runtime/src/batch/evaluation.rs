@@ -16,7 +16,7 @@ pub struct Evaluations<M: Mechanism> {
 }
 
 impl<M: Mechanism> Evaluations<M> {
-    /// Room for `count` configurations, constants of Φ_q in place and everything else zero.
+    /// Room for `count` configurations; the constant entries of Φ_q are set, everything else is zero.
     pub fn new(count: usize) -> Self {
         Self { count, blocks: alloc::vec![M::workspace::<Lanes>(); blocks(count)] }
     }
@@ -34,12 +34,12 @@ impl<M: Mechanism> Evaluations<M> {
     /// Row number `row` of Φ, a number for every configuration.
     ///
     /// # Panics
-    /// This method and the following ones: while the iterator is read, if there is no such row or entry.
+    /// This method and the following ones panic while the iterator is read, if there is no such row or entry.
     pub fn phi(&self, row: usize) -> impl Iterator<Item = f64> {
         self.column(move |block| block.phi()[row])
     }
 
-    /// A non-zero of Φ_q, by its place among the entries of the pattern.
+    /// A non-zero of Φ_q, by its index among the entries of the pattern.
     pub fn phi_q(&self, entry: usize) -> impl Iterator<Item = f64> {
         self.column(move |block| block.phi_q()[entry])
     }
@@ -61,8 +61,8 @@ impl<M: Mechanism> Evaluations<M> {
 
 /// Φ, Φ_q, Φ_t, γ, or any subset of them, of all configurations; `out` says how many there are.
 ///
-/// Parts that `subset` does not ask for may be overwritten or left alone. `watch` gets the progress and may stop the
-/// batch; [`always`](super::always) never does.
+/// Parts that `subset` does not request may be overwritten or left unchanged. `watch` gets the progress and may stop
+/// the batch; [`always`](super::always) never stops it.
 ///
 /// # Errors
 /// If a list or a column has the wrong length, and if `watch` stops the batch.

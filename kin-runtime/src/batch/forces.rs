@@ -64,7 +64,8 @@ pub(super) fn table<M: Mechanism>() -> Result<&'static ForceModel, BatchError> {
 
 /// All forces of configurations that [`solve`](super::solve) has solved, for the same problems: efforts, reactions,
 /// energies and powers in closed form, eight configurations at once. If `solutions` contain positions only, rates and
-/// accelerations are 0, and forces are those at rest. `watch` gets the progress and may stop the batch.
+/// accelerations are 0, and the forces are those of the mechanism at rest. `watch` gets the progress and may stop the
+/// batch.
 ///
 /// ```
 /// use kin_runtime::batch::{Column, ForceSolutions, Modes, Problems, Solutions, always, forces, solve};
@@ -123,7 +124,7 @@ pub fn forces<M: Mechanism + Sync>(
         let SolvedBlock { q, q_dot, q_ddot, good } = solved;
         let lengths = mechanism.forces_with(block.parameters, &block.at, q, q_dot, q_ddot, &[], out);
         debug_assert!(lengths.is_ok(), "the columns have been counted");
-        // One comparison for all lanes, since nearly always all are solved.
+        // One comparison for all lanes, since nearly always all of them are solved.
         if (*good - Octet::from_f64(1.0)).is_within(0.0) {
             return;
         }

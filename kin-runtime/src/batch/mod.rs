@@ -1,10 +1,11 @@
 //! Many configurations of one mechanism at once: columns of numbers in, blocks of lanes out.
 //!
-//! Four configurations go through every operation together ([`Lanes`](crate::Lanes)), or eight where they are solved;
-//! with the feature `parallel` large batches go across the cores. Parameters, time, inputs, q and q̇ come as
-//! [`Column`]s, each either a number per configuration or one for all. Results are blocks that the equations write
-//! directly (evaluations: one workspace of lanes for every four configurations), and are read as columns. The result
-//! for a configuration is the same to the last bit whatever its place in the batch.
+//! Every operation is applied to four configurations at once ([`Lanes`](crate::Lanes)), or to eight where they are
+//! solved; with the feature `parallel` large batches are distributed over the cores. Parameters, time, inputs, q and q̇
+//! are [`Column`]s, each with a number per configuration or one for all. Results are blocks that the generated code
+//! writes directly (for evaluations one workspace of lanes for every four configurations), and are read as columns. The
+//! result for a configuration does not depend on its place in the batch: it is the same to the last bit, or within the
+//! tolerance of the iteration if the plan has Newton steps.
 //!
 //! ```
 //! use kin_runtime::batch::{Column, Configurations, Evaluations, Progress, evaluate};
@@ -50,8 +51,9 @@
 //! ```
 //!
 //! [`solve`] gives q, q̇ and q̈ by the plan ([`crate::plan`]); for these [`forces()`] gives the efforts of drivers and
-//! reactions of joints, and `sensitivities` the derivatives of any quantities by the parameters. [`sweep`] computes the whole motion of many sets of parameters over one time grid. It passes each
-//! instant to a closure and keeps no states, so that millions of motions fit into memory.
+//! reactions of joints, and `sensitivities` the derivatives of any quantities with respect to the parameters. [`sweep`]
+//! computes the whole motion of many sets of parameters over one time grid. It passes each instant to a closure and
+//! keeps no states, so that millions of motions fit into memory.
 
 mod column;
 mod end;
@@ -91,16 +93,16 @@ pub enum BatchError {
     NoPlan(&'static str),
     /// There are no forces in closed form, with the reason.
     NoForces(&'static str),
-    /// There are no derivatives by parameters in closed form, with the reason.
+    /// There are no derivatives with respect to parameters in closed form, with the reason.
     NoSensitivities(&'static str),
-    /// The mechanism has no parameter with this place.
+    /// The mechanism has no parameter with this index.
     UnknownParameter {
-        /// The place.
+        /// The index.
         index: usize,
-        /// How many parameters there are.
+        /// The number of parameters.
         parameters: usize,
     },
-    /// The watch stopped the batch; results are incomplete.
+    /// The argument `watch` stopped the batch; results are incomplete.
     Stopped(Progress),
 }
 
@@ -117,7 +119,7 @@ impl core::fmt::Display for BatchError {
     }
 }
 
-/// The message contains that of the source, which is the error of a length, if that is the reason.
+/// The source is the [`LengthError`], if that is the reason; the message contains that of the source.
 impl core::error::Error for BatchError {
     fn source(&self) -> Option<&(dyn core::error::Error + 'static)> {
         if let Self::Length(error) = self { Some(error) } else { None }

@@ -5,15 +5,15 @@ use crate::mechanism::{LengthError, Mechanism};
 use crate::scalar::lanes::Pack;
 use crate::signal::Instant;
 
-/// The assembly modes of a batch. A configuration with an undecided mode has no answer.
+/// The assembly modes of a batch. A configuration with an undecided mode has no solution.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Modes<'a> {
     /// A column of signs, +1 or −1, for every mode of the plan, in the order of
-    /// [`Plan::modes`](crate::plan::Plan::modes). Of any other number the sign counts; 0 and NaN leave the mode
-    /// undecided.
+    /// [`Plan::modes`](crate::plan::Plan::modes). Of any other number only the sign is used; 0 and NaN leave the
+    /// mode undecided.
     Signs(&'a [Column<'a>]),
     /// The modes of the start, by [`Mechanism::closures_with`] at the parameters and the instant of the configuration.
-    /// As for [`Planned`](crate::Planned), a closure of 0 or NaN leaves the mode undecided.
+    /// As for [`Planned`](crate::Planned), a branch value of 0 or NaN leaves the mode undecided.
     OfStart,
 }
 
@@ -33,8 +33,8 @@ impl<'a> Modes<'a> {
         }
     }
 
-    /// Writes the signs for a block whose columns of signs, if there are such, hold `given`, one for every mode; `modes` has
-    /// room for all signs of the plan.
+    /// Writes the signs for a block; `given` are the numbers of the block in the columns of signs, if there are such.
+    /// `modes` has room for all signs of the plan.
     #[inline(always)]
     pub(super) fn of_block<M: Mechanism, V: Pack>(
         &self,

@@ -1,4 +1,4 @@
-//! q, q̇ and q̈ of a block; every lane is accepted or refused by itself.
+//! q, q̇ and q̈ of a block; every lane is accepted or refused independently.
 
 use crate::mechanism::Mechanism;
 use crate::plan::{Depth, Plan, Solved, StepKind};
@@ -78,7 +78,7 @@ impl<Q: AsRef<[V]> + AsMut<[V]>, V: Pack> Poses<Q, V> {
         (q + q_dot) + (q_ddot + (sum(margins) + at.t))
     }
 
-    /// Examines the lanes one by one.
+    /// Checks the lanes one by one.
     #[cold]
     #[inline(never)]
     fn judge<M: Mechanism>(&mut self, mechanism: &M, question: &Question<'_, V>, margins: &mut [V]) -> Limits<V> {

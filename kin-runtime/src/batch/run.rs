@@ -5,20 +5,20 @@ use crate::scalar::lanes::Lanes;
 use core::ops::ControlFlow;
 use core::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
-/// Blocks between two calls of the watch, and in one unit of work of a core, for work that is short per block.
+/// Number of blocks in one unit of work, after which `watch` is called, if the work per block is short.
 pub(super) const CHUNK: usize = 512;
 
 /// The progress of a batch.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Progress {
-    /// Configurations done.
+    /// The number of finished configurations.
     pub done: usize,
-    /// All of them.
+    /// The number of all configurations.
     pub total: usize,
 }
 
 /// Called every few thousand configurations (every few motions in a sweep), from any of the threads, with the progress
-/// of the batch; decides whether it goes on.
+/// of the batch; decides whether the batch continues.
 pub(super) type Watch<'a> = &'a (dyn Fn(Progress) -> ControlFlow<()> + Sync);
 
 /// A watch that never stops a batch.
@@ -26,20 +26,20 @@ pub fn always(_: Progress) -> ControlFlow<()> {
     ControlFlow::Continue(())
 }
 
-/// How many blocks `count` configurations take.
+/// The number of blocks for `count` configurations.
 pub(super) const fn blocks(count: usize) -> usize {
     count.div_ceil(Lanes::COUNT)
 }
 
 /// How a batch is divided.
 pub(super) struct Shape {
-    /// Configurations.
+    /// Number of configurations.
     pub(super) count: usize,
-    /// Configurations of a block.
+    /// Number of configurations of a block.
     pub(super) width: usize,
-    /// Entries of the results of a block; the last block may have fewer.
+    /// Number of results of a block; the last block may have fewer.
     pub(super) stride: usize,
-    /// Blocks between two calls of the watch.
+    /// Number of blocks between two calls of `watch`.
     pub(super) chunk: usize,
 }
 

@@ -1,4 +1,4 @@
-//! Derivatives by parameters of many solved configurations.
+//! Derivatives with respect to parameters, of many solved configurations.
 
 use super::BatchError;
 use super::run::{CHUNK, Progress, Shape, drive};
@@ -19,24 +19,25 @@ pub struct SensitivitySolutions {
     count: usize,
     measures: usize,
     parameters: usize,
-    /// For every configuration: 1 if it has an answer, then each quantity with its derivatives, which fill whole lanes.
+    /// For every configuration: 1 if it is solved, then each quantity with its derivatives, padded to whole lanes.
     numbers: Vec<f64>,
 }
 
 impl SensitivitySolutions {
-    /// Room for `count` configurations, so many quantities, and their derivatives by so many parameters.
+    /// Room for `count` configurations, with this number of quantities and their derivatives with respect to this
+    /// number of parameters.
     pub fn new(count: usize, measures: usize, parameters: usize) -> Self {
         let mut out = Self { count, measures, parameters, numbers: Vec::new() };
         out.numbers.resize(count * out.stride(), 0.0);
         out
     }
 
-    /// Numbers of a configuration.
+    /// The number of entries of a configuration.
     fn stride(&self) -> usize {
         1 + self.measures * self.width()
     }
 
-    /// Numbers of a quantity.
+    /// The number of entries of a quantity.
     fn width(&self) -> usize {
         1 + self.parameters.next_multiple_of(WIDTH)
     }
@@ -46,13 +47,13 @@ impl SensitivitySolutions {
         self.count
     }
 
-    /// Whether each configuration has an answer. It has none if [`solve`](super::solve) had none or solved another problem, or
-    /// if it is so near to a limit that derivatives are not finite or its mode is not decided.
+    /// Whether each configuration has derivatives. It has none if [`solve`](super::solve) found no solution or solved
+    /// another problem, or if it is so near to a limit that derivatives are not finite or its mode is undecided.
     pub fn solved(&self) -> impl Iterator<Item = bool> {
         self.column(0).map(|solved| solved > 0.0)
     }
 
-    /// A quantity, by its place in the list: a number for every configuration, 0 without an answer.
+    /// A quantity, by its index in the list: a number for every configuration, 0 where it is not solved.
     ///
     /// # Panics
     /// If there is no such quantity.
@@ -60,8 +61,8 @@ impl SensitivitySolutions {
         self.column(self.place(measure))
     }
 
-    /// The derivative of a quantity by a parameter, by their places in their lists. NaN where the quantity has none: a
-    /// transmission angle whose arms are on one line, the length of a force that is zero.
+    /// The derivative of a quantity with respect to a parameter, by their indices in the lists. NaN where it does not
+    /// exist: for a transmission angle whose arms are on one line, or the magnitude of a force that is zero.
     ///
     /// # Panics
     /// If there is no such quantity or parameter.
@@ -79,7 +80,7 @@ impl SensitivitySolutions {
         self.numbers.iter().skip(place).step_by(self.stride()).copied()
     }
 
-    /// Checks that there is room for these lists.
+    /// Checks that the room is for lists of these lengths.
     fn check(&self, measures: usize, parameters: usize) -> Result<(), LengthError> {
         let lists = [
             ("the list of quantities", self.measures, measures),
@@ -90,12 +91,12 @@ impl SensitivitySolutions {
     }
 }
 
-/// Values of quantities, and their exact derivatives by parameters (places in
-/// [`Model::parameters`](crate::model::Model::parameters)), for configurations that [`solve`](super::solve) has solved, for
-/// the same problems. Instants, inputs and assembly modes are held, as by
+/// Values of quantities, and their exact derivatives with respect to parameters (indices in
+/// [`Model::parameters`](crate::model::Model::parameters)), for configurations that [`solve`](super::solve) has solved,
+/// for the same problems. Instants, inputs and assembly modes are constant, as in
 /// [`Solver::measure_sensitivities`](crate::Solver::measure_sensitivities).
 ///
-/// Eight parameters are taken at once: the plan runs once for them over numbers that carry eight derivatives. `watch` gets
+/// Eight parameters are treated at once: the plan is evaluated once over numbers with eight derivatives. `watch` gets
 /// the progress and may stop the batch.
 ///
 /// ```
@@ -130,10 +131,10 @@ impl SensitivitySolutions {
 /// ```
 ///
 /// # Errors
-/// [`NoSensitivities`](BatchError::NoSensitivities) where redundant rows or rows of velocity level leave no closed form, for
-/// a mechanism of more than 160 coordinates, and for a quantity without [`source`](Measure::source);
-/// [`UnknownParameter`](BatchError::UnknownParameter); if a list or a column has the wrong length, and if `watch` stops the
-/// batch.
+/// [`NoSensitivities`](BatchError::NoSensitivities) where redundant rows or rows of velocity level leave no closed
+/// form, for a mechanism of more than 160 coordinates, and for a quantity without [`source`](Measure::source);
+/// [`UnknownParameter`](BatchError::UnknownParameter); if a list or a column has the wrong length, and if `watch` stops
+/// the batch.
 pub fn sensitivities<M: Mechanism + Sync>(
     mechanism: &M,
     problems: &Problems<'_>,
@@ -172,7 +173,7 @@ pub fn sensitivities<M: Mechanism + Sync>(
     })
 }
 
-/// Refuses what the plan over numbers with derivatives does not solve.
+/// An error for a mechanism that the plan over numbers with derivatives does not solve.
 fn check(model: &'static Model) -> Result<(), BatchError> {
     if let Some(why) = model.plan.absent {
         return Err(BatchError::NoPlan(why));
@@ -190,7 +191,7 @@ fn check(model: &'static Model) -> Result<(), BatchError> {
     Ok(())
 }
 
-/// What is asked for.
+/// The quantities and parameters that are requested.
 struct List<'a> {
     measures: &'a [Measure],
     sources: Vec<Source>,
@@ -217,7 +218,8 @@ impl<'m, M: Mechanism> Scratch<'m, M> {
         }
     }
 
-    /// Writes the numbers of the configuration at `place`, whose coordinates are in `q`; none where it has no answer.
+    /// Writes the entries of the configuration with the index `place`, whose coordinates are in `q`; `None` if it has
+    /// no derivatives.
     fn derive(
         &mut self,
         mechanism: &M,
@@ -235,7 +237,7 @@ impl<'m, M: Mechanism> Scratch<'m, M> {
         let needs = list.measures.iter().fold(Needs::LEAST, |needs, measure| needs.and(measure.needs()));
         let (solved, numbers) = out.split_first_mut()?;
         let width = 1 + list.parameters.len().next_multiple_of(WIDTH);
-        // Once without parameters for the values alone.
+        // One pass without parameters if only values are requested.
         let chunks = list.parameters.chunks(WIDTH).chain(list.parameters.is_empty().then_some(list.parameters));
         for (first, chunk) in chunks.enumerate().map(|(k, chunk)| (k * WIDTH, chunk)) {
             varying.vary_around(parameters, &at, chunk);
@@ -246,7 +248,7 @@ impl<'m, M: Mechanism> Scratch<'m, M> {
             }
             complete(varying, varied, needs).ok()?;
             for ((measure, source), out) in list.measures.iter().zip(&list.sources).zip(numbers.chunks_mut(width)) {
-                // Numbers with derivatives are large: what is there already is not copied.
+                // Numbers with derivatives are large, so existing ones are not copied.
                 let own;
                 let number = match *source {
                     Source::Coordinate { place, order } => {
@@ -276,8 +278,8 @@ impl<'m, M: Mechanism> Scratch<'m, M> {
     }
 }
 
-/// Whether all values and derivatives are finite: 0 times anything else is NaN. Lanes are added apart, so that the compiler
-/// takes them together.
+/// Whether all values and derivatives are finite: 0 times any other number is NaN. Every lane has its own sum, so that
+/// the compiler vectorises the loop.
 fn all_finite(numbers: &[Number]) -> bool {
     let (mut sum, mut by) = (0.0, [0.0; WIDTH]);
     for number in numbers {

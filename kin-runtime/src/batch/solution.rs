@@ -28,8 +28,8 @@ pub struct Problems<'a> {
     /// The assembly modes.
     pub modes: Modes<'a>,
     /// n columns: angles of the result are within half a turn of these, and iterations start from them. With
-    /// [`Modes::OfStart`] they say which closures are meant, so that they have to be a configuration that closes, or one
-    /// nearby: the q of a state, for example.
+    /// [`Modes::OfStart`] they determine the modes, so that they must be a configuration that closes, or near one: the
+    /// q of a state, for example.
     pub start: &'a [Column<'a>],
 }
 
@@ -68,7 +68,7 @@ pub struct Solutions<M: Mechanism> {
 }
 
 impl<M: Mechanism> Solutions<M> {
-    /// Vectors of a block.
+    /// Number of vectors of a block.
     const STRIDE: usize = 3 * M::COORDINATES + 2;
     const MARGIN: usize = Self::STRIDE - 2;
     const GOOD: usize = Self::STRIDE - 1;
@@ -112,17 +112,17 @@ impl<M: Mechanism> Solutions<M> {
     /// Coordinate number `k`, a number for every configuration.
     ///
     /// # Panics
-    /// This method and the two for rates, if there is no such coordinate.
+    /// This method and the two for rates panic if there is no such coordinate.
     pub fn q(&self, k: usize) -> impl Iterator<Item = f64> {
         self.of_coordinate(0, k)
     }
 
-    /// The velocity of coordinate `k`; 0 where it was not asked for.
+    /// The velocity of coordinate `k`; 0 if it was not requested.
     pub fn q_dot(&self, k: usize) -> impl Iterator<Item = f64> {
         self.of_coordinate(1, k)
     }
 
-    /// The acceleration of coordinate `k`; 0 where it was not asked for.
+    /// The acceleration of coordinate `k`; 0 if it was not requested.
     pub fn q_ddot(&self, k: usize) -> impl Iterator<Item = f64> {
         self.of_coordinate(2, k)
     }
@@ -185,11 +185,11 @@ impl<M: Mechanism> Solve<'_, M> {
     }
 }
 
-/// q, q̇ and q̈, as far as `depth` goes, of all configurations by the plan; `out` says how many there are.
+/// q, q̇ and q̈, as far as `depth` requests them, of all configurations by the plan; `out` says how many there are.
 ///
-/// Eight of them go through every step together. The result for one does not depend on its neighbours: to the last bit
-/// if the plan has closed forms only, and within the tolerance of the iteration if it has Newton steps. `watch` gets
-/// the progress and may stop the batch.
+/// Eight configurations are solved at once. The result for one does not depend on the others: to the last bit if the
+/// plan has closed forms only, and within the tolerance of the iteration if it has Newton steps. `watch` gets the
+/// progress and may stop the batch.
 ///
 /// ```
 /// use kin_runtime::batch::{Column, Modes, Problems, Solutions, always, solve};

@@ -17,7 +17,7 @@ use alloc::vec::Vec;
 use core::marker::PhantomData;
 use core::ops::ControlFlow;
 
-/// Instants of all blocks between two calls of the watch.
+/// Number of instants, over all blocks, between two calls of `watch`.
 const INSTANTS: usize = 512;
 
 /// Sets of parameters, and the time grid over which each of them moves.
@@ -29,7 +29,7 @@ pub struct Sweeps<'a> {
     /// The instants, in the order in which they are solved. The closer they are, the more sets reach the next one in a
     /// single step.
     pub times: &'a [f64],
-    /// The inputs, a number for every *instant* or one for all of them; the same for all sets.
+    /// The inputs, a number for every *instant* or one for all instants; all sets have the same inputs.
     pub inputs: &'a [Signal<Column<'a>>],
     /// The assembly modes at the first instant, for every set; they are kept along the motion.
     pub modes: Modes<'a>,
@@ -39,7 +39,7 @@ pub struct Sweeps<'a> {
 
 /// A block of sets at one instant.
 pub struct Moment<'s> {
-    /// The number of the first set; the others are in the next lanes. Lanes after the last set repeat it.
+    /// The index of the first set; the others are in the next lanes. Lanes after the last set repeat it.
     pub first: usize,
     /// The instant, an index of [`Sweeps::times`].
     pub instant: usize,
@@ -61,7 +61,8 @@ pub struct Moment<'s> {
 }
 
 impl Moment<'_> {
-    /// Whether a lane still moves. A lane that does not move repeats the numbers of one that does.
+    /// Whether the motion of the set in a lane has not ended. A lane whose motion has ended repeats the numbers of
+    /// another one.
     #[inline]
     pub fn moves(&self, lane: usize) -> bool {
         self.ends[lane].is_none()
@@ -73,8 +74,8 @@ impl Moment<'_> {
         Instant { t: Lanes::from(self.t), inputs: self.inputs }
     }
 
-    /// Forces of the block: the numbers of [`ForceModel`](crate::model::ForceModel), from which a score may take efforts
-    /// ([`ForceModel::effort`](crate::model::ForceModel::effort)), reactions, powers.
+    /// Forces of the block: the numbers of [`ForceModel`](crate::model::ForceModel), from which a score may be computed
+    /// (efforts by [`ForceModel::effort`](crate::model::ForceModel::effort), reactions, powers).
     ///
     /// # Errors
     /// [`NoForces`](BatchError::NoForces) as in [`forces`](super::forces), and [`Length`](BatchError::Length) if
@@ -99,7 +100,7 @@ impl Moment<'_> {
     }
 }
 
-/// The result of a batch of motions: a score for every block of four sets, and where sets ended early.
+/// The result of a batch of motions: a score for every block of four sets, and the sets that ended early.
 #[derive(Clone, Debug)]
 pub struct Motions<S> {
     count: usize,
@@ -139,7 +140,7 @@ impl<S> Motions<S> {
 struct Sweep<'a, M, V, S> {
     mechanism: &'a M,
     sweeps: &'a Sweeps<'a>,
-    /// The parameters; q holds the start, and q̇ the modes.
+    /// The parameters, the start in place of q, and the modes in place of q̇.
     configurations: &'a Configurations<'a>,
     visit: V,
     score: PhantomData<fn(&mut S)>,
@@ -249,8 +250,8 @@ fn show(to: &mut [Lanes], from: &[Octet], group: usize) {
 /// Eight sets move together, but every set moves as [`Planned`](crate::Planned) would move it alone: on the branch of
 /// its first instant, up to the end of that branch. `visit` is called for every block at every instant, in the order of
 /// the grid, from any of the threads, and updates the score of the block; states are not kept. A set that reaches a
-/// limit ends there: [`Motions::ends`] has the instant, and [`Moment::keep`] preserves its part of the score. `watch`
-/// gets the number of finished sets and may stop the batch.
+/// limit ends there: [`Motions::ends`] has the instant, and [`Moment::keep`] leaves its part of the score unchanged.
+/// `watch` gets the number of finished sets and may stop the batch.
 ///
 /// ```
 /// use kin_runtime::batch::{Column, Modes, Motions, Sweeps, always, sweep};

@@ -1,4 +1,4 @@
-//! The driver, with work that only writes down what it was asked for.
+//! Tests of the loop over blocks, with work that only records the indices of its configurations.
 
 use super::run::{CHUNK, Shape, blocks, drive};
 use super::{BatchError, Progress, always};
@@ -6,7 +6,7 @@ use crate::scalar::lanes::Lanes;
 use core::ops::ControlFlow;
 use core::sync::atomic::{AtomicUsize, Ordering};
 
-/// Writes the numbers of the configurations.
+/// Writes the index of every configuration.
 fn run(
     count: usize,
     out: &mut [Lanes],
@@ -60,6 +60,6 @@ fn stops_when_told_to() {
         panic!("it went on")
     };
     assert!(total == 1_000_000 && done > 0 && done < total / 2, "{done}");
-    // With the last configuration done there is nothing to stop.
+    // After the last configuration there is nothing to stop.
     assert_eq!(Ok(()), run(100, &mut out, &stop));
 }

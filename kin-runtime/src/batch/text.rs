@@ -1,4 +1,4 @@
-//! How batches print.
+//! Display of batches.
 
 #[cfg(feature = "std")]
 use super::SensitivitySolutions;
@@ -10,7 +10,7 @@ use crate::mechanism::Mechanism;
 use crate::text::{counted, number, numbers};
 use core::fmt;
 
-/// The shared number, or how many numbers there are.
+/// The shared number, or the number of entries.
 impl fmt::Display for Column<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -55,7 +55,7 @@ impl fmt::Display for Progress {
     }
 }
 
-/// At which instant, and why.
+/// The instant and the reason.
 impl fmt::Display for End {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "ended at instant {}: ", self.instant)?;
@@ -78,7 +78,7 @@ impl fmt::Display for Moment<'_> {
     }
 }
 
-/// How many motions reached the last instant.
+/// The number of motions that reached the last instant.
 impl<S> fmt::Display for Motions<S> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let whole = self.ends().filter(Option::is_none).count();
@@ -86,7 +86,7 @@ impl<S> fmt::Display for Motions<S> {
     }
 }
 
-/// How many are solved.
+/// The number of solved configurations.
 impl<M: Mechanism> fmt::Display for Solutions<M> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let solved = self.solved().filter(|solved| *solved).count();
@@ -94,7 +94,7 @@ impl<M: Mechanism> fmt::Display for Solutions<M> {
     }
 }
 
-/// How many there are.
+/// The number of evaluations.
 impl<M: Mechanism> fmt::Display for Evaluations<M> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}: ", M::model().name)?;

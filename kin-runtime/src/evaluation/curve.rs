@@ -9,7 +9,7 @@ use core::fmt;
 /// parametric form, or the direction θ of the outward normal of a cam under a flat face. Curves over θ close after 2π.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CurvePoint<T = f64> {
-    /// The coordinates of the point in the body.
+    /// The coordinates of the point in that frame.
     pub r: [T; 2],
     /// dr/ds; zero at a cusp.
     pub tangent: [T; 2],

@@ -4,7 +4,7 @@ use crate::mechanism::LengthError;
 use crate::scalar::Scalar;
 use crate::workspace::{Array, Instant, Subset};
 
-/// A mechanism whose struct is generic over its numbers, and which is evaluated in that scalar type.
+/// A mechanism whose struct is generic over the type of its numbers, and which is evaluated in that scalar type.
 ///
 /// `#[mechanism]` implements this trait for every [`Scalar`] where the struct has one type parameter for its numbers,
 /// `struct FourBar<T> { l1: T, l: [T; 3] }`. No number is converted to `f64`: a length that is a dual number gives the
@@ -12,7 +12,8 @@ use crate::workspace::{Array, Instant, Subset};
 /// `f32` stays an `f32`. Fields of other types (`n: f64` beside `l: T`) are converted.
 ///
 /// [`Mechanism`](crate::Mechanism), which the solver and the command line use, is implemented where the numbers are
-/// `f64` or `f32`. It has the names, patterns and sizes, and evaluates at any parameters that the caller supplies.
+/// `f64` or `f32`. That trait gives the names, patterns and sizes, and evaluates at parameters that the caller
+/// supplies.
 ///
 /// ```
 /// use kin_runtime::{GenericMechanism, Instant, Subset, mechanism};

@@ -1,23 +1,26 @@
-//! What the numbers of forces are: names and places, as tables.
+//! The layout of the numbers of forces: names and indices, as tables.
 
 use super::{Frame, OperationCount};
 
-/// Numbers before the multipliers: shaking (3), inertia (3), energies (3), powers (3), the rate of all energy.
+/// Number of entries before the multipliers: shaking (3), inertia (3), energies (3), powers (3), the rate of the total
+/// energy.
 #[cfg(feature = "std")]
 pub(crate) const TOTALS: usize = ForceModel::MULTIPLIERS;
 
-/// The forces of a mechanism with masses or loads: what [`Mechanism::forces_with`](crate::Mechanism::forces_with) writes.
+/// The forces of a mechanism with masses or loads: what [`Mechanism::forces_with`](crate::Mechanism::forces_with)
+/// writes.
 ///
-/// The numbers are, in this order: force and moment of shaking, the same of inertia alone; kinetic energy, that of
-/// gravity, that of springs; power of drivers, of applied loads, of dampers; the rate of all energy; the multipliers λ of all rows; then two
-/// numbers per effort, those of the reactions, five per spring.
+/// The numbers are, in this order: the shaking force and moment, the parts of these that inertia causes; kinetic
+/// energy, energy of gravity and of springs; power of drivers, of applied loads and of dampers; the rate of the total
+/// energy; the multipliers λ of all rows; then two numbers per driver ([`EffortInfo`]), those of each joint
+/// ([`ReactionInfo`]), and five per spring ([`SpringInfo`]).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ForceModel {
-    /// How many numbers there are.
+    /// The number of all entries.
     pub count: usize,
-    /// True where the closed forms hold the solution for λ, along the plan; otherwise λ must be solved from Φ_qᵀ λ = r.
+    /// True if closed forms along the plan compute λ; otherwise λ must be solved from Φ_qᵀ λ = r.
     pub solved: bool,
-    /// Operations of one evaluation.
+    /// The operations of one evaluation.
     pub operations: OperationCount,
     /// Drivers.
     pub efforts: &'static [EffortInfo],
@@ -30,16 +33,17 @@ pub struct ForceModel {
     pub loads: &'static [LoadInfo],
     /// Units.
     pub units: ForceUnits,
-    /// Entries of the symmetric mass matrix M that are not 0, as texts: row, column, not before the row, and the entry;
-    /// empty without the feature `equations`.
+    /// The non-zero entries of the symmetric mass matrix M on and above the diagonal: row, column, and the entry as
+    /// text; empty without the feature `equations`.
     #[doc(hidden)]
     pub mass_matrix: &'static [(usize, usize, &'static str)],
-    /// Q of M q̈ + Φ_qᵀ λ = Q, a text for every coordinate; empty likewise.
+    /// Q of M q̈ + Φ_qᵀ λ = Q, a text for every coordinate; empty without the feature `equations`.
     #[doc(hidden)]
     pub generalized: &'static [&'static str],
 }
 
-/// The units of forces, from those of masses, lengths and times that are written; none where these do not tell them.
+/// The units of forces, derived from the units of masses, lengths and times in the description; `None` where these do
+/// not determine them.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct ForceUnits {
@@ -65,9 +69,9 @@ impl core::fmt::Display for ForceUnits {
 }
 
 impl ForceModel {
-    /// The place of the force of shaking, x and y, and of its moment behind them.
+    /// The index of the shaking force, x and y, which its moment follows.
     pub const SHAKING: usize = 0;
-    /// That of inertia alone.
+    /// The index of the part of these that inertia causes.
     pub const INERTIA: usize = 3;
     /// Kinetic energy.
     pub const KINETIC: usize = 6;
@@ -81,12 +85,12 @@ impl ForceModel {
     pub const APPLIED_POWER: usize = 10;
     /// Power of dampers.
     pub const DAMPER_POWER: usize = 11;
-    /// The rate of all energy.
+    /// The rate of the total energy.
     pub const ENERGY_RATE: usize = 12;
     /// The first multiplier.
     pub const MULTIPLIERS: usize = 13;
 
-    /// Whether bodies touch, so that their normal forces may change their sign.
+    /// Whether there are contacts, whose normal forces may change their sign.
     pub fn has_contacts(&self) -> bool {
         self.reactions.iter().any(|reaction| reaction.has_normal)
     }
@@ -108,37 +112,37 @@ impl ForceModel {
 }
 
 impl ReactionInfo {
-    /// The place of the force, x, and y behind it; none where there are only couples.
+    /// The index of the x component of the force, which y follows; `None` where there are only couples.
     pub fn force(&self) -> Option<usize> {
         self.has_force.then_some(self.place + 2)
     }
 
-    /// The place of the moment.
+    /// The index of the moment.
     pub fn moment(&self) -> Option<usize> {
         self.has_moment.then_some(self.place + if self.has_force { 4 } else { 0 })
     }
 
-    /// The place of the normal part of a contact force.
+    /// The index of the normal component of a contact force.
     pub fn normal(&self) -> Option<usize> {
         let before = usize::from(self.has_force) * 4 + usize::from(self.has_moment);
         self.has_normal.then_some(self.place + before + self.couples.len() + self.generalized)
     }
 }
 
-/// A driver: its effort and the rate of what it drives stand at `place`.
+/// A driver: the numbers at `place` are its effort and the rate of the quantity that it drives.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EffortInfo {
-    /// The driver's name, or that of a held coordinate that moves.
+    /// The driver's name, or that of a held coordinate whose value changes.
     pub name: &'static str,
     /// The first of its two numbers.
     pub place: usize,
 }
 
-/// A joint: what it exerts begins at `place` with point and force (4 numbers, where there is one), then the moment, couples,
-/// generalized forces, and the normal and the tangential part of a contact force.
+/// A joint. The numbers from `place` on are point and force (4 numbers, if it has a force), the moment, couples,
+/// generalized forces, and the normal and the tangential component of a contact force.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ReactionInfo {
-    /// Its name; `b.x`, `b.y`, `b.phi` or `b.origin` for what holds or carries a body.
+    /// Its name; `b.x`, `b.y`, `b.phi` or `b.origin` for a held coordinate of a body b or its carried origin.
     pub name: &'static str,
     /// The body on which force and moment act.
     pub on: Option<Frame>,
@@ -150,16 +154,16 @@ pub struct ReactionInfo {
     pub has_moment: bool,
     /// The bodies on which it exerts couples.
     pub couples: &'static [Frame],
-    /// How many generalized forces it has, one per row of the user's own.
+    /// The number of generalized forces: one per row of an equation that the user wrote.
     pub generalized: usize,
-    /// Its bodies touch, and the force has a normal part.
+    /// Its bodies touch, and the force has a normal component.
     pub has_normal: bool,
-    /// They roll on one another, and it has a tangential part.
+    /// Its bodies roll on one another, and the force has a tangential component.
     pub has_tangential: bool,
 }
 
-/// What a load exerts on a body: a force with its point, four numbers, or a couple, from `place` on among the numbers of
-/// [`Mechanism::loads_with`](crate::Mechanism::loads_with).
+/// What a load exerts on a body: a point and a force there (four numbers), or a couple, from `place` on among the
+/// numbers of [`Mechanism::loads_with`](crate::Mechanism::loads_with).
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LoadInfo {
@@ -175,13 +179,14 @@ pub struct LoadInfo {
 
 #[cfg(feature = "std")]
 impl LoadInfo {
-    /// The place behind its numbers.
+    /// One past the index of its last number.
     pub(crate) const fn end(&self) -> usize {
         self.place + if self.is_force { 4 } else { 1 }
     }
 }
 
-/// A spring: length or angle, its rate, tension or couple on the second body, energy and power of the damper stand at `place`.
+/// A spring. The numbers from `place` on are its length or angle, the rate of this, the tension or the couple on the
+/// second body, the energy, and the power of the damper.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SpringInfo {
     /// Its name.

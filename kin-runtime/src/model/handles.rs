@@ -1,4 +1,4 @@
-//! Handles: what the constants of a mechanism are, for typed access to results without type inference.
+//! Handles: the types of a mechanism's constants, for typed access to results without type inference.
 
 /// A body of a mechanism, for typed access to results: `FourBar::crank`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -8,7 +8,7 @@ pub struct Body(pub usize);
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Point(pub usize);
 
-/// A scalar generalized coordinate; the number is its place in q.
+/// A scalar generalized coordinate; the number is its index in q.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Coordinate(pub usize);
 

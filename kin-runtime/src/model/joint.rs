@@ -1,17 +1,17 @@
-//! Joints, constraints and drivers: kinds, geometry for a drawing, and what they report.
+//! Joints, constraints and drivers: kinds, geometry for a drawing, and reported quantities.
 
 use super::{DefineInfo, Frame};
 pub use kin_core::vocabulary::{JointKind, Role};
 
-/// A piece of geometry of a joint: where its numbers stand in the geometry array.
+/// A piece of geometry of a joint, whose numbers are in the geometry array.
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Geometry {
-    /// What it is for.
+    /// Its role in the joint.
     pub role: Role,
     /// The frame it is fixed in.
     pub frame: Frame,
-    /// Place of the first number in the geometry array.
+    /// Index of its first number in the geometry array.
     pub offset: usize,
 }
 
@@ -32,9 +32,9 @@ pub struct JointInfo {
     /// Points, axes and values, for a drawing.
     #[doc(hidden)]
     pub geometry: &'static [Geometry],
-    /// What it reports: `angle` (φ_j − φ_i), `stroke` (displacement along the axis), `distance`, or `theta` (direction of a
-    /// flat follower's face as the cam sees it); the rate is the relative angular velocity, the sliding velocity or the rate
-    /// of change of the distance.
+    /// The reported quantities: `angle` (φ_j − φ_i), `stroke` (displacement along the axis), `distance`, or `theta`
+    /// (direction of a flat follower's face relative to the cam); the rate is the relative angular velocity, the
+    /// sliding velocity or the rate of change of the distance.
     pub quantities: &'static [DefineInfo],
 }
 

@@ -1,4 +1,5 @@
-//! What is known about a mechanism before any number is: names, rows, patterns, geometry.
+//! What is known about a mechanism at compile time, whatever the values of its parameters: names, rows, patterns,
+//! geometry.
 //!
 //! Generated code holds one static [`Model`] per mechanism. All indices are 0-based.
 
@@ -29,7 +30,7 @@ pub use units::Units;
 pub enum CoordinateKind {
     /// x, y or φ of a body.
     Pose {
-        /// Place in [`Model::bodies`].
+        /// Index in [`Model::bodies`].
         body: usize,
         /// Which of the three.
         component: Component,
@@ -53,7 +54,7 @@ pub struct CoordinateInfo {
 pub struct ParameterInfo {
     /// `l1` or `l[3]`.
     pub name: &'static str,
-    /// Unit as written.
+    /// The unit, as written in the description.
     pub unit: Option<&'static str>,
     /// Default value.
     pub default: Option<f64>,
@@ -76,7 +77,7 @@ pub enum OriginKind {
 pub struct BodyInfo {
     /// `crank` or `link[3]`.
     pub name: &'static str,
-    /// Places in q of x, y, φ; `None` where held or carried.
+    /// Indices in q of x, y, φ; `None` where held or carried.
     pub coordinates: [Option<usize>; 3],
     /// Where its origin comes from.
     #[doc(hidden)]
@@ -94,7 +95,7 @@ pub struct PointInfo {
     /// The body that carries it.
     #[doc(hidden)]
     pub frame: Frame,
-    /// Place of its two body-fixed coordinates in the geometry array.
+    /// Index of its two body-fixed coordinates in the geometry array.
     #[doc(hidden)]
     pub local: usize,
     /// Observables of x and y in [`Model::observables`].
@@ -110,7 +111,7 @@ pub struct DefineInfo {
     /// Its observable in [`Model::observables`].
     #[doc(hidden)]
     pub observable: usize,
-    /// True when it holds coordinates, t or inputs.
+    /// True if it contains coordinates, t or inputs.
     pub varies: bool,
 }
 
@@ -145,7 +146,7 @@ pub struct RowInfo {
 
 /// A unilateral condition: an inequality that is watched and never solved as an equation.
 ///
-/// It is no row of Φ. Its observable is g, by how much the larger side exceeds the other: satisfied while g > 0.
+/// It is not a row of Φ. Its observable is g, the side that must be larger minus the other one: satisfied while g > 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ConditionInfo {
     /// `limit` or `limit[3]`; it differs from the names of all joints.
@@ -165,14 +166,14 @@ pub struct ConditionInfo {
 pub enum Observable {
     /// x, y or φ of a body.
     Pose {
-        /// Place in [`Model::bodies`].
+        /// Index in [`Model::bodies`].
         body: usize,
-        /// Which.
+        /// Which of the three.
         component: Component,
     },
     /// x or y of a named point.
     Point {
-        /// Place in [`Model::points`].
+        /// Index in [`Model::points`].
         point: usize,
         /// [`Component::X`] or [`Component::Y`].
         component: Component,
@@ -181,12 +182,12 @@ pub enum Observable {
     Define(usize),
     /// A quantity of a joint.
     Joint {
-        /// Place in [`Model::joints`].
+        /// Index in [`Model::joints`].
         joint: usize,
-        /// Place in its [`JointInfo::quantities`].
+        /// Index in its [`JointInfo::quantities`].
         quantity: usize,
     },
-    /// By how much a unilateral condition is satisfied.
+    /// g of a unilateral condition (see [`ConditionInfo`]).
     Condition(usize),
 }
 
@@ -197,7 +198,7 @@ pub struct Pattern {
     pub rows: usize,
     /// (row, column) of every entry that is not identically zero, row by row.
     pub entries: &'static [(usize, usize)],
-    /// Entries that are literal constants: place in `entries` and value.
+    /// Entries that are literal constants: index in `entries` and value.
     pub constants: &'static [(usize, f64)],
 }
 
@@ -207,7 +208,7 @@ pub struct Pattern {
 pub struct EquationText {
     /// Name of the row.
     pub row: &'static str,
-    /// Φ; of a row of velocity level η, whose B and b stand in `phi_q` and `phi_t`.
+    /// Φ; for a row of velocity level η, with B in `phi_q` and b in `phi_t`.
     pub phi: &'static str,
     /// Non-zero entries of Φ_q as (coordinate, expression).
     pub phi_q: &'static [(&'static str, &'static str)],
@@ -217,14 +218,14 @@ pub struct EquationText {
     pub gamma: &'static str,
 }
 
-/// What a step of the solution plan computes, as text in the user's names; a step whose coordinates come at several
-/// places is there several times.
+/// What a step of the solution plan computes, as text in the user's names. A step whose coordinates are computed in
+/// several parts of the sequence has several entries.
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct StepText {
-    /// Place in [`Plan::steps`].
+    /// Index in [`Plan::steps`].
     pub step: usize,
-    /// What it is, in words.
+    /// A description of the step.
     pub what: &'static str,
     /// Lines for q, q̇ and q̈.
     pub lines: [&'static [LineText]; 3],
@@ -234,14 +235,14 @@ pub struct StepText {
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LineText {
-    /// What a name is: a coordinate, a rate or acceleration of one (`_dot`, `_ddot`), or a name that later lines use.
+    /// The value of a name: a coordinate, its rate or acceleration (`_dot`, `_ddot`), or a name that later lines use.
     Equation {
         /// The name.
         left: &'static str,
         /// Its value.
         right: &'static str,
     },
-    /// What an iteration brings to zero.
+    /// An expression that an iteration makes zero.
     Zero {
         /// Its name.
         left: &'static str,
@@ -254,27 +255,27 @@ pub enum LineText {
         matrix: &'static [&'static [&'static str]],
         /// Coordinates, or their rates or accelerations.
         unknowns: &'static [&'static str],
-        /// As many as rows.
+        /// The right-hand sides, one per row.
         right: &'static [&'static str],
     },
 }
 
-/// A row that repeats, or contradicts, what other rows say: at every pose and for all dimensions they depend on one
-/// another.
+/// A row that depends on other rows at every pose and for all dimensions: it repeats or contradicts them.
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct GenericRedundancy {
-    /// Place in [`Model::rows`]; of a circuit, the row declared last, where driving rows count as later than all others.
+    /// Index in [`Model::rows`]: of the rows of a circuit the one declared last, where driving rows count as declared
+    /// after all others.
     pub row: usize,
     /// The other joints of the circuit, in order of declaration.
     pub circuit: &'static [&'static str],
 }
 
-/// What the symbols alone say: ranks of Φ_q at a general pose of a mechanism with the same joints, directions, ratios
-/// and angle relations, and general dimensions.
+/// Generic ranks: those of Φ_q at a general pose of a mechanism with the same joints, directions, ratios and angle
+/// relations, and general dimensions.
 ///
 /// No pose and no dimensions give a larger rank. Smaller ones are possible: a parallelogram with a fifth bar moves only
-/// because of its lengths. [`Mobility`](crate::Mobility) tells the two apart.
+/// because of its lengths. [`Mobility`](crate::Mobility) distinguishes the two.
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Structure {
@@ -288,7 +289,7 @@ pub struct Structure {
     pub redundant: &'static [GenericRedundancy],
 }
 
-/// Everything about a mechanism that no number changes.
+/// Everything about a mechanism that does not depend on numbers.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Model {
     /// Name of the struct.
@@ -303,11 +304,11 @@ pub struct Model {
     pub inputs: &'static [&'static str],
     /// The default value of every input, `default = …`, which the command line and its examples use.
     pub input_defaults: &'static [Option<f64>],
-    /// Units of lengths, of time and of what has a name.
+    /// Units of lengths, of time and of named quantities.
     pub units: Units,
     /// Supplied functions, array fields element by element.
     pub functions: &'static [&'static str],
-    /// The supplied function, by its place in `functions`, of every argument that
+    /// The supplied function, by its index in `functions`, of every argument that
     /// [`Mechanism::write_arguments`](crate::Mechanism::write_arguments) writes.
     #[doc(hidden)]
     pub arguments: &'static [usize],
@@ -325,13 +326,14 @@ pub struct Model {
     pub conditions: &'static [ConditionInfo],
     /// Sparsity of Φ_q.
     pub constraint_pattern: Pattern,
-    /// What the mechanism reports besides q.
+    /// The reported quantities besides q.
     #[doc(hidden)]
     pub observables: &'static [Observable],
     /// Sparsity of the observables' Jacobian.
     #[doc(hidden)]
     pub observable_pattern: Pattern,
-    /// Coordinates that have a guess, in the order of the values that [`Mechanism::write_guesses`](crate::Mechanism::write_guesses) writes.
+    /// Coordinates that have a guess, in the order of the values that
+    /// [`Mechanism::write_guesses`](crate::Mechanism::write_guesses) writes.
     #[doc(hidden)]
     pub guesses: &'static [usize],
     /// Length of the geometry array.
@@ -342,12 +344,12 @@ pub struct Model {
     /// Generic ranks and redundant rows; `None` in a model that was written by hand.
     #[doc(hidden)]
     pub structure: Option<Structure>,
-    /// How the mechanism is solved block by block.
+    /// The plan that solves the mechanism block by block.
     pub plan: Plan,
     /// Operations of one combined evaluation.
     #[doc(hidden)]
     pub operations: OperationCount,
-    /// What the numbers of forces are; none for a mechanism without masses and loads.
+    /// The layout of the numbers of forces; `None` for a mechanism without masses and loads.
     pub forces: Option<&'static ForceModel>,
     /// The derivation as text; empty without the feature `equations`.
     #[doc(hidden)]
@@ -358,7 +360,7 @@ pub struct Model {
 }
 
 impl Model {
-    /// The place in q of the coordinate called `name`: `crank.phi`, `link[3].x`, or a scalar's own name.
+    /// The index in q of the coordinate called `name`: `crank.phi`, `link[3].x`, or a scalar's own name.
     pub fn coordinate(&self, name: &str) -> Option<usize> {
         self.coordinates.iter().position(|coordinate| coordinate.name == name)
     }

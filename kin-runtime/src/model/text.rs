@@ -1,4 +1,4 @@
-//! What is known about a mechanism, in words.
+//! Display of a model and its parts.
 
 use super::{
     Body, BodyInfo, ConditionInfo, Coordinate, CoordinateInfo, DefineInfo, EffortInfo, ForceModel, Input, JointInfo,
@@ -7,7 +7,7 @@ use super::{
 use crate::text::counted;
 use core::fmt;
 
-/// What a type displays as: an expression of `self` and the formatter.
+/// Implements `Display` for types, each by an expression of `self` and the formatter.
 macro_rules! display {
     ($($(#[$doc:meta])* $type:ty: |$self:ident, $f:ident| $text:expr;)+) => {
         $($(#[$doc])*
@@ -41,7 +41,7 @@ display! {
     };
     /// Its name.
     BodyInfo: |it, f| f.write_str(it.name);
-    /// Its name, and who carries it.
+    /// Its name, and the body that carries it.
     PointInfo: |it, f| write!(f, "{} on {}", it.name, it.frame);
     /// Its name.
     DefineInfo: |it, f| f.write_str(it.name);
@@ -52,7 +52,7 @@ display! {
     };
     /// Its name and the inequality.
     ConditionInfo: |it, f| write!(f, "{}: {}", it.name, it.text);
-    /// How many entries in how many rows.
+    /// The number of entries and of rows.
     Pattern: |it, f| {
         counted(f, it.entries.len(), "entry").and_then(|()| f.write_str(" in "))?;
         counted(f, it.rows, "row")?;
@@ -87,7 +87,7 @@ display! {
 }
 
 impl RowInfo {
-    /// Its class in the field's words: `holonomic` or `nonholonomic`, `rheonomic` or `scleronomic`, `bilateral`.
+    /// Its classification: `holonomic` or `nonholonomic`, `rheonomic` or `scleronomic`, `bilateral`.
     pub const fn classes(&self) -> [&'static str; 3] {
         [
             match self.level {

@@ -1,4 +1,4 @@
-//! Units of what a mechanism reports.
+//! Units of the quantities of a mechanism.
 
 /// Units that are written in a description, and those that follow from them. Numbers are never converted.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -7,12 +7,12 @@ pub struct Units {
     pub length: Option<&'static str>,
     /// Of t: the first unit of time that is written, or s where units are written and none of them is a time.
     pub time: Option<&'static str>,
-    /// Of scalar coordinates, inputs and defines, by their names without index; only those that have one.
+    /// Of scalar coordinates, inputs and defines, by their names without index; only those with a unit.
     pub named: &'static [(&'static str, &'static str)],
 }
 
 impl Units {
-    /// Nothing is known.
+    /// No unit is known.
     pub const NONE: Self = Self { length: None, time: None, named: &[] };
 
     /// The unit of a scalar coordinate, an input or a define, with or without its index.

@@ -34,10 +34,10 @@ pub struct Plan {
     pub steps: &'static [PlanStep],
     /// The assembly modes.
     pub modes: &'static [ModeInfo],
-    /// The groups that are solved by iteration. The sign of the determinant of its small system distinguishes
-    /// neighbouring solutions of such a group; unlike a mode, it cannot be asked for.
+    /// The groups that are solved by iteration. The sign of the determinant of its system distinguishes neighbouring
+    /// solutions of such a group; unlike a mode, it cannot be requested.
     pub orientations: &'static [ModeInfo],
-    /// How many margins a solution has.
+    /// The number of margins of a solution.
     pub margins: usize,
     /// The reason why there is no plan.
     pub absent: Option<&'static str>,
@@ -95,13 +95,14 @@ impl Plan {
         self.modes.len() + self.orientations.len()
     }
 
-    /// The margin of a sign: its square root is the distance of the group from the limit at which the sign changes.
+    /// The index of the margin of a group, from the index of its sign: the root of this margin is the distance of the
+    /// group from the limit at which the sign changes.
     pub(crate) fn margin_of_group(&self, sign: usize) -> Option<usize> {
         let of_iteration = || self.orientations.get(sign - self.modes.len());
         self.modes.get(sign).or_else(of_iteration).map(|info| info.margin)
     }
 
-    /// The sign to which a margin belongs, if it is the margin of a group.
+    /// The index of the sign of the group to which a margin belongs; `None` for other margins.
     pub(crate) fn group_of_margin(&self, margin: usize) -> Option<usize> {
         self.modes.iter().chain(self.orientations).position(|info| info.margin == margin)
     }
@@ -142,7 +143,7 @@ const fn last_and_rounding(epsilon: f64) -> [f64; 2] {
     [LAST * root, ROUNDING * coarse]
 }
 
-/// The square of how much coarser a scalar is than an `f64`.
+/// The square of the ratio of the scalar's machine precision to that of `f64`.
 #[doc(hidden)]
 #[inline(always)]
 pub const fn coarseness<T: Scalar>() -> f64 {
@@ -185,13 +186,13 @@ pub fn iterate<T: Scalar, const N: usize, const M: usize>(
             return T::from_f64(1.0);
         }
     }
-    // Scalars that cannot be compared (intervals, series) have taken all corrections, more than convergence needs.
+    // For scalars that cannot be compared (intervals, series) all corrections were taken, more than convergence needs.
     let cannot_tell = !T::from_f64(0.0).is_within(1.0);
-    // A single length that passes through 0 has no size to be compared with.
+    // A single length that passes through 0 has no size to be compared with, so `rounding` suffices.
     if rounding || cannot_tell {
         return T::from_f64(1.0);
     }
-    // Later steps need finite numbers.
+    // Later steps of the plan need finite numbers.
     *x = start;
     T::from_f64(0.0)
 }

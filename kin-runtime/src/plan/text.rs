@@ -1,4 +1,4 @@
-//! How plans print, without the names of the model; [`Step`](crate::planned::Step) prints these, too.
+//! Display of plans without the names of the model; [`Step`](crate::planned::Step) prints those, too.
 
 use super::{ModeInfo, Plan, PlanStep, Solved, StepKind};
 use crate::text::{counted, numbers};

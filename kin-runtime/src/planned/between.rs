@@ -1,8 +1,8 @@
 //! The branch of iterated groups between the ends of a step.
 //!
-//! A closure has two solutions, whose distance is known from its margin. An iteration may have any number of solutions, and
-//! a curve may bend between two straight parts, so that nothing at the ends of a step tells of it. Therefore the branch
-//! values w of iterated groups are looked at in between, on the cubic through both ends:
+//! A group in closed form has two closures, whose distance is known from its margin. An iteration may have any number
+//! of solutions, and a curve may bend between two straight parts, which the ends of a step do not show. Therefore the
+//! branch values w of iterated groups are also evaluated between the ends, on the cubic through q and q̇ of both:
 //!
 //! ```text
 //! q(s) = (2s³ − 3s² + 1) q₀ + (s³ − 2s² + s) h q̇₀ + (3s² − 2s³) q₁ + (s³ − s²) h q̇₁
@@ -16,16 +16,18 @@ use crate::scalar::compare::Compare;
 use crate::signal::Instant;
 use crate::workspace::Array;
 
-/// Number of places between the ends of a step.
+/// Number of places between the ends of a step at which branch values are evaluated.
 pub(crate) const PLACES: u32 = 7;
 
-/// Smallest w in between, relative to the smaller one at both ends.
+/// Smallest w accepted between the ends, relative to the smaller one of both ends.
 pub(crate) const LEAST: f64 = 0.5;
 
-/// Largest deviation from the mean of the rates at both ends, relative to the larger one.
+/// Largest accepted deviation of the mean velocity in a step from the mean of the rates at its ends, relative to the
+/// larger rate.
 const SMOOTH: f64 = 0.25;
 
-/// Error of the end of an iteration, relative to the coordinate or to the radius of its rows.
+/// Error of a converged iteration, relative to the size of the coordinate plus a radian or the radius of its rows (see
+/// [`of_coordinate`]).
 const ROUNDING: f64 = 1e-10;
 
 /// The places, relative to the length of the step.
@@ -43,13 +45,13 @@ pub(crate) fn on_cubic<V: Compare>(to: &mut [V], [q0, v0, q1, v1]: [&[V]; 4], h:
     }
 }
 
-/// A place s of a step of the length h to an instant, whose inputs are used everywhere.
+/// A place s of a step of the length h to the instant `at`, whose inputs are used everywhere.
 pub(crate) fn within<'a, V: Compare>(at: &Instant<'a, V>, h: f64, s: f64) -> Instant<'a, V> {
     Instant { t: at.t - V::from_f64((1.0 - s) * h), inputs: at.inputs }
 }
 
-/// A measure that is negative where an iterated group comes much nearer to its limit at a place within a step than at its
-/// ends, or has another sign there. The instant is that of the end.
+/// A measure that is negative if an iterated group comes much nearer to its limit at a place within a step than at its
+/// ends, or has another sign there. `at` is the instant of the end.
 #[cold]
 #[inline(never)]
 pub(crate) fn certainty_at_places<M: Mechanism, V: Compare>(
@@ -76,13 +78,14 @@ pub(crate) fn certainty_at_places<M: Mechanism, V: Compare>(
     Ok(certainty)
 }
 
-/// A measure that is negative where the unknowns of an iteration have not moved as their rates at both ends say:
+/// A measure that is negative if the unknowns of an iteration have not moved as their rates at both ends imply:
 ///
 /// ```text
 /// |q₁ − q₀ − ½ h (q̇₀ + q̇₁)| ≤ ¼ |h| max(|q̇₀|, |q̇₁|)
 /// ```
 ///
-/// The left side is of third order in h. Lengths are compared together, and so are angles; a scalar alone.
+/// The left side is of third order in h. For lengths the largest left side is compared with the largest right side, and
+/// likewise for angles; every scalar is compared alone.
 #[cold]
 #[inline(never)]
 pub(crate) fn certainty_of_rates<V: Compare>(model: &Model, (ends, turns): ([&[V]; 4], &[V]), h: f64) -> V {
@@ -115,7 +118,8 @@ pub(crate) fn certainty_of_rates<V: Compare>(model: &Model, (ends, turns): ([&[V
 fn of_coordinate<V: Compare>(kind: CoordinateKind, [first, v0, last, v1]: [V; 4], turn: V, h: f64) -> [V; 2] {
     let difference = (last - first - V::from_f64(0.5 * h) * (v0 + v1)).abs();
     let motion = V::from_f64(h.abs()) * v0.abs().greatest(v1.abs());
-    // The coordinate may be 0; then a radian counts, or the radius of a row that turns.
+    // The coordinate may be 0, so a reference is added: a radian for an angle, otherwise the radius of its rows, which
+    // is the displacement by which a gradient turns by one radian.
     let radius = match kind {
         CoordinateKind::Pose { component: Component::Phi, .. } => V::from_f64(1.0),
         _ => turn / (turn * turn + V::from_f64(1e-300)),
@@ -146,7 +150,7 @@ mod tests {
     const PHI: CoordinateKind = CoordinateKind::Pose { body: 0, component: Component::Phi };
     const X: CoordinateKind = CoordinateKind::Pose { body: 0, component: Component::X };
 
-    /// Whether the unknown has moved as its rates say.
+    /// Whether the unknown has moved as its rates imply.
     fn is_smooth(kind: CoordinateKind, ends: [f64; 4], turn: f64, h: f64) -> bool {
         let [allowed, difference] = of_coordinate::<f64>(kind, ends, turn, h);
         difference <= allowed
@@ -156,7 +160,7 @@ mod tests {
     fn a_motion_that_its_rates_do_not_tell_is_none() {
         for kind in [PHI, X, CoordinateKind::Scalar] {
             for h in [2.0, -2.0] {
-                // Between the rates 1 and 1.4 the motion is 1.2 h, give or take a quarter of 1.4 h.
+                // With the rates 1 and 1.4 the motion may be 1.2 h ± a quarter of 1.4 h.
                 let moved = |share: f64| is_smooth(kind, [5.0, 1.0, 5.0 + share * h, 1.4], 0.0, h);
                 assert!(moved(1.2) && moved(1.549) && moved(0.851) && !moved(1.551) && !moved(0.849), "{h}");
                 // From rest with a jerk j: the rate is ½ j h², the motion j h³/6.
@@ -168,7 +172,7 @@ mod tests {
 
     #[test]
     fn rounding_is_no_motion() {
-        // At 0 a radian counts for angles, and for others the radius 1/turn.
+        // At 0 the reference is a radian for angles, and the radius 1/turn for other coordinates.
         assert!(
             is_smooth(PHI, [0.0, 0.0, 9e-11, 0.0], 0.0, 1.0) && !is_smooth(PHI, [0.0, 0.0, 1.1e-10, 0.0], 0.0, 1.0)
         );

@@ -9,7 +9,8 @@
 //! distance = √margin ≤ about |w|
 //! ```
 //!
-//! (The two differ only where a divisor of the group is small, as where its outer pins meet.)
+//! (The two differ only where a divisor of the group is small, for example where its outer pins coincide.)
+//!
 //! Along a smooth motion w is smooth, and it changes no faster than bodies turn. A step has stayed on its branch if
 //! every group is too far from its limit to have reached it within the step ([`OUT_OF_REACH`]), or if w at its end
 //! agrees with the prediction, in a step so short that the error of the prediction is much smaller than w
@@ -24,13 +25,13 @@ use crate::scalar::compare::Compare;
 /// Largest deviation of w from its prediction, relative to the smaller of the two.
 const EXPECTED: f64 = 0.5;
 
-/// A group farther from its limit than this factor times `turn` cannot reach the limit in one step. `turn` is the largest
-/// rotation of a body, in radians, by velocity or by acceleration alone; 4 stands for two bodies that turn towards one another,
-/// by both terms.
+/// A group farther from its limit than this factor times `turn` cannot reach the limit in one step. `turn` is the
+/// largest rotation of a body, in radians, by velocity or by acceleration alone; 4 stands for two bodies that turn
+/// towards one another, by both terms.
 pub(crate) const OUT_OF_REACH: f64 = 4.0;
 
-/// Margins above this need no check of a branch's neighbourhood where nothing is known of the motion before: for single
-/// states, and for the sets of a batch that are judged together.
+/// Above this margin neither a single state nor a set of a batch that takes its step together with others needs the
+/// checks of the scalar follower.
 #[cfg(any(feature = "std", all(feature = "alloc", feature = "simd")))]
 pub(crate) const FAR_FROM_LIMITS: f64 = 1e-2;
 

@@ -14,8 +14,8 @@ pub struct Limit {
     /// The group, with the names of its joints.
     #[doc(hidden)]
     pub step: Step,
-    /// The margin of the group: 0 at the limit, negative where it cannot close. It is 1 − (m/r)², where the group
-    /// closes as long as |m| ≤ r; far beyond the limit it may be any negative number.
+    /// The margin of the group: 0 at the limit, negative where it cannot close. For a closure a cos φ + b sin φ = c it
+    /// is 1 − c²/(a² + b²), any negative number far beyond the limit.
     pub margin: f64,
     /// The location of the limit itself, where the motion was followed up to it.
     #[doc(hidden)]
@@ -209,7 +209,7 @@ pub enum PlanError {
         /// The rows and their contradiction, see [`Limit::contradiction`].
         limit: Limit,
     },
-    /// The configuration that should determine the modes leaves one of them open: its closure
+    /// The configuration that should determine the modes does not determine this one: its branch value
     /// ([`Mechanism::closures_with`](crate::Mechanism::closures_with)) is 0 or NaN there.
     Undecided {
         /// Time.
@@ -217,7 +217,7 @@ pub enum PlanError {
         /// The name of the mode.
         mode: &'static str,
     },
-    /// A length that a joint keeps is negative: of a link, a cylinder or a driver of a distance.
+    /// A length that a joint prescribes is negative: that of a link, a cylinder or a driver of a distance.
     NegativeLength {
         /// Time.
         t: f64,
@@ -261,7 +261,7 @@ pub enum PlanError {
 }
 
 impl PlanError {
-    /// The error for a negative length, given its index among the lengths that joints keep.
+    /// The error for a negative length, given its index among the lengths that joints prescribe.
     #[cold]
     pub(super) fn negative_length(model: &Model, t: f64, place: usize, length: f64) -> Self {
         let joint = model.joints.iter().filter(|joint| joint.keeps_distance()).nth(place);
@@ -289,7 +289,8 @@ impl fmt::Display for PlanError {
             Self::NoPlan { why } => write!(f, "no plan because {why}"),
             Self::Limit { t, limit } => {
                 write_at(f, *t, limit)?;
-                // Finding the input that is to blame takes longer than a tick of a controller; the message says where to ask.
+                // Finding the input that is the cause takes longer than a cycle of a controller, so the message names
+                // the method.
                 let hint =
                     if limit.step.has_inputs() { "; `Planned::out_of_range` says what its inputs can be" } else { "" };
                 f.write_str(hint)
@@ -352,7 +353,7 @@ fn write_at(f: &mut fmt::Formatter<'_>, t: f64, limit: &Limit) -> fmt::Result {
     }
 }
 
-/// The message is complete; the source exists only for an error of a length, to make its type available.
+/// The message is complete without the source, which exists only for a [`LengthError`], to make its type available.
 impl core::error::Error for PlanError {
     fn source(&self) -> Option<&(dyn core::error::Error + 'static)> {
         if let Self::Length(error) = self { Some(error) } else { None }

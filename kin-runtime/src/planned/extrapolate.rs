@@ -1,8 +1,8 @@
-//! Extrapolation to a limit: its place and the configuration there, with more digits than a state near the limit has.
+//! Extrapolation to a limit: its place and the configuration there, more accurate than a state computed near the limit.
 //!
-//! Near a limit all moving coordinates are smooth functions of w, the signed distance of the group from its limit: t
-//! and all of q, at a fold, where q depends on √(t* − t), as well as at a crossing of branches. So t and q at w = 0
-//! follow from states on the way to the limit by the interpolating polynomial:
+//! Near a limit t and all of q are smooth functions of w, the signed distance of the group from its limit, both at a
+//! fold, where q depends on √(t* − t), and at a crossing of branches. So t and q at w = 0 follow from states on the way
+//! to the limit by the interpolating polynomial:
 //!
 //! ```text
 //! f(0) ≈ Σₖ f(wₖ) Πⱼ≠ₖ wⱼ/(wⱼ − wₖ)
@@ -33,8 +33,8 @@ const DOUBLINGS: usize = 60;
 /// Slope ds/dw at a limit, relative to that of the whole interval, below which it counts as zero.
 const FLAT: f64 = 0.1;
 
-/// Largest change that leaving out one of the samples may cause, relative to 1 + |q_k| for a coordinate and to the interval
-/// for the place.
+/// Largest change that leaving out one of the samples may cause, relative to 1 + |q_k| for a coordinate and to the
+/// interval for the place.
 const AGREEMENT: f64 = 1e-7;
 
 /// An extrapolated limit.
@@ -43,8 +43,8 @@ pub(super) struct Found<M: Mechanism> {
     pub(super) place: f64,
     /// q there.
     pub(super) q: M::Coordinates<f64>,
-    /// The change that leaving out one of the samples causes, relative to 1 + |q_k| for a coordinate, and to the interval
-    /// for the place.
+    /// The change that leaving out one of the samples causes, relative to 1 + |q_k| for a coordinate, and to the
+    /// interval for the place.
     error: f64,
     /// The kind of limit, where it is clear.
     pub(super) kind: Option<LimitKind>,
@@ -62,7 +62,7 @@ impl<M: Mechanism> PlanFollower<M> {
     ) -> Option<Found<M>> {
         let margin = M::model().plan.margin_of_group(sign)?;
         // Narrow intervals avoid the influence of other limits, wide ones that of rounding; the one with the smallest
-        // error wins.
+        // error is used.
         let mut best: Option<Found<M>> = None;
         for width in WIDTHS {
             let found = self.extrapolate_from(mechanism, course, (margin, at, width), blocked);
@@ -86,7 +86,7 @@ impl<M: Mechanism> PlanFollower<M> {
         let [start, _] = course.ends();
         let (mut s, mut from, mut w) = (blocked.places[0], blocked.here, 0.0);
         for _ in 0..DOUBLINGS {
-            // With inputs, nothing is known before the start of the course.
+            // With inputs, the motion before the start of the course is not known.
             let back = farther_back((at, s), start, M::INPUTS > 0);
             if w >= width || back == s {
                 break;

@@ -29,7 +29,7 @@ impl Control {
     pub(crate) const USUAL: Self = Self { rotation: 0.3, correction: 0.1, min_step: 1e-13, max_steps: 200_000 };
 }
 
-/// Largest rotation in one step from a state whose nearest group has the distance w from its limit, in radians. Beside
+/// Largest rotation in one step from a state whose nearest group has the distance w from its limit, in radians. Near
 /// a crossing of branches it limits the effect of the rounding error of q̈, which is about ε q̇²/w³.
 pub(crate) fn most_turn(control: &Control, w: f64) -> f64 {
     f64::min(control.rotation, 0.01 / f64::EPSILON * w * w * w)
@@ -85,8 +85,8 @@ pub(crate) struct PlanFollower<M: Mechanism> {
     pub(super) distances: Distances<M>,
     /// Factors that convert the coordinates to radians.
     pub(super) weights: M::Coordinates<f64>,
-    /// By what angle the gradients of iterated rows turn with each coordinate, at the accepted state; used if
-    /// `rows_turn_alone`.
+    /// The angles by which the gradients of iterated rows turn per unit of each coordinate, at the accepted state; used
+    /// if `rows_turn_alone`.
     pub(super) turns: M::Coordinates<f64>,
     /// See [`rows_turn_alone`].
     pub(super) rows_turn_alone: bool,
@@ -115,7 +115,8 @@ pub(crate) enum Fault {
     NonFinite,
 }
 
-/// Whether the turns of bodies do not bound those of iterated rows: an unknown is no angle, or a row has a curve.
+/// Whether the gradients of iterated rows may turn faster than the bodies: an unknown is not an angle, or a row
+/// contains a curve.
 pub(crate) fn rows_turn_alone<M: Mechanism>() -> bool {
     let model = M::model();
     let is_angle = |k: usize| {
@@ -174,8 +175,8 @@ impl<M: Mechanism> PlanFollower<M> {
         follower
     }
 
-    /// Accepts the trial state; `nearest` is the distance of its nearest group from the limit, and `in_one_step` says
-    /// whether it was reached from the accepted state in one step.
+    /// Accepts the trial state; `nearest` is the distance of its nearest group from the limit, and `in_one_step` is
+    /// true if it was reached from the accepted state in one step.
     pub(super) fn accept(&mut self, at: &Instant<'_>, nearest: f64, in_one_step: bool) {
         self.before = if in_one_step { self.t } else { f64::NAN };
         self.branch.distances = self.distances;
@@ -230,7 +231,7 @@ impl<M: Mechanism> PlanFollower<M> {
 mod tests {
     use super::{Control, most_turn};
 
-    /// Beside a crossing the rounding error of q̈ is ε q̇²/w³; its effect on a step must be less than a hundredth of
+    /// Near a crossing the rounding error of q̈ is ε q̇²/w³; its effect on a step must be less than a hundredth of
     /// the step.
     #[test]
     fn a_step_is_shorter_where_rounding_would_decide_its_end() {

@@ -55,18 +55,18 @@ macro_rules! list {
 }
 
 list! {
-    /// The modes of all groups, ±1: first of those that close in two ways, then of those that are solved by iteration.
-    /// NaN for an undecided mode, so that everything that depends on it is NaN, too.
+    /// The signs of all groups, ±1: first the modes of those that close in two ways, then the orientations of those
+    /// that are solved by iteration. NaN for an undecided sign, so that everything that depends on it is NaN, too.
     Modes in Coordinates, as many as |plan| plan.signs()
 }
 
 list! {
-    /// w of all groups, the value whose sign is the mode and tells their branches apart.
+    /// The branch values w of all groups, whose signs distinguish their branches.
     BranchValues in Coordinates, as many as |plan| plan.signs()
 }
 
 list! {
-    /// |w| of all groups: the distance of each from the configuration at which its mode changes, at most 1.
+    /// |w| of all groups: the distance of each from the configuration at which its sign changes, at most 1.
     Distances in Coordinates, as many as |plan| plan.signs()
 }
 
@@ -77,7 +77,7 @@ list! {
 }
 
 impl<M: Mechanism, T: Scalar> BranchValues<M, T> {
-    /// The closures of a configuration.
+    /// The branch values of a configuration.
     #[inline]
     pub(crate) fn at(mechanism: &M, parameters: &[T], at: &Instant<'_, T>, q: &[T]) -> Result<Self, LengthError> {
         let mut branch_values = Self::filled(T::from_f64(0.0));
@@ -87,7 +87,7 @@ impl<M: Mechanism, T: Scalar> BranchValues<M, T> {
 }
 
 impl<M: Mechanism, V: Compare> BranchValues<M, V> {
-    /// The modes given by the signs.
+    /// The signs.
     #[inline]
     pub(crate) fn modes(&self) -> Modes<M, V> {
         let mut modes = Modes::filled(V::from_f64(0.0));
@@ -138,10 +138,10 @@ impl<M: Mechanism> Margins<M> {
     }
 }
 
-// These do not depend on the mechanism, so that they are compiled once for all. Batches call them with lanes, in code for
-// one processor, into which they must be inlined.
+// These functions are not generic over the mechanism, so that they are compiled once for all. Batches call them with
+// lanes, in code compiled for one instruction set, into which they must be inlined.
 
-/// Writes the signs of closures.
+/// Writes the signs of branch values.
 #[inline(always)]
 fn write_directions<V: Compare>(branch_values: &[V], modes: &mut [V]) {
     modes.iter_mut().zip(branch_values).for_each(|(mode, closure)| *mode = closure.direction());

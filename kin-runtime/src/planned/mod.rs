@@ -41,12 +41,13 @@ use follower::{Control, PlanFollower};
 /// q(t + h) ≈ q + h q̇ + ½ h² q̈
 /// ```
 ///
-/// and the plan solves from there, with angles within half a turn of the prediction. This step is accepted if no body
-/// turns by more than 0.3 rad, the solution is near the prediction, and every group that closes in two ways, or is
-/// solved by iteration, is either too far from its limit to have reached it or at the predicted distance from it.
-/// Otherwise the motion to the instant is divided into shorter steps, in which the inputs change as described at
-/// [`Tracker`](crate::Tracker). So instants may be far apart, in either direction of time; the nearer they are, the
-/// fewer steps are needed.
+/// and the plan solves from there, with angles within half a turn of the prediction. A *group* is the set of bodies
+/// that one step of the plan places, a dyad for example; it is at its *limit* where two of its closures meet. A step of
+/// the motion is accepted if no body turns by more than 0.3 rad, the solution is near the prediction, and every group
+/// that closes in two ways, or is solved by iteration, is either too far from its limit to have reached it or at the
+/// predicted distance from it. Otherwise the motion to the instant is divided into shorter steps, in which the inputs
+/// change as described at [`Tracker`](crate::Tracker). So instants may be far apart, in either direction of time; the
+/// nearer they are, the fewer steps are needed.
 ///
 /// Where a group reaches its limit on the way – a dead centre, or a crossing of two branches of the motion – the result
 /// is [`PlanError::Limit`] with the location of the limit, even if the group could close again at the instant
@@ -56,7 +57,7 @@ use follower::{Control, PlanFollower};
 /// there.
 ///
 /// Φ itself is not evaluated: [`Tracker`](crate::Tracker) and [`Solver::sweep`](crate::Solver::sweep) use the same
-/// follower, check every solution with Φ, and switch to full Newton where a plan is singular. Redundant rows
+/// algorithm, check every solution with Φ, and switch to full Newton where a plan is singular. Redundant rows
 /// (`allow_redundant`) have margins of their own, which show whether they contradict the other rows. Where the other
 /// rows alone have a limit that the mechanism passes, as a parallelogram with a third crank does when it lies flat, the
 /// redundant rows determine that the closure continues with the opposite sign. At the limit itself the result is
@@ -97,7 +98,7 @@ enum Held<'m, M> {
 }
 
 impl<'m, M: Mechanism> Planned<'m, M> {
-    /// Starts from a configuration q, n numbers, which determines the modes; it need not satisfy Φ = 0 accurately. The
+    /// Starts from a configuration q, n numbers, which determines the modes and need not satisfy Φ = 0 accurately. The
     /// parameters are copied from the mechanism.
     ///
     /// # Errors
@@ -133,9 +134,10 @@ impl<'m, M: Mechanism> Planned<'m, M> {
     ///
     /// # Errors
     /// [`PlanError::Limit`] where a group reaches its limit on the way, [`PlanError::Singular`] where a step is
-    /// singular, [`PlanError::Contradiction`] where redundant rows disagree, [`PlanError::Jump`] where a driver jumps;
-    /// [`PlanError::NonFinite`] and [`PlanError::Length`]. The last accepted state then remains;
-    /// [`out_of_range`](Self::out_of_range) says which input is to blame, and what it can be.
+    /// singular, [`PlanError::Contradiction`] where redundant rows contradict the others, [`PlanError::Jump`] where a
+    /// driver or an input jumps, [`PlanError::TooManySteps`]; [`PlanError::NegativeLength`], [`PlanError::NonFinite`]
+    /// and [`PlanError::Length`]. The last accepted state then remains; [`out_of_range`](Self::out_of_range) finds the
+    /// input that is the cause, and its range.
     #[inline]
     pub fn at(&mut self, at: &Instant<'_>) -> Result<&Self, PlanError> {
         self.follower.update(self.mechanism.get(), at, &Control::USUAL)?;
@@ -144,9 +146,9 @@ impl<'m, M: Mechanism> Planned<'m, M> {
 
     /// Requests a mode from the next instant on.
     ///
-    /// The mechanism changes to this mode at once, as if it were disassembled and assembled again; angles are still
-    /// within half a turn of the prediction. A Newton iteration in the plan starts at the old mode and may not find the
-    /// new one; in that case call [`restart`](Self::restart) with a configuration that
+    /// At the next instant the mechanism has this mode, as if it had been disassembled and assembled again; angles are
+    /// still within half a turn of the prediction. A Newton iteration in the plan starts in the old mode and may not
+    /// converge to the new one; in that case call [`restart`](Self::restart) with a configuration that
     /// [`Solver::with_mode`](crate::Solver::with_mode) assembles. A request for the current mode changes nothing.
     ///
     /// # Errors
@@ -172,7 +174,7 @@ impl<'m, M: Mechanism> Planned<'m, M> {
         Ok(())
     }
 
-    /// The sign of a mode, and the flag that it was requested.
+    /// The sign of a mode, and its flag in `requested`.
     fn mode_mut(&mut self, mode: ModeKey<'_>) -> Result<(&mut f64, &mut f64), PlanError> {
         let modes = M::model().plan.modes;
         let place = mode.place(modes).ok_or(PlanError::UnknownMode { modes })?;
@@ -222,8 +224,8 @@ impl<'m, M: Mechanism> Planned<'m, M> {
         self.follower.state().margins.as_ref()
     }
 
-    /// q at the limit itself, n numbers, after a [`PlanError::Limit`] whose location was found: there the closures of
-    /// the group meet. `None` after anything else.
+    /// q at the limit itself, where the closures of the group meet, n numbers: after a [`PlanError::Limit`] whose
+    /// location was found; otherwise `None`.
     ///
     /// ```
     /// use kin_runtime::{Instant, Kinematics, mechanism};

@@ -3,7 +3,7 @@
 use crate::plan::ModeInfo;
 use core::fmt;
 
-/// The closure that a group takes, of its two.
+/// Which of its two closures a group has.
 ///
 /// The sign is that of the root in the closed form of the group; it has no general geometric meaning. The modes of a
 /// known configuration show which sign belongs to which closure.
@@ -19,7 +19,8 @@ pub enum Sign {
 }
 
 impl Sign {
-    /// The sign of a closure ([`Mechanism::closures_with`](crate::Mechanism::closures_with)); `None` for 0 and NaN.
+    /// The sign of a branch value ([`Mechanism::closures_with`](crate::Mechanism::closures_with)); `None` for 0 and
+    /// NaN.
     pub fn of(closure: f64) -> Option<Self> {
         if closure > 0.0 {
             Some(Self::Plus)

@@ -1,24 +1,25 @@
-//! Closures that may have changed their sign because the motion has passed their limit.
+//! Modes that may have changed because the motion has passed the limit of their group.
 //!
 //! The rows that a plan uses may have a limit that the mechanism passes because of its redundant rows, for example a
-//! parallelogram with a third crank that lies flat. There the motion continues smoothly and the closure changes its
-//! sign. With the old sign the plan gives a configuration that contradicts the redundant rows; these also determine
+//! parallelogram with a third crank that lies flat. There the motion continues smoothly and the branch value changes
+//! its sign. With the old sign the plan gives a configuration that contradicts the redundant rows; these also determine
 //! which signs are right.
 
 use crate::plan::{Plan, StepKind};
 
-/// A branch value of a prediction that is nearer to 0 than this may have either sign. (It is about the sine of half an angle.)
+/// A group whose branch value at the prediction is smaller than this may have either sign. (The value is about the sine
+/// of half an angle.)
 const NEAR: f64 = 0.1;
 
 /// A branch value this near to 0 may reach 0 and return within one step of the usual length.
 pub(crate) const CLOSE: f64 = 0.15;
 
-/// Largest number of closures whose signs are tried in all combinations.
+/// Largest number of modes of which all combinations of signs are tried.
 const MOST: usize = 6;
 
 /// Alternative signs of modes, tried where the current ones contradict the redundant rows.
 ///
-/// Only the redundant rows decide. Combinations with fewer changed signs are tried first, so that a closure on which
+/// Only the redundant rows decide. Combinations with fewer changed signs are tried first, so that a mode on which
 /// these rows do not depend keeps its sign, whatever its prediction is.
 pub(crate) struct Passed<'c> {
     /// The current signs.
@@ -44,7 +45,7 @@ impl<'c> Passed<'c> {
         Self { kept, near, count }
     }
 
-    /// The attempts, as bit sets of the closures that change their sign; smaller sets come first.
+    /// The attempts, as bit sets of the modes that change their sign; smaller sets come first.
     pub(crate) fn attempts(&self) -> impl Iterator<Item = u32> + use<> {
         let (count, all) = (self.count as u32, 1_u32 << self.count);
         (1..=count).flat_map(move |flips| (1..all).filter(move |attempt| attempt.count_ones() == flips))

@@ -1,5 +1,5 @@
-//! Prediction of the next configuration: by the parabola of the last state, and for unknowns of iterations by the
-//! quintic through the last two states.
+//! Prediction of the next configuration: by the parabola through q, q̇ and q̈ of the last state, and for unknowns of
+//! iterations by the quintic through the last two states.
 //!
 //! ```text
 //! q(t + h) ≈ q + h q̇ + ½ h² q̈
@@ -7,8 +7,8 @@
 //! ```
 //!
 //! H is the time between the two states. The last term makes the quintic match q, q̇ and q̈ of the earlier state as
-//! well. Its error is of sixth order in the step, so that one correction suffices where the parabola of third order
-//! needs two.
+//! well. The error of the quintic is of sixth order in the step and that of the parabola of third order, so that one
+//! correction suffices instead of two.
 
 use crate::model::{Component, CoordinateKind, Model};
 use crate::scalar::compare::Compare;
@@ -26,7 +26,7 @@ pub(crate) fn weights<V: Compare>(model: &Model, q: &[V], weights: &mut [V]) {
     }
 }
 
-/// Writes the prediction by the parabola; returns the largest rotation, where the larger of both terms counts.
+/// Writes the prediction by the parabola; returns the largest rotation by velocity or by acceleration alone.
 #[inline(always)]
 pub(crate) fn parabola<V: Compare>(to: &mut [V], [q, q_dot, q_ddot]: [&[V]; 3], weights: &[V], h: f64) -> V {
     let (step, half) = (V::from_f64(h), V::from_f64(0.5 * h * h));
@@ -42,7 +42,7 @@ pub(crate) fn parabola<V: Compare>(to: &mut [V], [q, q_dot, q_ddot]: [&[V]; 3], 
     most[0].greatest(most[1]).greatest(most[2].greatest(most[3]))
 }
 
-/// The largest turn in a step by its velocity or by its acceleration alone; `weights` converts coordinates to radians.
+/// The largest rotation in a step by velocity or by acceleration alone; `weights` converts coordinates to radians.
 #[inline]
 pub(crate) fn largest_turn<V: Compare>([q_dot, q_ddot]: [&[V]; 2], weights: &[V], h: f64) -> V {
     let (step, half) = (V::from_f64(h), V::from_f64(0.5 * h * h));
@@ -76,8 +76,8 @@ const REACH: core::ops::RangeInclusive<f64> = -1.0..=2.0;
 /// is not smooth.
 const SMOOTH: f64 = 0.25;
 
-/// The difference between the quintic and the parabola, from q, q̇ and q̈ of the states `before` and `now`; 0 where the
-/// quintic is not reliable.
+/// The difference between the quintic and the parabola of one coordinate, from its q, q̇ and q̈ in the states `before`
+/// and `now`; 0 where the quintic is not reliable.
 #[inline]
 pub(super) fn beyond_parabola(before: [f64; 3], now: [f64; 3], span: f64, h: f64) -> f64 {
     let x = h / span;

@@ -1,4 +1,4 @@
-//! The range of an input: the values with which the mechanism closes, around the last good state.
+//! The range of an input: the values with which the mechanism closes, around the last accepted state.
 //!
 //! From that state the branch is followed with time and all other inputs constant, while the one input increases and
 //! then decreases, until a group reaches its limit. [`limit`](super::limit) locates the limit as in any motion.
@@ -15,7 +15,7 @@ use crate::text::rounded;
 use crate::workspace::Array;
 use core::fmt;
 
-/// Length, in steps, of the first stretch in which a limit is searched.
+/// Length, in steps, of the first interval of the input (*stretch*) in which a limit is searched.
 const STRETCH: f64 = 40.0;
 /// Ratio of the lengths of successive stretches.
 const GROWTH: f64 = 8.0;
@@ -26,7 +26,7 @@ const STRETCHES: usize = 24;
 const STEPS: usize = 400;
 
 /// The values of an input with which the mechanism closes, with time and the other inputs constant: those between the
-/// limits of the branch of a good state.
+/// limits of the branch of a known state.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct InputRange {
@@ -46,7 +46,7 @@ pub struct InputRange {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct OutOfRange {
-    /// The value that was asked for.
+    /// The value that was requested.
     pub value: f64,
     /// The range in which it closes.
     pub range: InputRange,
@@ -116,11 +116,12 @@ impl Course for OfInput<'_> {
 }
 
 impl<M: Mechanism> Planned<'_, M> {
-    /// The values of an input with which the mechanism closes, with time and the other inputs as at the last good
+    /// The values of an input with which the mechanism closes, with time and the other inputs as at the last accepted
     /// state, on the branch of that state. The limits are exact to rounding.
     ///
-    /// The state does not change, and nothing is allocated. It costs as much as some hundred ticks, so that errors of
-    /// ticks do not contain it. An input that moves nothing, or turns a body fully, has no limits.
+    /// The state does not change, and nothing is allocated. It takes as long as some hundred calls of
+    /// [`at`](Self::at), whose errors therefore do not contain the range. An input that moves nothing, or with which a
+    /// body turns fully, has no limits.
     ///
     /// # Errors
     /// [`PlanError::Length`] with the handle of another mechanism.
@@ -154,12 +155,13 @@ impl<M: Mechanism> Planned<'_, M> {
         Ok(InputRange { input: name, least, greatest, limits: [low, high] })
     }
 
-    /// The input that keeps the mechanism from closing at an instant, with the range in which it closes: for an error
-    /// message, when there is time to compute it. The inputs that have changed since the last good state are tested in
-    /// their order, each with all others at their new values as far as the mechanism closes with these. None if no
+    /// The input because of which the mechanism does not close at an instant, with the range in which it closes, for an
+    /// error message. The inputs that have changed since the last accepted state are tested in their order, each with
+    /// all others at their new values or, if the mechanism does not close with these, at their old ones. `None` if no
     /// single input is the cause.
     ///
-    /// The state does not change, and nothing is allocated. It costs as much as some hundred ticks for every input.
+    /// The state does not change, and nothing is allocated. It takes as long as some hundred calls of [`at`](Self::at)
+    /// for every input.
     ///
     /// ```
     /// # use kin_runtime::{Instant, Kinematics, Signal, mechanism};
@@ -219,7 +221,7 @@ impl<M: Mechanism> PlanFollower<M> {
             let inputs = follower.inputs;
             let at = Instant { t: follower.t, inputs: inputs.as_ref() };
             let Some(from) = at.inputs.get(input).map(|u| u.value) else { return nowhere };
-            // The rates along the input.
+            // The rates with respect to the input.
             let course = OfInput { at, input, ends: [from; 2] };
             let mut signals = inputs;
             follower.predicted = follower.state().q;

@@ -30,11 +30,11 @@ impl<M: Mechanism> Planned<'_, M> {
         ])
     }
 
-    /// Writes ∂r/∂u of a named point at the last accepted state, one column for every input, from which a controller of
-    /// the point computes the inputs. Without inputs it is empty.
+    /// Writes dr/du of a named point at the last accepted state, where q follows the inputs so that Φ = 0: one column
+    /// for every input. From it a controller of the point computes the rates of the inputs. Without inputs it is empty.
     ///
     /// # Errors
-    /// [`PlanError::Length`] where `jacobian` does not have one column for every input, and for the handle of another
+    /// [`PlanError::Length`] if `jacobian` does not have one column for every input, and for the handle of another
     /// mechanism.
     pub fn point_jacobian(&self, point: Point, jacobian: &mut [[f64; 2]]) -> Result<(), PlanError> {
         if jacobian.len() != M::INPUTS {
@@ -78,8 +78,9 @@ impl<M: Mechanism> Planned<'_, M> {
         Ok(seen.map(|k| along::<M>(k, observations.phi_q(), rest.as_ref()) + observations.phi_t()[k]))
     }
 
-    /// Writes the numbers of all forces at the last accepted state, [`ForceModel::count`] of them; `None`, and nothing
-    /// written, for a mechanism without masses and loads, and where λ has no closed form ([`ForceModel::solved`]).
+    /// Writes the numbers of all forces at the last accepted state, [`ForceModel::count`] of them. Returns `None` and
+    /// writes nothing for a mechanism without masses and loads, and where λ has no closed form
+    /// ([`ForceModel::solved`]).
     ///
     /// # Errors
     /// [`PlanError::Length`] where `forces` has another length.

@@ -126,8 +126,7 @@ impl Step {
         matches!(self.info().kind, StepKind::Newton(_))
     }
 
-    /// True for a group that closes in two ways, unless the margin is that of a divisor, which does not refer to the
-    /// closures.
+    /// True if the margin measures the distance between the two closures of a group; false for the margin of a divisor.
     pub const fn closes(&self) -> bool {
         self.closes
     }

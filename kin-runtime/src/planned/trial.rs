@@ -57,8 +57,9 @@ impl<M: Mechanism> PlanFollower<M> {
         self.states[1 - self.good].margins.write_distances(&mut self.distances)
     }
 
-    /// True if in a step of the length h from `here` the gradients of iterated rows turn no farther than bodies may, the
-    /// trial state is as near to its prediction, and no iterated group comes near its limit in between.
+    /// True if in a step of the length h from `here` the gradients of iterated rows turn no farther than bodies may,
+    /// the trial state is near its prediction by the same measure, and no iterated group comes near its limit in
+    /// between.
     #[inline]
     pub(super) fn rows_are_followed(
         &self,
@@ -136,7 +137,7 @@ impl<M: Mechanism> PlanFollower<M> {
     }
 }
 
-/// True if all closures have the signs of their modes.
+/// True if all branch values have the signs of their groups.
 fn have_signs(modes: &[f64], branch_values: &[f64]) -> bool {
     modes.iter().zip(branch_values).all(|(mode, closure)| mode * closure > 0.0)
 }

@@ -1,7 +1,7 @@
 //! The thin generic layer of searches: a solver without the type of its mechanism.
 //!
-//! Searches for closures and for ranges work on `dyn AnySolver`, so that they are compiled once, in this crate, and not again
-//! for every mechanism of the user.
+//! Searches for closures and for ranges work on `dyn AnySolver`, so that they are compiled once, in this crate, and not
+//! again for every mechanism of the user.
 
 use super::Solver;
 use crate::equations::Equations;
@@ -13,7 +13,7 @@ use crate::planned::{Limit, Sign};
 use crate::proof::{Enclosures, OverBoxes, Winding};
 use crate::workspace::{Instant, Signal};
 
-/// A solver, whatever its mechanism is.
+/// A solver without the type of its mechanism.
 pub(super) trait AnySolver {
     /// The names, rows and patterns of the mechanism.
     fn model(&self) -> &'static Model;
@@ -30,7 +30,7 @@ pub(super) trait AnySolver {
     /// The equations at an instant.
     fn equations_at(&self, at: &Instant<'_>) -> Result<Equations<'_>, SolveError>;
 
-    /// The rows over boxes, at an instant.
+    /// The rows over boxes (an interval for every coordinate), at an instant.
     fn boxes(&self, at: &Instant<'_>) -> Box<dyn Enclosures + '_>;
 
     /// True if parameters are finite and the plan solves the mechanism without further checks.
@@ -55,8 +55,8 @@ pub(super) trait AnySolver {
         solved: Solved<'_, Winding>,
     ) -> Result<(), LengthError>;
 
-    /// A sweep from one time to another with these guesses and modes and with inputs that go on from the instant `start`: q at
-    /// its end, or what ended it.
+    /// A sweep from one time to another with these guesses and modes, and with inputs that continue from the instant
+    /// `start` with constant acceleration: q at its end, or what ended it.
     fn moved(
         &self,
         start: &Instant<'_>,

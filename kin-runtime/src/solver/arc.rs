@@ -11,16 +11,16 @@ use crate::workspace::Instant;
 
 impl<M: Mechanism> Solver<'_, M> {
     /// The whole motion through the configuration that is assembled at `from`, with time as one more unknown: where the
-    /// driver can go no further it turns back, and the mechanism goes on into its other closure. So the crank of a
-    /// four-bar that only rocks is swept through both of its dead centres, and its coupler point draws its whole curve.
+    /// driver can go no further it turns back, and the mechanism continues in its other closure. So a four-bar whose
+    /// crank only rocks is swept through both of its dead centres, and its coupler point traces its whole curve.
     ///
-    /// The states, `steps` + 1 of them, lie at equal distances along the curve of all (q, t) with Φ(q, t) = 0; their times go
-    /// up and down, and rates are what they are at the given speed of the driver: without bounds towards a dead centre, and
-    /// not a number at it. With `to` the curve is followed towards it as long as t stays between `from` and `to`, otherwise
-    /// until it closes: until all bodies are where they began, but for whole turns. What does not close is followed
-    /// in both directions from the start. [`Trajectory::arc`] has the places: every dead centre and cusp is enclosed and
-    /// named, and where branches cross the curve ends, because nothing says which of them is meant. Unilateral conditions are
-    /// not watched.
+    /// The states, `steps` + 1 of them, lie at equal distances along the curve of all (q, t) with Φ(q, t) = 0; their
+    /// times increase and decrease, and rates are those at the given speed of the driver: they grow without bound
+    /// towards a dead centre and are NaN at it. With `to` the curve is followed towards it as long as t stays between
+    /// `from` and `to`, otherwise until it closes: until all bodies are where they began, up to whole turns. A curve
+    /// that does not close is followed in both directions from the start. [`Trajectory::arc`] has the special places:
+    /// every dead centre and cusp with an enclosure. Where branches cross the curve ends, because it is not determined
+    /// which of them continues it. Unilateral conditions are not watched.
     ///
     /// ```
     /// use kin_runtime::{ArcPlaceKind, Kinematics, mechanism};
@@ -48,9 +48,9 @@ impl<M: Mechanism> Solver<'_, M> {
     /// ```
     ///
     /// # Errors
-    /// As [`assemble`](Self::assemble); [`NoArc`](SolveError::NoArc) where there is no single curve through the start: drivers
-    /// leave degrees of freedom open, rows are of velocity level, or branches cross there; [`Stopped`](SolveError::Stopped) by
-    /// an observer.
+    /// As [`assemble`](Self::assemble); [`NoArc`](SolveError::NoArc) where there is no single curve through the start:
+    /// degrees of freedom are left, there are rows of velocity level, or branches cross there;
+    /// [`Stopped`](SolveError::Stopped) by an observer.
     pub fn sweep_along_arc(&self, from: f64, to: Option<f64>, steps: usize) -> Result<Trajectory, SolveError> {
         let inputs = inputs_at(self.inputs, from, M::INPUTS);
         let at = Instant { t: from, inputs: &inputs };

@@ -25,14 +25,15 @@ const REACH: f64 = 16.0;
 type Prove<'a> = dyn FnMut(&[f64]) -> Result<Certificate, Uncertified> + 'a;
 
 impl<M: Mechanism> Solver<'_, M> {
-    /// All ways in which the mechanism closes at an instant: every assembly mode, each with a certificate of its position, and
-    /// whether they are proven to be all.
+    /// All ways in which the mechanism closes at an instant: every assembly mode, each with a certificate of its
+    /// position, and whether they are proven to be all.
     ///
     /// Where the plan has a closed form for every group, all combinations of signs are solved, and one that has no
-    /// closure is proven to have none by the plan in interval arithmetic. All other mechanisms, and those in which signs do
-    /// not tell all closures apart (because an angle φ occurs as 2φ only, say), are searched by branch and prune: all angles
-    /// that remain unknown cover a full turn around their guess, boxes without a solution are excluded, and in every other
-    /// box the solution is proven to be unique. Boxes for which neither can be proven are reported as undecided.
+    /// closure is proven to have none by the plan in interval arithmetic. All other mechanisms, and those in which
+    /// signs do not distinguish all closures (for example because an angle φ occurs only as 2φ), are searched by branch
+    /// and prune: every unknown angle covers a full turn around its guess, boxes without a solution are excluded, and
+    /// in every other box the solution is proven to be unique. Boxes for which neither can be proven are reported as
+    /// undecided.
     ///
     /// ```
     /// use kin_runtime::{Instant, Kinematics, mechanism};
@@ -54,8 +55,8 @@ impl<M: Mechanism> Solver<'_, M> {
     /// ```
     ///
     /// # Errors
-    /// [`NotCertified`](SolveError::NotCertified) where nothing can be proven at all: degrees of freedom are open, or rows use
-    /// supplied functions; [`NonFinite`](SolveError::NonFinite), [`Length`](SolveError::Length) and
+    /// [`NotCertified`](SolveError::NotCertified) where nothing can be proven at all: degrees of freedom are left, or
+    /// rows use supplied functions; [`NonFinite`](SolveError::NonFinite), [`Length`](SolveError::Length) and
     /// [`UnknownCoordinate`](SolveError::UnknownCoordinate).
     pub fn assemblies(&self, at: &Instant<'_>) -> Result<Assemblies, SolveError> {
         (self as &dyn AnySolver).closures(at)
@@ -67,11 +68,11 @@ impl dyn AnySolver + '_ {
     pub(super) fn closures(&self, at: &Instant<'_>) -> Result<Assemblies, SolveError> {
         let (model, guess) = (self.model(), self.start()?);
         let by_plan = self.angles_with_free_turns(at, &guess);
-        // What the plan solves at once is checked at once.
+        // `is_sound_plan` checks the instant and the parameters; otherwise `equations_at` does, and a length is needed.
         let is_sound = by_plan.is_some() && self.is_sound_plan(at);
         let length = if is_sound { 0.0 } else { Scale::around(&mut self.equations_at(at)?, &guess).length };
         let refuse = |why| SolveError::NotCertified { t: at.t, why };
-        // Fails if degrees of freedom are open: then there is no list of closures.
+        // Fails if degrees of freedom are left: then there is no list of closures.
         let square = self.square(at, &guess).map_err(refuse)?;
         let mut system = self.boxes(at);
         let (is_same, mut prover) = (self.redundant_everywhere().is_some(), Prover::new(&square));
@@ -123,7 +124,7 @@ impl dyn AnySolver + '_ {
         plan.exists() && self.prescribed().is_empty() && !is_iterated
     }
 
-    /// The plan with these signs.
+    /// The closure that the plan gives with these signs, or why there is none.
     fn close(
         &self,
         at: &Instant<'_>,
@@ -154,8 +155,9 @@ impl dyn AnySolver + '_ {
         }
     }
 
-    /// True if it is proven that the only configuration that the plan has with these signs violates a row that the plan leaves
-    /// out as redundant. An antiparallelogram violates the third crank of a parallelogram, for example.
+    /// True if it is proven that the only configuration that the plan gives with these signs violates a redundant row,
+    /// which the plan leaves out: an antiparallelogram violates the rows of the third crank of a parallelogram, for
+    /// example.
     fn violates(&self, at: &Instant<'_>, signs: &[f64], start: &[f64]) -> bool {
         let watched: Vec<usize> = self.model().plan.watched().collect();
         if watched.is_empty() {
@@ -194,18 +196,18 @@ pub(super) fn is_angle(model: &Model, k: usize) -> bool {
     matches!(model.coordinates[k].kind, CoordinateKind::Pose { component: Component::Phi, .. })
 }
 
-/// The names of angles, with half a turn around their guesses.
+/// The names of angles, with intervals of half a turn on both sides of their guesses.
 pub(super) fn half_turns(model: &Model, angles: &[usize], guess: &[f64]) -> Vec<(&'static str, Interval)> {
     let around = |&k: &usize| (model.coordinates[k].name, half_turn(guess[k]));
     angles.iter().map(around).collect()
 }
 
-/// Half a turn around an angle.
+/// The interval of half a turn on both sides of an angle.
 fn half_turn(angle: f64) -> Interval {
     Interval::around(angle, std::f64::consts::PI.next_up())
 }
 
-/// Where coordinates are searched around their guesses.
+/// The box, around the guesses, in which closures are searched.
 pub(super) fn region(model: &Model, guess: &[f64], length: f64) -> Vec<Interval> {
     let around = |(k, &guess): (usize, &f64)| match is_length(model, k) {
         true => Interval::around(guess, REACH * length),
@@ -214,8 +216,8 @@ pub(super) fn region(model: &Model, guess: &[f64], length: f64) -> Vec<Interval>
     guess.iter().enumerate().map(around).collect()
 }
 
-/// True if two certified closures are the same up to whole turns of angles: turned back, the first lies in the box in which the
-/// other is the only solution.
+/// True if two certified closures are the same up to whole turns of angles: without these turns, the first lies in the
+/// box in which the other is the only solution.
 fn is_turned(model: &Model, closure: &Certificate, other: &Certificate) -> bool {
     const TURN: Interval = Interval::new(std::f64::consts::TAU, std::f64::consts::TAU.next_up());
     closure.q.iter().zip(&other.unique).enumerate().all(|(k, (&x, alone))| {
@@ -226,8 +228,8 @@ fn is_turned(model: &Model, closure: &Certificate, other: &Certificate) -> bool 
     })
 }
 
-/// The largest difference of two configurations, relative to a radian and to the size of the mechanism, whole turns of angles
-/// left out.
+/// The largest difference of two configurations up to whole turns of angles, relative to a radian and to the size of
+/// the mechanism.
 pub(super) fn difference(model: &Model, a: &[f64], b: &[f64], length: f64) -> f64 {
     let of = |(k, (a, b)): (usize, (&f64, &f64))| {
         let turns =

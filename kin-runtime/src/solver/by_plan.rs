@@ -1,10 +1,10 @@
-//! Analyses of one instant by the plan, which ordinary calls try first.
+//! Analyses of one instant by the plan, which is tried first wherever it applies.
 //!
 //! This avoids the set-up of the general path (common scale, order of elimination). The plan solves, and all rows are
-//! evaluated at its answer; if one is not satisfied, or if there is no answer, the general path is used.
+//! evaluated at its solution; if one is not satisfied, or if there is no solution, the general path is used.
 //!
-//! A complete configuration determines the signs of all modes; what a partial guess means is said by
-//! [`guessed_modes`](super::guessed_modes).
+//! A complete configuration determines the signs of all modes; from a partial guess
+//! [`guessed_modes`](super::guessed_modes) determines them.
 
 use super::guessed_modes::Guess;
 use super::{Position, Solver};
@@ -24,7 +24,8 @@ use crate::scalar::compare::{all_above, all_finite};
 use crate::state::State;
 use crate::workspace::{Array, Evaluation, Instant, Signal, Subset};
 
-/// The start of the plan: its modes, and a configuration within half a turn of which the angles of the result are.
+/// The start of a solution by the plan: the modes, and a configuration. The angles of the solution are within half a
+/// turn of those of this configuration.
 struct Start<M: Mechanism> {
     q: M::Coordinates<f64>,
     modes: Modes<M>,
@@ -51,8 +52,8 @@ impl<M: Mechanism> Solver<'_, M> {
         self.state_of(&parameters, at, &start)
     }
 
-    /// The follower of the plan at the configuration that the guesses lead to, or why the plan has no solution there; none
-    /// if the general path must be used.
+    /// The follower of the plan at the configuration that the guesses lead to, or why the plan has no solution there;
+    /// none if the general path must be used.
     #[cfg(feature = "design")]
     pub(crate) fn follower(&self, at: &Instant<'_>) -> Option<Result<PlanFollower<M>, PlanError>> {
         if !self.goes_by_plan(at) {
@@ -109,7 +110,7 @@ impl<M: Mechanism> Solver<'_, M> {
         Some(Start { q, modes })
     }
 
-    /// The start that the guesses stand for.
+    /// The start that the guesses determine.
     fn start_of_guess(&self, parameters: &M::Parameters<f64>, at: &Instant<'_>) -> Option<Start<M>> {
         let guess = self.guessed(parameters)?;
         if !all_finite(parameters.as_ref()) {
@@ -126,7 +127,8 @@ impl<M: Mechanism> Solver<'_, M> {
         Some(Start { q: start, modes })
     }
 
-    /// The guesses, NaN for coordinates without one; `None` if one is not finite or for a coordinate that does not exist.
+    /// The guesses, NaN for coordinates without one; `None` if one is not finite or for a coordinate that does not
+    /// exist.
     fn guessed(&self, parameters: &M::Parameters<f64>) -> Option<M::Coordinates<f64>> {
         let own = M::model().guesses;
         // There are never more guesses than coordinates.
@@ -138,7 +140,7 @@ impl<M: Mechanism> Solver<'_, M> {
         Some(guess)
     }
 
-    /// Writes q by the plan, and the margins of positions, whatever these are.
+    /// Writes q and the margins by the plan; the margins are not checked.
     pub(super) fn solved(
         &self,
         parameters: &M::Parameters<f64>,
@@ -162,7 +164,7 @@ impl<M: Mechanism> Solver<'_, M> {
         self.finished(parameters, at, &poses)
     }
 
-    /// Writes the solution of the plan at an instant; `None` if it has no answer.
+    /// Writes the solution of the plan at an instant; `None` if it has none.
     fn solve_poses(
         &self,
         parameters: &M::Parameters<f64>,
@@ -177,7 +179,7 @@ impl<M: Mechanism> Solver<'_, M> {
         let depth = Depth::Acceleration;
         self.mechanism.solve_with(parameters.as_ref(), at, modes, start.q.as_ref(), depth, solved).ok()?;
         if !all_above(margins.as_ref(), FAR_FROM_LIMITS) {
-            // Near a limit, or if redundant rows contradict, the follower decides.
+            // Near a limit, or if redundant rows contradict the others, the checks of the follower decide.
             let follower = PlanFollower::begin(self.mechanism, *parameters, at, start.q.as_ref(), start.modes).ok()?;
             *poses = *follower.state();
         }
@@ -248,7 +250,7 @@ impl<M: Mechanism> Solver<'_, M> {
     }
 }
 
-/// Rows for which there is room on the stack.
+/// The number of rows for which there is room on the stack.
 const FEW: usize = 64;
 
 /// An evaluation as slices.
@@ -286,8 +288,8 @@ fn are_sound(model: &Model, numbers: &[f64]) -> bool {
     })
 }
 
-/// Writes the mechanism's own guesses and those of the caller, which prevail; `None` if one of these is not finite or for
-/// a coordinate that does not exist.
+/// Writes the mechanism's own guesses and those of the caller, which prevail; `None` if one of these is not finite or
+/// for a coordinate that does not exist.
 fn write_guess(own: &[usize], values: &[f64], guesses: &[(usize, f64)], guess: &mut [f64]) -> Option<()> {
     for (&coordinate, &value) in own.iter().zip(values) {
         *guess.get_mut(coordinate)? = value;

@@ -71,7 +71,7 @@ impl dyn AnySolver + '_ {
         })
     }
 
-    /// These rows where they are the same in every configuration: those that the plan leaves out, or none.
+    /// The rows of `redundant` if they are the same in every configuration: those that the plan leaves out, or none.
     pub(super) fn redundant_everywhere(&self) -> Option<Vec<usize>> {
         let (model, given) = (self.model(), self.prescribed());
         match (model.rows.len() + given.len()).checked_sub(model.coordinates.len()) {

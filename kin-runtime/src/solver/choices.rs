@@ -1,8 +1,8 @@
-//! Whether the signs of a plan stand for all of its closures.
+//! Whether the combinations of signs of a plan give all closures.
 //!
-//! A plan in closed form chooses more than signs. An angle φ that occurs as nφ has n directions, of which the plan takes the one
-//! nearest to its start. If other coordinates follow an angle in a ratio, as with gears, each whole turn of the angle gives
-//! another closure. The plan finds these closures from other start values.
+//! A plan in closed form chooses not only by signs. An angle φ that occurs as nφ has n directions, of which the plan
+//! takes the one nearest to its start. If other coordinates follow an angle in a ratio, as with gears, each whole turn
+//! of the angle gives another closure. The plan finds these closures from other start values.
 
 #[cfg(feature = "cli")]
 use super::Solver;
@@ -15,13 +15,14 @@ use crate::proof::zeros;
 use crate::workspace::Instant;
 use std::f64::consts::{PI, TAU};
 
-/// Shifts of the start, relative to the guess, that show whether there are other choices. If the choices lie a whole turn apart,
-/// the second shift reaches another one; if half a turn, one of the two shifts reaches one that differs by an odd number of half
-/// turns; if a third or less, the first shift reaches one that is less than a whole turn away.
+/// Shifts of the start, relative to the guess, that show whether there are other closures than those of the signs. If
+/// the choices lie a whole turn apart, the second shift reaches another one; if half a turn, one of the two shifts
+/// reaches one that differs by an odd number of half turns; if a third or less, the first shift reaches one that is
+/// less than a whole turn away.
 const STARTS: [f64; 2] = [PI + 0.3, 2.5 * PI];
 /// Numbers that differ by less, relative to their size, are the same but for rounding.
 const SAME: f64 = 1e-9;
-/// Modes of which all combinations are tried until one closes.
+/// Number of modes of which all combinations are tried until one closes.
 const VARIED: usize = 10;
 
 #[cfg(feature = "cli")]
@@ -34,8 +35,9 @@ impl<M: Mechanism> Solver<'_, M> {
 }
 
 impl dyn AnySolver + '_ {
-    /// The angles of which each whole turn gives another closure. With these angles within half a turn of their guesses, every
-    /// combination of signs gives exactly one closure. `None` if there may be other closures, or if the plan has no closed form.
+    /// The angles of which each whole turn gives another closure. With these angles within half a turn of their
+    /// guesses, every combination of signs gives exactly one closure. `None` if there may be other closures, or if the
+    /// plan has no closed form.
     pub(super) fn angles_with_free_turns(&self, at: &Instant<'_>, guess: &[f64]) -> Option<Vec<usize>> {
         if !self.is_closed_form() {
             return None;
@@ -48,7 +50,7 @@ impl dyn AnySolver + '_ {
         let [Some(start), Some(q_dot), Some(q_ddot), Some(here), Some(there)] = [(); 5].map(|()| lists.next()) else {
             return Some(Vec::new());
         };
-        // Writes q from a shifted guess; whether it closes.
+        // Writes q from a shifted guess; returns whether it closes.
         let mut solve = |signs: &[f64], shift: &dyn Fn(usize) -> f64, q: &mut [f64]| {
             for (k, (start, guess)) in start.iter_mut().zip(guess).enumerate() {
                 *start = if is_length(model, k) { *guess } else { guess + shift(k) };
@@ -57,7 +59,7 @@ impl dyn AnySolver + '_ {
             self.solve(at, signs, start, Depth::Position, Solved { q, q_dot, q_ddot, margins }).ok()?;
             Some(margins.iter().all(|margin| *margin > Plan::SMALLEST_MARGIN))
         };
-        // The first combination that closes; where none does, there are no closures to be told apart.
+        // The first combination that closes; where none does, there are no closures to distinguish.
         let mut signs = vec![1.0; plan.modes.len()];
         let closes = (0..1_u32 << plan.modes.len().min(VARIED)).any(|combination| {
             let varied = signs.iter_mut().take(VARIED).enumerate();
@@ -73,7 +75,7 @@ impl dyn AnySolver + '_ {
         let is_same = |k: usize, moved: f64| is_small(k, moved) || is_angle(model, k) && is_turned(k, moved);
         let moved = |there: &[f64], k: usize| there[k] - here[k];
         let all = 0..n;
-        // Mostly all starts lead to the same closure.
+        // Usually all starts lead to the same closure.
         let mut choices = false;
         for shift in STARTS {
             solve(&signs, &|_| shift, there)?;

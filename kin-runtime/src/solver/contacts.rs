@@ -1,4 +1,4 @@
-//! Where contacts lift off: the instants at which a normal force changes its sign.
+//! Loss of contact: the instants at which a normal force changes its sign.
 
 use super::Solver;
 use crate::error::SolveError;
@@ -96,7 +96,7 @@ fn dip(name: &'static str, k: usize, values: [(&State, f64); 3], between: Betwee
 }
 
 impl<M: Mechanism> Solver<'_, M> {
-    /// Where contacts lift off, and where they press again, over the states of a motion in its order: the instants at
+    /// Where contacts lift off, and where they press again, over the states of a motion in their order: the instants at
     /// which the normal force of a cam, a flat follower or a rolling disc
     /// ([`Reaction::normal`](crate::Reaction::normal)) changes its sign, exact to rounding. Contacts in kin hold in
     /// both directions, so the motion does not change there; a real follower leaves its cam unless a spring or a groove

@@ -1,18 +1,19 @@
-//! What a partial guess means: every group with guessed coordinates takes the closure that is nearer to them, group by
-//! group in the order of the plan. If nothing is guessed of a group, or both closures are equally near, the guess does
-//! not decide, and the general path is used.
+//! The modes that a partial guess determines: every group with guessed coordinates takes the closure that is nearer to
+//! them, group by group in the order of the plan. If no coordinate of a group is guessed, or both closures are equally
+//! near, the guess does not determine the mode, and the general path is used.
 
 use crate::model::{Component, CoordinateKind, Model};
 use crate::plan::StepKind;
 use crate::planned::Sign;
 
-/// If the squared distances of both closures from a guess differ by less than this, the guess does not decide the mode.
+/// If the squared distances of both closures from a guess differ by less than this, the guess does not determine the
+/// mode.
 const UNDECIDED: f64 = 1e-9;
 
-/// Writes q as the plan closes it in given modes.
+/// Writes q by the plan in given modes.
 type Closed<'c> = dyn FnMut(&[f64], &mut [f64]) -> Option<()> + 'c;
 
-/// A guess: NaN for coordinates without one, and the modes that the caller asked for.
+/// A guess: NaN for coordinates without one, and the modes that the caller requested.
 pub(super) struct Guess<'g> {
     pub(super) model: &'static Model,
     pub(super) q: &'g [f64],
@@ -20,8 +21,8 @@ pub(super) struct Guess<'g> {
 }
 
 impl Guess<'_> {
-    /// Writes the mode of every group, in the order of the plan. `q` has room for what `closed` writes. `None` where the
-    /// guess does not decide.
+    /// Writes the mode of every group, in the order of the plan. `q` has room for what `closed` writes. `None` where
+    /// the guess does not determine it.
     pub(super) fn write_modes(&self, modes: &mut [f64], q: &mut [f64], closed: &mut Closed<'_>) -> Option<()> {
         let plan = &self.model.plan;
         if !self.starts_iterations() || self.modes.iter().any(|(_, place, _)| place.is_none()) {
@@ -90,7 +91,8 @@ mod tests {
     use crate::Mechanism;
     use crate::fixture::PlannedFourBar;
 
-    /// The mode that a guess of the coupler's and the rocker's angle means, where these are ±0.5 and ±1 in the two modes.
+    /// The mode that a guess of the coupler's and the rocker's angle determines, where these are ±0.5 and ±1 in the two
+    /// modes.
     fn mode(guess: [f64; 2], modes: &[(String, Option<usize>, Sign)]) -> Option<f64> {
         let mut q = [f64::NAN; 9];
         (q[5], q[8]) = (guess[0], guess[1]);

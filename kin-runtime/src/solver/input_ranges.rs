@@ -1,4 +1,4 @@
-//! What the inputs can be for the mechanism to close.
+//! The ranges of inputs in which the mechanism closes.
 
 use super::Solver;
 use crate::analysis::fit::fit_inputs;
@@ -18,10 +18,11 @@ impl<M: Mechanism> Solver<'_, M> {
         Ok(self.planned(at)?.range_of(input)?)
     }
 
-    /// The input that keeps the mechanism from closing at an instant, with the range in which it closes if the others
-    /// are constant. If several inputs could be the cause, it is the one that is farthest from the value that fits the guess. If
-    /// no value of one input alone closes the mechanism, the other inputs are set to the values that fit the guess, and the
-    /// search is repeated. `None` if the mechanism closes, if no single input is the cause, and without a plan.
+    /// The input because of which the mechanism does not close at an instant, with the range in which it closes if the
+    /// others are constant. If several inputs could be the cause, it is the one that is farthest from the value that
+    /// fits the guess. If no value of one input alone closes the mechanism, the other inputs are set to the values that
+    /// fit the guess, and the search is repeated. `None` if the mechanism closes, if no single input is the cause, and
+    /// without a plan.
     pub fn out_of_range(&self, at: &Instant<'_>) -> Option<OutOfRange> {
         let guess = self.checked_guess().ok()?;
         let fitted = |places: &[usize], values: &[Signal]| {
@@ -35,13 +36,13 @@ impl<M: Mechanism> Solver<'_, M> {
     }
 }
 
-/// Inputs that fit the guess, where those at the places may vary.
+/// Inputs that fit the guess, of which those with the given indices may vary.
 type Fitted<'f> = dyn Fn(&[usize], &[Signal]) -> Option<Vec<Signal>> + 'f;
 
-/// The range of an input, with the other inputs held.
+/// The range of an input, with the other inputs constant.
 type RangeOf<'f> = dyn Fn(&[Signal], Input) -> Option<InputRange> + 'f;
 
-/// The input that keeps a mechanism from closing.
+/// The input because of which a mechanism does not close.
 fn out_of_range(inputs: &[Signal], count: usize, fitted: &Fitted<'_>, range_of: &RangeOf<'_>) -> Option<OutOfRange> {
     let mut all: Vec<usize> = (0..count).collect();
     let at_guess = fitted(&all, inputs);

@@ -53,15 +53,15 @@ pub(crate) use contacts::ContactWatch;
 /// Φ(q, t) = 0        Φ_q q̇ = −Φ_t        Φ_q q̈ = γ
 /// ```
 ///
-/// If degrees of freedom are open, every answer is the one of least Euclidean norm over q: the shortest correction of
-/// the start, the smallest q̇, the smallest q̈. Such an answer is only a convention; prescribe coordinates with
+/// If degrees of freedom are left, every result is the one of least Euclidean norm over q: the shortest correction of
+/// the start, the smallest q̇, the smallest q̈. Such a result is only a convention; prescribe coordinates with
 /// [`with_given`](Self::with_given) or add drivers for one with a mechanical meaning.
 pub struct Solver<'m, M: Mechanism> {
     pub(crate) mechanism: &'m M,
     pub(crate) options: Options,
     pub(crate) guesses: Vec<(usize, f64)>,
     pub(crate) given: Vec<(usize, Signal)>,
-    /// The modes asked for, by name or index, and their signs.
+    /// The requested modes, by name or index, and their signs.
     modes: Vec<(String, Option<usize>, Sign)>,
     pub(crate) inputs: InputFunction<'m>,
     observer: Option<Observer<'m>>,
@@ -80,11 +80,11 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     /// Assembles the mechanism from the guesses; coordinates without a guess are found.
     ///
     /// # Errors
-    /// [`NotAssembled`](SolveError::NotAssembled) with the best attempt's gap, [`GivenConflict`](SolveError::GivenConflict),
-    /// [`UnknownCoordinate`](SolveError::UnknownCoordinate); [`UnknownMode`](SolveError::UnknownMode),
-    /// [`ModeNotAssembled`](SolveError::ModeNotAssembled) and [`Plan`](SolveError::Plan) where a mode is asked for;
-    /// [`NonFinite`](SolveError::NonFinite) and [`Length`](SolveError::Length) for arguments and parameters, here and in
-    /// every other analysis.
+    /// [`NotAssembled`](SolveError::NotAssembled) with the residual of the best attempt,
+    /// [`GivenConflict`](SolveError::GivenConflict), [`UnknownCoordinate`](SolveError::UnknownCoordinate);
+    /// [`UnknownMode`](SolveError::UnknownMode), [`ModeNotAssembled`](SolveError::ModeNotAssembled) and
+    /// [`Plan`](SolveError::Plan) where a mode is requested; [`NonFinite`](SolveError::NonFinite) and
+    /// [`Length`](SolveError::Length) for arguments and parameters, here and in every other analysis.
     pub fn assemble(&self, at: &Instant<'_>) -> Result<Vec<f64>, SolveError> {
         let wanted = self.wanted()?;
         match self.position_by_plan(at) {
@@ -129,7 +129,7 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     ///
     /// # Errors
     /// [`Singular`](SolveError::Singular) where Φ_q loses rank in this configuration alone,
-    /// [`InconsistentVelocity`](SolveError::InconsistentVelocity) where redundant rows disagree,
+    /// [`InconsistentVelocity`](SolveError::InconsistentVelocity) where redundant rows contradict the others,
     /// [`GivenConflict`](SolveError::GivenConflict).
     pub fn velocity(&self, at: &Instant<'_>, q: &[f64]) -> Result<Vec<f64>, SolveError> {
         velocity_at(&mut self.equations(at)?, q)
@@ -159,9 +159,9 @@ impl<'m, M: Mechanism> Solver<'m, M> {
 
     /// Position analysis from a complete start, then velocity and acceleration.
     ///
-    /// Groups in closed form keep the modes of the start; an iteration takes the solution that it finds from there, which
-    /// far from the start may be on another branch. [`sweep`](Self::sweep) and [`tracker`](Self::tracker) follow a motion and
-    /// never leave its branch.
+    /// Groups in closed form keep the modes of the start. An iteration may converge to a solution on another branch if
+    /// the start is far from it; [`sweep`](Self::sweep) and [`tracker`](Self::tracker) follow a motion and never
+    /// leave its branch.
     ///
     /// # Errors
     /// As [`state`](Self::state).
@@ -201,9 +201,9 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     /// that redundant rows leave undetermined have no number.
     ///
     /// # Errors
-    /// [`NoLoads`](SolveError::NoLoads) for a mechanism without masses and loads, [`NotHeld`](SolveError::NotHeld) where
-    /// degrees of freedom are left that loads act along, [`UnboundedForces`](SolveError::UnboundedForces) in a singular
-    /// configuration; [`NonFinite`](SolveError::NonFinite) and [`Length`](SolveError::Length).
+    /// [`NoLoads`](SolveError::NoLoads) for a mechanism without masses and loads, [`NotHeld`](SolveError::NotHeld)
+    /// where degrees of freedom are left that loads act along, [`UnboundedForces`](SolveError::UnboundedForces) in a
+    /// singular configuration; [`NonFinite`](SolveError::NonFinite) and [`Length`](SolveError::Length).
     pub fn forces(&self, state: &State) -> Result<Forces, SolveError> {
         self.shared_forces(state, self.sharing)
     }
@@ -283,7 +283,7 @@ impl<'m, M: Mechanism> Solver<'m, M> {
         Ok(self.guess())
     }
 
-    /// The guesses, and the indices of the modes that are asked for.
+    /// The guesses, and the indices of the requested modes.
     pub(crate) fn wanted(&self) -> Result<WantedAssembly, SolveError> {
         wanted_assembly(&M::model().plan, self.checked_guess()?, &self.modes)
     }
@@ -333,12 +333,12 @@ fn motion_at(equations: &mut Equations<'_>, state: &State, sharing: Sharing) -> 
     Ok(motion)
 }
 
-/// The values of quantities, if a state alone tells all of them.
+/// The values of quantities, if a state alone determines all of them.
 fn known(state: &State, measures: &[Measure]) -> Option<Vec<f64>> {
     measures.iter().map(|measure| measure.of_state(state)).collect()
 }
 
-/// The guesses, and the indices of modes that are asked for by name or index.
+/// The guesses, and the indices of the modes that are requested by name or index.
 fn wanted_assembly(
     plan: &Plan,
     guess: Vec<Option<f64>>,

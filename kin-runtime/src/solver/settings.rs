@@ -18,26 +18,26 @@ impl<'m, M: Mechanism> Solver<'m, M> {
         self
     }
 
-    /// Whether a sweep ends at its first event: its trajectory then has the states before it and the one at it, and says
-    /// so in [`Trajectory::stopped`](crate::Trajectory::stopped).
+    /// Whether a sweep ends at its first event: its trajectory then has the states before the event and the one at it,
+    /// and [`Trajectory::stopped`](crate::Trajectory::stopped) is true.
     #[must_use]
     pub fn stop_at_events(mut self, stop: bool) -> Self {
         self.options.stop_at_events = stop;
         self
     }
 
-    /// Guesses a coordinate (place in q) as start of assembly, instead of the mechanism's own guess.
+    /// Guesses a coordinate (index in q) as start of assembly, instead of the mechanism's own guess.
     #[must_use]
     pub fn with_guess(mut self, coordinate: usize, value: f64) -> Self {
         self.guesses.push((coordinate, value));
         self
     }
 
-    /// Asks for an assembly mode, by its name or its index in [`Kinematics::modes`](crate::Kinematics::modes).
+    /// Requests an assembly mode, by its name or its index in [`Kinematics::modes`](crate::Kinematics::modes).
     ///
-    /// Assembly from guesses first proceeds as without this setting. Then the plan closes in the modes asked for, with
-    /// all other modes as the guesses have them, and full Newton closes the result. Analyses from a complete start have
-    /// the modes of that start.
+    /// Assembly from guesses first proceeds as without this setting. Then the plan solves in the requested modes, with
+    /// all other modes as the guesses determine them, and full Newton corrects the result. Analyses from a complete
+    /// start have the modes of that start.
     #[must_use]
     pub fn with_mode<'k>(mut self, mode: impl Into<ModeKey<'k>>, sign: Sign) -> Self {
         let key = mode.into();
@@ -45,7 +45,7 @@ impl<'m, M: Mechanism> Solver<'m, M> {
         self
     }
 
-    /// Prescribes a coordinate (place in q): adds the row q_k − value, with its rate and acceleration.
+    /// Prescribes a coordinate (index in q): adds the row q_k − value, with its rate and acceleration.
     ///
     /// In a sweep the signal belongs to the first instant and continues with constant acceleration.
     #[must_use]
@@ -62,8 +62,9 @@ impl<'m, M: Mechanism> Solver<'m, M> {
         self
     }
 
-    /// Where redundant rows share a load: takes the possible forces of least norm in [`forces`](Self::forces),
-    /// [`motion`](Self::motion) and [`measure`](Self::measure), as [`forces_of_least_norm`](Self::forces_of_least_norm) does.
+    /// If redundant rows share a load, uses the possible forces of least norm in [`forces`](Self::forces),
+    /// [`motion`](Self::motion) and [`measure`](Self::measure), as [`forces_of_least_norm`](Self::forces_of_least_norm)
+    /// does.
     #[must_use]
     pub fn with_forces_of_least_norm(mut self) -> Self {
         self.sharing = Sharing::LeastNorm;

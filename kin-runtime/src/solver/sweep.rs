@@ -17,13 +17,14 @@ use crate::workspace::{Instant, Signal};
 use core::ops::ControlFlow;
 
 impl<'m, M: Mechanism> Solver<'m, M> {
-    /// The motion over `times`, in whatever order and distance: the branch is followed from the first, which is
-    /// assembled from the guesses, to the last.
+    /// The motion over `times`, in any order and at any distances: the branch is followed from the first instant, at
+    /// which the mechanism is assembled from the guesses, to the last.
     ///
-    /// Between two instants as many steps are taken as the motion needs by its velocities and accelerations. What a driver
-    /// does in between without a trace in these is not seen: if it rests at both instants, an excursion between them, even one
-    /// past a dead centre, leaves no error. Nor is a bump of a curve seen that is straight before it and much narrower than the
-    /// motion between two instants. Choose instants that see every rise and dwell of a driver, and every feature of a curve.
+    /// Between two instants as many steps are taken as the motion needs by its velocities and accelerations. A motion
+    /// of a driver in between that does not show in these is not detected: if the driver rests at both instants, an
+    /// excursion between them causes no error, even one past a dead centre. Nor is a bump of a curve detected if the
+    /// curve is straight before it and the bump is much narrower than the motion between two instants. Choose instants
+    /// on every rise and dwell of a driver, and on every feature of a curve.
     ///
     /// # Errors
     /// As [`state`](Self::state) for the first instant; then [`Singular`](SolveError::Singular) or
@@ -80,7 +81,7 @@ impl<'m, M: Mechanism> Solver<'m, M> {
         self.follow(times, Some(start), &mut kinematic)
     }
 
-    /// A sweep from a complete start or from the guesses; `onwards` goes on from the first state.
+    /// A sweep from a complete start or from the guesses; `onwards` continues from the first state.
     fn follow(
         &self,
         times: &[f64],
@@ -94,8 +95,8 @@ impl<'m, M: Mechanism> Solver<'m, M> {
         }
     }
 
-    /// The equations of a sweep and its first state, which the plan finds or, where it finds none, a position analysis;
-    /// none without instants.
+    /// The equations of a sweep and its first state, found by the plan or, where it has no solution, by position
+    /// analysis; `None` without instants.
     fn started(&self, times: &[f64], start: Option<&[f64]>) -> Result<Option<(Equations<'_>, First)>, SolveError> {
         let Some(&t) = times.first() else { return Ok(None) };
         let inputs = inputs_at(self.inputs, t, M::INPUTS);
@@ -124,10 +125,10 @@ impl<'m, M: Mechanism> Solver<'m, M> {
 /// The first state of a sweep, with the factorisation of Φ_q if it was evaluated there last.
 type First = (State, Option<Factorization>);
 
-/// Goes on from the first state of a sweep.
+/// Continues from the first state of a sweep.
 type Onwards<'o> = dyn FnMut(&mut Equations<'_>, First, &[f64]) -> Result<Trajectory, SweepError> + 'o;
 
-/// The inputs at an instant; none where they are no functions of time.
+/// The inputs at an instant; empty where they are not functions of time.
 pub(super) fn inputs_at(function: InputFunction<'_>, t: f64, count: usize) -> Vec<Signal> {
     let Some(function) = function else { return Vec::new() };
     let mut inputs = vec![Signal::default(); count];

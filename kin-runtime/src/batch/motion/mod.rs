@@ -1,7 +1,8 @@
 //! The motion of eight sets of parameters from instant to instant.
 //!
-//! Eight sets take the follower's usual step together: predict, solve, and judge the result by the prediction. A set
-//! for which this step is not accepted repeats it with the scalar follower, so that every set moves as it would alone.
+//! Eight sets take the usual step of the follower together: predict, solve, and compare the result with the prediction.
+//! A set for which this step is not accepted repeats it with the scalar follower, so that every set moves as it would
+//! alone.
 
 use super::end::{End, Outcome};
 use super::poses::{Limits, Poses, Question, copy_lane};
@@ -28,7 +29,7 @@ pub(super) struct Motion<M: Mechanism> {
     pub(super) predicted: M::Coordinates<Octet>,
     distances: Distances<M, Octet>,
     margins: Margins<M, Octet>,
-    /// The states at the last instant and at the instant that is tried.
+    /// The state at the last instant and the trial state.
     poses: [Poses<M::Coordinates<Octet>, Octet>; 2],
     good: usize,
     /// The margins at the last instant, and its inputs, which all sets share.
@@ -37,12 +38,12 @@ pub(super) struct Motion<M: Mechanism> {
     t: f64,
     /// The weight of each coordinate in every set: radians per unit.
     weights: M::Coordinates<Octet>,
-    /// By what angle the gradients of iterated rows turn with each coordinate; used if `rows_turn_alone`.
+    /// The angles by which the gradients of iterated rows turn per unit of each coordinate; used if `rows_turn_alone`.
     turns: M::Coordinates<Octet>,
     rows_turn_alone: bool,
 }
 
-/// For every set without an answer the margin to report, and the step of the plan that is the reason, if there is one.
+/// For every set without a solution the margin to report, and the step of the plan that is the reason, if there is one.
 type Refusals = [Option<(f64, Option<Limit>)>; Octet::COUNT];
 
 impl<M: Mechanism> Motion<M> {
@@ -92,7 +93,7 @@ impl<M: Mechanism> Motion<M> {
         Some(Octet::each(refused))
     }
 
-    /// The closures, whose signs distinguish the branches of all groups, at the state that is tried.
+    /// The branch values of all groups at the trial state.
     fn found(&self, mechanism: &M, at: &Instant<'_, Octet>) -> BranchValues<M, Octet> {
         self.branch_values(mechanism, at, self.poses[1 - self.good].q.as_ref())
     }
@@ -103,7 +104,7 @@ impl<M: Mechanism> Motion<M> {
         branch_values.unwrap_or_else(|_| BranchValues::filled(Octet::default()))
     }
 
-    /// Takes the orientations of iterated groups from the state that was found.
+    /// Takes the orientations of iterated groups from the trial state.
     fn orient(&mut self, mechanism: &M, at: &Instant<'_, Octet>) {
         let plan = &M::model().plan;
         if !plan.orientations.is_empty() {
@@ -123,7 +124,7 @@ impl<M: Mechanism> Motion<M> {
         modes.fold(Octet::from_f64(1.0), |least, (mode, found)| least.least(*mode * *found))
     }
 
-    /// Advances to the next instant; returns the sets that have no answer there.
+    /// Advances to the next instant; returns the sets that have no solution there.
     #[inline(always)]
     pub(super) fn advance(&mut self, mechanism: &M, at: &Instant<'_, Octet>, t: f64) -> Option<Refusals> {
         let h = t - self.t;
@@ -151,7 +152,7 @@ impl<M: Mechanism> Motion<M> {
         let beyond = nearer - reach * reach;
         if !is_positive(beyond) || !plan.orientations.is_empty() {
             let certain = self.certainty_of_prediction(mechanism, at, nearer.abs().sqrt(), turn);
-            // If all limits are out of reach, this certainty is not needed.
+            // If all limits are out of reach, the comparison with the prediction is not needed.
             least = least.least(certain.greatest(beyond));
             if !plan.orientations.is_empty() {
                 least = least.least(self.kept_orientation(mechanism, at));
@@ -168,7 +169,8 @@ impl<M: Mechanism> Motion<M> {
         refusals
     }
 
-    /// A measure, by the closures at the prediction, of the certainty that all groups have stayed on their branches.
+    /// Not negative in lanes in which the branch values at the prediction show that all groups have stayed on their
+    /// branches.
     #[inline(never)]
     fn certainty_of_prediction(
         &mut self,
@@ -180,7 +182,7 @@ impl<M: Mechanism> Motion<M> {
         self.margins.write_distances(&mut self.distances);
         let foretold = self.branch_values(mechanism, at, self.predicted.as_ref());
         let groups = foretold.as_ref().iter().zip(self.modes.as_ref()).zip(self.distances.as_ref());
-        // If a group may have reached its limit and come back, the follower decides.
+        // If a group may have reached its limit and returned, the scalar follower checks the step.
         let start = resolves(nearest, turn).least(nearest - Octet::from_f64(CLOSE));
         groups.fold(start, |least, ((w, mode), now)| least.least(certainty_of(*now, *mode * *w)))
     }
@@ -193,7 +195,7 @@ impl<M: Mechanism> Motion<M> {
         self.poses[1 - self.good].solve(mechanism, &question, &mut self.margins)
     }
 
-    /// Accepts the instant that was tried.
+    /// Accepts the trial state.
     #[inline(always)]
     fn keep(&mut self, mechanism: &M, at: &Instant<'_, Octet>) {
         self.margins_before = self.margins;
@@ -207,8 +209,9 @@ impl<M: Mechanism> Motion<M> {
         }
     }
 
-    /// Not negative in lanes in which a step of the length h turns the gradients of iterated rows no farther than bodies
-    /// may turn, its end is as near to its prediction, and no iterated group comes near its limit in between.
+    /// Not negative in lanes in which a step of the length h turns the gradients of iterated rows no farther than
+    /// bodies may turn, its end is near its prediction by the same measure, and no iterated group comes near its limit
+    /// in between.
     #[cold]
     #[inline(never)]
     fn certainty_of_rows(&self, mechanism: &M, at: &Instant<'_, Octet>, h: f64, control: &Control) -> Octet {
@@ -270,7 +273,7 @@ impl<M: Mechanism> Motion<M> {
             }
             if let Err(error) = self.one(mechanism, at, lane) {
                 let limit = error.limit().copied();
-                // If the instant itself has an answer, there is a limit before it.
+                // If the instant itself has a solution, there is a limit before it.
                 let margin = match error {
                     PlanError::NegativeLength { .. } => 0.0,
                     _ => limit.map_or(margin, |limit| limit.margin),
@@ -283,7 +286,7 @@ impl<M: Mechanism> Motion<M> {
         refusals.iter().any(Option::is_some).then_some(refusals)
     }
 
-    /// One set by the follower.
+    /// Moves one set by the scalar follower.
     fn one(&mut self, mechanism: &M, at: &Instant<'_, Octet>, lane: usize) -> Result<(), PlanError> {
         let pick = |list: &[Octet]| -> M::Coordinates<f64> { Array::generate(|k| list[k].lane(lane)) };
         let before = &self.poses[self.good];
@@ -309,8 +312,8 @@ impl<M: Mechanism> Motion<M> {
         Ok(())
     }
 
-    /// Ends the sets that have no answer; their lanes then repeat the lane of a set that has one. False if there is
-    /// none.
+    /// Ends the sets that have no solution; their lanes then repeat the lane of a set that has one. False if no set has
+    /// one.
     #[cold]
     #[inline(never)]
     pub(super) fn mask<S>(&mut self, instant: usize, refusals: &Refusals, out: &mut [Outcome<S>]) -> bool {
@@ -333,7 +336,7 @@ impl<M: Mechanism> Motion<M> {
         true
     }
 
-    /// Lane `from` into lane `to`.
+    /// Copies lane `from` to lane `to`.
     fn repeat(&mut self, from: usize, to: usize) {
         fn own(numbers: &mut (impl AsRef<[Octet]> + AsMut<[Octet]> + Copy), from: usize, to: usize) {
             let others = *numbers;
@@ -383,7 +386,7 @@ pub(super) fn least_length<M: Mechanism>(mechanism: &M, parameters: &[Octet], at
     lengths.iter().fold(most, |least, length| least.least(*length))
 }
 
-/// True where the numbers of all lanes are positive and not large, and none is NaN.
+/// True if the numbers of all lanes are finite and not negative.
 #[inline(always)]
 fn is_positive(x: Octet) -> bool {
     let half = Octet::from_f64(0.5);
@@ -391,7 +394,7 @@ fn is_positive(x: Octet) -> bool {
     (x.least(Octet::from_f64(1.0)) - half).is_within(0.5) & (x * Octet::default()).is_within(0.0)
 }
 
-/// The step of the plan that a margin belongs to.
+/// The limit that a margin reports: the step of the plan to which it belongs.
 fn limit_of<M: Mechanism>(found: Option<(usize, f64)>) -> Option<Limit> {
     let (place, margin) = found?;
     Step::of_margin(M::model(), place).map(|step| Limit::new(step, margin))

@@ -1,9 +1,8 @@
-//! What makes the step count that eight sets take together: each of its judges beside its threshold, all others being
-//! content.
+//! Tests of the checks of a step that eight sets take together: each check beside its threshold, while all others pass.
 //!
-//! The four-bar takes whatever margin it is given, so that a group can be as near to its limit as a test wants it. A set
-//! that is taken alone is told from those that go together by a margin of the instant before that no follower can go on
-//! from: what all go by together has nothing to do with it.
+//! The margin of the test's four-bar is prescribed, so that its group can be arbitrarily near to its limit. The margins
+//! of the previous instant are so small that the scalar follower refuses every step from there. The common step does
+//! not use them, so that exactly those sets fail that repeat the step alone.
 
 use super::*;
 use crate::Kinematics;
@@ -13,15 +12,15 @@ fn at(t: f64) -> Instant<'static, Octet> {
     Instant { t: Octet::from_f64(t), inputs: &[] }
 }
 
-/// When motions begin: not at 0, beside which there is room for the shortest of steps.
+/// The time at which motions begin; not 0, near which floating-point numbers allow arbitrarily short steps.
 const T: f64 = 1.0;
 
-/// A four-bar whose group says that it has this distance from its limit.
+/// A four-bar whose group has the prescribed distance w from its limit.
 fn at_distance(w: f64) -> PlannedFourBar {
     PlannedFourBar { start: 0.2 - T, margin: Some(w * w), ..PlannedFourBar::default() }
 }
 
-/// Eight of them.
+/// Eight sets of parameters of this four-bar at their first instant.
 fn begun(mechanism: &PlannedFourBar) -> Motion<PlannedFourBar> {
     let own = PlannedFourBar { margin: None, ..*mechanism };
     let q = own.state_at(&crate::Instant::at(T)).unwrap().q;
@@ -33,7 +32,7 @@ fn begun(mechanism: &PlannedFourBar) -> Motion<PlannedFourBar> {
     motion
 }
 
-/// The step, forth or back, that turns so far.
+/// The step, forwards or backwards, that turns by `turn`.
 fn step_of(motion: &Motion<PlannedFourBar>, turn: f64, side: f64) -> f64 {
     let Poses { q, q_dot, q_ddot, .. } = motion.poses();
     let rates = [q.as_ref(), q_dot.as_ref(), q_ddot.as_ref()];
@@ -46,7 +45,7 @@ fn step_of(motion: &Motion<PlannedFourBar>, turn: f64, side: f64) -> f64 {
     side * long
 }
 
-/// Whether all go together in a step that turns so far, to a mechanism that may be another one.
+/// Whether a step that turns by `turn` is accepted for all sets together; `to` is the mechanism at its end.
 fn together(from: &PlannedFourBar, to: &PlannedFourBar, turn: f64) -> bool {
     let answers = [1.0, -1.0].map(|side| {
         let mut motion = begun(from);
@@ -83,24 +82,24 @@ fn a_solution_that_is_not_where_it_was_predicted_does_not_count() {
 
 #[test]
 fn a_group_out_of_reach_is_not_asked() {
-    // What its margin says is not what its closure says: in reach it is not believed.
+    // The prescribed margin disagrees with the branch value, so a group within reach of its limit is not accepted.
     assert!(counts([0.2; 2], 0.0499) && !counts([0.2; 2], 0.0501));
     assert!(counts([0.9, 0.2], 0.0499) && !counts([0.9, 0.2], 0.0501));
-    // Nor where it may have come to its limit and back.
+    // The same holds if the group may have reached its limit and returned.
     assert!(counts([0.12, 0.9], 0.0299) && !counts([0.12, 0.9], 0.0301));
-    // Rates of nearer ones may mean nothing, however short the step is.
+    // Even in a short step, the rates of a group nearer to its limit may be dominated by rounding.
     assert!(counts([0.9, 0.101], 0.001) && !counts([0.9, 0.099], 0.001));
     assert!(counts([0.101, 0.9], 0.001) && !counts([0.099_5, 0.9], 0.001));
 }
 
-/// Of all sets only those whose own step does not count are taken alone.
+/// Only the sets whose own step is not accepted repeat it alone.
 #[test]
 fn every_set_is_judged_for_itself() {
     let mechanism = at_distance(0.9);
     for lane in 0..Octet::COUNT {
         let mut motion = begun(&mechanism);
         let h = step_of(&motion, 0.2, 1.0);
-        // One that turns faster.
+        // One set turns faster.
         let good = motion.good;
         let rates = motion.poses[good].q_dot.as_mut();
         rates.iter_mut().for_each(|rate| rate.set(lane, 1.6 * rate.lane(lane)));
@@ -111,14 +110,14 @@ fn every_set_is_judged_for_itself() {
     }
 }
 
-/// A set that was taken alone goes on with the others from the margin that it has there.
+/// A set that took a step alone continues with the others, with its own margin at the end of that step.
 #[test]
 fn a_set_that_was_alone_is_as_near_to_its_limit_as_it_says() {
     for w in [0.9, 0.5] {
         let mechanism = at_distance(w);
         let mut motion = begun(&mechanism);
         motion.margins_before = Margins::filled(Octet::from_f64(w * w));
-        // Farther than a step turns.
+        // The step turns farther than one step may.
         let h = step_of(&motion, 0.35, -1.0);
         assert!(motion.advance(&mechanism, &at(T + h), T + h).is_none());
         let poses = motion.poses();
@@ -144,15 +143,15 @@ fn a_prediction_is_as_certain_as_the_least_certain_group() {
     let q: Vec<f64> = start.predicted.as_ref().iter().map(|q| q.lane(0)).collect();
     PlannedFourBar::default().branches_with(&[], &crate::Instant::at(T), &q, &mut closure).unwrap();
     let closure = closure[0].abs();
-    // As far from its limit as half of that.
+    // The distance may differ from the predicted branch value by half of the smaller of the two.
     assert!(of(0.67 * closure, 0.9, 0.0) > 0.0 && of(0.66 * closure, 0.9, 0.0) < 0.0);
     assert!(of(1.49 * closure, 0.9, 0.0) > 0.0 && of(1.51 * closure, 0.9, 0.0) < 0.0);
-    // Resolved by the step, and not so near that it may have been at its limit within it.
+    // The step must resolve the group, which must be too far from its limit to have reached it within the step.
     assert!(of(closure, 0.28, 0.3) > 0.0 && of(closure, 0.26, 0.3) < 0.0);
     assert!(of(closure, 0.151, 0.0) > 0.0 && of(closure, 0.149, 0.0) < 0.0);
 }
 
-/// Eight numbers that are all good, but for one.
+/// Eight positive numbers, one of which is replaced.
 #[test]
 fn one_lane_that_is_not_positive_is_seen_wherever_it_is() {
     for lane in 0..Octet::COUNT {

@@ -24,7 +24,8 @@ impl core::fmt::Display for LengthError {
 
 impl core::error::Error for LengthError {}
 
-/// Checks that a list is empty; the default of methods that write a list which the mechanism does not have.
+/// Checks that a list is empty: the default implementation of methods that write a list which the mechanism does not
+/// have.
 pub(super) const fn empty<T>(what: &'static str, list: &[T]) -> Result<(), LengthError> {
     match list.len() {
         0 => Ok(()),

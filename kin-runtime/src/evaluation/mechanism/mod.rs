@@ -30,7 +30,7 @@ pub trait Mechanism: Sized {
     const PARAMETERS: usize;
     /// The number of inputs.
     const INPUTS: usize;
-    /// The number of lengths that joints keep (of links, cylinders and drivers of distances), at most `ROWS`.
+    /// The number of lengths that joints prescribe (of links, cylinders and drivers of distances), at most `ROWS`.
     const LENGTHS: usize = 0;
     /// Whether the mechanism implements [`turns_with`](Self::turns_with).
     const ROWS_TURN: bool = false;
@@ -53,7 +53,7 @@ pub trait Mechanism: Sized {
     type ObservableNonZeros<T: Scalar>: Array<T>;
     /// The factors that [`factorise_with`](Self::factorise_with) computes; empty without a plan.
     type Factors<T: Scalar>: Array<T>;
-    /// The range of factors, start and end, that measure the distance from singularity, as margins do.
+    /// The factors that measure the distance from singularity, as margins do: the first index and one past the last.
     const REGULAR: (usize, usize) = (0, 0);
 
     /// Names, rows, patterns and geometry.
@@ -129,9 +129,9 @@ pub trait Mechanism: Sized {
         Ok(())
     }
 
-    /// Computes q, q̇ and q̈, as far as `depth` says, by the plan ([`Model::plan`]): in closed form where possible.
-    /// `modes` has a sign, ±1, for every mode of the plan. Angles are within half a turn of those in `start`, n
-    /// numbers, from which iterations start. The results are valid only where all margins are positive; nothing is
+    /// Computes q, q̇ and q̈, as far as `depth` requests them, by the plan ([`Model::plan`]): in closed form where
+    /// possible. `modes` has a sign, ±1, for every mode of the plan. Angles are within half a turn of those in `start`,
+    /// n numbers, from which iterations start. The results are valid only where all margins are positive; nothing is
     /// written without a plan.
     /// # Errors
     /// When an argument has the wrong length.
@@ -147,8 +147,8 @@ pub trait Mechanism: Sized {
         Ok(())
     }
 
-    /// Writes for every mode of the plan a number w, −1 ≤ w ≤ 1, whose sign is the mode of the configuration q and
-    /// whose size is the distance between the two closures: 0 where they meet.
+    /// Writes the branch value w of every mode of the plan, −1 ≤ w ≤ 1: its sign is the mode of the configuration q,
+    /// and its size measures the distance between the two closures, 0 where they meet.
     /// # Errors
     /// When an argument has the wrong length.
     fn closures_with<T: Scalar>(
@@ -176,7 +176,7 @@ pub trait Mechanism: Sized {
         self.closures_with(parameters, at, q, branches)
     }
 
-    /// Writes how far the gradients of iterated rows turn with each coordinate, in radians per unit.
+    /// Writes how far the gradients of iterated rows turn with each coordinate, in radians per unit of the coordinate.
     /// # Errors
     /// When an argument has the wrong length.
     fn turns_with<T: Scalar>(
@@ -204,8 +204,8 @@ pub trait Mechanism: Sized {
     }
 
     /// Solves Φ_q x = b for x (n numbers) from b (s numbers) and the factors of Φ_q; nothing is written where there is
-    /// no plan. Where Φ_q is singular, x is not finite or far too large: the caller checks Φ_q x = b, or the margins of
-    /// a solution.
+    /// no plan. Where Φ_q is singular, x is not finite or far too large: the caller must check Φ_q x = b, or the
+    /// margins of a solution.
     /// # Errors
     /// When an argument has the wrong length.
     fn solve_factorised<T: Scalar>(factors: &Self::Factors<T>, b: &[T], x: &mut [T]) -> Result<(), LengthError> {
@@ -236,8 +236,8 @@ pub trait Mechanism: Sized {
         length::empty("geometry", geometry)
     }
 
-    /// Writes the lengths that joints keep, [`LENGTHS`](Self::LENGTHS) numbers in the order of their joints. A row of
-    /// such a joint contains the square, which does not depend on the sign: a negative length is an error.
+    /// Writes the lengths that joints prescribe, [`LENGTHS`](Self::LENGTHS) numbers in the order of their joints. A row
+    /// of such a joint contains the square, which hides a negative length; solvers report one as an error.
     /// # Errors
     /// As [`evaluate_with`](Self::evaluate_with).
     fn lengths_with<T: Scalar>(&self, parameters: &[T], at: &Instant<'_, T>, out: &mut [T]) -> Result<(), LengthError> {
@@ -275,7 +275,8 @@ pub trait Mechanism: Sized {
     }
 
     /// Writes efforts, reactions, energies and powers at a solved q, q̇, q̈, the numbers of
-    /// [`ForceModel`](crate::model::ForceModel). `right` is λ, s numbers; or nothing: closed forms along the plan compute it.
+    /// [`ForceModel`](crate::model::ForceModel). `right` is λ, s numbers; if it is empty, closed forms along the plan
+    /// compute λ.
     /// # Errors
     /// When an argument has the wrong length.
     #[allow(clippy::too_many_arguments, reason = "one argument per quantity that the forces depend on")]
@@ -300,7 +301,8 @@ pub trait Mechanism: Sized {
     }
 
     /// A point of the curve of `joint`, an index in [`Model::joints`], at the argument `s` (see [`CurvePoint`]); `None`
-    /// for a joint without a curve and for one in implicit form. It is the cam's outline without roller.
+    /// for a joint without a curve and for one in implicit form. With a roller it is the profile on which the roller
+    /// runs, not the path of its centre.
     /// # Errors
     /// As [`evaluate_with`](Self::evaluate_with).
     fn curve_with<T: Scalar>(

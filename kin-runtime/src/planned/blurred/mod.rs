@@ -15,30 +15,30 @@ use crate::workspace::Array;
 /// Distances √margin below which the accuracy of the rates is checked.
 pub(super) const NEAR: f64 = 0.1;
 
-/// Ratio √margin / |w| below which it is the pins at both ends of a group that meet, and not its closures.
+/// Ratio √margin / |w| below which the outer pins of a group coincide while its closures are apart.
 const PINS: f64 = 0.5;
 
-/// Largest accepted rounding error of q̈ beside a crossing of branches, relative to the square of the drive's rate.
+/// Largest accepted rounding error of q̈ near a crossing of branches, relative to the square of the rate of the group's
+/// *drive*: the bodies placed by earlier steps of the plan.
 const NOISE: f64 = 4e-6;
 
-/// An angle so small that the motion over it is a straight line.
+/// Angle (rad) of the difference quotient that gives ẇ: so small that the motion over it is straight.
 const LITTLE: f64 = 1e-6;
 
-/// Lower bound of the ratio of the rate of the bodies that drive a group to the rate of the group; below it the driving
-/// motion is about to reverse.
+/// Lower bound of the ratio of the rate of the drive to the rate of the group; below it the drive is about to reverse.
 const LEAST_SHARE: f64 = 0.05;
 
-/// Ratio of the rates of a group and of the bodies that drive it below which the group counts as standing still.
+/// Ratio of the rates of a group and of its drive below which the group counts as standing still.
 const STILL: f64 = 1e-2;
 
 /// At a fold the product of a group's rate and its angle from the limit stays about as large as the rate of its drive,
-/// however near the fold is; at a crossing it goes to 0. If this product is below `SLOW` times the drive's rate, the limit is
-/// not a fold; above `FAST` times it is one.
+/// however near the fold is; at a crossing it goes to 0. If this product is below `SLOW` times the drive's rate, the
+/// limit is not a fold; above `FAST` times it is one.
 const SLOW: f64 = 1e-4;
 const FAST: f64 = 0.1;
 
-/// Below this ratio of |w q̈| to q̇² the limit counts as a crossing: at a fold the ratio stays about 1, at a crossing it goes
-/// to 0, since q̇ and q̈ are finite while w goes to 0.
+/// Below this ratio of |w q̈| to q̇² the limit counts as a crossing: at a fold the ratio stays about 1, at a crossing
+/// it goes to 0, since q̇ and q̈ are finite while w goes to 0.
 const FOLD: f64 = 0.03;
 
 impl<M: Mechanism> PlanFollower<M> {
@@ -54,7 +54,7 @@ impl<M: Mechanism> PlanFollower<M> {
     pub(super) fn blurred(&self, mechanism: &M, at: &Instant<'_>) -> Option<usize> {
         let tried = &self.states[1 - self.good];
         let (q, q_dot) = (tried.q.as_ref(), tried.q_dot.as_ref());
-        // A configuration a little further on, within which the motion is a straight line; it gives ẇ by differences.
+        // A configuration ahead, so near that the motion to it is straight: ẇ is the difference quotient.
         let turns = if self.rows_turn_alone { self.turns.as_ref() } else { &[] };
         let further = LITTLE / largest_angle(M::model(), turns, q_dot);
         let ahead = M::Coordinates::<f64>::generate(|k| q[k] + further * q_dot[k]);
@@ -65,7 +65,7 @@ impl<M: Mechanism> PlanFollower<M> {
         blurred_group(M::model(), groups, self.distances.as_ref(), [q_dot, tried.q_ddot.as_ref()], turns)
     }
 
-    /// The error that the rates of the trial state are dominated by rounding.
+    /// The error for a trial state whose rates are dominated by rounding.
     #[cold]
     pub(super) fn explain_blurred(&mut self, mechanism: &M, at: &Instant<'_>) -> PlanError {
         let t = at.t;
@@ -94,7 +94,7 @@ impl<M: Mechanism> PlanFollower<M> {
     }
 }
 
-/// The largest rate of an angle or a scalar, or of a row that turns with a length; see [`blurred_group`].
+/// The largest rate of an angle, of a scalar, or of the turn of a row with a length; see [`blurred_group`].
 pub(crate) fn largest_angle(model: &Model, turns: &[f64], rates: &[f64]) -> f64 {
     largest_of(model, turns, &mut (0..rates.len()), rates)
 }
@@ -121,12 +121,12 @@ fn groups_of(plan: &Plan) -> impl Iterator<Item = usize> {
 }
 
 /// The group that is so near to a crossing of branches that rounding errors dominate the rates. The arguments are w and
-/// ẇ of every group, √margin of every group (`distances`), q̇ and q̈, and by what angle iterated rows turn with every
-/// coordinate, or an empty list: a body that slides without turning moves its group, too.
+/// ẇ of every group, √margin of every group (`distances`), q̇ and q̈, and the angles by which the gradients of iterated
+/// rows turn per unit of every coordinate (`turns`, which may be empty): a body that slides without turning moves its
+/// group, too.
 ///
 /// With x = q̇ w/ẇ, the angle between the group and the crossing, the rounding of w² causes an error of about ε/(w x²)
-/// in q̈/q̇². Where √margin is much smaller than |w|, the closures are apart, and it is the pins at both ends of the
-/// group that meet.
+/// in q̈/q̇². Where √margin is much smaller than |w|, the closures are apart and the outer pins of the group coincide.
 pub(crate) fn blurred_group(
     model: &Model,
     [groups, rates_of_groups]: [&[f64]; 2],
@@ -143,8 +143,8 @@ pub(crate) fn blurred_group(
         let of = |step: &'static PlanStep| step.coordinates.iter().map(|&(k, _)| k);
         let own =
             |rates: &[f64]| largest_of(model, turns, &mut plan.steps.iter().skip(step).take(1).flat_map(of), rates);
-        // The rate of the steps that drive the group; groups near their own limits do not count, since they move as
-        // fast as this one.
+        // The rate of the steps that drive the group; groups near their own limits are left out, since they move
+        // as fast as this one.
         let is_near = |step: usize| groups_of(plan).enumerate().any(|(k, other)| other == step && distances[k] < NEAR);
         let steps = plan.steps.iter().take(step).enumerate().filter(|(step, _)| !is_near(*step));
         let before = largest_of(model, turns, &mut steps.flat_map(|(_, step)| of(step)), q_dot);
@@ -154,8 +154,6 @@ pub(crate) fn blurred_group(
         let is_still = moves <= STILL * before;
         let velocity = if is_still { before } else { moves };
         let x = angle(velocity);
-        // This criterion holds for any acceleration of the drive; without a drive, the acceleration of the group
-        // decides.
         // A group that only slides has no angle from its limit. Its w² is proportional to the distance from a fold.
         let slides = !plan
             .steps
@@ -165,6 +163,8 @@ pub(crate) fn blurred_group(
             .flat_map(of)
             .any(|k| is_angle(model, k) || turns.get(k).is_some_and(|turn| *turn > 0.0));
         let bend = if slides { (distance * rates_of_groups[group]).abs() } else { moves * angle(moves) };
+        // This criterion holds for any acceleration of the drive; without a drive, the acceleration of the group
+        // decides.
         let (is_slow, is_fast) = (bend <= SLOW * before, before > 0.0 && bend > FAST * before);
         let crosses = is_slow || !is_fast && distance * acceleration <= FOLD * velocity * velocity;
         // The tolerance is relative to the motion of the drive where that is slower.

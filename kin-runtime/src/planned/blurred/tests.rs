@@ -60,8 +60,8 @@ fn rates_mean_nothing_where_rounding_makes_too_much_of_them() {
     // far.
     of(|beside| beside.w_dot = 2.0, 0.5);
     of(|beside| (beside.crank, beside.group) = (2.0, 2.0), 2.0);
-    // The drive counts down to a twentieth of the group's rate; if it is faster than the group or stands still, it does
-    // not count.
+    // The tolerance is relative to the drive down to a twentieth of the group's rate; if the drive is faster than the
+    // group or stands still, it has no effect.
     of(|beside| beside.crank = -0.5, 0.5);
     of(|beside| beside.crank = 0.03, 0.05);
     of(|beside| beside.crank = 3.0, 1.0);
@@ -83,7 +83,7 @@ fn a_fold_is_not_taken_for_a_crossing() {
 }
 
 /// The product of a group's rate and its angle from the limit is about the rate of the drive at a fold, and small at a
-/// crossing. Where it clearly belongs to one of the two, accelerations do not count.
+/// crossing. Where it clearly belongs to one of the two, accelerations have no effect.
 #[test]
 fn what_drives_a_group_tells_folds_from_crossings() {
     let at = |crank: f64, acceleration: f64| Beside { crank, acceleration, ..Beside::crossing(3e-4) }.is_blurred();
@@ -115,7 +115,7 @@ fn only_near_groups_are_asked() {
     assert!(at(0.099) && !at(0.101));
 }
 
-/// Where √margin is less than half of |w|, the closures are apart, and it is the pins at both ends that meet.
+/// Where √margin is less than half of |w|, the closures are apart, and the outer pins coincide.
 #[test]
 fn pins_that_meet_are_found_by_the_margin_alone() {
     let at = |w: f64, distance: f64| {

@@ -1,9 +1,9 @@
-//! The cause and the location of the end of a motion: a fold, behind which a group does not close, or a crossing of
-//! branches.
+//! The cause and the location of the end of a motion: a fold (dead centre), beyond which a group does not close, or a
+//! crossing of branches (branch point).
 //!
 //! The margin of a group, w², is a smooth function of the place on the course, even where w has a corner. It changes
-//! its sign at a fold, and touches 0 at a crossing. So the end of a motion that was stopped at a group is a root of its
-//! margin, or its minimum.
+//! its sign at a fold, and touches 0 at a crossing. So a motion that was stopped at the limit of a group ends at a root
+//! or at a minimum of its margin.
 
 use super::error::{Limit, LimitKind, Located, PlanError};
 use super::follower::{Fault, PlanFollower, Poses};
@@ -26,10 +26,11 @@ const TOUCHES: f64 = 1e-9;
 /// Rounding error of a margin that is zero.
 const NO_MARGIN: f64 = 1e-13;
 
-/// If the margin is below minus this at the place where its sign changes, it jumps over 0, and so does the motion.
+/// If the margin is below minus this at the place where its sign changes, it is discontinuous there, and so is the
+/// motion.
 const JUMP: f64 = 1e-6;
 
-/// Numbers of bisections, and of golden sections in the search for a minimum, that exhaust the digits of a number.
+/// Numbers of bisections, and of golden sections in the search for a minimum, that suffice for all digits of a number.
 const HALVINGS: usize = 80;
 const SECTIONS: usize = 90;
 
@@ -66,8 +67,8 @@ impl<M: Mechanism> PlanFollower<M> {
         self.refusal_at(mechanism, course, at, blocked).0
     }
 
-    /// [`refusal`](Self::refusal) with the place on the course of the limit or, where that is not known, of the last good
-    /// state.
+    /// [`refusal`](Self::refusal) with the place on the course of the limit or, where that is not known, of the last
+    /// state reached.
     #[cold]
     #[inline(never)]
     pub(super) fn refusal_at(
@@ -112,7 +113,7 @@ impl<M: Mechanism> PlanFollower<M> {
         };
         let Spot { s, margin, least } = spot;
         if has_two_closures && margin < -JUMP {
-            // The margin is zero nowhere, so the motion jumps.
+            // The margin is nowhere zero, so the motion jumps.
             return (PlanError::Jump { t: reached, t_refused: t }, last);
         }
         // If the minimum is not zero, the search ended before the limit, which lies farther on.
@@ -132,7 +133,7 @@ impl<M: Mechanism> PlanFollower<M> {
             _ => s,
         };
         let limit_at = course.at(s, inputs.as_mut());
-        // The margin at the instant requested says how far beyond its limit the group would be.
+        // The margin at the instant requested shows how far beyond its limit the group would be.
         let asked = self.margin_at(mechanism, course, course.ends()[1], of_margin, blocked);
         let margin = if asked <= Plan::SMALLEST_MARGIN { asked } else { margin };
         (of_kind(t, Limit { step, margin, located: Some(Located { at: limit_at, kind }) }), s)
@@ -180,10 +181,10 @@ struct Spot {
 }
 
 impl Spot {
-    /// The first place behind `from` at which the margin is zero or has its minimum. `refused` is the next place, which could
-    /// not be reached; `start` and `end` are the ends of the course.
+    /// The first place beyond `from` at which the margin is zero or has its minimum. `refused` is the next place, which
+    /// could not be reached; `start` and `end` are the ends of the course.
     fn beyond([from, refused]: [f64; 2], [start, end]: [f64; 2], margin: &mut dyn FnMut(f64) -> f64) -> Self {
-        // The limit may lie a little beyond the end of the course.
+        // The limit may lie beyond the end of the course; it is searched up to a course length beyond.
         let end = end + (end - start);
         // Moves away from the last place reached in growing steps, until the margin is not positive or grows again.
         let direction = if end < start { -1.0 } else { 1.0 };
@@ -231,7 +232,7 @@ fn unusable(model: &Model, parameters: &[f64], at: &Instant<'_>) -> Option<PlanE
 }
 
 /// The reason why the solution q, q̇, q̈ with these margins is not valid; `start` is the q from which a restart begins,
-/// empty if it was no restart.
+/// otherwise empty.
 fn explain(
     model: &'static Model,
     t: f64,
@@ -265,8 +266,8 @@ fn explain(
     error("margins", 0, "")
 }
 
-/// The margin because of which a step was rejected, and the step of the plan to which it belongs; none where no step of
-/// the plan is at its limit.
+/// The margin because of which a step was rejected, and the step of the plan to which it belongs; `None` where no step
+/// of the plan is at its limit.
 fn step_of(model: &'static Model, fault: Fault) -> Option<(usize, Step)> {
     let place = match fault {
         Fault::Margin(place) => place,

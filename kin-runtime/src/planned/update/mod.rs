@@ -110,7 +110,7 @@ impl<M: Mechanism> PlanFollower<M> {
         self.walk_and_keep(mechanism, &crate::course::Timed { from: self.t, to: at.t, inputs }, at, control)
     }
 
-    /// An error where a length that a joint keeps is negative.
+    /// An error if a length that a joint prescribes is negative.
     #[inline]
     fn lengths_exist(&self, mechanism: &M, at: &Instant<'_>) -> Result<(), PlanError> {
         if M::LENGTHS == 0 {
@@ -228,7 +228,7 @@ impl<M: Mechanism> PlanFollower<M> {
         Ok(())
     }
 
-    /// Moves the follower to the instant in one step from the prediction, if that is accepted; says whether it was.
+    /// Moves the follower to the instant in one step from the prediction, if that is accepted; returns whether it was.
     #[inline]
     fn try_one_step(
         &mut self,
@@ -250,8 +250,9 @@ impl<M: Mechanism> PlanFollower<M> {
             return Ok(false);
         }
         // Where every group is out of reach of its limit, no sign can have changed: neither within the step nor between
-        // the solution and its prediction, which are much nearer to one another than both ends of the step. An iteration
-        // of lengths may still have found another solution, since the turns of bodies do not bound how far these move.
+        // the solution and its prediction, which are much nearer to one another than both ends of the step. An
+        // iteration of lengths may still have found another solution, since the turns of bodies do not bound how far
+        // these move.
         let nearest = self.measure();
         let least = f64::min(nearest, self.nearest);
         let far = least >= OUT_OF_REACH * turn && least >= NEAR;

@@ -25,7 +25,7 @@ pub(crate) struct Blocked<M: Mechanism> {
     pub(super) fault: Option<Fault>,
 }
 
-/// A group at this distance from its limit is so near that its limit is the reason for steps that are too short.
+/// If no step is short enough, the limit of a group is the reason if the group is nearer to it than this.
 const BESIDE: f64 = 1e-3;
 
 impl<M: Mechanism> PlanFollower<M> {
@@ -281,8 +281,8 @@ fn scale_rates(inputs: &mut [Signal], factor: f64) {
     inputs.iter_mut().for_each(|u| *u = Signal::new(u.value, factor * u.rate, 0.0));
 }
 
-/// Takes the contribution of time itself from q̇ and q̈: `still` are the rates with inputs at rest, and `back` is q̈ with
-/// inputs that move backwards.
+/// Subtracts the contribution of time itself from q̇ and q̈: `still` are the rates with inputs at rest, and `back` is
+/// q̈ with inputs that move backwards.
 fn without_time([q_dot, q_ddot]: [&mut [f64]; 2], still: [&[f64]; 2], back: &[f64]) {
     q_dot.iter_mut().zip(still[0]).for_each(|(v, still)| *v -= still);
     for (a, (still, back)) in q_ddot.iter_mut().zip(still[1].iter().zip(back)) {

@@ -175,8 +175,8 @@ fn a_step_grows_with_the_cube_root_of_what_its_correction_leaves() {
     assert!((growth(0.3) - 1.0).abs() < 1e-15 && (growth(0.3 / 8.0) - 2.0).abs() < 1e-15);
 }
 
-/// Of q(u, t) with u̇ = 3 and ü = 0: q̇ = q_u u̇ + q_t and q̈ = q_uu u̇² + 2 q_ut u̇ + q_tt, of which q_u u̇ and q_uu u̇² are
-/// left.
+/// Of q(u, t) with u̇ = 3 and ü = 0: q̇ = q_u u̇ + q_t and q̈ = q_uu u̇² + 2 q_ut u̇ + q_tt, of which q_u u̇ and q_uu
+/// u̇² are left.
 #[test]
 fn what_time_itself_contributes_is_taken_out() {
     let (q_u, q_t, q_uu, q_ut, q_tt) = (0.5, 7.0, 0.25, 2.0, -1.0);

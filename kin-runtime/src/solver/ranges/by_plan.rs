@@ -18,8 +18,9 @@ const MOST: [usize; 2] = [50_000, 4_000];
 const BEFORE: f64 = 1e-2;
 
 impl dyn AnySolver + '_ {
-    /// The ranges in all combinations of modes. The plan is evaluated over intervals of t. Where all its margins are positive
-    /// on an interval the mechanism closes on all of it, where one is negative it closes nowhere; what is neither is halved.
+    /// The ranges in all combinations of modes. The plan is evaluated over intervals of t. Where all its margins are
+    /// positive on an interval the mechanism closes on all of it, where one is negative it closes nowhere; an interval
+    /// for which neither is proven is halved.
     pub(super) fn ranges_by_plan(&self, from: &Instant<'_>, to: f64, guess: &[f64]) -> Ranges {
         let plan = &self.model().plan;
         let way = [from.t.min(to), from.t.max(to)];
@@ -47,7 +48,8 @@ impl dyn AnySolver + '_ {
         all.finish(self.model(), &middle)
     }
 
-    /// What the plan says of an interval of t, in the modes with these signs. Inputs go on from the instant `start`.
+    /// What the plan proves for an interval of t, in the modes with these signs. Inputs continue from the instant
+    /// `start`.
     pub(in crate::solver) fn look(&self, way: [f64; 2], start: &Instant<'_>, signs: &[f64], guess: &[f64]) -> Seen {
         let Some([_, margins]) = self.enclosed(way, start, signs, guess) else { return Seen::Unknown(0) };
         let first = margins.iter().position(|margin| margin.lower() <= Plan::SMALLEST_MARGIN || !margin.is_defined());
@@ -84,7 +86,7 @@ impl dyn AnySolver + '_ {
         Some([q, margins].map(|list| list.into_iter().map(|x| x.0).collect()))
     }
 
-    /// q by the plan, with the guess where it has none.
+    /// q by the plan; the guess for coordinates for which it has no value.
     fn near_by_plan(&self, t: f64, start: &Instant<'_>, signs: &[f64], guess: &[f64]) -> Vec<f64> {
         let ([mut q, mut q_dot, mut q_ddot], mut margins) = (self.zeros(), vec![0.0; self.model().plan.margins]);
         let solved = Solved { q: &mut q, q_dot: &mut q_dot, q_ddot: &mut q_ddot, margins: &mut margins };
@@ -94,8 +96,8 @@ impl dyn AnySolver + '_ {
         if done.is_ok() { found.collect() } else { guess.to_vec() }
     }
 
-    /// The limit in a stretch where a margin changes its sign, or touches 0; its configuration is found by the motion towards
-    /// it from a neighbour in which the mechanism closes.
+    /// The limit in a stretch where a margin changes its sign, or touches 0; its configuration is found by the motion
+    /// towards it from a neighbour in which the mechanism closes.
     fn limit(
         &self,
         start: &Instant<'_>,
@@ -122,7 +124,7 @@ impl dyn AnySolver + '_ {
         };
         let found = limit.filter(within);
         let q = if found.is_some() { q } else { Vec::new() };
-        // Where a margin changes its sign, it is a fold whatever the motion towards it says.
+        // Where a margin changes its sign the limit is a fold, even if the motion towards it did not find its kind.
         let kind = found.and_then(|limit| limit.kind()).or(proven.then_some(LimitKind::DeadCentre));
         FoundLimit { signs: signs.to_vec(), margin, stretch, kind, q, proven }
     }
@@ -147,14 +149,14 @@ struct FoundLimit {
     proven: bool,
 }
 
-/// Everything that was found, mode by mode.
+/// All ranges and limits that were found, each with its signs.
 struct Collected {
     ranges: Vec<(Vec<f64>, Stretch)>,
     limits: Vec<FoundLimit>,
 }
 
 impl Collected {
-    /// In the order of t, with circuits; `middle` gives q in the middle of a range.
+    /// The result in the order of t, with the numbers of circuits; `middle` gives q in the middle of a range.
     fn finish(mut self, model: &'static Model, middle: &dyn Fn(&[f64], &Stretch) -> Vec<f64>) -> Ranges {
         let plan = &model.plan;
         self.ranges.sort_by(|(_, a), (_, b)| a.from.total_cmp(&b.from));
@@ -195,8 +197,8 @@ impl Collected {
         Ranges { ranges, limits, circuits: numbers.len(), searched: Vec::new() }
     }
 
-    /// For every range the first of those that it is connected with: at a proven limit of a group, where both signs of that
-    /// group end, everything else being the same.
+    /// For every range the index of the first range of its circuit. Ranges are connected at a proven limit of a group
+    /// where the ranges of both signs of that group end, with all other signs equal.
     fn circuits(&self, plan: &Plan) -> Vec<usize> {
         let mut first: Vec<usize> = (0..self.ranges.len()).collect();
         let ends = |signs: &[f64], stretch: &Stretch| {

@@ -1,7 +1,7 @@
-//! Ranges of motion where groups close by iteration: all folds are found, and motions lead from one to the next.
+//! Ranges of motion where groups close by iteration: all folds are found, and sweeps connect the closures between them.
 //!
-//! Between two neighbouring folds no closure begins or ends, so that the closures at one t between them stand for all closures
-//! of that interval. A sweep connects each of them with one on the other side of a fold, or ends at it.
+//! Between two neighbouring folds no closure begins or ends, so that the closures at one t between them stand for all
+//! closures of that interval. A sweep connects each of them with one on the other side of a fold, or ends at it.
 
 use super::super::any_solver::{AnySolver, End};
 use super::super::assemblies::{difference, is_length, region};
@@ -16,17 +16,18 @@ use crate::ranges::{Range, RangeLimit, Ranges};
 use crate::scalar::Interval;
 use crate::workspace::{Instant, Signal};
 
-/// Configurations that differ by less than this, relative to a radian and to the size of the mechanism, are the same: those of
-/// closures and folds, and those of limits and of what is undecided.
+/// Configurations that differ by less than this, relative to a radian and to the size of the mechanism, are the same:
+/// the first for closures and proven folds, the second for undecided places.
 const SAME: [f64; 2] = [1e-7, 1e-3];
 
 /// How far from the ends of a gap its closures are followed, relative to half of the gap.
 const NEAR: f64 = 1e-3;
 
-/// If a motion ends without a known configuration, that of this much before the end of the gap is taken, relative to half of
-/// the gap.
+/// If the configuration at the end of a motion is not known, the one this far before the end of the gap is used,
+/// relative to half of the gap.
 const SHORTLY: f64 = 1e-6;
-/// Its limit is the nearest place, if the distance is below this share of the distance of the next one.
+/// The nearest place is the limit of a motion if its distance is below this fraction of the distance of the second
+/// nearest.
 const CLEARLY: f64 = 0.2;
 
 /// A place at which closures come together, or something is undecided.
@@ -48,14 +49,15 @@ struct Gap {
 /// A closure by the indices of its gap and in the list of this gap.
 type ClosureIndex = (usize, usize);
 
-/// A range as it grows.
+/// A range under construction.
 struct Chain {
     closures: Vec<ClosureIndex>,
     /// The places at its beginning and at its end.
     ends: [Option<usize>; 2],
 }
 
-/// A motion that has ended: at a place, if it is known, coming from a closure, and at the limit that the motion has found.
+/// A motion that has ended: the place if it is known, the closure from which it came, and the limit that the motion
+/// found.
 struct Ended {
     place: Option<usize>,
     closure: ClosureIndex,
@@ -79,7 +81,8 @@ impl dyn AnySolver + '_ {
         let place =
             |proven: bool| move |Fold { q, t }: Fold| Place { t, q: q.iter().map(|x| x.midpoint()).collect(), proven };
         for place in all.found.into_iter().map(place(true)).chain(all.undecided.into_iter().map(place(false))) {
-            // A place is found twice where an angle is half a turn from its guess, and in several boxes if it is undecided.
+            // A place is found twice where an angle is half a turn from its guess, and in several boxes if it is
+            // undecided.
             let most = SAME[usize::from(!place.proven)];
             let same = |other: &&mut Place| {
                 other.t.intersection(place.t).is_some() && difference(model, &other.q, &place.q, length) < most
@@ -98,7 +101,7 @@ impl dyn AnySolver + '_ {
         Ok(search.finish())
     }
 
-    /// The ways between places, with their closures.
+    /// The gaps between places, with their closures.
     fn gaps(&self, start: &Instant<'_>, way: Interval, places: &[Place]) -> Result<Vec<Gap>, SolveError> {
         let (mut from, mut gaps) = (way.lower(), Vec::new());
         let ends = places.iter().map(|place| [place.t.lower(), place.t.upper()]);
@@ -114,7 +117,7 @@ impl dyn AnySolver + '_ {
         Ok(gaps)
     }
 
-    /// A motion from a configuration.
+    /// q at the end of a motion from a configuration.
     fn moved_from(&self, start: &Instant<'_>, q: &[f64], way: [f64; 2]) -> Result<Vec<f64>, End> {
         self.moved(start, way, &q.iter().copied().enumerate().collect::<Vec<_>>(), &[])
     }
@@ -133,15 +136,15 @@ struct RangeSearch<'s> {
     length: f64,
     places: Vec<Place>,
     gaps: Vec<Gap>,
-    /// Coordinates that are searched in a bounded interval only, and their intervals.
+    /// Coordinates that are searched only in a bounded interval, and their intervals.
     bounded: Vec<(usize, Interval)>,
     chains: Vec<Chain>,
     ended: Vec<Ended>,
 }
 
 impl RangeSearch<'_> {
-    /// Follows every closure to both ends of its gap, if some coordinate is searched in a bounded interval: beyond it a closure can meet
-    /// another at a place that was not searched.
+    /// Follows every closure to both ends of its gap, if some coordinate is searched only in a bounded interval:
+    /// outside of it a closure can meet another at a place that was not found.
     fn pass_gaps(&mut self) {
         for gap in self.gaps.iter_mut().filter(|_| !self.bounded.is_empty()) {
             let ends = [gap.from, gap.to].map(|end| end + NEAR * (gap.middle() - end));
@@ -194,8 +197,8 @@ impl RangeSearch<'_> {
         Ok(to.closures.iter().position(same))
     }
 
-    /// Notes that a motion to another gap has ended, and finds where: at the only place between the two, or at the one whose
-    /// configuration is that of the limit.
+    /// Records that a motion to another gap has ended, and finds its place: the only one between the two gaps, or the
+    /// one whose configuration is that of the limit.
     fn ended(&mut self, closure: ClosureIndex, other: usize, end: End) -> Option<usize> {
         let [a, b] = [closure.0.min(other), closure.0.max(other)];
         let (from, to) = (self.gaps[a].to, self.gaps[b].from);

@@ -1,4 +1,4 @@
-//! How far a mechanism moves.
+//! Ranges of motion: the intervals of t in which a mechanism closes.
 
 mod by_plan;
 mod by_search;
@@ -17,16 +17,18 @@ use crate::workspace::Instant;
 const MODES: usize = 12;
 
 impl<M: Mechanism> Solver<'_, M> {
-    /// Where the mechanism closes between the time of an instant and another, in every combination of its modes, and the
-    /// limits at which that ends: dead centres, which come with the joints that are in line, and branch points. Inputs go
-    /// on from the instant with constant acceleration ([`Signal::after`](crate::Signal::after)), as those of a sweep from the command line do.
+    /// Where the mechanism closes between the time of an instant and another, in every combination of its modes, and
+    /// the limits at which that ends: dead centres, which come with the joints that are in line, and branch points.
+    /// Inputs continue from the instant with constant acceleration ([`Signal::after`](crate::Signal::after)), as in a
+    /// sweep from the command line.
     ///
-    /// Where every group has a closed form and closes in one way for each combination of signs, the plan is evaluated over
-    /// intervals of t. Where all its margins are positive on an interval the mechanism closes on all of it, where one is
-    /// negative it closes nowhere; what is neither is halved. All other mechanisms are searched for every t and
-    /// configuration in which two closures come together: boxes without such a place are excluded, and in every other box
-    /// it is proven to be the only one. In between, no closure begins or ends, and those of one t are all there are
-    /// ([`assemblies`](Self::assemblies)). So ranges are proven, and limits are enclosed to about ten digits of the way.
+    /// Where every group has a closed form and closes in one way for each combination of signs, the plan is evaluated
+    /// over intervals of t. Where all its margins are positive on an interval the mechanism closes on all of it, where
+    /// one is negative it closes nowhere; an interval for which neither is proven is halved. All other mechanisms are
+    /// searched for every t and configuration in which two closures come together: boxes without such a place are
+    /// excluded, and in every other box it is proven to be the only one. Between such places no closure begins or ends,
+    /// so that those of one t represent all ([`assemblies`](Self::assemblies)). So ranges are proven, and limits are
+    /// enclosed to about ten digits of the interval.
     ///
     /// ```
     /// use kin_runtime::planned::LimitKind;
@@ -52,8 +54,8 @@ impl<M: Mechanism> Solver<'_, M> {
     /// ```
     ///
     /// # Errors
-    /// [`NotCertified`](SolveError::NotCertified) where coordinates are prescribed, rows are redundant or use supplied functions,
-    /// degrees of freedom are open, and where there are too many modes;
+    /// [`NotCertified`](SolveError::NotCertified) where coordinates are prescribed, rows are redundant or use supplied
+    /// functions, degrees of freedom are left, and where there are too many modes;
     /// [`NonFinite`](SolveError::NonFinite), [`Length`](SolveError::Length) and
     /// [`UnknownCoordinate`](SolveError::UnknownCoordinate).
     pub fn ranges(&self, from: &Instant<'_>, to: f64) -> Result<Ranges, SolveError> {
@@ -93,7 +95,7 @@ impl dyn AnySolver + '_ {
     }
 }
 
-/// The value of the one coordinate that a driver drives.
+/// The value of the coordinate that a driver drives; `None` if its row contains several coordinates.
 fn driven(model: &Model, name: &str, q: &[f64]) -> Option<f64> {
     let row = model.rows.iter().position(|row| model.joints.get(row.joint).is_some_and(|joint| joint.name == name))?;
     let mut entries = model.constraint_pattern.entries.iter().filter(|(of, _)| *of == row);

@@ -1,4 +1,5 @@
-//! Places on the solution curve: Newton's correction across a direction, the tangent, and the sign that tells branches apart.
+//! Places on the solution curve: Newton's correction orthogonal to a direction, the tangent, and the sign that
+//! distinguishes branches.
 
 use crate::equations::Equations;
 use crate::error::SolveError;
@@ -22,7 +23,7 @@ const SIGN_TRUST: f64 = 1e-13;
 pub(super) struct Node {
     /// The length of the arc from the start.
     pub(super) s: f64,
-    /// q, and t behind it.
+    /// q, followed by t.
     pub(super) z: Vec<f64>,
     /// dz/ds.
     pub(super) tangent: Vec<f64>,
@@ -54,12 +55,12 @@ impl Node {
         self.tangent[self.z.len() - 1]
     }
 
-    /// The same place, at a length of the arc.
+    /// The same place, with this length of the arc.
     pub(super) fn at(self, s: f64) -> Self {
         Self { s, ..self }
     }
 
-    /// The same place on the way back.
+    /// The same place with the opposite direction of the curve.
     pub(super) fn reversed(mut self) -> Self {
         self.tangent.iter_mut().for_each(|x| *x = -*x);
         self.s = -self.s;
@@ -71,12 +72,13 @@ impl Node {
 
 /// The equations with t as one more unknown, and a border.
 pub(super) struct Bordered {
-    /// The size of every coordinate, and that of t: the time in which the driven coordinates change by about their size.
+    /// The size of every coordinate, and that of t: the time in which the driven coordinates change by about their
+    /// size.
     pub(super) columns: Vec<f64>,
 }
 
 impl Bordered {
-    /// At the instant and around the configuration of a start.
+    /// The equations around a start, at its instant.
     pub(super) fn new(equations: &mut Equations<'_>, q: &[f64]) -> Result<Self, SolveError> {
         equations.evaluate(Subset::VELOCITY, q, None)?;
         let driven = equations.phi_t.iter().zip(&equations.scale.rows).map(|(phi_t, scale)| (phi_t * scale).abs());
@@ -105,7 +107,7 @@ impl Bordered {
         Ok(basis.column_iter().map(|y| y.iter().zip(&self.columns).map(|(y, d)| y * d).collect()).collect())
     }
 
-    /// True where the rows lose rank within this tolerance, t included.
+    /// True where the rows of [Φ_q Φ_t] lose rank within this tolerance.
     pub(super) fn is_singular(&self, equations: &mut Equations<'_>, z: &[f64], tolerance: f64) -> bool {
         let border = vec![0.0; z.len()];
         let matrix = self.matrix(equations, z, &border).map(|matrix| self.scaled(&matrix));
@@ -115,8 +117,8 @@ impl Bordered {
         })
     }
 
-    /// The place on the curve that is found across a direction from a prediction, no farther away than allowed; its tangent
-    /// goes in that direction. None where there is no such place.
+    /// The place on the curve to which corrections orthogonal to `direction` lead from a prediction, no farther away
+    /// than `allowed`; its tangent points in that direction. `None` where there is no such place.
     pub(super) fn node(
         &self,
         equations: &mut Equations<'_>,
@@ -163,7 +165,7 @@ impl Bordered {
         same == Some(from.sign.positive)
     }
 
-    /// Newton's iteration across a direction.
+    /// Newton's iteration with corrections orthogonal to a direction.
     fn correct(&self, equations: &mut Equations<'_>, z: &mut [f64], direction: &[f64], allowed: f64) -> Option<()> {
         let predicted = z.to_vec();
         let mut before = f64::INFINITY;
@@ -191,7 +193,7 @@ impl Bordered {
         None
     }
 
-    /// [Φ_q Φ_t] with rows on the common scale, and below it the direction.
+    /// [Φ_q Φ_t] with rows on the common scale, and the direction as the border below it.
     fn matrix(&self, equations: &mut Equations<'_>, z: &[f64], direction: &[f64]) -> Result<DMatrix<f64>, SolveError> {
         let n = z.len() - 1;
         equations.move_to(z[n])?;
@@ -226,7 +228,7 @@ impl Bordered {
     }
 }
 
-/// Whether the determinant of these rows and the border is positive; none where it vanishes.
+/// Whether the determinant of these rows and the border is positive; `None` where it vanishes.
 fn sign(matrix: &DMatrix<f64>, rows: Option<&[usize]>) -> Option<bool> {
     let last = matrix.nrows() - 1;
     let mut square = match rows {

@@ -15,23 +15,23 @@ use core::f64::consts::TAU;
 
 /// Length of the first step, on the common scale.
 const FIRST: f64 = 0.05;
-/// Steps shorter than this say that the curve ends, or that another branch crosses it.
+/// If only steps shorter than this are accepted, the curve ends, or another branch crosses it.
 const SHORTEST: f64 = 1e-7;
-/// Relative pivot below which the rows count as dependent behind a step that is too short.
+/// Relative pivot below which the rows count as dependent where steps become too short.
 const CROSSING: f64 = 1e-5;
 /// Largest number of steps in one direction.
 const MOST: usize = 20_000;
-/// Cosines of the angle between neighbouring tangents: below the first a step is rejected, above the second the next one is
-/// longer.
+/// Cosines of the angle between neighbouring tangents: below the first a step is rejected, above the second the next
+/// one is longer.
 const COSINES: [f64; 2] = [0.95, 0.99];
 /// Largest distance from its origin at which the curve counts as closed, on the common scale.
 const SAME: f64 = 1e-7;
-/// The width in which places on the curve are enclosed.
+/// The width to which places on the curve are enclosed.
 const ENCLOSED: f64 = 1e-12;
 /// Smallest share of q in the unit tangent at which the mechanism counts as moving.
 const MOVING: f64 = 0.1;
 
-/// The interval of t in which the curve is followed, where there is one, and the t of its start.
+/// The t of the start, and the other end of the interval of t in which the curve is followed, if that is bounded.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Window {
     pub(crate) from: f64,
@@ -68,7 +68,7 @@ pub(crate) fn solution_arc(
             others => ArcFault::Directions { count: others + 1 },
         });
     };
-    // The driver goes forwards first, or towards the end that is asked for.
+    // The driver moves forwards first, or towards the requested end.
     let onwards = if window.to.is_some_and(|to| to < window.from) { -1.0 } else { 1.0 };
     if onwards * direction[q.len()] < 0.0 {
         direction.iter_mut().for_each(|x| *x = -*x);
@@ -87,7 +87,7 @@ pub(crate) fn solution_arc(
     rows::states(equations, &bordered, leg.nodes, leg.places, [first, leg.end], steps)
 }
 
-/// Two legs from one start as one, the first of which goes against its direction.
+/// Joins two legs from one start; `back` is reversed.
 fn joined(back: Leg, onwards: Leg) -> Leg {
     let mut nodes: Vec<Node> = back.nodes.into_iter().skip(1).rev().map(Node::reversed).collect();
     nodes.extend(onwards.nodes);
@@ -95,7 +95,7 @@ fn joined(back: Leg, onwards: Leg) -> Leg {
     places.reverse();
     places.iter_mut().for_each(|place| place.s = -place.s);
     places.extend(onwards.places);
-    // A place at the start belongs to both.
+    // A place at the start is in both legs.
     places.dedup_by(|a, b| a.kind == b.kind && (a.s - b.s).abs() <= SHORTEST);
     Leg { nodes, places, end: onwards.end }
 }
@@ -103,7 +103,7 @@ fn joined(back: Leg, onwards: Leg) -> Leg {
 struct Walk<'b> {
     bordered: &'b Bordered,
     window: Window,
-    /// True for coordinates of which a whole turn makes no difference.
+    /// True for coordinates that are equivalent after a whole turn.
     angles: Vec<bool>,
 }
 
@@ -149,7 +149,8 @@ impl Walk<'_> {
         Ok(leg)
     }
 
-    /// The next place, and the cosine of the angle between the tangents; none where a step of this length does not count.
+    /// The next place, and the cosine of the angle between the tangents; `None` where a step of this length is not
+    /// accepted.
     fn step(&self, equations: &mut Equations<'_>, here: &Node, length: f64) -> Option<(Node, f64)> {
         let predicted: Vec<f64> = here.z.iter().zip(&here.tangent).map(|(z, rate)| z + length * rate).collect();
         let allowed = equations.options.prediction_tolerance * length;
@@ -163,7 +164,7 @@ impl Walk<'_> {
             return None;
         }
         let way: Vec<f64> = next.z.iter().zip(&here.z).map(|(a, b)| a - b).collect();
-        // An arc of a circle is longer than its chord by this part.
+        // An arc of a circle is longer than its chord by this fraction.
         next.s = here.s + self.bordered.norm(&way) * (1.0 + (1.0 - cosine).max(0.0) / 12.0);
         Some((next, cosine))
     }
@@ -220,7 +221,7 @@ impl Walk<'_> {
         None
     }
 
-    /// The place at which t leaves the interval, where that is between these.
+    /// The place at which t leaves the interval, if it lies between these.
     fn bound(&self, equations: &mut Equations<'_>, a: &Node, b: &Node) -> Option<Node> {
         let Window { from, to } = self.window;
         let to = to?;
@@ -247,7 +248,7 @@ impl Walk<'_> {
         Some(last)
     }
 
-    /// The place between these at which the mechanism is where it began, but for whole turns of bodies.
+    /// The place between these at which the mechanism is where it began, up to whole turns of bodies.
     fn closing(&self, equations: &mut Equations<'_>, origin: &Node, a: &Node, b: &Node) -> Option<Node> {
         let (bordered, n) = (self.bordered, origin.q().len());
         let along = |node: &Node| bordered.dot(&self.apart(origin, node), &origin.tangent[..n]);
@@ -261,7 +262,7 @@ impl Walk<'_> {
         (same_place && same_way).then_some(found)
     }
 
-    /// How far apart two places are in q, whole turns left out.
+    /// The difference of two places in q, up to whole turns.
     fn apart(&self, origin: &Node, node: &Node) -> Vec<f64> {
         let pairs = node.q().iter().zip(origin.q()).zip(&self.angles);
         let difference = pairs.map(|((a, b), &is_angle)| {
@@ -282,8 +283,8 @@ impl Walk<'_> {
     }
 }
 
-/// For every coordinate whether a whole turn of it makes no difference: it is the angle of a body, or a scalar one of which all
-/// rows that do not drive are periodic.
+/// For every coordinate whether it is equivalent after a whole turn: it is the angle of a body, or a scalar in which
+/// all rows that do not drive are periodic.
 fn angles(equations: &mut Equations<'_>, q: &[f64]) -> Result<Vec<bool>, SolveError> {
     let kinds = equations.model.coordinates;
     let rows = equations.rows_where(|equations, row| !equations.drives(row));

@@ -1,21 +1,21 @@
 //! Following the solutions of Φ(q, t) = 0 along their arc, with t as one more unknown.
 //!
-//! The solutions z = (q, t) are a curve. Its tangent z′ satisfies Φ_q q′ + Φ_t t′ = 0 and |D⁻¹ z′| = 1 on the common scale, so
-//! that nothing special happens at a dead centre: there t′ changes its sign and q′ does not vanish. A step predicts along the
-//! tangent and corrects across it,
+//! The solutions z = (q, t) are a curve. Its tangent z′ satisfies Φ_q q′ + Φ_t t′ = 0 and |D⁻¹ z′| = 1 on the common
+//! scale, so that a dead centre is a regular place: there t′ changes its sign and q′ does not vanish. A step predicts
+//! along the tangent and corrects orthogonally to it,
 //!
 //! ```text
 //! ⎡ Φ_q  Φ_t ⎤ δz = ⎡ −Φ ⎤
 //! ⎣   z′ᵀ    ⎦      ⎣  0 ⎦
 //! ```
 //!
-//! (H. B. Keller, Numerical solution of bifurcation and nonlinear eigenvalue problems, 1977). The determinant of this matrix,
-//! with the tangent at the same place, keeps its sign along the curve and changes it where another branch crosses. A step behind
-//! which the sign differs is halved. If it had jumped to another branch, a shorter step finds the right one again; at a
-//! crossing the steps shrink until the crossing is enclosed.
+//! (H. B. Keller, Numerical solution of bifurcation and nonlinear eigenvalue problems, 1977). The determinant of this
+//! matrix, with the tangent at the same place, keeps its sign along the curve and changes it where another branch
+//! crosses. If the sign differs after a step, the step is halved. If it had jumped to another branch, a shorter step
+//! finds the right one; at a crossing the steps shrink until the crossing is enclosed.
 //!
-//! `bordered` solves this system, `follow` takes the steps, `places` finds dead centres and cusps between two of them, and `rows`
-//! gives states at equal distances.
+//! `bordered` solves this system, `follow` takes the steps, `places` finds dead centres and cusps between two of them,
+//! and `rows` gives states at equal distances.
 
 mod bordered;
 mod follow;

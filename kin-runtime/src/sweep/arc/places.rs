@@ -10,17 +10,18 @@ use crate::workspace::{Instant, Subset};
 
 /// How far a place between two others may be from the cubic through them, relative to their distance.
 const NEAR: f64 = 0.1;
-/// Relative pivot below which rows of Φ_q depend on one another.
+/// Relative pivot below which rows of Φ_q count as dependent.
 const SINGULAR: f64 = 1e-5;
 /// Largest speed of a point at a cusp, per length of arc, relative to its speed beside the cusp.
 const STILL: f64 = 1e-6;
 /// How far on both sides of a cusp its tangents are compared.
 const BESIDE: f64 = 1e-3;
-/// If the unit velocities before and behind a place add up to less than this, the point returns along its own path, which is
-/// no cusp. At a cusp the sum is about as long as `BESIDE`.
+/// If the unit velocities before and after a place add up to less than this, the point returns along its own path,
+/// which is no cusp. At a cusp the sum is about as long as `BESIDE`.
 const RETRACED: f64 = 1e-5;
 
-/// The place on the curve at a length s between two neighbours: predicted by the cubic through both with their tangents.
+/// The place on the curve at a length s between two neighbours: predicted by the cubic through both with their
+/// tangents.
 pub(super) fn between(equations: &mut Equations<'_>, bordered: &Bordered, a: &Node, b: &Node, s: f64) -> Option<Node> {
     let h = b.s - a.s;
     let x = (s - a.s) / h;
@@ -37,7 +38,7 @@ pub(super) fn between(equations: &mut Equations<'_>, bordered: &Bordered, a: &No
     Some(bordered.node(equations, &z, &direction, NEAR * h.abs())?.at(s))
 }
 
-/// The place at which t turns back, with the width in which it was enclosed.
+/// The place at which t turns back, with the width to which it was enclosed.
 pub(super) fn turning(
     equations: &mut Equations<'_>,
     bordered: &Bordered,
@@ -58,7 +59,7 @@ pub(super) fn turning(
 }
 
 /// What is known of a singular place; `beside` is a place before it. `beyond` is added to t to get an instant at which
-/// the group does not close, and `within` is the width in which the place was enclosed.
+/// the group does not close, and `within` is the width to which the place was enclosed.
 pub(super) fn singular_place(
     equations: &mut Equations<'_>,
     kind: ArcPlaceKind,
@@ -123,7 +124,7 @@ pub(super) fn cusps(
             continue;
         };
         let rate = rates(equations, &node).map_or(f64::NAN, |all| all[place][0].hypot(all[place][1]));
-        // A path that only goes back the way it came has the same tangents on both sides.
+        // A path that returns along itself has the same tangents on both sides.
         let turn = [-BESIDE, BESIDE].map(|beside| {
             let node = between(equations, bordered, a, b, node.s + beside)?;
             let [x, y] = rates(equations, &node)?[place];
@@ -139,7 +140,7 @@ pub(super) fn cusps(
     }
 }
 
-/// The velocities of all named points by the arc.
+/// The derivatives of all named points with respect to the length of the arc.
 fn rates(equations: &mut Equations<'_>, node: &Node) -> Option<Vec<[f64; 2]>> {
     equations.move_to(node.t()).ok()?;
     let at = Instant { t: equations.t, inputs: &equations.inputs };

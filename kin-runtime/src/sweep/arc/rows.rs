@@ -14,7 +14,8 @@ use crate::workspace::Subset;
 /// Places nearer to one another than this along the arc are the same.
 const SAME: f64 = 1e-9;
 
-/// `steps` + 1 states at equal distances, a single one if the curve is a point, and the special places and ends of the curve.
+/// `steps` + 1 states at equal distances, a single one if the curve is a point, and the special places and ends of the
+/// curve.
 pub(super) fn states(
     equations: &mut Equations<'_>,
     bordered: &Bordered,
@@ -36,7 +37,7 @@ pub(super) fn states(
         let node = match next.checked_sub(1) {
             Some(before) if nodes[next].s > s + SAME => {
                 let (a, b) = (&nodes[before], &nodes[next]);
-                // Beside a crossing of branches a neighbour is as near as can be told.
+                // Near a crossing of branches there may be no place in between, so the nearer neighbour is used.
                 between(equations, bordered, a, b, s)
                     .unwrap_or_else(|| if s - a.s < b.s - s { a.clone() } else { b.clone() })
             }
@@ -49,7 +50,7 @@ pub(super) fn states(
     Ok((states, SolutionArc { length, places, ends }))
 }
 
-/// The state at a place; rates are not numbers where the driver does not determine them.
+/// The state at a place; rates are NaN where the driver does not determine them.
 fn state(equations: &mut Equations<'_>, node: &Node) -> Result<State, SolveError> {
     equations.move_to(node.t())?;
     let q = node.q().to_vec();

@@ -35,8 +35,8 @@ pub(super) struct CheckedPlan {
     allowed: f64,
 }
 
-/// Where all margins are larger than this, rates are accurate enough to skip the check with their equations. The
-/// follower has checked the branch before: a state without a motion before it needs a larger margin,
+/// Where all margins are larger than this, rates are accurate enough to skip the check with their equations, because
+/// the follower has checked the branch. A state without a preceding motion needs a larger margin,
 /// [`FAR_FROM_LIMITS`](crate::planned::branch::FAR_FROM_LIMITS).
 const FAR: f64 = 1e-4;
 
@@ -203,7 +203,7 @@ impl CheckedPlan {
         Ok(true)
     }
 
-    /// One step by the plan from the node at which the follower stands to the place `s` of the course.
+    /// One step by the plan from the node that the follower has reached to the place `s` of the course.
     pub(super) fn step(
         &mut self,
         equations: &mut Equations<'_>,

@@ -18,7 +18,7 @@ use crate::trajectory::Fallback;
 use crate::workspace::{Instant, Subset};
 
 /// One step by full Newton to a given place: writes the node there and returns the factor by which the next step may be
-/// longer. The flag says that the caller requested this place, so that the node must be converged fully.
+/// longer. The flag is true if the caller requested this place, so that the node must be converged fully.
 type StepMethod = fn(&mut Equations<'_>, &mut Scratch, Start<'_>, &mut Node, f64, bool) -> Result<f64, Fault>;
 
 /// A branch and the instant reached on it. Nodes and buffers are reused from step to step.
@@ -93,7 +93,7 @@ impl Continuation {
         &self.node.state
     }
 
-    /// Places the instant reached at the start of a course in time, and resets the proposed step length.
+    /// Starts a course whose parameter is time from the instant reached, and resets the proposed step length.
     pub(crate) fn depart_in_time(&mut self) {
         let state = &self.node.state;
         self.s = state.t;
@@ -102,8 +102,8 @@ impl Continuation {
         self.proposed = f64::INFINITY;
     }
 
-    /// Places the instant reached at the start `s` of a course whose parameter is not time, and computes the
-    /// derivatives of q along that course.
+    /// Starts a course whose parameter is not time, at `s`, from the instant reached; computes the derivatives of q
+    /// along that course.
     pub(crate) fn depart(&mut self, equations: &mut Equations<'_>, s: f64) -> Result<(), SolveError> {
         self.s = s;
         self.proposed = f64::INFINITY;
@@ -115,8 +115,8 @@ impl Continuation {
         rates(equations, &node.state.q, &basis.factor, q_dot, q_ddot)
     }
 
-    /// Goes to `at` by the plan alone; false where the plan has no solution. The caller has checked `at`, whose inputs may differ
-    /// arbitrarily from the last ones.
+    /// Goes to `at` by the plan alone; false where the plan has no solution. The caller has checked `at`, whose inputs
+    /// may differ arbitrarily from the last ones.
     pub(crate) fn advance_by_plan(
         &mut self,
         equations: &mut Equations<'_>,
@@ -308,8 +308,8 @@ impl Continuation {
         }
     }
 
-    /// The place of the limit at which the plan refused to go on, if it lies between two places. Full Newton stops there,
-    /// as in one step it might pass two limits and arrive on another branch.
+    /// The place of the limit at which the plan had no further solution, if it lies between two places. Full Newton
+    /// stops there, as in one step it might pass two limits and arrive on another branch.
     fn limit_between(&self, equations: &Equations<'_>, from: f64, target: f64) -> Option<f64> {
         let in_time = [from, target].map(|s| equations.time_at(s)) == [from, target];
         let at = self.plan.as_ref().filter(|_| in_time)?.limit()?.at()?;
@@ -322,8 +322,8 @@ impl Continuation {
         if !equations.scale.is_known {
             equations.scale = Scale::around(equations, &node.state.q);
         }
-        // With redundant rows a motion may pass limits of the rows that the plan uses, so their distance does not shorten
-        // the step.
+        // With redundant rows a motion may pass limits of the rows that the plan uses, so their distance does not
+        // shorten the step.
         let basis = node.basis.as_ref();
         let near = basis.filter(|_| equations.model.plan.watched().next().is_none());
         let turns = basis.map_or(&[][..], |basis| &basis.turns);

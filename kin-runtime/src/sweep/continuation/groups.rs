@@ -1,8 +1,8 @@
 //! The branch value of every group of the plan, for configurations found by full Newton.
 //!
 //! Configurations found here satisfy the same conditions as solutions by the plan do in
-//! [`planned::branch`](crate::planned::branch): each group stays on its own side of the configuration where its
-//! two closures meet, and its distance from there is about the predicted one. One sign for the whole mechanism would not
+//! [`planned::branch`](crate::planned::branch): each group stays on its own side of the configuration where its two
+//! closures meet, and its distance from there is about the predicted one. One sign for the whole mechanism would not
 //! suffice: if two groups change their branch in one step, the sign of the determinant of Φ_q stays the same.
 
 use crate::analysis::by_plan;
@@ -26,7 +26,7 @@ const REGULAR: f64 = 1e3;
 const PASSING: f64 = 0.5;
 const FLAT: f64 = 1e-3;
 
-/// Writes the branch value of every group at q, whose sign tells its closures apart; an empty list if there is no
+/// Writes the branch value of every group at q, whose sign distinguishes its closures; an empty list if there is no
 /// plan, or if coordinates are prescribed.
 pub(super) fn write(equations: &Equations<'_>, q: &[f64], groups: &mut Vec<f64>) {
     groups.clear();
@@ -39,8 +39,8 @@ pub(super) fn write(equations: &Equations<'_>, q: &[f64], groups: &mut Vec<f64>)
     }
 }
 
-/// By what angle the gradients of the rows that the plan iterates turn with every coordinate at q; empty under the same
-/// conditions.
+/// The angles by which the gradients of the rows that the plan iterates turn per unit of every coordinate at q; empty
+/// under the same conditions.
 pub(super) fn turns(equations: &Equations<'_>, at: &Instant<'_>, q: &[f64]) -> Vec<f64> {
     if equations.given() > 0 || !equations.model.plan.exists() {
         return Vec::new();
@@ -55,11 +55,11 @@ pub(super) fn turns(equations: &Equations<'_>, at: &Instant<'_>, q: &[f64]) -> V
 /// True if every group has stayed on its branch. The arguments are the branch values at the previous configuration, at
 /// the prediction and at the configuration found.
 ///
-/// A group whose branch value is NaN at all three has none, because the plan divides by a dimension that is 0: then it
-/// does not count.
+/// A group whose branch value is NaN at all three has none, because the plan divides by a dimension that is 0; it is
+/// ignored.
 ///
-/// With redundant rows a group of the rows used by the plan may reach a limit that the mechanism as a whole passes. Then
-/// only the deviation from the prediction is checked, and values below [`FLAT`] may have either sign.
+/// With redundant rows a group of the rows used by the plan may reach a limit that the mechanism as a whole passes.
+/// Then only the deviation from the prediction is checked, and values below [`FLAT`] may have either sign.
 pub(super) fn stay([before, predicted, found]: [&[f64]; 3], turn: f64, is_redundant: bool) -> bool {
     before.iter().zip(predicted).zip(found).all(|((before, predicted), found)| {
         if [before, predicted, found].iter().all(|w| w.is_nan()) {
@@ -112,7 +112,7 @@ pub(super) fn stay_between(equations: &Equations<'_>, [before, found]: [&[f64]; 
     stays_in_bends(span, rotation, buffers, &mut turns_over, &mut |s| Ok(stays_at(s))).unwrap_or(false)
 }
 
-/// True where the configuration is so near to a meeting of branches that its rates are dominated by rounding.
+/// True where the configuration is so near to a crossing of branches that its rates are dominated by rounding.
 /// `condition` is the condition number of Φ_q.
 pub(super) fn are_blurred(
     equations: &mut Equations<'_>,

@@ -13,9 +13,9 @@
 //! never jumps: where it cannot be followed, the error names the time and the joint.
 //!
 //! Where the mechanism has a plan, it is tried first by the follower that [`Planned`](crate::Planned) uses, which
-//! checks its branch itself. Its q, q̇ and q̈ are checked with all rows at every instant. Where the plan has no solution,
-//! or one that does not satisfy all rows, full Newton takes over up to the instant that was asked for; on the way to the
-//! next one the plan is tried again.
+//! checks its branch itself. Its q, q̇ and q̈ are checked with all rows at every instant. Where the plan has no
+//! solution, or one that does not satisfy all rows, full Newton takes over up to the requested instant; on the way to
+//! the next one the plan is tried again.
 //!
 //! ```text
 //! kinematic     from one instant of the grid to the next

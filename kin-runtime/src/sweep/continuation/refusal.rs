@@ -23,8 +23,8 @@ const COARSEST: f64 = 1e-2;
 /// Largest distance of a limit from the last instant tried, relative to the longest step that the options allow.
 const BESIDE: f64 = 1e-3;
 
-/// The error that says why the motion cannot go from `start` to the place `refused`. `located` is the limit found by
-/// the plan.
+/// The error with the reason why the motion cannot go from `start` to the place `refused`. `located` is the limit
+/// that the plan found, and `jumps` is true if the plan found that a driver or an input jumps.
 pub(super) fn refusal(
     equations: &mut Equations<'_>,
     start: &Start<'_>,

@@ -9,7 +9,7 @@
 //! ```
 //!
 //! which vanish for parabolas and are of third order in h otherwise, so that they overestimate the error of the cubic.
-//! Several of them are used, since one alone may vanish by chance where g changes faster than the steps are short.
+//! Several of them are used, since one alone may vanish by chance where g oscillates within a step.
 //!
 //! All of them may vanish by chance, too: a g that oscillates between two instants can have the values and derivatives
 //! of a parabola there. So two samples alone are never trusted. The quintic with the value, rate and acceleration of

@@ -10,10 +10,10 @@ use crate::results::event::{Crossing, Event, Unwatched};
 use crate::state::State;
 use std::collections::HashMap;
 
-/// Largest number of times that an interval is halved; what is shorter counts as an instant.
+/// Largest number of times that an interval is halved; a shorter one counts as an instant.
 const HALVINGS: usize = 30;
-/// How often in a row it may be halved where samples are predicted: a course that is still unclear then is zero within
-/// rounding.
+/// Largest number of successive halvings in which the samples predict one another: a course that is still unclear then
+/// is zero within rounding.
 const HALVINGS_OF_KNOWN: usize = 9;
 /// Largest number of samples by halving for one condition in one step of the sweep.
 const MOST_SAMPLES: usize = 1 << 14;

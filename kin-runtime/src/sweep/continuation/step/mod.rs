@@ -22,7 +22,7 @@ const CORRECTIONS: usize = 6;
 const CONTRACTION: f64 = 0.3;
 /// Corrections up to this size on the common scale are always accepted, for motions that start from rest.
 const NEGLIGIBLE: f64 = 1e-4;
-/// Motion so short that a jump of the velocity in it is attributed to the driver.
+/// Length of a motion so short that a jump of the velocity in it is attributed to the driver.
 const INSTANTANEOUS: f64 = 1e-7;
 /// Largest deviation of the velocity from its prediction, relative to the larger of the two.
 const VELOCITY: f64 = 0.5;
@@ -46,7 +46,8 @@ pub(crate) struct Basis {
     pub(crate) factor: Factorization,
     /// The branch values of all groups of the plan; empty where there is no plan.
     pub(crate) groups: Vec<f64>,
-    /// By what angle the gradients of rows that the plan iterates turn with every coordinate; empty where there is no plan.
+    /// The angles by which the gradients of rows that the plan iterates turn per unit of every coordinate; empty where
+    /// there is no plan.
     pub(crate) turns: Vec<f64>,
 }
 
