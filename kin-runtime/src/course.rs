@@ -10,7 +10,7 @@
 //! ```
 //!
 //! with c₃, c₄, c₅ such that the quintic has the values, rates and accelerations of both ends. On a frozen path
-//! derivatives are by s, and time does not contribute to them.
+//! derivatives are with respect to s, and time does not contribute to them.
 
 use crate::workspace::{Instant, Signal};
 
@@ -18,11 +18,11 @@ use crate::workspace::{Instant, Signal};
 #[cfg(feature = "std")]
 pub(crate) type InputFunction<'a> = Option<&'a dyn Fn(f64, &mut [Signal])>;
 
-/// Largest deviation of a signal at one end from the prediction by its rate and acceleration at the other end, relative
-/// to its change, with which rates and accelerations are used.
+/// Rates and accelerations are used if, from either end, they predict the signal at the other end with an error of at
+/// most this fraction of its change.
 const BELIEVED: f64 = 0.25;
 
-/// Smallest difference of t, in units in the last place, that leaves room for steps in time.
+/// Up to this difference of t, in units in the last place, time counts as constant: there is no room for steps in time.
 const NEIGHBOURS: f64 = 64.0;
 
 /// The path of the inputs from one instant to the next.
@@ -30,7 +30,7 @@ const NEIGHBOURS: f64 = 64.0;
 pub(crate) enum Kind {
     /// A quintic with the rates and accelerations of both ends.
     Smooth,
-    /// Proportional to the elapsed time.
+    /// Linear in time.
     Straight,
     /// With constant time.
     Frozen,
@@ -86,22 +86,22 @@ fn write(kind: Kind, t: [f64; 2], [from, to]: [&[Signal]; 2], s: f64, inputs: &m
 pub(crate) trait Course {
     /// First and last place.
     fn ends(&self) -> [f64; 2];
-    /// Writes the inputs at a place and gives the time there.
+    /// Writes the inputs at a place and returns the time there.
     fn at(&self, s: f64, inputs: &mut [Signal]) -> f64;
-    /// True if time is constant, so that derivatives are by s.
+    /// True if time is constant, so that derivatives are with respect to s.
     fn is_frozen(&self) -> bool;
     /// True if the rates at its end are those of the instant to which it leads.
     fn has_rates_of_end(&self) -> bool;
 }
 
-/// The path from one instant to another, by the inputs at both.
+/// The path from one instant to another, computed from the inputs at both.
 pub(crate) struct Between<'a> {
     pub(crate) kind: Kind,
     pub(crate) from: Instant<'a>,
     pub(crate) to: Instant<'a>,
 }
 
-/// The neighbourhood of one instant, by its rates and accelerations.
+/// The neighbourhood of one instant, extrapolated from its rates and accelerations.
 pub(crate) struct Around<'a> {
     pub(crate) instant: Instant<'a>,
     /// A value of s on the side from which the instant is approached.
@@ -188,7 +188,7 @@ pub(crate) struct InputPath {
 
 #[cfg(feature = "std")]
 impl InputPath {
-    /// A path of length 0 at an instant; derivatives are by time.
+    /// A path of length 0 at an instant; derivatives are with respect to time.
     pub(crate) fn resting(at: &Instant<'_>) -> Self {
         Self { kind: Kind::Smooth, t: [at.t; 2], from: at.inputs.to_vec(), to: at.inputs.to_vec() }
     }
@@ -236,7 +236,8 @@ impl InputPath {
     }
 }
 
-/// The quintic with value, rate and acceleration of `a` at x = 0 and of `b` at x = 1; derivatives by h x.
+/// The quintic with value, rate and acceleration of `a` at x = 0 and of `b` at x = 1; derivatives are with respect to h
+/// x.
 fn quintic(a: &Signal, b: &Signal, h: f64, x: f64) -> Signal {
     if x == 0.0 || x == 1.0 {
         return if x == 0.0 { *a } else { *b };
@@ -292,7 +293,7 @@ mod tests {
         assert_eq!(Kind::Straight, kind(0.1, Signal::constant(0.2), Signal::constant(0.3)));
         assert_eq!(Kind::Smooth, kind(0.1, Signal::constant(0.2), Signal::constant(0.2)));
         assert_eq!(Kind::Frozen, kind(0.0, fall, Signal::constant(2.0)));
-        // Either end foretells the other within a quarter of the change.
+        // Either end predicts the other to within a quarter of the change.
         let signal = |value, rate| Signal::new(value, rate, 0.0);
         for (first, last, expected) in
             [(0.8, 1.0, Kind::Smooth), (0.7, 1.0, Kind::Straight), (1.0, 1.2, Kind::Smooth), (1.0, 1.3, Kind::Straight)]

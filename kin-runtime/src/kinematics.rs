@@ -22,7 +22,7 @@ pub trait Kinematics: Mechanism {
     }
 
     /// The assembly modes: groups that close in two ways, distinguished by a sign. [`Solver::modes`] gives the signs of
-    /// a configuration, [`Solver::with_mode`] asks for one.
+    /// a configuration, [`Solver::with_mode`] prescribes one.
     fn modes() -> &'static [ModeInfo] {
         Self::model().plan.modes
     }
@@ -62,7 +62,7 @@ pub trait Kinematics: Mechanism {
         self.solver().mobility(at, q)
     }
 
-    /// δ = n − rank of the rows that do not drive, of [`Solver::mobility`].
+    /// δ = n − rank of all rows but the driving ones, from [`Solver::mobility`].
     fn degrees_of_freedom(&self, at: &Instant<'_>, q: &[f64]) -> Result<usize, SolveError> {
         Ok(self.solver().mobility(at, q)?.degrees_of_freedom)
     }
@@ -72,7 +72,7 @@ pub trait Kinematics: Mechanism {
         self.solver().cross_check(&CrossCheckOptions::default())
     }
 
-    /// Φ(q, t) as a vector of s numbers.
+    /// Φ(q, t) as a vector of s numbers, one per row.
     ///
     /// # Errors
     /// When an argument has the wrong length.

@@ -20,10 +20,10 @@ pub use core::result::Result::{self, Err, Ok};
 #[cfg(feature = "equations")]
 pub use kin_derive::documentation;
 
-/// The names of local variables and arguments in generated code.
+/// The names of local variables and arguments in generated code, as functions that its blocks import.
 ///
-/// A `let` cannot shadow a constant or static of the user's with its name, but it can shadow a function; and a function
-/// that is imported into a block hides what the modules around it declare.
+/// A `let` cannot shadow a constant or static of the same name in the user's module, since such a name is a pattern. An
+/// imported function hides that item within the block, and a `let` can shadow a function.
 pub mod locals {
     macro_rules! names {
         ($($name:ident)*) => { $(pub const fn $name() {})* };
@@ -35,26 +35,27 @@ pub mod locals {
     }
 }
 
-/// `slice` as an array, or how its length is wrong.
+/// `slice` as an array, or an error if its length is wrong.
 #[inline(always)]
 pub fn fixed<'a, T, const N: usize>(what: &'static str, slice: &'a [T]) -> Result<&'a [T; N], LengthError> {
     slice.try_into().map_err(|_| LengthError { what, expected: N, found: slice.len() })
 }
 
-/// `slice` as a mutable array, or how its length is wrong.
+/// `slice` as a mutable array, or an error if its length is wrong.
 #[inline(always)]
 pub fn fixed_mut<'a, T, const N: usize>(what: &'static str, slice: &'a mut [T]) -> Result<&'a mut [T; N], LengthError> {
     let found = slice.len();
     slice.try_into().map_err(|_| LengthError { what, expected: N, found })
 }
 
-/// Stands in the body of a loop over members and, with AVX-512, keeps the compiler from computing several members in one
-/// vector. The numbers of one member stand far from those of the next: such a loop becomes gathers and scatters, which
-/// take longer than one member after the other. Without AVX-512 there are no scatters, and compilers choose well.
+/// Called in the body of a loop over the members of a family. With AVX-512 it keeps the compiler from computing several
+/// members in one vector: the numbers of neighbouring members are far apart in memory, so that such a loop would use
+/// gathers and scatters, which take longer than one member after the other. Without AVX-512 there are no scatter
+/// instructions, and compilers choose well.
 #[inline(always)]
 pub fn one_by_one() {
     if cfg!(target_feature = "avx512f") {
-        // No instruction, but nothing that a compiler may move reads and writes of memory across.
+        // Compiles to no instruction, but the compiler may not move reads and writes of memory across it.
         core::hint::black_box(());
     }
 }
@@ -115,7 +116,7 @@ impl<P: Parameter, const N: usize> Parameter for [P; N] {
     }
 }
 
-/// The test that `#[mechanism(cross_check)]` writes: every closed form against dual numbers.
+/// The test that `#[mechanism(cross_check)]` writes: it compares every closed form with dual numbers.
 ///
 /// # Errors
 /// The worst entry, as text, when they disagree by more than 1e-12 or cannot be compared.

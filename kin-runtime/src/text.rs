@@ -1,4 +1,4 @@
-//! How numbers stand in the texts of public types: with the precision that is asked for, as in `{:.3}`.
+//! How public types print numbers: with the precision of the format, as in `{:.3}`.
 
 use core::fmt;
 
@@ -51,17 +51,17 @@ pub(crate) fn rates<T: fmt::Display>(f: &mut fmt::Formatter<'_>, [value, rate, a
     f.write_str(")")
 }
 
-/// A time with as many digits as a person reads.
+/// A time rounded to about six significant digits, for messages.
 pub(crate) fn rounded(t: f64) -> f64 {
     if t == 0.0 || !t.is_finite() {
         return t;
     }
-    // Thousandths are kept however long the motion has lasted.
+    // Thousandths are kept however large t is.
     let mut scale = if t.abs() < 1e5 { 1.0 } else { 1e3 };
     while t.abs() * scale < 1e5 && scale < 1e12 {
         scale *= 10.0;
     }
-    // 1.5·2⁵² rounds to an integer without a call.
+    // Adding and subtracting 1.5·2⁵² rounds to an integer without a call.
     const ROUND: f64 = 1.5 / f64::EPSILON;
     if t.abs() * scale < 1e15 { ((t * scale + ROUND) - ROUND) / scale } else { t }
 }

@@ -210,7 +210,7 @@ impl<'m> Tracker<'m> {
         self.look(motion)
     }
 
-    /// How q follows each driving row and each input at the last good instant.
+    /// The derivatives of q with respect to each driving row and each input at the last good instant.
     ///
     /// # Errors
     /// As [`Solver::velocity_ratios`].
@@ -269,7 +269,7 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     }
 }
 
-/// The first position, its state, and its branch.
+/// Solves the first position and its state, and begins to follow its branch.
 fn begin(
     equations: &mut Equations<'_>,
     wanted: &WantedAssembly,

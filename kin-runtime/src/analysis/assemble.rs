@@ -47,7 +47,7 @@ fn attempts(equations: &mut Equations<'_>, guesses: &[Option<f64>]) -> Result<Po
         }
         let (mut q, open) = propagate(equations, guesses, &start);
         if open.is_empty() && attempt > 0 {
-            // Propagation found all coordinates: perturb what it gave.
+            // Propagation found all coordinates: perturb them.
             for &k in &unguessed {
                 q[k] += equations.scale.columns[k] * 0.5 * random.symmetric();
             }

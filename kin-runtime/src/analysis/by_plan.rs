@@ -39,7 +39,7 @@ pub(crate) fn modes(equations: &Equations<'_>, q: &[f64], modes: &mut Vec<f64>) 
 }
 
 impl Answer {
-    /// Room for the answers of these equations.
+    /// Buffers for the solutions of these equations.
     pub(crate) fn new(equations: &Equations<'_>) -> Self {
         let n = vec![0.0; equations.coordinates()];
         let plan = &equations.model.plan;
@@ -50,7 +50,7 @@ impl Answer {
     /// Solves at the current instant in the given modes, from `start`.
     ///
     /// # Errors
-    /// The first step without a good answer; `None` if numbers are not finite.
+    /// The first step without an acceptable solution; `None` if numbers are not finite.
     pub(crate) fn solve(
         &mut self,
         equations: &mut Equations<'_>,

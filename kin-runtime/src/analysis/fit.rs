@@ -6,7 +6,8 @@
 //! [Φ_q S, Φ_u W] (S⁻¹ Δq, W⁻¹ Δu) = −Φ
 //! ```
 //!
-//! is solved repeatedly with least norm. W is large, so that mainly the inputs move.
+//! is solved repeatedly with least norm, where S are the scales of the coordinates. W is large, so that mainly the
+//! inputs move.
 
 use crate::analysis::assemble::propagated;
 use crate::equations::Equations;
@@ -35,7 +36,7 @@ pub(crate) fn fit_inputs(
     equations.scale = Scale::around(equations, &q);
     let (n, rows) = (q.len(), equations.rows());
     let all: Vec<usize> = (0..rows).collect();
-    // In millimetres an input moves as far as in metres.
+    // The weights include the size of the mechanism, so that the result does not depend on the unit of length.
     let size = equations.scale.columns.iter().fold(1.0, |size: f64, &column| size.max(column));
     let weights: Vec<f64> = places.iter().map(|&k| WEIGHT * equations.inputs[k].value.abs().max(size)).collect();
     for _ in 0..ITERATIONS {

@@ -95,8 +95,8 @@ pub struct Mobility {
     /// n − rank of the rows of position level without driving rows: the dimension of the space of configurations.
     /// Never less than [`degrees_of_freedom`](Self::degrees_of_freedom).
     pub position_degrees_of_freedom: usize,
-    /// n − rank of the rows of position level: the degrees of freedom of the position that the start of the motion
-    /// decides.
+    /// n − rank of the rows of position level: the degrees of freedom of the position that the initial configuration of
+    /// a motion determines.
     pub position_degrees_of_freedom_left: usize,
     /// w: independent coordinates, δ of them, indices of q.
     pub independent: Vec<usize>,

@@ -27,7 +27,7 @@ pub struct Mode {
     pub closure: f64,
 }
 
-/// The start of assembly: guesses, and the modes that are asked for, by their indices.
+/// The start of assembly: guesses, and the requested modes by their indices.
 #[derive(Clone, Debug)]
 pub(crate) struct WantedAssembly {
     pub(crate) guess: Vec<Option<f64>>,
@@ -56,9 +56,9 @@ pub(crate) fn modes(equations: &Equations<'_>, q: &[f64]) -> Result<Vec<Mode>, S
     Ok(plan.modes.iter().zip(closures).map(mode).collect())
 }
 
-/// The configuration that the guesses lead to, in the modes asked for.
+/// The configuration that the guesses lead to, in the requested modes.
 ///
-/// First it is assembled without regard to modes. Then the plan solves with the signs asked for; all other modes are
+/// First it is assembled without regard to modes. Then the plan solves with the requested signs; all other modes are
 /// those of the assembled configuration or, if there is none, of the guess. Full Newton closes the result of the plan.
 pub(crate) fn assemble_in(equations: &mut Equations<'_>, wanted: &WantedAssembly) -> Result<Position, SolveError> {
     let assembled = assemble(equations, &wanted.guess);
@@ -88,7 +88,7 @@ pub(crate) fn assemble_in(equations: &mut Equations<'_>, wanted: &WantedAssembly
     if answer.is_in(equations, &signs, &closed.q) { Ok(closed) } else { Err(refusal(equations, wanted, None)) }
 }
 
-/// The modes asked for have no configuration.
+/// The error for requested modes that have no configuration.
 fn refusal(equations: &Equations<'_>, wanted: &WantedAssembly, limit: Option<Limit>) -> SolveError {
     let name = |place: usize| equations.model.plan.modes.get(place).map_or("", |mode| mode.name);
     let modes = wanted.modes.iter().map(|&(place, sign)| (name(place), sign)).collect();

@@ -38,16 +38,16 @@ pub struct Configuration {
     pub inputs: Vec<Signal>,
 }
 
-/// Around which values inputs are drawn: those of the first given configuration, or else their defaults. An input without
-/// either is drawn around 0.
+/// The values around which inputs are drawn: those of the first given configuration, or else their defaults. An input
+/// without either is drawn around 0.
 pub(super) fn central_inputs(model: &Model, options: &CrossCheckOptions) -> Vec<f64> {
     let given = options.given.first().map_or(&[][..], |first| &first.inputs);
     let default = |k: usize| model.input_defaults.get(k).copied().flatten();
     (0..model.inputs.len()).map(|k| given.get(k).map(|u| u.value).or_else(|| default(k)).unwrap_or(0.0)).collect()
 }
 
-/// A random configuration: numbers 0 and 1 of every four are near the centre, the other two are spread widely. Inputs are
-/// spread less, because a length that is far from its usual value leaves a mechanism open.
+/// A random configuration: numbers 0 and 1 of every four are near the centre, the other two are spread widely. Inputs
+/// are spread less, because a mechanism does not close with a length that is far from its usual value.
 pub(super) fn random_configuration(
     model: &Model,
     random: &mut Random,

@@ -1,4 +1,4 @@
-//! Comparison of the closed forms with derivatives by dual numbers.
+//! Comparison of the closed forms of Φ_q, Φ_t and γ with derivatives by dual numbers.
 //!
 //! Only the generic Φ is differentiated: Φ_q column by column and Φ_t with first-order dual numbers, γ as the negative
 //! second derivative of s ↦ Φ(q + s q̇, t + s) at 0 with second-order ones. Inputs change with their rates and

@@ -1,4 +1,4 @@
-//! A design as it is written: what may vary, what is wanted, what must hold.
+//! The description of a design: free parameters, objectives and conditions.
 
 use super::condition::{Condition, Shortest};
 use super::error::DesignError;
@@ -10,7 +10,7 @@ use crate::results::varied::Number;
 use core::ops::RangeInclusive;
 use std::sync::Arc;
 
-/// What a mechanism is to do, and what may vary.
+/// A task of synthesis: what a mechanism is to do, and which parameters may vary.
 ///
 /// Parameters that are not free keep the values that the mechanism has.
 pub struct Design<M: Mechanism> {
@@ -21,7 +21,7 @@ pub struct Design<M: Mechanism> {
     pub(crate) free: Vec<Free>,
     pub(crate) objectives: Vec<Objective>,
     pub(crate) conditions: Vec<Condition>,
-    /// Places of modes; both signs are tried where none is asked for.
+    /// Indices of modes; both signs are tried where none is prescribed.
     pub(crate) modes: Vec<(usize, Option<Sign>)>,
     pub(crate) guesses: Vec<(usize, f64)>,
 }
@@ -41,7 +41,8 @@ impl<M: Mechanism> Clone for Design<M> {
 }
 
 impl<M: Mechanism> Design<M> {
-    /// A design that begins with the parameters of this mechanism. Functions that are supplied are those of the default.
+    /// A design that begins with the parameters of this mechanism. Supplied functions are those of the default
+    /// mechanism.
     pub fn new(mechanism: &M) -> Self
     where
         M: Default,
@@ -96,7 +97,7 @@ impl<M: Mechanism> Design<M> {
         Ok(self)
     }
 
-    /// A point is to pass given places in their order within one period of the drive, whenever it likes.
+    /// A point is to pass given places in their order within one period of the drive, at any instants.
     ///
     /// The instants are variables of the search as the free parameters are; between the first and the last passes no more
     /// than one period.
@@ -131,8 +132,8 @@ impl<M: Mechanism> Design<M> {
         Ok(self)
     }
 
-    /// A body is to take given poses at given instants, (t, [x, y, φ]) of its origin and angle; a radian that it is turned
-    /// too far counts as much as the distance `arm`.
+    /// A body is to take given poses at given instants, (t, [x, y, φ]) of its origin and angle; an error of one radian
+    /// counts as much as the distance `arm`.
     ///
     /// # Errors
     /// [`UnknownQuantity`](DesignError::UnknownQuantity), [`NotFinite`](DesignError::NotFinite).
@@ -145,9 +146,9 @@ impl<M: Mechanism> Design<M> {
 
     /// Numbers of your own are to be 0: a function of quantities over a motion.
     ///
-    /// `residuals` is given the quantities at every instant, in the order of their names, and gives numbers whose squares
-    /// are added to the error, always as many. It calculates with [`Number`]s, which carry derivatives by the free
-    /// parameters along: sums, products and functions of [`Scalar`](crate::Scalar) keep them.
+    /// `residuals` receives the quantities at every instant, in the order of their names, and returns numbers whose
+    /// squares are added to the error, always equally many. It computes with [`Number`]s, which carry their derivatives
+    /// with respect to the free parameters: sums, products and functions of [`Scalar`](crate::Scalar) keep them.
     ///
     /// ```
     /// use kin_runtime::design::{Design, Number, Search};
@@ -194,9 +195,9 @@ impl<M: Mechanism> Design<M> {
     /// A number of your own is to be as small as it can be: a function of quantities over a motion that is no sum of squares,
     /// such as the greatest torque.
     ///
-    /// `least` is given the quantities at every instant, in the order of their names. The search then does without
-    /// derivatives: it tries designs around every start, widely at first and ever more closely. What happens between the
-    /// instants is not looked at.
+    /// `least` receives the quantities at every instant, in the order of their names. The search then needs no
+    /// derivatives: it tries designs around every start, in a large region at first and in smaller and smaller ones
+    /// later. The motion between the instants is not evaluated.
     ///
     /// ```
     /// use kin_runtime::design::{Design, Search};
@@ -248,8 +249,8 @@ impl<M: Mechanism> Design<M> {
         Ok(self)
     }
 
-    /// Grashof's condition for the lengths of a four-bar, named in the order ground, crank, coupler, rocker: the shortest and
-    /// the longest are together no longer than the two others, and the shortest is the one that is said.
+    /// Grashof's condition for the lengths of a four-bar, named in the order ground, crank, coupler, rocker: the
+    /// shortest and the longest are together no longer than the two others, and the shortest is the given one.
     ///
     /// With the crank or the ground as the shortest, the crank turns fully.
     ///
@@ -260,10 +261,10 @@ impl<M: Mechanism> Design<M> {
         Ok(self)
     }
 
-    /// The mechanism is to move on through all of a period from the instant 0, with the margins of its plan above `least`. A
-    /// margin is 0 where a group cannot close and 1 far from that.
+    /// The mechanism is to move on through all of a period from the instant 0, with the margins of its plan above
+    /// `least`. A margin is 0 at the limit beyond which a group cannot close and 1 far from all limits.
     ///
-    /// The search looks at so many `instants` that are equally far apart; the result is looked at between them as well
+    /// The search evaluates this many equally spaced `instants`; the result is checked between them as well
     /// ([`Slack`](super::Slack)).
     ///
     /// # Errors
@@ -275,7 +276,7 @@ impl<M: Mechanism> Design<M> {
 
     /// A quantity, named as for [`function`](Self::function), is to stay within a range over a period.
     ///
-    /// The search looks at so many `instants` that are equally far apart; the result is looked at between them as well
+    /// The search evaluates this many equally spaced `instants`; the result is checked between them as well
     /// ([`Slack`](super::Slack)).
     ///
     /// # Errors
@@ -296,7 +297,7 @@ impl<M: Mechanism> Design<M> {
     /// All transmission angles at a revolute joint are to stay between `least` and π − `least` over a period: force is
     /// transmitted best at π/2, and not at all at 0 and π.
     ///
-    /// The search looks at so many `instants` that are equally far apart; the result is looked at between them as well
+    /// The search evaluates this many equally spaced `instants`; the result is checked between them as well
     /// ([`Slack`](super::Slack)).
     ///
     /// # Errors
@@ -307,8 +308,8 @@ impl<M: Mechanism> Design<M> {
         Ok(self)
     }
 
-    /// Asks for an assembly mode; with no sign both are tried. What is not asked for is as the guesses of the mechanism have
-    /// it.
+    /// Prescribes an assembly mode; with no sign both are tried. Modes that are not prescribed are those of the
+    /// mechanism's guesses.
     ///
     /// # Errors
     /// [`UnknownMode`](DesignError::UnknownMode).

@@ -1,4 +1,4 @@
-//! What must hold besides: each condition is a list of slacks that are to be positive.
+//! The conditions of a design: each is a list of slacks that must be positive.
 
 use super::error::DesignError;
 use super::objective::Quantity;
@@ -110,7 +110,7 @@ impl Condition {
         found.into_iter().map(condition).collect()
     }
 
-    /// Asks for more: for a slack that is greater by this.
+    /// Tightens the condition: a slack must be greater by this.
     pub(crate) fn tighten(&mut self, slack: f64) {
         match self {
             Self::Sum { .. } => {}
@@ -122,13 +122,13 @@ impl Condition {
         }
     }
 
-    /// What it is called; the bounds of an angle are in degrees.
+    /// Its name; the bounds of an angle are in degrees.
     pub(crate) fn name(&self) -> String {
         match self {
             Self::Sum { name, .. } => name.clone(),
             Self::Margins { least, .. } => format!("turns with margins above {least}"),
             Self::Range { name, of: Quantity::Named(of) | Quantity::Angle(of), low, high, .. } if of.is_angle() => {
-                // Without the digits that the conversion from degrees to radians has changed.
+                // Rounded, because the conversion from degrees to radians has changed the last digits.
                 let [low, high] = [low, high].map(|bound| (bound.to_degrees() * 1e9).round() / 1e9);
                 format!("{name} in {low}°..{high}°")
             }

@@ -3,15 +3,15 @@
 use crate::error::SolveError;
 use core::fmt;
 
-/// A design that cannot be searched for.
+/// Why a design cannot be searched for, or a search has no result.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum DesignError {
     /// No parameter has this name.
     UnknownParameter {
-        /// What was asked for.
+        /// The name that was given.
         parameter: String,
-        /// The parameters that there are.
+        /// The parameters of the mechanism.
         parameters: Vec<&'static str>,
     },
     /// A parameter is to be equal to one that is not free.
@@ -19,7 +19,7 @@ pub enum DesignError {
         /// The one that is not free.
         parameter: String,
     },
-    /// Bounds that hold nothing between them, or that are not finite.
+    /// Bounds with nothing between them, or bounds that are not finite.
     Bounds {
         /// The parameter.
         parameter: String,
@@ -30,26 +30,27 @@ pub enum DesignError {
     },
     /// No quantity, point or body has this name.
     UnknownQuantity {
-        /// What was asked for.
+        /// The name that was given.
         quantity: String,
     },
-    /// A quantity that has no derivatives by parameters: a velocity ratio, a force without a closed form, an input, or t.
+    /// A quantity that has no derivatives with respect to parameters: a velocity ratio, a force without a closed form,
+    /// an input, or t.
     NoDerivatives {
         /// The quantity.
         quantity: String,
     },
     /// A joint without a transmission angle, or no joint at all.
     NoTransmission {
-        /// What was asked for.
+        /// The name that was given.
         joint: String,
-        /// The transmission angles that there are.
+        /// The transmission angles of the mechanism.
         angles: Vec<String>,
     },
     /// No mode has this name.
     UnknownMode {
-        /// What was asked for.
+        /// The name that was given.
         mode: String,
-        /// The modes that there are.
+        /// The modes of the mechanism.
         modes: Vec<&'static str>,
     },
     /// A number of the design is not finite, or a period is not positive.
@@ -57,12 +58,12 @@ pub enum DesignError {
         /// What it belongs to.
         what: &'static str,
     },
-    /// No parameter is free, or nothing is wanted of the mechanism.
+    /// No parameter is free, or there is no objective.
     Nothing {
         /// What is missing.
         what: &'static str,
     },
-    /// The mechanism is driven by inputs, whose course over the motion a design does not have.
+    /// The mechanism is driven by inputs, which a design does not specify over the motion.
     Inputs {
         /// The inputs.
         inputs: Vec<&'static str>,
@@ -74,7 +75,7 @@ pub enum DesignError {
         /// Why it ends.
         why: Box<SolveError>,
     },
-    /// The best designs keep the conditions at the instants that the search looks at, and not between them.
+    /// The best designs keep the conditions at the instants that the search evaluates, but not between them.
     NotKept {
         /// How often the conditions were tightened.
         rounds: usize,
@@ -83,7 +84,7 @@ pub enum DesignError {
     NoStart {
         /// How many were drawn.
         drawn: usize,
-        /// Why the last one was none, where it did not assemble.
+        /// Why one of them does not assemble; `None` if all do.
         why: Option<SolveError>,
     },
 }

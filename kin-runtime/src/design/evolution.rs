@@ -1,9 +1,10 @@
-//! A descent where something is to be least that is no sum of squares: the evolution strategy with covariance matrix
-//! adaptation of N. Hansen (The CMA Evolution Strategy: A Tutorial, 2016), as the crate `basin` has it.
+//! The descent for an objective that is to be least and is no sum of squares: the evolution strategy with covariance
+//! matrix adaptation of N. Hansen (The CMA Evolution Strategy: A Tutorial, 2016), as implemented by the crate `basin`.
 //!
-//! It needs no derivatives, so that the greatest of several numbers may be what is to be least. Every generation draws designs
-//! around the best of the one before, widely at first and ever more closely, so that a descent can leave a local minimum. A
-//! design that breaks a condition or does not assemble counts as worse than the start.
+//! It needs no derivatives, so that the objective may be the greatest of several numbers. Every generation draws
+//! designs around the best of the one before, in a large region at first and in smaller and smaller ones later, so that
+//! a descent can leave a local minimum. A design that breaks a condition or does not assemble counts as worse than the
+//! start.
 
 use super::fit::{Effort, End, error};
 use super::follow::Branch;
@@ -13,16 +14,16 @@ use basin::{
 };
 use core::convert::Infallible;
 
-/// The distribution of designs is no wider than this when a descent is at its end.
+/// A descent ends when the distribution of designs is no wider than this.
 const NARROW: f64 = 1e-9;
 
-/// What is to be least, over the variables.
+/// The objective as a function of the variables.
 struct Landscape<'d> {
     design: &'d dyn Problem,
     branch: &'d Branch,
     lower: Vec<f64>,
     upper: Vec<f64>,
-    /// What a design counts that breaks a condition.
+    /// The value of a design that breaks a condition.
     worst: f64,
 }
 
@@ -33,7 +34,7 @@ pub(super) fn evolve(design: &dyn Problem, start: End, effort: Effort) -> End {
     let worst = start.error + 10.0 * size;
     let (lower, upper) = (vec![0.0; count], vec![1.0; count]);
     let landscape = Landscape { design, branch: &start.branch, lower, upper, worst };
-    // The same start has the same descent.
+    // The seed is taken from the start, so that the same start has the same descent.
     let solver = BoundedCmaEs::<Vec<f64>, DenseMatrix>::new(start.error.to_bits(), effort.spread)
         .with_absolute_distribution_size_tolerance(NARROW);
     let run = Executor::from_start(landscape, solver, start.variables.clone()).max_iter(effort.steps).run();

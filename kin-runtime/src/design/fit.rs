@@ -1,12 +1,12 @@
 //! One descent: bounded nonlinear least squares by `basin`, with a term for every condition.
 //!
-//! First steps are those of a bounded Levenberg–Marquardt method, which solves normal equations and is quick; last ones
-//! those of the trust-region-reflective method, which decomposes the Jacobian into singular values and comes to the end in
-//! flat valleys and at bounds, too, where the other one stands still. Its decomposition takes a hundred times as long where
-//! there are many variables; these end as they began.
+//! The first descents use a bounded Levenberg–Marquardt method, which solves normal equations and is fast; the last
+//! ones the trust-region-reflective method, which uses the singular value decomposition of the Jacobian and converges
+//! in flat valleys and at bounds, too, where the other method stalls. With many variables the decomposition takes a
+//! hundred times as long, and all descents use the first method.
 //!
-//! A slack c adds the residual √τ/c: it keeps c positive at every step and vanishes with τ. Where a slack is not positive or
-//! the mechanism does not assemble, residuals are no numbers, and the trust region shrinks.
+//! A slack c adds the residual √τ/c: it keeps c positive at every step and vanishes with τ. Where a slack is not
+//! positive or the mechanism does not assemble, residuals are NaN, and the trust region shrinks.
 
 use super::follow::Branch;
 use super::motion::Evaluated;
@@ -17,32 +17,33 @@ use basin::{
 };
 use core::convert::Infallible;
 
-/// An error below this share of the sum of squares of what is wanted is 0.
+/// An error below this share of the sum of squares of the wanted values counts as 0.
 pub(crate) const NOTHING: f64 = 1e-24;
 
 /// How far a descent goes.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Effort {
-    /// Shares of the sum of squares that the terms of conditions begin with, one after the other; 0 leaves them out.
+    /// The terms of conditions at the start of a descent, as shares of the sum of squares, one descent after the other;
+    /// 0 leaves the terms out.
     pub(crate) shares: &'static [f64],
     /// Largest number of steps for each of them.
     pub(crate) steps: u64,
     /// The relative change of the sum of squares that ends it.
     pub(crate) change: f64,
-    /// Variables, at most, for the trust-region-reflective method.
+    /// Largest number of variables for which the trust-region-reflective method is used.
     pub(crate) reflective: usize,
-    /// Where something is to be least that is no sum of squares: how far around the start designs are tried at first.
+    /// For an objective that is no sum of squares: how far around the start designs are tried at first.
     pub(crate) spread: f64,
 }
 
-/// To see which of several random designs is worth a descent.
+/// To select the random designs that are worth a descent.
 pub(crate) const GLANCE: Effort = Effort { shares: &[1e-2], steps: 12, change: 1e-3, reflective: 0, spread: 0.1 };
-/// To see which start is worth more.
+/// To select the starts that are worth further descents.
 pub(crate) const FIRST: Effort = Effort { shares: &[1e-2, 1e-6], steps: 60, change: 1e-4, reflective: 0, spread: 0.1 };
-/// To see which of the best is the best.
+/// To select the best of these.
 pub(crate) const SECOND: Effort =
     Effort { shares: &[1e-6, 1e-10], steps: 120, change: 1e-8, reflective: 0, spread: 0.03 };
-/// To the end.
+/// To convergence.
 pub(crate) const LAST: Effort =
     Effort { shares: &[1e-6, 1e-10, 0.0], steps: 480, change: 1e-12, reflective: 12, spread: 0.003 };
 
@@ -57,16 +58,16 @@ struct Fit<'d> {
     rows: usize,
 }
 
-/// Where a descent has come to.
+/// The result of a descent.
 #[derive(Clone, Debug)]
 pub(crate) struct End {
     pub(crate) variables: Vec<f64>,
-    /// The sum of squared misses, and of what is to be least.
+    /// The sum of squared misses, plus the values that are to be least.
     pub(crate) error: f64,
     pub(crate) branch: Branch,
 }
 
-/// The sum of squared misses of a design that keeps all conditions, and of what is to be least.
+/// The sum of squared misses of a design that keeps all conditions, plus the values that are to be least.
 pub(crate) fn error(design: &dyn Problem, variables: &[f64], branch: &Branch) -> Option<f64> {
     let evaluated = design.evaluate(variables, branch, false).ok()?;
     let kept = evaluated.slacks.iter().all(|slack| slack.value > 0.0);
@@ -74,7 +75,7 @@ pub(crate) fn error(design: &dyn Problem, variables: &[f64], branch: &Branch) ->
     (kept && error.is_finite()).then_some(error)
 }
 
-/// Goes downhill from a design that keeps all conditions.
+/// Descends from a design that keeps all conditions.
 pub(crate) fn descend(design: &dyn Problem, start: End, effort: Effort) -> End {
     let mut end = start;
     let nothing = NOTHING * design.wanted();
@@ -90,7 +91,7 @@ pub(crate) fn descend(design: &dyn Problem, start: End, effort: Effort) -> End {
         let (lower, upper) = (vec![0.0; count], vec![1.0; count]);
         let fit = Fit { design, branch: &end.branch, lower, upper, weight, rows };
         let start = end.variables.clone();
-        // Bounds of 0 and 1 are always consistent; where they were not, there would be nothing to descend.
+        // Bounds of 0 and 1 are always consistent; with an error of the solver the design stays as it is.
         let reached = if count <= effort.reflective {
             let solver = TrustRegionReflective::new()
                 .with_absolute_scaled_gradient_tolerance(0.0)

@@ -1,4 +1,4 @@
-//! A design followed along its motion: by the follower of the plan, or by a sweep where that cannot decide.
+//! Follows a design along its motion: by the follower of the plan, or by a sweep where that is not possible.
 
 use super::builder::Design;
 use crate::error::SolveError;
@@ -13,7 +13,8 @@ use crate::sensitivity::{LARGEST, Variation, Varying, is_integrated};
 use crate::solver::Solver;
 use crate::workspace::Instant;
 
-/// Is shown the place of an instant, the place of the first parameter that these numbers vary by, and the numbers.
+/// Receives the index of an instant, the index of the first parameter with respect to which the numbers have
+/// derivatives, and the numbers.
 type See<'s> = dyn FnMut(usize, usize, &Varied) + 's;
 
 /// What is fixed in one descent: the signs of modes, and the directions of paths.
@@ -23,12 +24,12 @@ pub(crate) struct Branch {
     pub(crate) forward: bool,
 }
 
-/// A motion, whatever its mechanism.
+/// A motion, without the type of its mechanism.
 pub(crate) trait Motion {
     fn model(&self) -> &'static Model;
-    /// For every parameter that varies its variable, and by how much it changes with that.
+    /// For every parameter that varies the index of its variable, and its derivative with respect to that.
     fn moved_by(&self) -> &[(usize, f64)];
-    /// Follows the motion over these instants. Without slopes only the first group of parameters is shown.
+    /// Follows the motion over these instants. Without slopes `see` receives only the first group of parameters.
     ///
     /// # Errors
     /// Why the mechanism does not move through all of them.
@@ -40,9 +41,9 @@ pub(crate) struct Follow<'d, M: Mechanism> {
     design: &'d Design<M>,
     mechanism: &'d M,
     branch: &'d Branch,
-    /// Parameters that vary, places in the mechanism.
+    /// Parameters that vary, indices in the mechanism.
     places: Vec<usize>,
-    /// For every one of them its variable, and by how much it changes with that.
+    /// For every one of them the index of its variable, and its derivative with respect to that.
     moved_by: Vec<(usize, f64)>,
 }
 
@@ -84,7 +85,7 @@ impl<'d, M: Mechanism> Follow<'d, M> {
         self.branch.modes.iter().fold(solver, |solver, &(place, sign)| solver.with_mode(place, sign))
     }
 
-    /// The parameters by which numbers vary.
+    /// The parameters with respect to which numbers have derivatives.
     fn varying(&self, slopes: bool) -> &[usize] {
         if slopes { &self.places } else { &self.places[..self.places.len().min(WIDTH)] }
     }

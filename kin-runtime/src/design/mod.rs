@@ -1,15 +1,16 @@
 //! Synthesis: the dimensions with which a mechanism does what is wanted.
 //!
-//! A [`Design`] says which parameters may vary and within which bounds, what is wanted – a point through given places, a
-//! quantity as a function of the drive, poses of a body – and what must hold besides. [`Design::search`] begins at many
-//! random designs, on all cores, and from each goes downhill to a design with the least sum of squared misses, by bounded
-//! nonlinear least squares with the exact derivatives of [`Solver::sensitivities`](crate::Solver::sensitivities): by a
-//! bounded Levenberg–Marquardt method, and at the end by the trust-region-reflective method of Branch, Coleman and Li
-//! (SIAM J. Sci. Comput. 21, 1999), both as the crate `basin` has them.
+//! A [`Design`] consists of the parameters that may vary with their bounds, of objectives – a point through given
+//! places, a quantity as a function of the drive, poses of a body – and of conditions. [`Design::search`] begins at
+//! many random designs, on all cores, and from each descends to a design with the least sum of squared misses
+//! (differences from what is wanted), by bounded nonlinear least squares with the exact derivatives of
+//! [`Solver::sensitivities`](crate::Solver::sensitivities): by a bounded Levenberg–Marquardt method, and at the end by
+//! the trust-region-reflective method of Branch, Coleman and Li (SIAM J. Sci. Comput. 21, 1999), both as implemented by
+//! the crate `basin`.
 //!
 //! Every design is a motion that is followed in one assembly mode from the first instant to the last, so that no design
-//! asks for a change of branch, circuit or order. A design that does not assemble all the way is none: a step there is
-//! refused. Conditions are kept at every step, by terms τ/c² that keep the slack c positive and vanish with τ in the end.
+//! requires a change of branch, circuit or order. A step to a design that does not assemble all the way is refused.
+//! Conditions are kept at every step, by terms τ/c² that keep the slack c positive and vanish with τ in the end.
 //!
 //! ```
 //! use kin_runtime::design::{Design, Search};

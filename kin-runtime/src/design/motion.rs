@@ -1,4 +1,4 @@
-//! A design evaluated: by how much its motion misses what is wanted, its slacks, and the derivatives of both.
+//! The evaluation of a design: its misses (differences from what is wanted), its slacks, and the derivatives of both.
 
 use super::builder::Design;
 use super::condition::Condition;
@@ -12,18 +12,18 @@ use crate::model::Model;
 use crate::results::varied::{Number, Varied, WIDTH};
 use crate::scalar::Scalar;
 
-/// A number with its derivatives by all variables.
+/// A number with its derivatives with respect to all variables.
 #[derive(Clone, Debug)]
 pub(crate) struct Row {
     pub(crate) value: f64,
     pub(crate) by: Vec<f64>,
 }
 
-/// What a design misses, and what is left of its conditions.
+/// The misses of a design, and the slacks of its conditions.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Evaluated {
     pub(crate) misses: Vec<Row>,
-    /// The sum of what is to be least.
+    /// The sum of the values that are to be least.
     pub(crate) least: f64,
     /// Positive where a condition holds; of the order of 1 far from its limit.
     pub(crate) slacks: Vec<Row>,
@@ -54,7 +54,7 @@ impl<M: Mechanism> Design<M> {
         mechanism
     }
 
-    /// All misses and slacks, with derivatives where they are wanted.
+    /// All misses and slacks, with derivatives if `slopes`.
     ///
     /// # Errors
     /// Why the mechanism does not assemble all the way.
@@ -85,7 +85,7 @@ impl Rows<'_> {
     ) -> Result<Evaluated, SolveError> {
         let mut evaluated = Evaluated::default();
         let mut first = self.free.len();
-        // Sums of parameters cost nothing: what they rule out is not followed.
+        // Sums of parameters are evaluated first, at little cost: a design that violates one is not followed.
         for (place, condition) in conditions.iter().enumerate() {
             if let Condition::Sum { terms, least, .. } = condition {
                 evaluated.slacks.push(self.sum(parameters, terms, *least));
@@ -130,7 +130,7 @@ impl Rows<'_> {
         Row { value, by: if self.slopes { vec![0.0; self.variables] } else { Vec::new() } }
     }
 
-    /// Adds the derivatives by the parameters from a place among those that vary.
+    /// Adds the derivatives with respect to the parameters that vary, from the index `first` on.
     fn add(&self, row: &mut Row, first: usize, number: Number) {
         if self.slopes {
             for (by, &(variable, width)) in number.by().iter().zip(&self.follow.moved_by()[first..]) {
@@ -139,7 +139,7 @@ impl Rows<'_> {
         }
     }
 
-    /// Σ factor · parameter − least, in the size of the parameters' bounds.
+    /// Σ factor · parameter − least, relative to the widths of the parameters' bounds.
     fn sum(&self, parameters: &[f64], terms: &[(usize, f64)], least: f64) -> Row {
         let free = |place: usize| self.free.iter().position(|free| free.places.contains(&place));
         let width = |place: usize| free(place).map_or(0.0, |free| self.free[free].width());
@@ -155,7 +155,7 @@ impl Rows<'_> {
         row
     }
 
-    /// What gaps leave of a period.
+    /// The part of a period that the gaps leave.
     fn rest(&self, variables: &[f64], first: usize, count: usize) -> Row {
         let gaps = first + 1..first + count;
         let mut row = self.row(1.0 - variables[gaps.clone()].iter().sum::<f64>());
@@ -226,7 +226,7 @@ impl Rows<'_> {
         })
     }
 
-    /// Slacks at instants: those that `of` gives of what is known there.
+    /// Slacks at instants: those that `of` computes from the numbers there.
     fn slacks(
         &self,
         times: &[f64],
@@ -281,5 +281,5 @@ pub(crate) fn range_slacks(
     }
 }
 
-/// What has no value.
+/// The number of a quantity without a value.
 const UNKNOWN: Number = Number::new(f64::NAN, [f64::NAN; WIDTH]);

@@ -1,5 +1,5 @@
-//! What a mechanism is to do: quantities that are to have given values at instants that are given or free, and functions
-//! of quantities that are to be 0.
+//! What a mechanism is to do: quantities that are to have given values at instants that are given or free, and
+//! functions of quantities that are to be 0 or least.
 
 use super::error::DesignError;
 use crate::measure::{Measure, Needs};
@@ -75,7 +75,7 @@ impl Quantity {
         }
     }
 
-    /// The number with its derivatives by parameters.
+    /// The number with its derivatives with respect to parameters.
     pub(crate) fn varied(&self, model: &Model, varied: &Varied) -> Option<Number> {
         match self {
             Self::Named(measure) | Self::Angle(measure) => measure.varied(model, varied),
@@ -83,7 +83,7 @@ impl Quantity {
         }
     }
 
-    /// ∂/∂t of a component of a point, which alone may be wanted at instants that are free.
+    /// ∂/∂t of a component of a point; other quantities have no free instants.
     pub(crate) fn rate(&self, model: &Model, varied: &Varied) -> f64 {
         let Self::Named(measure) = self else { return f64::NAN };
         measure.next_order().and_then(|rate| rate.varied(model, varied)).map_or(f64::NAN, Number::value)
@@ -112,7 +112,7 @@ pub(crate) type Residuals = Arc<dyn Fn(&[Vec<Number>]) -> Vec<Number> + Send + S
 /// A function of quantities at all instants, which gives a number that is to be least.
 pub(crate) type Least = Arc<dyn Fn(&[Vec<f64>]) -> f64 + Send + Sync>;
 
-/// What quantities are to be.
+/// What is wanted of quantities.
 #[derive(Clone)]
 pub(crate) enum Wanted {
     /// For every instant the values of all quantities, and the weight of each quantity.
@@ -192,7 +192,7 @@ impl Objective {
         if self.free.is_some() { self.instants() } else { 0 }
     }
 
-    /// The values that are wanted, each with its weight.
+    /// The wanted values, each times its weight.
     pub(crate) fn weighted(&self) -> impl Iterator<Item = f64> + '_ {
         let (values, weights) = match &self.wanted {
             Wanted::Values(values, weights) => (&values[..], &weights[..]),

@@ -12,7 +12,7 @@ use crate::mechanism::Mechanism;
 pub(crate) trait Problem: Sync {
     fn free(&self) -> &[Free];
     fn objectives(&self) -> &[Objective];
-    /// All misses and slacks, with derivatives where they are wanted.
+    /// All misses and slacks, with derivatives if `slopes`.
     ///
     /// # Errors
     /// Why the mechanism does not assemble all the way.
@@ -34,17 +34,17 @@ impl<M: Mechanism> Problem for Design<M> {
 }
 
 impl dyn Problem + '_ {
-    /// The sum of squares of what is wanted: errors are measured by it.
+    /// The sum of squares of the wanted values, relative to which errors are compared.
     pub(crate) fn wanted(&self) -> f64 {
         self.objectives().iter().flat_map(Objective::weighted).map(|value| value * value).sum()
     }
 
-    /// The largest of the values that are wanted.
+    /// The largest of the wanted values.
     pub(crate) fn size(&self) -> f64 {
         self.objectives().iter().flat_map(Objective::weighted).map(f64::abs).fold(0.0, f64::max)
     }
 
-    /// Whether something is to be least that is no sum of squares.
+    /// Whether an objective is to be least and is no sum of squares.
     pub(crate) fn is_least(&self) -> bool {
         self.objectives().iter().any(|objective| matches!(objective.wanted, Wanted::Least(_)))
     }

@@ -3,11 +3,11 @@
 use crate::planned::Sign;
 use core::fmt;
 
-/// A condition, and what is left of it.
+/// A condition and its slack.
 ///
 /// For a condition on a whole period the motion of the result is followed all along the period, and the least slack is
-/// found between instants, too: the slack is interpolated by polynomials of Chebyshev around the least of
-/// 361 values until their last coefficients are as small as rounding.
+/// found between instants, too: the slack is interpolated by Chebyshev polynomials around the least of 361 values until
+/// their last coefficients are as small as rounding.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Slack {
@@ -16,7 +16,7 @@ pub struct Slack {
     /// By how much it is kept, in its own size: 0 at its limit, of the order of 1 far from it. Sums of parameters are
     /// measured by their bounds, ranges by their width.
     pub slack: f64,
-    /// When that is, for a condition on a whole period.
+    /// The instant of the least slack, for a condition on a whole period.
     pub at: Option<f64>,
 }
 
@@ -32,27 +32,27 @@ pub struct Designed<M> {
     /// The sum of squared misses: of distances for a path, of differences for a function. Where something was to be least, its
     /// value is added.
     pub error: f64,
-    /// What was to be least ([`Design::least`](super::Design::least)); none where all that is wanted are sums of squares.
+    /// What was to be least ([`Design::least`](super::Design::least)); none where all objectives are sums of squares.
     pub least: Option<f64>,
     /// The instants of every objective, in their order.
     pub times: Vec<Vec<f64>>,
     /// The assembly modes.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub modes: Vec<(&'static str, Sign)>,
-    /// What is left of the conditions: of each the least.
+    /// The least slack of every condition.
     pub slacks: Vec<Slack>,
-    /// Starts that were asked for.
+    /// The number of requested starts.
     pub starts: usize,
     /// Starts for which a design was found that assembles all the way and keeps the conditions.
     pub assembled: usize,
     /// Descents that were taken to the end.
     pub finished: usize,
-    /// How many of these met the best: within a millionth of its error. Few of many say that a better one may exist; many do
-    /// not prove that none does.
+    /// How many of these reached the best design: an error within a millionth of its error. If only few did, a better
+    /// design may exist; if many did, that is no proof that none does.
     pub met: usize,
     /// The errors of the descents that were taken to the end, in ascending order.
     pub errors: Vec<f64>,
-    /// True when the search was stopped before its time.
+    /// True when [`Search::watch`](super::Search::watch) stopped the search.
     pub stopped: bool,
 }
 
@@ -77,7 +77,7 @@ impl<M> Designed<M> {
     }
 }
 
-/// The error, how many starts met it, and a line per parameter and condition.
+/// The error, how many starts reached it, and a line per parameter and condition.
 impl<M> fmt::Display for Designed<M> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { error, starts, assembled, finished, met, .. } = self;

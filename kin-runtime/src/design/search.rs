@@ -17,17 +17,17 @@ use core::ops::ControlFlow;
 use core::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use rayon::prelude::*;
 
-/// How far a search is.
+/// The progress of a search.
 #[derive(Clone, Copy, Debug)]
 #[non_exhaustive]
 pub struct Progress {
     /// Descents that are finished.
     pub done: usize,
-    /// All of them.
+    /// Their total number.
     pub total: usize,
 }
 
-/// Is told how far a search is, and says whether to go on.
+/// Receives the progress of a search and decides whether it goes on.
 type Watch<'a> = &'a (dyn Fn(Progress) -> ControlFlow<()> + Sync);
 
 /// How to search.
@@ -37,7 +37,7 @@ pub struct Search<'a> {
     pub starts: usize,
     /// The same seed gives the same result, on however many cores.
     pub seed: u64,
-    /// Is called after every descent; where it breaks, the best so far is the result.
+    /// Is called after every descent; if it returns `Break`, the best design so far is the result.
     pub watch: Option<Watch<'a>>,
 }
 
@@ -53,30 +53,30 @@ impl core::fmt::Debug for Search<'_> {
     }
 }
 
-/// Random designs that are drawn for one start, at most.
+/// Largest number of random designs that are drawn for one start.
 const DRAWS: usize = 2000;
 /// Of those that keep the conditions, how many are compared.
 const COMPARED: usize = 24;
 /// Of these, how many are improved by a few steps before the best of them is the start.
 const TRIED: usize = 4;
-/// Searches at most with conditions that are tightened by what was found between instants.
+/// Largest number of searches, each with conditions tightened by the violations that were found between instants.
 const ROUNDS: usize = 4;
 /// By how much conditions are tightened, relative to what was found.
 const TIGHTER: f64 = 1.2;
 /// Of the first descents, one in so many goes on.
 const TAKEN: usize = 4;
-/// And so many at least; of these, so many are taken to the end.
+/// At least this many go on; at most this many of them are taken to the end.
 const FINISHED: usize = 12;
-/// What counts as the same minimum, beside its error.
+/// Largest difference of two errors, relative to the error, with which they count as the same minimum.
 const SAME: f64 = 1e-6;
 
 impl<M: Mechanism> Design<M> {
     /// Searches for the parameters with the least sum of squared misses.
     ///
     /// # Errors
-    /// [`Nothing`](DesignError::Nothing) where nothing is free or nothing is wanted; [`Inputs`](DesignError::Inputs) for a
-    /// mechanism with inputs; [`NoStart`](DesignError::NoStart)
-    /// where no random design assembles all the way and keeps the conditions.
+    /// [`Nothing`](DesignError::Nothing) without free parameters or without objectives; [`Inputs`](DesignError::Inputs)
+    /// for a mechanism with inputs; [`NoStart`](DesignError::NoStart) where no random design assembles all the way and
+    /// keeps the conditions.
     pub fn search(&self, search: &Search<'_>) -> Result<Designed<M>, DesignError> {
         if self.free.is_empty() {
             return Err(DesignError::Nothing { what: "no parameter is free" });
@@ -119,13 +119,13 @@ impl<M: Mechanism> Design<M> {
             for (condition, slack) in tightened.conditions.iter_mut().zip(&slacks) {
                 condition.tighten(TIGHTER * (-slack.slack).max(0.0));
             }
-            // Starts are drawn anew where none keeps the tightened conditions.
+            // New starts are drawn if none of the old ones keeps the tightened conditions.
             ends.retain(|end: &End| error(&tightened, &end.variables, &end.branch).is_some());
         }
         Err(DesignError::NotKept { rounds: ROUNDS })
     }
 
-    /// Every mode of the plan with the sign that is asked for, or that the guesses lead to.
+    /// Every mode of the plan with the prescribed sign, or else the one that the guesses lead to.
     fn all_modes(&self) -> Vec<(usize, Option<Sign>)> {
         let modes = M::model().plan.modes;
         let instant = self.objectives.iter().find_map(|objective| objective.times.first().copied()).unwrap_or(0.0);
@@ -167,12 +167,13 @@ impl dyn Problem + '_ {
     /// Random variables.
     fn draw(&self, random: &mut Random, modes: &[(usize, Option<Sign>)]) -> (Vec<f64>, Branch) {
         let mut share = || 0.5 * (random.symmetric() + 1.0);
-        // Bounds may be far wider than what is wanted: half of the draws come as near to that as chance has it.
+        // Bounds may be far wider than the wanted values are large: half of the draws are restricted to a smaller part
+        // of them, of random width.
         let (size, near) = (self.size(), (2.0 * share() - 1.0).max(0.0));
         let mut variables: Vec<f64> = self.free().iter().map(|free| free.drawn(size, near, share())).collect();
         for objective in self.objectives().iter().filter(|objective| objective.free.is_some()) {
             let count = objective.instants();
-            // The first instant within one period; then equal gaps that leave something of it.
+            // The first instant within one period; then equal gaps that do not fill the period.
             variables.push((1.0 + share()) / PERIODS);
             let all = 0.3 + 0.65 * share();
             let gap = all / (count as f64);
@@ -203,7 +204,7 @@ impl dyn Problem + '_ {
         tried.min_by(|a, b| a.error.total_cmp(&b.error))
     }
 
-    /// Why a random design does not assemble, if that is why.
+    /// Why a random design does not assemble, if that is the reason.
     fn why(&self, modes: &[(usize, Option<Sign>)], seed: u64) -> Option<SolveError> {
         let mut random = Random::new(seed);
         (0..DRAWS).find_map(|_| {

@@ -4,7 +4,7 @@ use super::{Design, Direction, Search, Shortest, Slack};
 use crate::mechanism::Mechanism;
 use core::fmt;
 
-/// How many parameters are free, and how much is wanted of them.
+/// The numbers of free parameters, objectives and conditions.
 impl<M: Mechanism> fmt::Display for Design<M> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let [free, objectives, conditions] = [self.free.len(), self.objectives.len(), self.conditions.len()];

@@ -17,8 +17,8 @@ impl Free {
         self.high - self.low
     }
 
-    /// A variable within the bounds or, as `near` goes from 0 to 1, within the part of them that is no more than twice as
-    /// wide as `size`, around what is nearest to 0; `share` says where.
+    /// A variable within the bounds or, as `near` goes from 0 to 1, within the part of them that is no more than twice
+    /// as wide as `size`, around the number nearest to 0; `share` is the position in that part.
     pub(crate) fn drawn(&self, size: f64, near: f64, share: f64) -> f64 {
         let least = (2.0 * size / self.width()).clamp(1e-6, 1.0);
         let part = least.powf(near);
@@ -28,7 +28,7 @@ impl Free {
     }
 }
 
-/// The place of a parameter.
+/// The index of a parameter.
 pub(crate) fn place<M: Mechanism>(parameter: &str) -> Result<usize, DesignError> {
     let parameters = M::model().parameters;
     parameters.iter().position(|info| info.name == parameter).ok_or_else(|| DesignError::UnknownParameter {
@@ -40,8 +40,7 @@ pub(crate) fn place<M: Mechanism>(parameter: &str) -> Result<usize, DesignError>
 /// Instants with their derivatives: of which variables each is a sum, and by which factor.
 pub(crate) struct Instants {
     pub(crate) times: Vec<f64>,
-    /// For every instant the variables that move it: the first, and one past the last of the gaps before it; none where it
-    /// is given.
+    /// How the instants follow from variables; none where they are given.
     pub(crate) moved_by: Option<Chain>,
 }
 
@@ -62,7 +61,8 @@ impl Chain {
     }
 }
 
-/// Periods over which the first instant may lie, the middle one in the middle: it is never at a bound.
+/// Number of periods within which the first instant may lie, with the first period in the middle, so that an instant in
+/// that period is never at a bound.
 pub(crate) const FIRST: f64 = 3.0;
 
 /// The instants of an objective; `first` is the place of its own variables.

@@ -1,4 +1,4 @@
-//! The conditions of a design held against its whole motion, not only against the instants that a search looks at.
+//! Verifies the conditions of a design along its whole motion, not only at the instants that a search evaluates.
 
 use super::builder::Design;
 use super::condition::Condition;
@@ -12,14 +12,14 @@ use crate::mechanism::Mechanism;
 use crate::nonlinear::peak::peak;
 use crate::results::varied::{Number, Varied};
 
-/// Steps along a period, beside the least of which the motion is looked at more closely.
+/// Number of steps along a period; the least slack is located between the neighbours of the least value.
 const STEPS: usize = 360;
 
 /// Slacks of one instant.
 type Slacks<'s> = dyn Fn(&Varied, &mut Vec<Number>) + 's;
 
 impl<M: Mechanism> Design<M> {
-    /// What is left of every condition: of one on a period the least of all of it.
+    /// The slack of every condition; of a condition on a period the least.
     ///
     /// # Errors
     /// [`Broken`](DesignError::Broken) where the mechanism does not move through all of a period.

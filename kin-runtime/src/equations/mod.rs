@@ -224,7 +224,7 @@ impl<'a> Equations<'a> {
         result
     }
 
-    /// Evaluates with time standing still, and all inputs but one, whose rate is 1.
+    /// Evaluates with constant time and constant inputs, except for the given input, whose rate is 1.
     pub(crate) fn along<R>(
         &mut self,
         input: Option<usize>,

@@ -78,12 +78,12 @@ pub(crate) trait System {
         let _ = (at, modes, start, depth, solved);
         Ok(())
     }
-    /// Writes the branch value of every group of the plan at q, whose sign tells the branches apart.
+    /// Writes the branch value of every group of the plan at q, whose sign distinguishes the branches.
     fn branches(&self, at: &Instant<'_>, q: &[f64], branch_values: &mut [f64]) -> Result<(), LengthError> {
         let _ = (at, q, branch_values);
         Ok(())
     }
-    /// Writes for every coordinate by what angle the gradients of iterated rows turn with it.
+    /// Writes for every coordinate how far the gradients of iterated rows turn with it, in radians per unit.
     fn turns(&self, at: &Instant<'_>, q: &[f64], turns: &mut [f64]) -> Result<(), LengthError> {
         let _ = (at, q, turns);
         Ok(())
@@ -165,12 +165,12 @@ pub(crate) trait System {
     }
 }
 
-/// What the follower of the plan says of a solution besides its numbers.
+/// What the follower of the plan reports of a solution besides its numbers.
 #[derive(Clone, Copy)]
 pub(crate) struct Followed {
     /// The smallest margin.
     pub(crate) least_margin: f64,
-    /// True where the solution is one step away from the previous one.
+    /// True if one step led from the previous solution to this one.
     pub(crate) in_one_step: bool,
 }
 

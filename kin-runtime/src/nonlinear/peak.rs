@@ -6,27 +6,27 @@
 //! x_j = −cos(π j/n),   f(x) ≈ Σ c_k T_k(x),   c_k = (2/n) Σ″ (−1)^k f(x_j) cos(π j k/n)
 //! ```
 //!
-//! where Σ″ halves its first and last term, and c_0 and c_n are halved as well (Clenshaw and Curtis 1960). Where the last
-//! coefficients are as small as rounding, the interpolant is the function, and its greatest value is found where its
-//! derivative is 0. Otherwise the same is done between the neighbours of the greatest of the values. A function that is
-//! smooth at no scale has a kink there.
+//! where Σ″ halves its first and last term, and c_0 and c_n are halved as well (Clenshaw and Curtis 1960). Where the
+//! last coefficients are as small as rounding, the interpolant equals the function to rounding, and its greatest value
+//! is found where its derivative is 0. Otherwise the same is done between the neighbours of the greatest of the values.
+//! A function that is smooth at no scale has a kink there.
 
 /// The degree n of interpolants.
 const DEGREE: usize = 12;
-/// Last coefficients up to this, relative to the function's size, are as small as rounding: less strictly in later rounds,
-/// where values turn out to be known to fewer digits.
+/// Last coefficients up to this, relative to the function's size, are as small as rounding: less strictly in later
+/// rounds, which occur where values are known to fewer digits.
 const ROUNDING: [f64; 5] = [1e-14, 1e-13, 1e-12, 1e-11, 1e-10];
 /// The same, relative to the function's variation in the interval.
 const RESOLVED: f64 = 1e-11;
-/// Last coefficients above this, relative to the variation, say that the interpolant has nothing to do with the function.
+/// Last coefficients above this, relative to the variation, mean that the interpolant does not represent the function.
 const ROUGH: f64 = 1e-3;
-/// Variations below this, relative to the size, are too small for their shape to be told.
+/// Variations below this, relative to the size, are too small to show a shape.
 const FLAT: f64 = 1e-7;
 /// Intervals this small, relative to the whole range, in which a function is not smooth yet have a kink.
 const SMALLEST: f64 = 1e-12;
-/// Intervals at most, each within the one before.
+/// Largest number of intervals, each within the one before.
 const ROUNDS: usize = 60;
-/// Values of an interpolant among which the greatest is looked for, per interval of its points.
+/// Number of values of an interpolant, per interval between its points, among which the greatest is sought.
 const FINE: usize = 8;
 
 /// The greatest value of a function.
@@ -41,7 +41,7 @@ pub(crate) struct Peak {
 }
 
 /// The greatest value between `a` and `b`, which are in a range of this length. `sample` gives the values at places in
-/// order from `a` to `b`; none, or a value that is no number, ends the search with the greatest value so far.
+/// order from `a` to `b`; `None` or a NaN ends the search with the greatest value so far.
 pub(crate) fn peak(
     mut sample: impl FnMut(&[f64]) -> Option<Vec<f64>>,
     [mut a, mut b]: [f64; 2],
@@ -71,7 +71,7 @@ pub(crate) fn peak(
         let shows = variation > FLAT * size;
         if tail <= ROUNDING[round.min(ROUNDING.len() - 1)] * size + RESOLVED * variation {
             if rough && !shows {
-                // It was nowhere smooth until it became flat.
+                // The function was not smooth in any interval until it became flat.
                 return best;
             }
             let x = greatest(&coefficients);
@@ -102,7 +102,7 @@ fn interpolate(values: &[f64]) -> [f64; DEGREE + 1] {
     for (k, coefficient) in coefficients.iter_mut().enumerate() {
         let term = |(j, value): (usize, &f64)| {
             let weight = if j == 0 || j == DEGREE { 0.5 } else { 1.0 };
-            // The places run from −1 to 1, against the cosines.
+            // The places run from −1 to 1, in the opposite order of the cosines.
             let angle = core::f64::consts::PI * ((DEGREE - j) * k) as f64 / n;
             weight * value * angle.cos()
         };

@@ -1,4 +1,5 @@
-//! The equations that are left when everything that follows by sums and single rows is taken out of a mechanism.
+//! The closure equations of a mechanism: those that remain when all coordinates that follow from sums of rows or from
+//! single rows have been eliminated.
 
 use super::eliminated::{EliminatedAngle, dot};
 use super::enclosures::Enclosures;
@@ -17,15 +18,15 @@ const ANGLES: [f64; 5] = [0.7, 1.9, 2.6, 4.1, 5.3];
 
 /// f(u, t) = 0: the closure equations f of the coordinates u that no single row determines.
 ///
-/// [`Reduced`] takes out the x and y of bodies. Of the coordinates that remain, *known* ones are computed in turn, each from one
-/// linear equation with constant factors: driven angles, and angles that gears couple with them. Angles of pinned bodies that occur
-/// in one loop only are [eliminated](EliminatedAngle).
+/// [`Reduced`] eliminates the x and y of bodies. Of the coordinates that remain, *known* ones are computed in turn,
+/// each from one linear equation with constant factors: driven angles, and angles that gears couple with them. Angles
+/// of pinned bodies that occur in one loop only are [eliminated](EliminatedAngle).
 pub(super) struct ClosureEquations<'s> {
     square: &'s Square,
     system: &'s mut dyn Enclosures,
     reduced: Reduced,
-    /// Known coordinates among the remaining ones in the order of their computation, each with its equation, and the factors
-    /// of that equation by all remaining coordinates.
+    /// Known coordinates among the remaining ones in the order of their computation, each with its equation, and the
+    /// factors of all remaining coordinates in it.
     determined: Vec<(usize, usize, Vec<Interval>)>,
     /// The intervals of known coordinates, and those of their rates.
     known: Vec<Option<Interval>>,
@@ -35,7 +36,8 @@ pub(super) struct ClosureEquations<'s> {
     unknown: Vec<usize>,
     /// The equations f among those of [`Reduced`]; the ones of eliminated angles come after them.
     rows: Vec<usize>,
-    /// Buffers: zeros, all coordinates over the box that is looked at, and what the mechanism's rows and the equations are there.
+    /// Buffers: zeros, all coordinates over the current box, and the values of the mechanism's rows and of the
+    /// equations there.
     still: Vec<Interval>,
     q: Vec<Interval>,
     of_rows: Vec<Interval>,
@@ -47,13 +49,13 @@ pub(super) struct EvaluatedEquations {
     pub(super) f: Vec<Interval>,
     /// ∂f/∂u, row by row.
     pub(super) f_u: Vec<Vec<Interval>>,
-    /// ∂f/∂t, with known coordinates moving; empty unless asked for.
+    /// ∂f/∂t, with known coordinates moving; empty unless requested.
     pub(super) f_t: Vec<Interval>,
     /// The constant parts of eliminated angles, with their derivatives.
     constant_parts: Vec<ConstantPart>,
 }
 
-/// 2 N a of an eliminated angle, the derivatives of a by u, and the one by t; 0 unless asked for.
+/// 2 N a of an eliminated angle, and the derivatives of a with respect to u and to t; the latter is 0 unless requested.
 struct ConstantPart {
     slope: [Interval; 2],
     by_u: Vec<[Interval; 2]>,
@@ -120,8 +122,8 @@ impl<'s> ClosureEquations<'s> {
         }
     }
 
-    /// The angle with these two equations, if their derivatives by it are those of M (cos φ, sin φ) wherever the other
-    /// coordinates are.
+    /// The angle with these two equations, if their derivatives with respect to it are those of M (cos φ, sin φ) for
+    /// all values of the other coordinates.
     fn eliminated_angle(&mut self, k: usize, rows: [usize; 2], region: &[Interval]) -> Option<EliminatedAngle> {
         let column = self.reduced.left[k];
         let everywhere = everywhere(region);
@@ -137,7 +139,7 @@ impl<'s> ClosureEquations<'s> {
         let size = at_zero.iter().chain(&at_quarter).fold(0.0, |most: f64, x| most.max(x.magnitude()));
         let is_narrow = |x: &Interval| x.radius() <= CONSTANT * size;
         let found = EliminatedAngle::new(k, rows, at_zero, at_quarter)?;
-        // Points of a pin do not depend on the angle of their body, unless somebody writes it.
+        // The local points of a pin do not depend on the angle of their body, unless their formulas contain it.
         let is_same = ANGLES.into_iter().all(|angle| {
             let angle = Interval::from(angle);
             let own = found.derivatives(angle);
@@ -147,24 +149,24 @@ impl<'s> ClosureEquations<'s> {
         (is_same && at_zero.iter().chain(&at_quarter).all(is_narrow)).then_some(found)
     }
 
-    /// Eliminated angles with the constant parts of their equations, once all equations have values.
+    /// Eliminated angles with the constant parts of their equations, from the current values of all equations.
     fn constant_parts(&self) -> impl Iterator<Item = (&EliminatedAngle, [Interval; 2])> {
         self.eliminated.iter().map(|(angle, _)| (angle, angle.constant_part(angle.rows.map(|i| self.values.phi[i]))))
     }
 
-    /// Sets the instant, by its t, and computes the known coordinates there.
+    /// Sets t and computes the known coordinates there.
     pub(super) fn at(&mut self, t: Interval) {
         self.system.set_time(t);
         self.follow();
     }
 
-    /// Computes the known coordinates: their equations are linear in them, and have no others.
+    /// Computes the known coordinates: their equations are linear in them and contain no other coordinates.
     fn follow(&mut self) {
         self.known.fill(None);
         self.go_to(&[]);
         let has_values = self.evaluate(Subset::PHI).is_ok();
         for (k, row, factors) in &self.determined {
-            // Where there are no values, nothing is known of them.
+            // Without values their bounds are infinite.
             let value = if has_values { self.values.phi[*row] } else { Interval::ENTIRE };
             self.known[*k] = Some(-self.with_known(value, factors, &self.known) / factors[*k]);
         }
@@ -176,17 +178,17 @@ impl<'s> ClosureEquations<'s> {
         terms.fold(value, |sum, term| sum + term)
     }
 
-    /// How many numbers u has.
+    /// The number of coordinates u.
     pub(super) fn count(&self) -> usize {
         self.unknown.len()
     }
 
-    /// The coordinates u by their places in q.
+    /// The indices of u in q.
     pub(super) fn places(&self) -> impl Iterator<Item = usize> + '_ {
         self.unknown.iter().map(|&k| self.reduced.left[k])
     }
 
-    /// f and its derivatives over a box, the one by t if `with_time`.
+    /// f and its derivatives over a box, including the one with respect to t if `with_time`.
     pub(super) fn closure(&mut self, u: &[Interval], with_time: bool) -> Result<EvaluatedEquations, Uncertified> {
         self.closure_of(u, with_time, false)?.ok_or(Uncertified::Malformed)
     }
@@ -233,7 +235,7 @@ impl<'s> ClosureEquations<'s> {
         Ok(Some(EvaluatedEquations { f, f_u, f_t, constant_parts }))
     }
 
-    /// Whether the equations are the same after a whole turn of each number of u: not those of lengths, and not those of
+    /// Whether the equations are the same after a whole turn, for each of the coordinates u: false for lengths, and for
     /// angles that gears couple in a ratio.
     pub(super) fn turns(&mut self, u: &[Interval]) -> Vec<bool> {
         let turn = Interval::new(std::f64::consts::TAU, std::f64::consts::TAU.next_up());
@@ -258,7 +260,7 @@ impl<'s> ClosureEquations<'s> {
         Ok(self.f())
     }
 
-    /// f, once all equations have values.
+    /// f, from the current values of all equations.
     fn f(&self) -> Vec<Interval> {
         let mut f = Vec::with_capacity(self.rows.len() + self.eliminated.len());
         f.extend(self.rows.iter().map(|&i| self.values.phi[i]));
@@ -266,7 +268,7 @@ impl<'s> ClosureEquations<'s> {
         f
     }
 
-    /// The rates of known coordinates, once the equations have derivatives by t.
+    /// The rates of known coordinates, from the current derivatives of the equations with respect to t.
     fn rates(&self) -> Vec<Option<Interval>> {
         let mut rates = vec![None; self.known.len()];
         for (k, row, factors) in &self.determined {
@@ -285,8 +287,8 @@ impl<'s> ClosureEquations<'s> {
         Ok(of_all)
     }
 
-    /// −(f_uu w w + 2 f_ut w + f_tt), along rates w of u and `rates` of the known coordinates: γ of the mechanism. `closure`
-    /// is that of the box, by t as well.
+    /// −(f_uu w w + 2 f_ut w + f_tt), along rates w of u and `rates` of the known coordinates: γ of the mechanism.
+    /// `closure` is that of the box, with the derivatives with respect to t.
     pub(super) fn gamma(
         &mut self,
         closure: &EvaluatedEquations,
@@ -351,7 +353,7 @@ impl<'s> ClosureEquations<'s> {
         self.evaluate(subset)
     }
 
-    /// Evaluates the equations over the box of all coordinates; lists that are not in the subset stay what they are.
+    /// Evaluates the equations over the box of all coordinates; lists that are not in the subset remain unchanged.
     fn evaluate(&mut self, subset: Subset) -> Result<(), Uncertified> {
         let Self { system, reduced, square, still, q, of_rows, values, .. } = self;
         let rows = system.evaluate(subset, q, still).map_err(|_| Uncertified::Malformed)?;
@@ -370,12 +372,13 @@ impl<'s> ClosureEquations<'s> {
     }
 }
 
-/// A very large region, over which only constants are single numbers.
+/// A very large region, over which only constants have intervals of a single number.
 fn everywhere(region: &[Interval]) -> Vec<Interval> {
     region.iter().map(|x| x.hull(Interval::new(-1e6, 1e6))).collect()
 }
 
-/// The equations of [`Reduced`] and their derivatives by t, and the entries of the rows from which those by coordinates follow.
+/// The equations of [`Reduced`] and their derivatives with respect to t, and the entries of Φ_q from which those with
+/// respect to coordinates follow.
 #[derive(Default)]
 struct Values {
     phi: Vec<Interval>,

@@ -7,14 +7,14 @@
 
 use crate::scalar::Interval;
 
-/// So many numbers are processed at once; columns are padded with zeros to a multiple of it.
+/// How many numbers are processed at once; columns are padded with zeros to a multiple of it.
 const LANES: usize = 4;
 
-/// 2⁻⁹⁶⁰: far more than underflow takes away, and large enough for products with it to be normal numbers, because arithmetic with
-/// subnormal numbers is slow.
+/// 2⁻⁹⁶⁰: far more than the error of an underflow, and large enough for products with it to be normal numbers, because
+/// arithmetic with subnormal numbers is slow.
 const TINY: f64 = f64::from_bits((1023 - 960) << 52);
 
-/// A list of zeros. Memory that the allocator has cleared, which `vec!` asks for, is slower where lists are short.
+/// A list of zeros. `vec!` requests cleared memory from the allocator, which is slower for short lists.
 pub(crate) fn zeros(n: usize) -> Vec<f64> {
     core::iter::repeat_n(0.0, n).collect()
 }
@@ -120,8 +120,8 @@ impl Preconditioner {
         inverse.set(entries, values, &mut Vec::with_capacity(n)).then_some(inverse)
     }
 
-    /// Becomes an approximate inverse of the matrix with these entries, at most one for each place; false if it is singular in
-    /// `f64`.
+    /// Sets it to an approximate inverse of the matrix with these entries, at most one for each place; false if it is
+    /// singular in `f64`.
     pub(super) fn set(
         &mut self,
         entries: &[(usize, usize)],
@@ -140,7 +140,7 @@ impl Preconditioner {
     pub(super) fn rest(&mut self, entries: &[(usize, usize)], values: &[Interval], v: &[f64], bounds: &mut [f64]) {
         let Self { n, height, columns, product, sums, errors } = self;
         let (n, height) = (*n, *height);
-        // C A with the midpoints of A; for every row of A what its entries may be wrong by, times v.
+        // C A with the midpoints of A; for every row of A the bounds of its entries' errors, times v.
         product.fill(0.0);
         errors.fill(0.0);
         for (&(row, column), value) in entries.iter().zip(values) {

@@ -13,7 +13,8 @@
 //! h(u) = a·N a − 1 = 0        N = M⁻ᵀ M⁻¹        dh = 2 N a·da        d²h = 2 da·N da + 2 N a·d²a
 //! ```
 //!
-//! Where both equations are sums of the same pins, M is a rotation and a length, and N nearly a number.
+//! Where both equations are sums of the same pins, M is a rotation times a length, and N nearly a multiple of the
+//! identity.
 //!
 //! For the coupler of a four-bar this is the equation of F. Freudenstein (An analytical approach to the design of four-link
 //! mechanisms, Transactions of the ASME 76 (1954)). One equation takes the place of two, and a search has one coordinate
@@ -43,7 +44,8 @@ pub(super) struct EliminatedAngle {
 }
 
 impl EliminatedAngle {
-    /// Given the derivatives of the two equations by φ at φ = 0 and at φ = π/2; `None` if M may be singular.
+    /// Given the derivatives of the two equations with respect to φ at φ = 0 and at φ = π/2; `None` if M may be
+    /// singular.
     pub(super) fn new(angle: usize, rows: [usize; 2], at_zero: Pair, at_quarter: Pair) -> Option<Self> {
         let (by_cosine, by_sine) = (at_quarter.map(|x| -x), at_zero);
         let ([a, c], [b, d]) = (by_cosine, by_sine);
@@ -55,7 +57,7 @@ impl EliminatedAngle {
         (bounded && !determinant.contains(0.0)).then_some(Self { angle, rows, by_cosine, by_sine, inverse, form })
     }
 
-    /// The derivatives of the two equations by φ.
+    /// The derivatives of the two equations with respect to φ.
     pub(super) fn derivatives(&self, angle: Interval) -> Pair {
         let (sin, cos) = angle.sin_cos();
         [0, 1].map(|i| self.by_sine[i] * cos - self.by_cosine[i] * sin)
@@ -119,7 +121,7 @@ mod tests {
         numbers.map(Interval::from)
     }
 
-    /// M (cos φ, sin φ), and its derivative by φ.
+    /// M (cos φ, sin φ), and its derivative with respect to φ.
     fn turned(phi: f64) -> [[f64; 2]; 2] {
         let (sin, cos) = phi.sin_cos();
         [M.map(|[a, b]| a * cos + b * sin), M.map(|[a, b]| b * cos - a * sin)]

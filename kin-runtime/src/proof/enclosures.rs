@@ -20,13 +20,13 @@ pub(crate) struct Evaluated<'a> {
 
 /// The rows of a mechanism over boxes, at one instant or over an interval of t.
 pub(crate) trait Enclosures {
-    /// Goes to an interval of t; inputs go on from the instant of the beginning with constant acceleration.
+    /// Sets t to an interval; inputs continue from the initial instant with constant acceleration.
     fn set_time(&mut self, t: Interval);
 
     /// Evaluates a subset over the box q and, for γ, q̇.
     fn evaluate(&mut self, subset: Subset, q: &[Interval], q_dot: &[Interval]) -> Result<Evaluated<'_>, LengthError>;
 
-    /// True if Φ_q is proven to have no jumps over the box q, at which its derivatives would say nothing of it.
+    /// True if Φ_q is proven to have no jumps over the box q; across a jump its derivatives would not bound its change.
     fn is_smooth(&self, q: &[Interval]) -> bool;
 }
 
@@ -34,7 +34,7 @@ pub(crate) trait Enclosures {
 pub(crate) struct OverBoxes<'m, M: Mechanism> {
     mechanism: &'m M,
     parameters: M::Parameters<Interval>,
-    /// The instant of the beginning.
+    /// The initial instant.
     start: (Interval, M::Inputs<Interval>),
     t: Interval,
     inputs: M::Inputs<Interval>,

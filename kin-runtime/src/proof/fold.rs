@@ -120,7 +120,7 @@ pub(super) fn prove(equations: &mut ClosureEquations<'_>, near: &[f64], reach: f
         }
         let over = &mut |all: &[Interval], matrix: &mut Vec<Interval>| {
             *matrix = bordered(equations, all, one)?.1;
-            // The test is about equations whose matrix is that of their derivatives.
+            // The test holds for equations whose matrix is that of their derivatives.
             if equations.is_smooth(&all[..m]) { Ok(()) } else { Err(Uncertified::Singular { nearness: 0.0 }) }
         };
         let mut locate = |boxes: &[f64]| {
@@ -172,7 +172,8 @@ pub(super) fn null_vector(a: &[Vec<Interval>]) -> Option<DVector<f64>> {
 /// Bounds of all null vectors with the entry 1 at `one`, for all matrices in A, without that entry; `None` if there may be null
 /// vectors whose entry there is 0.
 ///
-/// With the other columns B and the column b, B w = −b. With C about the pseudoinverse of B, w = −C b + (I − C B) w, and so
+/// With the other columns B and the column b, B w = −b. With an approximate pseudoinverse C of B, w = −C b + (I − C B)
+/// w, and so
 /// |w| ≤ |C b| / (1 − |I − C B|) in the maximum norm.
 fn null_vectors(a: &[Vec<Interval>], one: usize) -> Option<Vec<Interval>> {
     let m = a.len();

@@ -16,7 +16,7 @@ use crate::scalar::Interval;
 /// Largest number of examined boxes, and of undecided ones: more undecided boxes than that are a curve of singular places.
 const MOST: usize = 200_000;
 const UNDECIDED: usize = 200;
-/// In boxes narrower than this a fold is looked for.
+/// In boxes narrower than this a fold is sought.
 const NARROW: f64 = 0.003;
 /// Boxes narrower than this are not divided any further.
 const NARROWEST: f64 = 1e-8;
@@ -34,11 +34,12 @@ pub(crate) struct Fold {
 /// What a search for folds has found.
 #[derive(Default)]
 pub(crate) struct Folds {
-    /// In no order; a fold where an angle is just half a turn from its guess may be there twice.
+    /// In no order; a fold where an angle is just half a turn from its guess may occur twice.
     pub(crate) found: Vec<Fold>,
-    /// Intervals of t in which something is undecided, each with about the configuration there.
+    /// Intervals of t in which something is undecided, each with the approximate configuration there.
     pub(crate) undecided: Vec<Fold>,
-    /// The coordinates, and their intervals, in which the search has an end: all but angles that come round after a turn.
+    /// The coordinates in which the search is bounded, with their intervals: all but angles with which the equations
+    /// repeat after a whole turn.
     pub(crate) bounded: Vec<(usize, Interval)>,
 }
 
@@ -70,7 +71,7 @@ pub(crate) fn folds(
     while let Some(now) = boxes.pop() {
         seen += 1;
         if seen > MOST || search.undecided.len() > UNDECIDED {
-            // What is left is one box around all of it.
+            // What is left is reported as one box around all of it.
             let left = boxes.drain(..).chain(search.undecided.drain(..));
             let hull =
                 |all: Vec<Interval>, other: Vec<Interval>| all.iter().zip(other).map(|(x, y)| x.hull(y)).collect();
@@ -136,7 +137,7 @@ impl Search<'_> {
             return self.undecided.push(now);
         }
         let weight = |k: usize| smear.get(k).copied().unwrap_or(1.0) * (now[k].upper() - now[k].lower());
-        // What hardly matters is cut, too, once everything else is narrow.
+        // A coordinate that hardly changes the equations is cut, too, once all others are narrow.
         let wide = (0..now.len()).filter(|&k| now[k].upper() - now[k].lower() >= NARROWEST * self.sizes[k]);
         let Some(cut) = wide.max_by(|&a, &b| weight(a).total_cmp(&weight(b))) else { return };
         let middle = now[cut].midpoint();
@@ -161,8 +162,8 @@ impl Search<'_> {
         is_covered
     }
 
-    /// One step of the interval Newton method across the curve of closures; the sums of the derivatives' sizes by u and t are
-    /// left in `smear`.
+    /// One step of the interval Newton method across the curve of closures; writes the sums of the sizes of the
+    /// derivatives with respect to each of u and t to `smear`.
     fn shrink(&mut self, now: &mut [Interval], smear: &mut Vec<f64>) -> Shrunk {
         let m = self.equations.count();
         self.equations.at(now[m]);

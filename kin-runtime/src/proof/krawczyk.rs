@@ -89,7 +89,7 @@ impl Square {
         (0..self.entries.len()).map(move |entry| self.source(entry).map_or(Some(1.0), value))
     }
 
-    /// True for the angle of a body in whose rows there are only pins.
+    /// True for the angle of a body that occurs in rows of pins (revolute joints) only.
     pub(super) fn is_pinned_angle(&self, column: usize) -> bool {
         let of = |entry: usize| {
             let row = self.model.rows.get(self.model.constraint_pattern.entries[self.source(entry)?].0)?;
@@ -141,7 +141,7 @@ impl Square {
         Ok(())
     }
 
-    /// Makes `b` b − A x.
+    /// Replaces `b` by b − A x.
     fn subtract(&self, b: &mut [Interval], matrix: &[Interval], x: &[f64]) {
         for (&(row, column), &entry) in self.entries.iter().zip(matrix).filter(|((_, column), _)| x[*column] != 0.0) {
             b[row] = b[row] - entry * Interval::from(x[column]);

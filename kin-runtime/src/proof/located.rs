@@ -45,7 +45,7 @@ impl Trial<'_> {
     /// entries of the matrix over a box, for which `matrix` is a buffer.
     ///
     /// # Errors
-    /// That of `over`, if it has no answer for the smallest box either.
+    /// That of `over`, if it fails for the smallest box, too.
     pub(super) fn locate(
         &self,
         inverse: &mut Preconditioner,

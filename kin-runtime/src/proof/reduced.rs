@@ -22,7 +22,7 @@ pub(super) struct Reduced {
     taken: Vec<(usize, Sum, f64)>,
     /// The remaining coordinates.
     pub(super) left: Vec<usize>,
-    /// The derivative of every equation by every remaining coordinate: a sum over the entries of the rows.
+    /// The derivative of every equation with respect to every remaining coordinate: a sum over the entries of the rows.
     derivatives: Vec<Vec<Sum>>,
 }
 
@@ -38,7 +38,7 @@ impl Reduced {
                 None => constant[column] = false,
             }
         }
-        // Row k of this matrix says of which rows the reduced row k is the sum.
+        // Row k of this matrix has the factors of the rows whose sum is the reduced row k.
         let mut sums = DMatrix::<f64>::identity(n, n);
         let (mut free, mut taken) = ((0..n).collect::<Vec<usize>>(), Vec::new());
         for column in (0..n).filter(|&column| constant[column]) {
@@ -74,7 +74,7 @@ impl Reduced {
         Self { equations, taken, left, derivatives }
     }
 
-    /// Whether an equation has a derivative by a remaining coordinate, given by its index among them.
+    /// Whether an equation depends on a remaining coordinate, given by its index among them.
     pub(super) fn depends(&self, equation: usize, coordinate: usize) -> bool {
         !self.derivatives[equation][coordinate].is_empty()
     }
@@ -85,12 +85,12 @@ impl Reduced {
         values.extend(self.equations.iter().map(|sum| total(sum, rows)));
     }
 
-    /// The derivative of a reduced equation by a remaining coordinate, given the entries of the rows.
+    /// The derivative of a reduced equation with respect to a remaining coordinate, given the entries of the rows.
     pub(super) fn derivative(&self, entries: &[Interval], equation: usize, coordinate: usize) -> Interval {
         total(&self.derivatives[equation][coordinate], entries)
     }
 
-    /// The derivatives of a reduced equation by all remaining coordinates.
+    /// The derivatives of a reduced equation with respect to all remaining coordinates.
     pub(super) fn gradient(&self, entries: &[Interval], equation: usize) -> Vec<Interval> {
         (0..self.left.len()).map(|k| self.derivative(entries, equation, k)).collect()
     }

@@ -113,7 +113,7 @@ impl Search<'_> {
             }
         }
         let weight = |k: usize| smear.get(k).copied().unwrap_or(1.0) * (now[k].upper() - now[k].lower());
-        // What hardly matters is cut, too, once everything else is narrow.
+        // A coordinate that hardly changes the equations is cut, too, once all others are narrow.
         let wide = (0..now.len()).filter(|&k| now[k].upper() - now[k].lower() >= NARROWEST);
         let Some(cut) = wide.max_by(|&a, &b| weight(a).total_cmp(&weight(b))) else { return };
         let middle = now[cut].midpoint();
@@ -123,7 +123,8 @@ impl Search<'_> {
         boxes.extend([lower, upper]);
     }
 
-    /// One step of the interval Newton method; the sums of the derivatives' sizes by every coordinate are left in `smear`.
+    /// One step of the interval Newton method; writes the sums of the sizes of the derivatives with respect to every
+    /// coordinate to `smear`.
     fn shrink(&mut self, now: &mut [Interval], smear: &mut Vec<f64>) -> Shrunk {
         // A box without an enclosure can still be divided.
         let EvaluatedEquations { f_u: a, .. } = match self.equations.possible_closure(now, false) {

@@ -3,7 +3,8 @@
 use super::wrapped::wrap;
 use crate::scalar::{Interval, Scalar};
 
-/// An interval with no sign where it holds 0: the derivative of |x| jumps there, which the second derivative does not show.
+/// An interval whose `signum` is undefined where it holds 0: the derivative of |x| jumps there, which the second
+/// derivative does not show.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Smooth(pub(crate) Interval);
 

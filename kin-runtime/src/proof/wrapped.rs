@@ -1,6 +1,6 @@
-//! What scalars that wrap an [`Interval`](crate::scalar::Interval) have in common with it.
+//! The operations that scalars wrapping an [`Interval`](crate::scalar::Interval) share with it.
 
-/// Everything of a scalar but `atan2` and `signum`, which stand in the braces.
+/// Implements a scalar except for `atan2` and `signum`, which are given in the braces.
 macro_rules! wrap {
     ($Name:ident { $($own:item)* }) => {
         wrap!(operators $Name: Add add, Sub sub, Mul mul, Div div);

@@ -1,4 +1,4 @@
-//! What a sweep along the arc of the solution curve finds on its way.
+//! What a sweep along the arc of the solution curve finds.
 
 use crate::text::{rounded, separated};
 use core::fmt;
@@ -7,12 +7,13 @@ use core::fmt;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum ArcPlaceKind {
-    /// The driver can go no further and turns back, while the mechanism goes on into another closure: t is greatest or least.
+    /// t is greatest or least: the driver can go no further and turns back, while the mechanism moves on into another
+    /// assembly mode.
     DeadCentre,
-    /// Branches of the motion cross. The curve ends there, because nothing says which of them is meant.
+    /// Branches of the motion cross. The curve ends there, because nothing determines which of them to follow.
     BranchPoint,
-    /// The path of a named point has a cusp: the point comes to rest, and goes on in the opposite direction beside the way
-    /// that it came. Ends of a path that only goes to and fro are none.
+    /// The path of a named point has a cusp: the point comes to rest and goes on in the opposite direction, on another
+    /// path than the one it came by. The ends of a path on which the point moves to and fro are no cusps.
     Cusp {
         /// The named point.
         point: &'static str,
@@ -47,7 +48,7 @@ pub struct ArcPlace {
     /// The joints of the group that is singular there; without a plan those whose rows depend on one another. Empty for a
     /// cusp.
     pub joints: Vec<&'static str>,
-    /// The drivers that turn back, where the plan knows them.
+    /// The drivers that turn back, if the plan determines them.
     pub drivers: Vec<&'static str>,
 }
 
@@ -69,21 +70,21 @@ impl fmt::Display for ArcPlace {
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 #[non_exhaustive]
 pub enum ArcEnd {
-    /// The mechanism is back where it began, but for whole turns of bodies: this is all of the curve.
+    /// The mechanism is back where it began, up to whole turns of bodies: the states cover the whole curve.
     Closed,
-    /// t left the interval that was asked for.
+    /// t left the requested interval.
     Bound,
     /// Branches of the motion cross there.
     #[cfg_attr(feature = "serde", serde(rename = "branch point"))]
     BranchPoint,
-    /// No step of any length goes on: a formula is not defined beyond, or a contact ends.
+    /// No step, however short, leads further: a formula is not defined beyond, or a contact ends.
     Ended,
-    /// It did not close within as many steps as are taken.
+    /// The curve did not close within the largest number of steps.
     #[cfg_attr(feature = "serde", serde(rename = "too long"))]
     TooLong,
 }
 
-/// `it is closed`, `t left the interval`, …
+/// `the curve is closed`, `t leaves the interval`, …
 impl fmt::Display for ArcEnd {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
@@ -96,13 +97,13 @@ impl fmt::Display for ArcEnd {
     }
 }
 
-/// What a sweep along the arc says beside its states.
+/// The result of a sweep along the arc, apart from its states.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct SolutionArc {
-    /// The length of the arc from the first state to the last: the Euclidean norm of all displacements on the common scale of
-    /// angles and lengths (see [`Options`](crate::Options)) and of t, which is as long as a driver needs for about one unit of
-    /// it. States are equally far apart by it.
+    /// The length of the arc from the first state to the last: the Euclidean norm of all displacements on the common
+    /// scale of angles and lengths (see [`Options`](crate::Options)) and of t, whose unit is the time in which a driver
+    /// moves by about one unit. The states are at equal distances along the arc.
     pub length: f64,
     /// Dead centres, branch points and cusps in the order in which the arc has them.
     pub places: Vec<ArcPlace>,
@@ -135,9 +136,10 @@ impl fmt::Display for SolutionArc {
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 #[non_exhaustive]
 pub enum ArcFault {
-    /// Rows of velocity level make the position an outcome of the motion so far.
+    /// Rows of velocity level make the position depend on the motion so far.
     VelocityLevel,
-    /// Drivers leave degrees of freedom open, or branches cross: so many directions are possible, and not one.
+    /// The drivers leave degrees of freedom open, or branches cross: the motion can begin in several independent
+    /// directions.
     Directions {
         /// How many.
         count: usize,

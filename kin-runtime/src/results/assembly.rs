@@ -34,7 +34,7 @@ impl Assembly {
 pub enum Undecided {
     /// The groups with these signs are so near to a limit that neither a closure nor its absence is proven.
     Modes {
-        /// Modes and their signs, as far as they matter.
+        /// The modes on which this depends, with their signs.
         modes: Vec<(&'static str, Sign)>,
         /// The joints of the group at its limit.
         joints: Vec<&'static str>,
@@ -59,8 +59,8 @@ pub struct Assemblies {
     /// What is left undecided.
     pub undecided: Vec<Undecided>,
     /// The coordinates that were searched, each with its interval: a full turn for an angle, and a multiple of the size
-    /// of the mechanism for a length that no row determines. Where the plan has a closed form for all groups, only the angles
-    /// that others follow in a ratio, as gears have it: their other turns are other closures.
+    /// of the mechanism for a length that no row determines. If the plan has a closed form for all groups, only the
+    /// angles that others follow in a ratio, as with gears: further turns of such an angle are further closures.
     pub searched: Vec<(&'static str, Interval)>,
 }
 
@@ -70,8 +70,8 @@ impl Assemblies {
         self.undecided.is_empty() && self.found.iter().all(|assembly| assembly.certificate.is_ok())
     }
 
-    /// The name of a closure, by its index in `found`, as the option `--mode` takes it: its [modes](Assembly::name) where they
-    /// tell all closures apart, otherwise its number, `closure=1` for the first.
+    /// The name of a closure, by its index in `found`, as the option `--mode` takes it: its [modes](Assembly::name) if
+    /// no other closure has the same, otherwise its number, `closure=1` for the first.
     pub fn name(&self, index: usize) -> String {
         let name = self.found.get(index).map(Assembly::name).unwrap_or_default();
         match self.found.iter().filter(|found| found.name() == name).count() {

@@ -8,8 +8,9 @@ use core::fmt;
 ///
 /// The proof is for the compiled equations, with parameters, time and inputs as exactly the numbers that `f64` holds:
 /// within [`unique`](Self::unique) there is exactly one q with Φ(q, t) = 0, and its coordinates, rates and
-/// accelerations lie in `q`, `q_dot` and `q_ddot`. Those of an [`Assembly`](crate::Assembly) are for its position alone. The proof accounts for all rounding. Other solutions may exist
-/// outside of `unique`, for example in other assembly modes.
+/// accelerations lie in `q`, `q_dot` and `q_ddot`. The certificate of an [`Assembly`](crate::Assembly) is for its
+/// position alone. The proof accounts for all rounding. Other solutions may exist outside of `unique`, for example in
+/// other assembly modes.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Certificate {
@@ -96,13 +97,13 @@ pub enum Uncertified {
         /// The first such row.
         row: &'static str,
     },
-    /// Coordinates are prescribed at one instant, and nothing says how they go on along t.
+    /// Coordinates are prescribed at one instant, and their values at any other t are unknown.
     Prescribed,
-    /// There are too many assembly modes to go through all of their combinations.
+    /// There are too many assembly modes to examine all of their combinations.
     TooManyModes {
         /// How many there are.
         modes: usize,
-        /// The most whose combinations are gone through.
+        /// The largest number whose combinations are examined.
         most: usize,
     },
     /// NaN or infinity in the state, or lists of wrong lengths.

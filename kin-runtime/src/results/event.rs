@@ -34,11 +34,11 @@ impl fmt::Display for Crossing {
 pub struct Event {
     /// Name of the condition.
     pub name: &'static str,
-    /// Its place in [`Model::conditions`](crate::model::Model::conditions).
+    /// Its index in [`Model::conditions`](crate::model::Model::conditions).
     pub condition: usize,
     /// Time.
     pub t: f64,
-    /// Which way.
+    /// How the limit is met.
     pub crossing: Crossing,
     /// Width of the interval of time around t in which the limit is met: at most 1e-10 for |t| up to 10⁴, relative to
     /// |t| beyond. Larger only where the motion cannot be solved closer to it.
@@ -54,7 +54,7 @@ pub struct Event {
 pub struct Unwatched {
     /// Name of the condition.
     pub name: &'static str,
-    /// Its place in [`Model::conditions`](crate::model::Model::conditions).
+    /// Its index in [`Model::conditions`](crate::model::Model::conditions).
     pub condition: usize,
     /// Time at which the stretch begins, in the direction of the sweep.
     pub from: f64,

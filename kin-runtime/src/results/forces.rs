@@ -20,16 +20,16 @@ pub struct Effort {
     /// given.
     pub name: &'static str,
     /// Torque along an angle, force along a length; positive when it does positive work while the driven quantity
-    /// grows. None if redundant rows leave it undetermined, unless forces of least norm are asked for.
+    /// grows. None if redundant rows leave it undetermined, unless forces of least norm are requested.
     pub effort: Option<f64>,
     /// The rate of the driven quantity; effort · rate is the power supplied.
     pub rate: f64,
-    /// False where redundant rows share the load in a way that equilibrium alone does not tell.
+    /// False where redundant rows share the load in a way that equilibrium alone does not determine.
     pub determined: bool,
 }
 
-/// What a joint exerts. The other body receives the opposite force at the same place and the opposite moment; of two discs
-/// that roll on one another along a ψ that is driven, the first receives the driver's torque besides.
+/// What a joint exerts. The other body receives the opposite force at the same place and the opposite moment. If two
+/// discs roll on one another along a ψ that is driven, the first also receives the driver's torque.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Reaction {
     /// The joint; `b.x`, `b.y`, `b.phi` or `b.origin` for held coordinates and the carried origin of a body `b`.
@@ -39,7 +39,7 @@ pub struct Reaction {
     /// The joint's point in the inertial frame; none for a pure couple.
     pub point: Option<[f64; 2]>,
     /// The force in the inertial frame; none for a pure couple, and if redundant rows leave it undetermined, unless
-    /// forces of least norm are asked for ([`Solver::forces_of_least_norm`](crate::Solver::forces_of_least_norm)).
+    /// forces of least norm are requested ([`Solver::forces_of_least_norm`](crate::Solver::forces_of_least_norm)).
     pub force: Option<[f64; 2]>,
     /// The moment about that point, or the couple; `None` if there is none or if it is undetermined.
     pub moment: Option<f64>,
@@ -48,15 +48,15 @@ pub struct Reaction {
     /// −λ of the user's own rows, conjugate to left minus right.
     pub generalized: Vec<f64>,
     /// For contacts (cams, flat followers, rolling discs): the normal component of the contact force, positive while
-    /// the bodies press on one another; a real contact would open where it becomes negative. The outer side is that
-    /// outside of a polar curve, that on which the left side of an implicit curve grows, that to the right of a
-    /// parametric curve or that of its roller, and for lines and discs that of the rolling disc.
+    /// the bodies press on one another; a real contact would open where it becomes negative. It points to the outer
+    /// side: outside of a polar curve, where the left side of an implicit curve grows, to the right of a parametric
+    /// curve or on the side of its roller, and for lines and discs on the side of the rolling disc.
     pub normal: Option<f64>,
     /// For discs that roll without slipping: the component of the contact force on the second body along the line's
     /// axis, or in the direction of growing ψ. Rolling needs a coefficient of friction of at least |tangential| /
     /// normal.
     pub tangential: Option<f64>,
-    /// False where redundant rows share the load in a way that equilibrium alone does not tell.
+    /// False where redundant rows share the load in a way that equilibrium alone does not determine.
     pub determined: bool,
 }
 
@@ -131,12 +131,12 @@ impl fmt::Display for Load {
 pub struct Forces {
     /// Time.
     pub t: f64,
-    /// Names of the bodies.
+    /// The mechanism's names.
     pub model: &'static crate::model::Model,
     /// Drivers.
     pub efforts: Vec<Effort>,
-    /// Inputs u: λᵀ Φ_u and u̇, so that the product is the power that enters with u. Where a driver moves by `2*u`, its
-    /// effort counts twice. They share in the powers of drivers, so that the two do not add up.
+    /// Inputs u: λᵀ Φ_u and u̇, so that the product is the power that enters with u. If a driver moves by `2*u`, its
+    /// effort counts twice. The powers of inputs are parts of the powers of drivers and not to be added to them.
     pub inputs: Vec<Effort>,
     /// Joints.
     pub reactions: Vec<Reaction>,
@@ -167,7 +167,8 @@ pub struct Forces {
 }
 
 impl Forces {
-    /// Whether the force of a joint, by its index, has all of its numbers: it is determined, or of least norm.
+    /// Whether the reaction of the joint with this index has all of its numbers, because it is determined or of least
+    /// norm.
     #[cfg(feature = "serde")]
     pub(crate) fn has_numbers(&self, joint: usize) -> bool {
         let Some(name) = self.model.joints.get(joint).map(|joint| joint.name) else { return true };
@@ -204,8 +205,8 @@ impl Forces {
         self.reactions.iter().find(|reaction| reaction.name == joint)
     }
 
-    /// The contacts whose normal force is negative: the bodies would have to pull on one another. A contact that only presses
-    /// has lifted off.
+    /// The contacts whose normal force is negative: the bodies would have to pull on one another. A real contact, which
+    /// can only press, has lifted off.
     pub fn pulling(&self) -> impl Iterator<Item = &Reaction> {
         self.reactions.iter().filter(|reaction| reaction.normal.is_some_and(|normal| normal < 0.0))
     }

@@ -31,7 +31,7 @@ use core::ops::ControlFlow;
 pub struct Reached<'a> {
     /// Instants of a sweep, or configurations of a check, that are finished.
     pub done: usize,
-    /// All of them.
+    /// Their total number.
     pub total: usize,
     /// The time that was reached; in a sweep it may be between two of its instants.
     pub t: f64,

@@ -34,8 +34,8 @@ pub struct Options {
     pub restarts: usize,
     /// Radius of the trust region of the first iteration of a position analysis, on the common scale.
     pub trust_radius: f64,
-    /// Largest rotation (rad) of a body in one internal step of a sweep, or of the gradient of a row that the plan iterates;
-    /// for full Newton also the largest displacement on the common scale.
+    /// Largest rotation (rad) of a body in one internal step of a sweep, or of the gradient of a row that the plan
+    /// solves by iteration; for full Newton also the largest displacement on the common scale.
     pub max_rotation_per_step: f64,
     /// Largest correction of the predicted position, relative to the predicted motion, that a step of a sweep accepts.
     pub prediction_tolerance: f64,
@@ -82,7 +82,8 @@ impl Default for Options {
 }
 
 impl Options {
-    /// Checks that every number is positive and finite, and that relative ones are below 1.
+    /// Checks that every number but `restarts` is positive and finite, that relative ones are at most 1, and that
+    /// `max_rotation_per_step` is at most π/2.
     ///
     /// # Errors
     /// [`SolveError::Option`] with the first that is not.

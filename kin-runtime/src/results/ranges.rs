@@ -5,7 +5,7 @@ use crate::scalar::Interval;
 use crate::text::{rounded, separated};
 use core::fmt;
 
-/// The largest radius, relative to 1 + |t|, with which a place is told as one number.
+/// The largest radius, relative to 1 + |t|, with which the interval of a limit is printed as one number.
 const ENCLOSED: f64 = 1e-6;
 
 /// An interval of t in which the mechanism closes in one combination of its modes, proven for every t in it.
@@ -17,7 +17,8 @@ pub struct Range {
     pub from: f64,
     /// The last t.
     pub to: f64,
-    /// q in its middle, n numbers: several ranges can have the same modes where groups close by iteration.
+    /// q in its middle, n numbers. It distinguishes ranges with the same modes, which occur where groups close by
+    /// iteration.
     pub q: Vec<f64>,
     /// The circuit it belongs to, counted from 0. Ranges that meet at a dead centre are one circuit: the mechanism can
     /// pass from one mode into the other there without being taken apart.
@@ -27,7 +28,7 @@ pub struct Range {
 /// A limit at which ranges end.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RangeLimit {
-    /// In this interval of t.
+    /// The interval of t that contains the limit.
     pub t: Interval,
     /// The modes of the range that ends there, and their signs.
     pub modes: Vec<(&'static str, Sign)>,
@@ -54,8 +55,8 @@ pub struct Ranges {
     pub limits: Vec<RangeLimit>,
     /// How many circuits there are.
     pub circuits: usize,
-    /// Coordinates between whose bounds alone closures were searched: lengths that no row determines, and angles that do not
-    /// come round after a turn, because gears couple them in a ratio. Empty where nothing bounds the search.
+    /// Coordinates with the bounds within which closures were searched: lengths that no row determines, and angles
+    /// whose turns are different closures, because gears couple them in a ratio. Empty where nothing bounds the search.
     pub searched: Vec<(&'static str, Interval)>,
 }
 
@@ -119,7 +120,7 @@ impl fmt::Display for RangeLimit {
     }
 }
 
-/// Ranges, then limits, one in a line.
+/// Ranges, then limits, one per line.
 impl fmt::Display for Ranges {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "ranges: {}, limits: {}, circuits: {}", self.ranges.len(), self.limits.len(), self.circuits)?;

@@ -1,4 +1,4 @@
-//! Sensitivities: derivatives of a solved state by parameters.
+//! Sensitivities: derivatives of a solved state with respect to parameters.
 
 use crate::forces::Forces;
 use crate::model::Model;
@@ -8,9 +8,10 @@ use crate::text::{number, numbers};
 use core::fmt;
 use core::ops::Index;
 
-/// Derivatives of a solved state by parameters: what [`Solver::sensitivities`](crate::Solver::sensitivities) gives.
+/// Derivatives of a solved state with respect to parameters, from
+/// [`Solver::sensitivities`](crate::Solver::sensitivities).
 ///
-/// Indexed by the name of a parameter; what that gives is indexed by the handles of the mechanism, as a motion is:
+/// Indexed by the name of a parameter; the [`Sensitivity`] found so is indexed by the handles of the mechanism:
 /// `sensitivities["l1"][FourBar::tip].v`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sensitivities {
@@ -21,12 +22,12 @@ pub struct Sensitivities {
     /// The margins of the plan's steps, [`Plan::margins`](crate::plan::Plan::margins) numbers: how far each is from its
     /// limit. Empty if Φ_q was factorised as a whole.
     pub margins: Vec<f64>,
-    /// One per parameter that was asked for, in that order.
+    /// One per requested parameter, in the order of the request.
     pub by: Vec<Sensitivity>,
 }
 
 impl Sensitivities {
-    /// The derivatives by a parameter; none where they were not asked for.
+    /// The derivatives with respect to a parameter; none if they were not requested.
     pub fn by(&self, parameter: &str) -> Option<&Sensitivity> {
         self.by.iter().find(|by| by.parameter == parameter)
     }
@@ -36,14 +37,14 @@ impl Index<&str> for Sensitivities {
     type Output = Sensitivity;
 
     /// # Panics
-    /// If no derivatives by a parameter of this name were asked for.
+    /// If no derivatives with respect to a parameter of this name were requested.
     fn index(&self, parameter: &str) -> &Sensitivity {
         self.by(parameter).unwrap_or_else(|| panic!("no derivatives by `{parameter}`"))
     }
 }
 
-/// Derivatives by one parameter: every number is that of the state, or of what is reported of it, differentiated by the
-/// parameter while the instant and the assembly mode are held.
+/// Derivatives with respect to one parameter: every number is the derivative of the corresponding number of the
+/// state, or of its motion, at a fixed instant and in a fixed assembly mode.
 #[derive(Clone, PartialEq)]
 pub struct Sensitivity {
     /// The mechanism's names.
@@ -60,7 +61,7 @@ pub struct Sensitivity {
     pub margins: Vec<f64>,
     /// Bodies, in the order of [`Model::bodies`].
     pub bodies: Vec<BodyMotion>,
-    /// Points, in the order of [`Model::points`]; a point's own place in its body included.
+    /// Points, in the order of [`Model::points`]; the change of a point's place in its body is included.
     pub points: Vec<PointMotion>,
     /// Defines, in the order of [`Model::defines`].
     pub defines: Vec<Signal>,
@@ -118,7 +119,7 @@ pub struct Deviation {
 }
 
 impl Deviation {
-    /// What the parts of all dimensions, ∂y/∂p δ, come to.
+    /// The deviation with the contributions ∂y/∂p δ of all dimensions.
     pub(crate) fn of(parts: impl Iterator<Item = f64>) -> Self {
         let (worst, squares) = parts.fold((0.0, 0.0), |(sum, squares), part| (sum + part.abs(), squares + part * part));
         Self { worst, root_sum_square: squares.sqrt() }
@@ -137,8 +138,8 @@ impl fmt::Display for Deviation {
 impl Sensitivities {
     /// By how much a quantity deviates where every parameter may deviate by its tolerance on either side.
     ///
-    /// `tolerances` has a number for every parameter of [`by`](Self::by), in the unit of the parameter; `derivative` takes
-    /// the derivative of the quantity out of those of a parameter.
+    /// `tolerances` has a number for every parameter of [`by`](Self::by), in the unit of the parameter; `derivative`
+    /// selects the derivative of the quantity from those with respect to one parameter.
     ///
     /// ```
     /// use kin_runtime::{Kinematics, mechanism};

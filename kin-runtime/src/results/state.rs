@@ -33,10 +33,10 @@ pub struct State {
     pub residual: f64,
     /// Iterations of the position analysis.
     pub iterations: usize,
-    /// Estimated condition number of the scaled Φ_q: ‖A‖₁ ‖A⁻¹‖₁ where it is square and regular, hardly ever too small
-    /// by more than a factor of three; otherwise largest over smallest pivot within the rank. None if the plan has
-    /// solved the state, which needs no factorisation of Φ_q: [`Solver::condition`](crate::Solver::condition) computes
-    /// it for any state.
+    /// Estimated condition number of the scaled Φ_q: ‖A‖₁ ‖A⁻¹‖₁ where it is square and regular, rarely too small by
+    /// more than a factor of three; otherwise largest over smallest pivot within the rank. None if the plan has solved
+    /// the state, which needs no factorisation of Φ_q: [`Solver::condition`](crate::Solver::condition) computes it for
+    /// any state.
     pub condition: Option<f64>,
     /// n − rank of all rows; 0 when fully driven.
     pub degrees_of_freedom_left: usize,
@@ -56,7 +56,7 @@ impl State {
         self.rates(coordinate.0)
     }
 
-    /// Makes it a place alone: rates and accelerations are unknown.
+    /// Keeps the position only: rates and accelerations become NaN.
     pub(crate) fn forget_rates(&mut self) {
         self.q_dot.fill(f64::NAN);
         self.q_ddot.fill(f64::NAN);

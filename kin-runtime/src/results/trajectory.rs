@@ -10,14 +10,15 @@ use crate::state::State;
 use crate::text::counted;
 use core::fmt;
 
-/// An internal step on which the plan had no good answer and full Newton took over, with the same checks of the result.
+/// An internal step on which the plan had no acceptable solution and full Newton took over, with the same checks of the
+/// result.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Fallback {
     /// Time of the step's end.
     pub t: f64,
-    /// The step of the plan that has no answer there; `None` if the plan had no answer for another reason, such as a driver
-    /// that jumps, or one that does not satisfy all rows.
+    /// The step of the plan that has no solution there; `None` for other reasons, such as a driver that jumps, or a
+    /// solution of the plan that does not satisfy all rows.
     pub limit: Option<Limit>,
 }
 
@@ -30,7 +31,7 @@ impl fmt::Display for Fallback {
     }
 }
 
-/// The states of one motion, in the order of the instants asked for.
+/// The states of one motion, in the order of the requested instants.
 #[derive(Clone, PartialEq)]
 pub struct Trajectory {
     /// The mechanism's names.
@@ -50,7 +51,7 @@ pub struct Trajectory {
     pub fallbacks: Vec<Fallback>,
     /// q at the limit itself, if the motion ended at a limit that was located.
     pub q_at_limit: Option<Vec<f64>>,
-    /// What a sweep along the arc found; none of a sweep over instants.
+    /// What a sweep along the arc found; none for a sweep over instants.
     pub arc: Option<SolutionArc>,
     /// Number of instants that were reached, whether their states were kept or not.
     pub reached: usize,
@@ -111,7 +112,7 @@ impl Trajectory {
 
     /// One quantity over all states: `t`, a coordinate (`crank.phi`), x, y or φ of a body (held and carried ones, too),
     /// or x or y of a named point (`tip.x`); also its rate (`crank.phi_dot`) and its acceleration (`crank.phi_ddot`). A
-    /// quantity that is itself called so is preferred to a rate.
+    /// quantity that itself has such a name takes precedence over a rate.
     pub fn column(&self, name: &str) -> Option<Vec<f64>> {
         let rates = |quantity: fn(Signal) -> f64, name: &str| {
             let of = quantity_named(self.model, name)?;
@@ -203,7 +204,7 @@ impl IntoIterator for Trajectory {
     }
 }
 
-/// `FourBar: 101 states from t = 0 to t = 1`, with the events, and what was not watched.
+/// `FourBar: 101 states from t = 0 to t = 1`, with the events and the stretches that were not watched.
 impl fmt::Display for Trajectory {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}: ", self.model.name)?;

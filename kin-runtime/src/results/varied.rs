@@ -1,12 +1,12 @@
-//! A configuration over numbers that carry their derivatives by some of the parameters.
+//! A configuration of numbers that carry their derivatives with respect to some of the parameters.
 
 use crate::scalar::Tangents;
 use crate::workspace::Signal;
 
-/// Parameters that are taken together.
+/// The number of parameters with respect to which one evaluation differentiates.
 pub(crate) const WIDTH: usize = 8;
 
-/// A number with its derivatives by as many parameters as are taken together.
+/// A number with its derivatives with respect to several parameters.
 #[allow(unreachable_pub, reason = "only with the feature `design` is it public")]
 pub type Number = Tangents<WIDTH>;
 
@@ -20,9 +20,9 @@ pub(crate) struct Varied<T = Number> {
     pub(crate) margins: Vec<T>,
     /// The observables with their rates.
     pub(crate) observed: Vec<Signal<T>>,
-    /// The numbers of the joints' geometry; empty where nobody needs them.
+    /// The numbers of the joints' geometry; empty where they are not needed.
     pub(crate) geometry: Vec<T>,
-    /// The numbers of forces; empty where nobody needs them.
+    /// The numbers of forces; empty where they are not needed.
     pub(crate) forces: Vec<T>,
 }
 

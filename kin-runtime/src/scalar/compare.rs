@@ -1,12 +1,12 @@
-//! Comparisons that work lane by lane: what code needs that is written once for one number and for several.
+//! Lane-wise comparisons, for code that is written once for a single number and for several lanes.
 
 use super::Scalar;
 
 /// Numbers that can be compared: a single one, or one in every lane.
 pub(crate) trait Compare: Scalar + Default {
-    /// The smaller number in every lane. Where one of them is NaN, either may come out.
+    /// The smaller number in every lane. Where one of them is NaN, either may be returned.
     fn least(self, other: Self) -> Self;
-    /// The larger number in every lane. Where one of them is NaN, either may come out.
+    /// The larger number in every lane. Where one of them is NaN, either may be returned.
     fn greatest(self, other: Self) -> Self;
     /// ±1 with the sign of the number; NaN for 0 and NaN.
     fn direction(self) -> Self;

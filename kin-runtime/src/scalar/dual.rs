@@ -51,7 +51,8 @@ macro_rules! dual {
             dual!(@unary tan asin acos atan sqrt exp ln);
 
             fn atan2(self, x: Self) -> Self {
-                // That of num-dual divides by x, also where it is 0; only the constant differs between the two quotients.
+                // num-dual's own divides by x even where x is 0. The angles of the two quotients differ by a constant,
+                // so that their derivatives agree.
                 let steep = Scalar::abs(x) < Scalar::abs(self);
                 let quotient = if steep { -DualNum::atan(&(x / self)) } else { DualNum::atan(&(self / x)) };
                 Self { re: Scalar::atan2(self.re, x.re), ..quotient }

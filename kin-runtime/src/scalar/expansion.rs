@@ -1,24 +1,25 @@
-//! Truncated power series as scalars: everything follows from how a series takes a recurrence.
+//! Truncated power series as scalars: all operations follow from one method that applies a recurrence to the
+//! coefficients.
 
 use super::Scalar;
 use super::recurrence::Recurrence;
 
 /// A power series in τ, with as many coefficients as it carries.
 pub(crate) trait Expansion: Scalar {
-    /// The number that it is, where it does not depend on τ: what parameters alone give is one.
+    /// Its value where it does not depend on τ, such as a result of parameters alone.
     fn number(self) -> Option<f64>;
     /// The results of a recurrence.
     fn apply<const I: usize, const O: usize>(recurrence: impl Recurrence<I, O>, x: [Self; I]) -> [Self; O];
 }
 
-/// a, to which the number c is added.
+/// a + c for a number c.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn shifted<T: Expansion>(a: T, c: f64) -> T {
     let [sum] = T::apply(each(|k, [a]| if k == 0 { a + c } else { a }), [a]);
     sum
 }
 
-/// c a.
+/// c a for a number c.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn scaled<T: Expansion>(a: T, c: f64) -> T {
     let [product] = T::apply(each(|_, [a]| c * a), [a]);
@@ -29,10 +30,10 @@ pub(crate) use super::recurrence::{
     Absolute, Arc, ArcTangent, Exponential, Logarithm, Power, Product, Quotient, Root, Sign, Tangent, each,
 };
 
-/// Implements [`Scalar`] and the operators for an [`Expansion`]; `own` is what every series has of its own.
+/// Implements [`Scalar`] and the operators for an [`Expansion`]; `own` are the items in which series differ.
 ///
-/// Operators are inlined, so that a compiler sees which operands are numbers; without optimisation that would only make
-/// the stack of generated code large.
+/// Operators are inlined, so that the compiler sees which operands do not depend on τ; without optimisation that would
+/// only make the stack of generated code large.
 macro_rules! scalar_of_expansion {
     ([$($generics:tt)*] $Series:ty { $($own:item)* }) => {
         impl<$($generics)*> core::ops::Neg for $Series {

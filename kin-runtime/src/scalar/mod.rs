@@ -30,7 +30,7 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 pub trait Scalar:
     Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self> + Neg<Output = Self>
 {
-    /// The distance from 1 to the next larger number: what tolerances inside generated code go by.
+    /// The distance from 1 to the next larger number, to which tolerances inside generated code are proportional.
     const EPSILON: f64 = f64::EPSILON;
     /// Largest number of corrections of an iteration inside generated code.
     const CORRECTIONS: usize = 12;
@@ -49,8 +49,8 @@ pub trait Scalar:
     fn sin_cos_all<const N: usize>(angles: [Self; N]) -> [(Self, Self); N] {
         angles.map(Self::sin_cos)
     }
-    /// The sines of a list of angles in their place, and the cosines, as far as both lists go; a type that can do better
-    /// than one by one overrides it.
+    /// Replaces angles by their sines and writes their cosines, up to the end of the shorter list; a type that can do
+    /// better than one by one overrides it.
     #[inline]
     fn sin_cos_in_place(angles: &mut [Self], cosines: &mut [Self]) {
         for (angle, cosine) in angles.iter_mut().zip(cosines) {
@@ -78,8 +78,8 @@ pub trait Scalar:
         let (sin, cos) = (self - reference).sin_cos();
         reference + sin.atan2(cos)
     }
-    /// True when |`self`| is at most `bound`, in all lanes; ends iterations. A scalar that cannot tell says no, and
-    /// iterations go on to their last.
+    /// True when |`self`| is at most `bound`, in all lanes; ends iterations. A scalar that cannot decide this returns
+    /// false, and iterations make all of their corrections.
     #[inline(always)]
     fn is_within(self, bound: f64) -> bool {
         let _ = bound;
@@ -103,8 +103,8 @@ pub trait Scalar:
     /// at `self`. A scalar that carries derivatives applies the chain rule to f and f′; f″ has no known derivative
     /// and its derivative parts are NaN.
     fn lift(self, f: impl Fn(f64) -> [f64; 3]) -> [Self; 3];
-    /// [`lift`](Self::lift) for a scalar that carries higher derivatives: `derivatives` writes f, f′, f″, … as far as they
-    /// are known and says how many, and `number` says which function of the mechanism it is.
+    /// [`lift`](Self::lift) for a scalar that carries higher derivatives: `derivatives` writes f, f′, f″, … as far as
+    /// they are known and returns how many, and `number` is the index of the function in the mechanism.
     #[inline(always)]
     fn compose(
         self,
@@ -117,7 +117,7 @@ pub trait Scalar:
     }
 }
 
-/// Sine and cosine of one angle: in lanes where they are asked for.
+/// Sine and cosine of one angle, by the code for lanes with the feature `simd`.
 #[inline(always)]
 fn sin_cos(angle: f64) -> (f64, f64) {
     #[cfg(feature = "simd")]
@@ -178,7 +178,7 @@ macro_rules! float {
             #[inline(always)]
             fn nearest(self, reference: Self) -> Self {
                 const TURN: $t = core::f64::consts::TAU as $t;
-                // Adding 1.5·2ᵐ, m the bits of a mantissa, rounds to an integer without a call.
+                // Adding and subtracting 1.5·2ᵐ, m the bits of a mantissa, rounds to an integer without a call.
                 const ROUND: $t = 1.5 / <$t>::EPSILON;
                 let turns = ((reference - self) * (1.0 / TURN) + ROUND) - ROUND;
                 self + turns * TURN

@@ -1,13 +1,15 @@
-//! Numbers whose computation is recorded: the gradient of one result by all that it came from, in one pass backwards.
+//! Numbers whose computation is recorded: one backward pass gives the gradient of a result with respect to all
+//! variables.
 
 use super::Scalar;
 use core::cell::RefCell;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-/// The place of what does not depend on a variable.
+/// The place of a number that does not depend on a variable.
 const CONSTANT: u32 = u32::MAX;
 
-/// A recorded operation: the places of its operands, and the derivatives of its result by them.
+/// A recorded operation: the places of its operands in the record, and the derivatives of its result with respect to
+/// them.
 #[derive(Clone, Copy)]
 struct Operation {
     of: [u32; 2],
@@ -21,10 +23,10 @@ thread_local! {
 
 /// A number with the place of the operation that gave it.
 ///
-/// The derivative of one result by all variables is the sum over all ways from it to them of the products of slopes, which one
-/// pass from the last operation to the first adds up (reverse accumulation; Griewank and Walther, *Evaluating Derivatives*,
-/// 2008). Its cost does not depend on how many variables there are. Operations are those of one thread since
-/// its last [`variables`]; numbers from before have lost their meaning.
+/// The derivative of one result with respect to a variable is the sum, over all paths from the result to the variable,
+/// of the products of slopes, which one pass from the last operation to the first adds up (reverse accumulation;
+/// Griewank and Walther, *Evaluating Derivatives*, 2008). Its cost does not depend on how many variables there are.
+/// Operations are those of one thread since its last [`variables`]; numbers from before are invalid.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Recorded {
     value: f64,
@@ -37,7 +39,7 @@ pub(crate) fn variables(values: impl IntoIterator<Item = f64>) -> Vec<Recorded> 
     values.into_iter().map(|value| Recorded::pushed(value, [CONSTANT; 2], [0.0; 2])).collect()
 }
 
-/// Adds the derivatives of Σ weight · result by the first variables to `gradient`.
+/// Adds the derivatives of Σ weight · result with respect to the first variables to `gradient`.
 pub(crate) fn accumulate(results: impl IntoIterator<Item = (Recorded, f64)>, gradient: &mut [f64]) {
     OPERATIONS.with_borrow(|operations| {
         let mut by = vec![0.0; operations.len()];
@@ -102,7 +104,7 @@ impl Neg for Recorded {
     }
 }
 
-/// The value of an operation, and its slopes by both operands.
+/// The value of an operation, and its slopes with respect to both operands.
 macro_rules! operators {
     ($($Operator:ident $operator:ident |$a:ident, $b:ident, $c:ident| $slopes:expr;)*) => { $(
         impl $Operator for Recorded {
@@ -162,12 +164,12 @@ impl Scalar for Recorded {
         self.pair(x, Scalar::atan2(self.value, x.value), [x.value / square, -self.value / square])
     }
 
-    /// The same whole turns for variables nearby.
+    /// The number of whole turns is the same for variables nearby.
     fn nearest(self, reference: Self) -> Self {
         Self { value: Scalar::nearest(self.value, reference.value), ..self }
     }
 
-    /// Of the value alone: by then a correction has been made, after which derivatives are right, too.
+    /// Tests the value alone: a correction precedes the test, after which derivatives are correct, too.
     fn is_within(self, bound: f64) -> bool {
         Scalar::is_within(self.value, bound)
     }

@@ -1,12 +1,12 @@
 //! How the coefficients of a function of power series follow from those of its arguments.
 //!
-//! With x(τ) = Σ x_k τᵏ every function of the language satisfies a differential equation with rational terms, which stands
-//! beside it here. Comparing the coefficients of τᵏ gives the k-th from the lower ones in O(k) operations (Griewank and
-//! Walther, *Evaluating Derivatives*, 2nd edition, 2008, chapter 13).
+//! With x(τ) = Σ x_k τᵏ every function of the language satisfies a differential equation with rational terms, which is
+//! given beside it below. Comparing the coefficients of τᵏ gives the k-th from the lower ones in O(k) operations
+//! (Griewank and Walther, *Evaluating Derivatives*, 2nd edition, 2008, chapter 13).
 
 use super::Scalar;
 
-/// A function of `I` series that gives `O` series: the results, then what else their recurrence needs.
+/// A function of `I` series that gives `O` series: the results, then the auxiliary series of their recurrence.
 pub(crate) trait Recurrence<const I: usize, const O: usize> {
     /// The k-th coefficients of all `O`, given those of the arguments `x` up to the k-th and of `y` below it.
     fn coefficient<X: AsRef<[f64]>, Y: AsRef<[f64]>>(&self, k: usize, x: &[X; I], y: &[Y; O]) -> [f64; O];
@@ -32,7 +32,7 @@ fn integral(a: &[f64], b: &[f64], k: usize, end: usize) -> f64 {
     sum * (1.0 / k as f64)
 }
 
-/// What takes the coefficients one by one: sums, and products with a number.
+/// A recurrence that uses only coefficients of the same order: sums, and products with a number.
 pub(crate) struct Each<F>(F);
 
 /// `f` of the order and of the coefficients of that order.
@@ -82,7 +82,7 @@ recurrences! {
         _ => [(a[k] - convolution(b, c, k, 1, k + 1)) * (1.0 / b[0])],
     };
 
-    /// r = √x: from r² = x. At x = 0 there is no derivative, and a quotient with 0 says so.
+    /// r = √x: from r² = x. At x = 0 there is no derivative, and the division by 0 gives no finite number.
     Root: 1 -> 1, |this, k, [x], [r]| match k {
         0 => [Scalar::sqrt(x[0])],
         _ => [(x[k] - convolution(r, r, k, 1, k)) * (0.5 / r[0])],
@@ -166,7 +166,7 @@ recurrences! {
     Sign: 1 -> 1, |this, k, [x], [s]| [if k == 0 { Scalar::signum(x[0]) } else { 0.0 * sign(x, k) }];
 }
 
-/// The sign of x where it has one, 0 where x stays 0, and no number where x passes 0.
+/// The sign of x where it has one, 0 where x stays 0, and NaN where x passes through 0.
 #[inline]
 fn sign(x: &[f64], k: usize) -> f64 {
     if x[0] != 0.0 {
@@ -175,10 +175,11 @@ fn sign(x: &[f64], k: usize) -> f64 {
     if x[1..=k].iter().all(|x| *x == 0.0) { 0.0 } else { f64::NAN }
 }
 
-/// f(x(τ)), f′(x(τ)) and f″(x(τ)), given f, f′, f″, … at x_0: Σ f⁽ᵐ⁾(x_0)/m! uᵐ with u = x − x_0. `powers` is room for
-/// the powers of u.
+/// f(x(τ)), f′(x(τ)) and f″(x(τ)), given f, f′, f″, … at x_0: Σ f⁽ᵐ⁾(x_0)/m! uᵐ with u = x − x_0. `powers` is a buffer
+/// for the powers of u.
 ///
-/// A derivative that nobody knows is NaN, and is multiplied with what moves alone: an argument at rest asks for none.
+/// An unknown derivative is NaN. It is multiplied only by coefficients of uᵐ other than 0, so that a constant argument
+/// needs none.
 pub(crate) fn compose(x: &[f64], derivatives: &[f64], powers: &mut [f64], results: &mut [&mut [f64]; 3]) {
     for (order, result) in results.iter_mut().enumerate() {
         result.fill(0.0);
@@ -189,7 +190,7 @@ pub(crate) fn compose(x: &[f64], derivatives: &[f64], powers: &mut [f64], result
     let mut factorial = 1.0;
     for m in 1..x.len() {
         factorial *= m as f64;
-        // uᵐ begins with the power m, uᵐ⁻¹ with the one below.
+        // The lowest power of τ in uᵐ is m, and m − 1 in uᵐ⁻¹.
         for k in (m..x.len()).rev() {
             powers[k] = convolution(x, powers, k, 1, k - m + 2);
         }

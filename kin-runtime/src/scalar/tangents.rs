@@ -1,4 +1,5 @@
-//! Numbers with their derivatives by several parameters: tangents of all of them in one pass of the code that is there.
+//! Numbers with their derivatives with respect to several parameters: one pass of the existing code computes all of
+//! them (forward mode).
 
 use super::Scalar;
 use crate::text::numbers;
@@ -7,13 +8,14 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 #[cfg(feature = "simd")]
 use wide::f64x4;
 
-/// A value with its derivatives by `W` parameters.
+/// A value with its derivatives with respect to `W` parameters.
 ///
-/// Generated code over it gives its results with their derivatives, each operation by the chain rule. Where an iteration is
-/// part of that code (a step of a plan), it is to start from what it gives for an `f64`: one correction of values that have
-/// converged is the linear solve of the implicit function theorem, x_p = −(∂F/∂x)⁻¹ ∂F/∂p.
+/// Generated code over it gives its results with their derivatives, each operation by the chain rule. Where an
+/// iteration is part of that code (a step of a plan), it must start from its result over `f64`: one correction of
+/// values that have converged is the linear solve of the implicit function theorem, x_p = −(∂F/∂x)⁻¹ ∂F/∂p.
 ///
-/// At a place without a derivative, such as the root of 0, a derivative is not finite, unless the argument stands still.
+/// At a place without a derivative, such as the root of 0, a derivative is not finite, unless that of the argument is
+/// 0.
 ///
 /// ```
 /// use kin_runtime::Scalar;
@@ -31,8 +33,9 @@ pub struct Tangents<const W: usize> {
     by: [f64; W],
 }
 
-/// An expression of the derivatives of one number, or of two, for every parameter: for four at once, and for the rest one by
-/// one. Compilers do not find the lanes by themselves: they mix derivatives with values.
+/// Evaluates an expression of the derivatives of one or two numbers for every parameter: for four at once, and for the
+/// rest one by one. Compilers do not form these lanes by themselves: they put derivatives and values into the same
+/// vectors.
 macro_rules! for_each_parameter {
     (|$a:ident| $f:expr, $by:expr) => {{
         let mut by = $by;
@@ -98,7 +101,8 @@ impl<const W: usize> Tangents<W> {
         self.by
     }
 
-    /// A function with this value and slope. What stands still has no derivative, however steep the function is.
+    /// A function with this value and slope. Where the argument's derivative is 0, so is that of the function, even if
+    /// the slope is infinite.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn chain(self, value: f64, slope: f64) -> Self {
         let by = if slope.is_finite() {
@@ -134,7 +138,7 @@ impl<const W: usize> Neg for Tangents<W> {
     }
 }
 
-/// The value of an operation, and the derivative of its result by those of its operands.
+/// The value of an operation, and the derivative of its result in terms of those of its operands.
 macro_rules! operators {
     ($($Operator:ident $operator:ident |$a:ident, $b:ident, $c:ident, $da:ident, $db:ident| $slope:expr;)*) => { $(
         impl<const W: usize> $Operator for Tangents<W> {
@@ -210,13 +214,13 @@ impl<const W: usize> Scalar for Tangents<W> {
         core::array::from_fn(|k| Self::angle(vectors[k], values[k]))
     }
 
-    /// The same whole turns for parameters nearby.
+    /// The number of whole turns is the same for parameters nearby.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn nearest(self, reference: Self) -> Self {
         Self { value: Scalar::nearest(self.value, reference.value), by: self.by }
     }
 
-    /// Of the value alone: with it derivatives are right after one more correction, which has been made by then.
+    /// Tests the value alone: a correction precedes the test, after which derivatives are correct, too.
     #[inline(always)]
     fn is_within(self, bound: f64) -> bool {
         Scalar::is_within(self.value, bound)
@@ -266,7 +270,7 @@ mod tests {
 
     type Number = Tangents<2>;
 
-    /// A function of two numbers against central differences of it.
+    /// Compares the derivatives of a function of two numbers with central differences.
     fn check(f: impl Fn(Number, Number) -> Number, a: f64, b: f64) {
         const STEP: f64 = 1e-5;
         let found = f(Number::variable(a, 0), Number::variable(b, 1));

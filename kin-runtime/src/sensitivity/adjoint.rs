@@ -1,5 +1,5 @@
-//! One objective, many parameters: the plan is evaluated once, its operations are recorded, and one pass backwards gives the
-//! gradient.
+//! One objective, many parameters: the plan is evaluated once, its operations are recorded, and one backward pass gives
+//! the gradient.
 
 use super::variation::{LARGEST, modes_of};
 use super::{SAME, is_integrated};
@@ -16,13 +16,14 @@ use crate::state::State;
 use crate::workspace::{Array, Instant};
 
 impl<M: Mechanism> Solver<'_, M> {
-    /// The gradient of Σ weight · quantity over the states of a motion by all parameters, in the order of
+    /// The gradient of Σ weight · quantity over the states of a motion with respect to all parameters, in the order of
     /// [`Model::parameters`](crate::model::Model::parameters).
     ///
-    /// `weights` has a number per state and quantity, state by state: the derivatives of an objective by what it is computed
-    /// from. The cost per state does not grow with the number of parameters, unlike that of
-    /// [`measure_sensitivities`](Self::measure_sensitivities), whose weighted sum it is; where the plan has no answer, and for
-    /// forces without a closed form, it is computed as that sum. The instants, inputs and assembly modes are held.
+    /// `weights` has a number per state and quantity, state by state: the derivatives of an objective with respect to
+    /// these quantities. The cost per state does not grow with the number of parameters, unlike that of
+    /// [`measure_sensitivities`](Self::measure_sensitivities), whose weighted sum it is; where the plan has no
+    /// solution, and for forces without a closed form, it is computed as that sum. The instants, inputs and assembly
+    /// modes are kept fixed.
     ///
     /// ```
     /// use kin_runtime::{Kinematics, Measure, Mechanism, mechanism};
@@ -103,7 +104,7 @@ impl<M: Mechanism> Solver<'_, M> {
     }
 }
 
-/// What is written over again for every state.
+/// Buffers that are overwritten for every state.
 struct Work<M: Mechanism> {
     needs: Needs,
     varied: Varied<Recorded>,
@@ -116,7 +117,7 @@ impl<M: Mechanism> Work<M> {
         Self { needs, varied: Varied::default(), observations: Box::new(M::observations()) }
     }
 
-    /// Adds the gradient at a state; false where the plan has no answer that counts.
+    /// Adds the gradient at a state; false where the plan has no valid solution.
     fn add(
         &mut self,
         mechanism: &M,

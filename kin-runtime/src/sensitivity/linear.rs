@@ -29,7 +29,7 @@ impl Linear {
         Ok(Self { factor: factorize(equations, &state.q, None)? })
     }
 
-    /// q, q̇ and q̈ with their derivatives by the parameters that vary.
+    /// q, q̇ and q̈ with their derivatives with respect to the parameters that vary.
     pub(crate) fn vary(
         &self,
         equations: &Equations<'_>,

@@ -10,12 +10,13 @@ use crate::solver::Solver;
 use crate::state::State;
 
 impl<M: Mechanism> Solver<'_, M> {
-    /// Derivatives of quantities by parameters, places in [`Model::parameters`](crate::model::Model::parameters), at a
-    /// solved state: for every quantity a number per parameter, in their orders.
+    /// Derivatives of quantities with respect to parameters, indices in
+    /// [`Model::parameters`](crate::model::Model::parameters), at a solved state: for every quantity one number per
+    /// parameter, in the given orders.
     ///
-    /// NaN is what has no derivative there: a velocity ratio, a transmission angle where an arm has no length or both are
-    /// on one line, a force that redundancy leaves open. The instant and the inputs are held, so that derivatives of these
-    /// are 0.
+    /// A derivative that does not exist is NaN: that of a velocity ratio, of a transmission angle where an arm has no
+    /// length or both are on one line, of a force that redundant rows leave undetermined. The instant and the inputs
+    /// are kept fixed, so that their derivatives are 0.
     ///
     /// ```
     /// use kin_runtime::{Kinematics, Measure, Mechanism, mechanism};
@@ -58,7 +59,7 @@ impl<M: Mechanism> Solver<'_, M> {
         if let Some(&index) = parameters.iter().find(|&&index| index >= M::PARAMETERS) {
             return Err(SolveError::UnknownParameter { index, parameters: M::PARAMETERS });
         }
-        // Observables are there already, and forces follow by whatever way there is.
+        // `vary` evaluates the observables, and forces follow below, with or without a closed form.
         let geometry = measures.iter().any(|measure| measure.needs().geometry);
         let needs = Needs { geometry, ..Needs::LEAST };
         let mut all = vec![Vec::with_capacity(parameters.len()); measures.len()];

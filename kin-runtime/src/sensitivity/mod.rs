@@ -1,17 +1,17 @@
-//! Sensitivities: exact derivatives of a solved state by the parameters of its mechanism.
+//! Sensitivities: exact derivatives of a solved state with respect to the parameters of its mechanism.
 //!
-//! The mode of the configuration and the instant stay what they are. Where the plan solves the mechanism, its closed forms
-//! over numbers with [`Tangents`](crate::scalar::Tangents) hold all derivatives; where one of its steps iterates, one
-//! correction of what has converged is the linear solve. Otherwise, with D_p the derivative along (q_p, q̇_p, 1) while the
-//! highest derivative of q is held,
+//! The mode of the configuration and the instant are kept fixed. Where the plan solves the mechanism, its closed forms
+//! over numbers with [`Tangents`](crate::scalar::Tangents) give all derivatives; where one of its steps iterates, one
+//! correction of the converged solution is the linear solve. Otherwise, with D_p the derivative along (q_p, q̇_p, 1)
+//! while the highest derivative of q is kept fixed,
 //!
 //! ```text
 //! Φ_q q_p = −Φ_p        Φ_q q̇_p = −D_p(Φ_q q̇ + Φ_t)        Φ_q q̈_p = −D_p(Φ_q q̈ − γ)
 //! ```
 //!
-//! with one factorisation of Φ_q (Haug, *Computer Aided Kinematics and Dynamics of Mechanical Systems*, 1989, differentiates
-//! the same equations by time). The right-hand sides are the code of Φ, Φ_q, Φ_t and γ over the same numbers, and so is all
-//! that is reported of the motion and of forces.
+//! with one factorisation of Φ_q (Haug, *Computer Aided Kinematics and Dynamics of Mechanical Systems*, 1989,
+//! differentiates the same equations with respect to time). The right-hand sides are the code of Φ, Φ_q, Φ_t and γ over
+//! the same numbers, and so is all that is reported of the motion and of forces.
 
 #[cfg(feature = "std")]
 mod adjoint;
@@ -38,15 +38,17 @@ pub(crate) use variation::LARGEST;
 pub(crate) use variation::modes_at;
 pub(crate) use variation::{Variation, Varying};
 
-/// What the plan's q may miss that of the state by, in the size of its numbers, to be the same configuration.
+/// Largest difference between the plan's q and that of the state, relative to the size of its numbers, with which both
+/// are the same configuration.
 const SAME: f64 = 1e-6;
 
 impl<M: Mechanism> Solver<'_, M> {
-    /// Derivatives by every parameter of q, q̇, q̈ and of all that is reported of a solved state: bodies, points, defines,
-    /// joint quantities, conditions, efforts and reactions. Units are those of the quantity by that of the parameter.
+    /// Derivatives of q, q̇, q̈ and of all that is reported of a solved state (bodies, points, defines, joint
+    /// quantities, conditions, efforts and reactions) with respect to every parameter. Units are those of the quantity
+    /// divided by that of the parameter.
     ///
-    /// The assembly mode, the instant, the inputs and prescribed coordinates are held; parameters of drivers are parameters
-    /// as any other.
+    /// The assembly mode, the instant, the inputs and prescribed coordinates are kept fixed; parameters of drivers are
+    /// parameters like any other.
     ///
     /// ```
     /// use kin_runtime::{Kinematics, mechanism};
@@ -74,18 +76,17 @@ impl<M: Mechanism> Solver<'_, M> {
     /// ```
     ///
     /// # Errors
-    /// [`NotDetermined`](SolveError::NotDetermined) where degrees of freedom are left open and where rows of velocity level
-    /// make the position an outcome of the motion; [`Singular`](SolveError::Singular) and the other errors of
-    /// [`velocity`](Self::velocity) where Φ_q has no full rank here;
-    /// [`NoSensitivity`](SolveError::NoSensitivity) where redundant rows agree at this value of a parameter alone, or a
-    /// function has no derivative. A supplied function in a driver needs a third derivative for q̈
-    /// ([`ScalarFunction::derivatives`](crate::ScalarFunction::derivatives)).
+    /// [`NotDetermined`](SolveError::NotDetermined) where degrees of freedom are left open and where rows of velocity
+    /// level make the position depend on the motion so far; [`Singular`](SolveError::Singular) and the other errors of
+    /// [`velocity`](Self::velocity) where Φ_q has no full rank here; [`NoSensitivity`](SolveError::NoSensitivity) where
+    /// redundant rows agree at this value of a parameter only, or a function has no derivative. A supplied function in
+    /// a driver needs a third derivative for q̈ ([`ScalarFunction::derivatives`](crate::ScalarFunction::derivatives)).
     pub fn sensitivities(&self, state: &State) -> Result<Sensitivities, SolveError> {
         let all: Vec<usize> = (0..M::PARAMETERS).collect();
         self.sensitivities_by(state, &all)
     }
 
-    /// [`sensitivities`](Self::sensitivities) by some parameters, places in
+    /// [`sensitivities`](Self::sensitivities) with respect to some parameters, indices in
     /// [`Model::parameters`](crate::model::Model::parameters).
     ///
     /// # Errors
@@ -144,10 +145,10 @@ impl<M: Mechanism> Solver<'_, M> {
     }
 }
 
-/// Who is shown what varies, chunk by chunk of the parameters.
+/// Receives the numbers that vary, for one chunk of the parameters after the other.
 pub(crate) type See<'s> = dyn FnMut(&mut dyn Variation, &[usize], &mut Varied) -> Result<(), SolveError> + 's;
 
-/// q, q̇ and q̈ by Φ_q as a whole.
+/// q, q̇ and q̈ by a factorisation of the whole Φ_q.
 fn by_rows(
     equations: &mut Equations<'_>,
     variation: &mut dyn Variation,
@@ -175,19 +176,19 @@ fn by_rows(
     Ok(())
 }
 
-/// True where rows of velocity level make the position an outcome of the motion.
+/// True where rows of velocity level make the position depend on the motion so far.
 pub(crate) fn is_integrated(model: &Model) -> bool {
     model.rows.iter().any(|row| row.level == Level::Velocity)
 }
 
-/// What is left open, as an error.
+/// The error for open degrees of freedom.
 fn open(equations: &mut Equations<'_>, state: &State) -> Result<SolveError, SolveError> {
     let open = mobility(equations, &state.q)?;
     let could_be_given = open.could_be_given.iter().map(|&k| equations.model.coordinates[k].name).collect();
     Ok(SolveError::NotDetermined { t: state.t, open: state.degrees_of_freedom_left, could_be_given })
 }
 
-/// q, q̇ and q̈ by the plan; false where it has no answer, or none that counts.
+/// q, q̇ and q̈ by the plan; false where it has no valid solution.
 fn planned(
     use_plan: bool,
     variation: &mut dyn Variation,
@@ -241,7 +242,7 @@ pub(crate) fn observe(variation: &mut dyn Variation, varied: &mut Varied) -> Res
     Ok(())
 }
 
-/// The derivatives by the parameter of a lane, of all but forces.
+/// The derivatives with respect to the parameter of a lane, of all but forces.
 fn reported(model: &'static Model, parameter: &'static str, lane: usize, varied: &Varied) -> Sensitivity {
     let of = |list: &[Number]| list.iter().map(|number| number.by()[lane]).collect();
     let [q, q_dot, q_ddot, margins] = [&varied.q, &varied.q_dot, &varied.q_ddot, &varied.margins].map(|list| of(list));

@@ -1,4 +1,5 @@
-//! The thin generic layer: a mechanism evaluated over numbers that carry their derivatives by some of its parameters.
+//! The thin generic layer: a mechanism evaluated over numbers that carry their derivatives with respect to some of its
+//! parameters.
 
 use crate::equations::system::Parts;
 use crate::mechanism::{LengthError, Mechanism, Observations, Workspace};
@@ -10,10 +11,10 @@ use crate::scalar::Scalar;
 use crate::state::State;
 use crate::workspace::{Array, Instant, Signal, Subset};
 
-/// Coordinates, at most, whose numbers are on the stack: a plan has about twenty values for each.
+/// Largest number of coordinates whose numbers are on the stack: a plan computes about twenty values for each.
 pub(crate) const LARGEST: usize = 160;
 
-/// Closures nearer to one another than this do not say which of them a configuration is.
+/// If the two closures of a group are nearer to one another than this, the mode of a configuration is undecided.
 const UNDECIDED: f64 = 1e-6;
 
 /// A mechanism some of whose parameters vary.
@@ -33,7 +34,7 @@ pub(crate) trait Variation {
     fn observe(&mut self, q: &[Number], q_dot: &[Number]) -> Result<Parts<'_, Number>, LengthError>;
     /// r = Q − M q̈.
     fn generalized_forces(&self, varied: &Varied, generalized: &mut [Number]) -> Result<(), LengthError>;
-    /// The numbers of forces, given λ where the closed forms do not hold it.
+    /// The numbers of forces, given λ where the closed forms do not compute it.
     fn forces(&self, varied: &Varied, multipliers: &[Number], forces: &mut [Number]) -> Result<(), LengthError>;
 }
 
@@ -60,7 +61,7 @@ impl<'m, M: Mechanism> Varying<'m, M> {
         }
     }
 
-    /// Varies these parameters, of which there are as many as are taken together, around values of all of them.
+    /// Varies these parameters, at most `WIDTH` of them, around the values of all parameters.
     pub(crate) fn vary_around(&mut self, values: &[f64], at: &Instant<'_>, parameters: &[usize]) {
         self.t = Number::from_f64(at.t);
         self.inputs = M::Inputs::generate(|k| at.inputs.get(k).copied().unwrap_or_default().map(Number::from_f64));
@@ -72,8 +73,8 @@ impl<'m, M: Mechanism> Varying<'m, M> {
         }
     }
 
-    /// q and as many of its rates as `depth` says by the plan, in these modes, from a q nearby: where a step iterates, from
-    /// the solution itself.
+    /// q and its rates up to `depth` by the plan, in these modes, from a q nearby; if a step iterates, from the
+    /// solution itself.
     pub(crate) fn solve_from(
         &mut self,
         modes: &[f64],

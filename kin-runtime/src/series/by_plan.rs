@@ -9,16 +9,16 @@ use crate::planned::PlanError;
 use crate::scalar::{Scalar, Taylor};
 use crate::workspace::{Array, Instant};
 
-/// Largest number of coefficients of all coordinates together for which the series are on the stack: a plan has about twenty values
-/// for each.
+/// Largest number of coefficients of all coordinates together for which the series are on the stack: a plan computes
+/// about twenty values for each of them.
 const LARGEST: usize = 1500;
 
 impl<M: Mechanism> HigherOrders<'_, M> {
-    /// q, q̇, q̈ by the plan, and all orders up to the highest: [`derivative`](Self::derivative) has those from the
+    /// q, q̇, q̈ by the plan, and all orders up to the highest: [`derivative`](Self::derivative) returns those from the
     /// third on. They are valid only if all margins are positive.
     ///
-    /// The plan is evaluated over [`Taylor`] series, whose coefficients are all orders. Above the tenth, and for
-    /// mechanisms of hundreds of coordinates, it takes one order after another, by [`right`](Self::right) and
+    /// The plan is evaluated over [`Taylor`] series, whose coefficients give all orders. Above the tenth order, and for
+    /// mechanisms of hundreds of coordinates, it computes one order after another, by [`right`](Self::right) and
     /// [`solve`](Self::solve). The state of [`begin`](Self::begin) is lost then: [`order`](Self::order) is 0.
     ///
     /// # Errors

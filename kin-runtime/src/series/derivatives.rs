@@ -57,7 +57,7 @@ impl<M: Mechanism> Solver<'_, M> {
     /// Every order is one more right-hand side for Φ_q q⁽ᵏ⁾ = …, with the factorisation that gives q̇ and q̈; see
     /// [`series`](crate::series). Orders 0, 1, 2 are those of the state. The factors are those of the plan's blocks if
     /// there is a plan that uses all rows and no block is nearly singular; otherwise Φ_q is factorised as a whole
-    /// ([`Derivatives::by_plan`] tells which). If degrees of freedom are open, every order is the one of least norm, as
+    /// ([`Derivatives::by_plan`] shows which). If degrees of freedom are open, every order is the one of least norm, as
     /// q̇ and q̈ are.
     ///
     /// Inputs are known with value, rate and acceleration, supplied functions up to the order that they provide

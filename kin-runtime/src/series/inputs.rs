@@ -50,7 +50,8 @@ impl Inputs {
         }
     }
 
-    /// Input `k` with its rate and its acceleration; `series` makes one of the function that gives its coefficients.
+    /// Input `k` with its rate and its acceleration; `series` makes a series from a function that returns its
+    /// coefficients.
     pub(super) fn signal<T>(&self, k: usize, mut series: impl FnMut(&dyn Fn(usize) -> f64) -> T) -> Signal<T> {
         let coefficients = &self.coefficients[k * self.stride..][..self.stride];
         // Coefficients that are not stored are unknown.
@@ -60,7 +61,7 @@ impl Inputs {
         Signal { value, rate, acceleration }
     }
 
-    /// Up to which order an input is known.
+    /// The highest order to which an input is known.
     fn known(&self, k: usize) -> Missing {
         let series = &self.coefficients[k * self.stride..][..self.stride];
         Missing::Input { index: k, known: series.iter().take_while(|c| !c.is_nan()).count().saturating_sub(1) }
@@ -95,7 +96,8 @@ impl<'t, M: Mechanism> Setting<'t, M> {
     }
 }
 
-/// Coordinates by their derivatives, order by order; their rates by those from the first on.
+/// Coordinates as series, from their derivatives order by order; their rates, if the derivatives begin with the first
+/// order.
 pub(super) fn coordinates<'t, M: Mechanism>(
     derivatives: &[M::Coordinates<f64>],
     tape: &'t Tape,

@@ -7,7 +7,7 @@
 //! ```
 //!
 //! with one matrix, Φ_q at τ = 0, for every order: one factorisation, and a new right-hand side per order. For rows of
-//! velocity level, η(q, q̇, t) = 0, the coefficient of τ^{k−1} has k B q_k in it:
+//! velocity level, η(q, q̇, t) = 0, the coefficient of τ^{k−1} contains k B q_k with B = ∂η/∂q̇:
 //!
 //! ```text
 //! B q_k = −1/k [τ^{k−1}] η(q_0 + … + q_{k−1} τ^{k−1}, q_1 + … + (k−1) q_{k−1} τ^{k−2}, t + τ)

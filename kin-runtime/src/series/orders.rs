@@ -16,9 +16,9 @@ use crate::workspace::{Array, Instant};
 /// Φ_q q⁽ᵏ⁾ = b
 /// ```
 ///
-/// for [`order`](Self::order) k = 3, with Φ_q of that q; [`advance`](Self::advance) takes the solution and goes on to k
-/// + 1. After the first instant nothing is allocated. [`Solver::derivatives`](crate::Solver::derivatives) does all of
-/// this, with its own factorisation and typed errors; here a b that cannot be computed is not finite.
+/// for [`order`](Self::order) k = 3, with Φ_q of that q; [`advance`](Self::advance) takes the solution and goes on to
+/// the next order. After the first instant nothing is allocated. [`Solver::derivatives`](crate::Solver::derivatives)
+/// does all of this, with its own factorisation and typed errors; here a b that cannot be computed is not finite.
 ///
 /// ```
 /// use kin_runtime::series::HigherOrders;
@@ -118,8 +118,7 @@ impl<'m, M: Mechanism> HigherOrders<'m, M> {
         self.write_right(0)
     }
 
-    /// The order k of [`right`](Self::right); 0 before [`begin`](Self::begin), and after the last order that was asked
-    /// for.
+    /// The order k of [`right`](Self::right); 0 before [`begin`](Self::begin), and after the last requested order.
     pub fn order(&self) -> usize {
         self.order
     }
@@ -154,8 +153,8 @@ impl<'m, M: Mechanism> HigherOrders<'m, M> {
         M::solve_factorised(&self.factors, self.right(), derivative)
     }
 
-    /// Takes q⁽ᵏ⁾, n numbers, and computes the right-hand side of the next order, if one was asked for; after the last
-    /// one [`order`](Self::order) is 0.
+    /// Takes q⁽ᵏ⁾, n numbers, and computes the right-hand side of the next order up to the highest; after the last one
+    /// [`order`](Self::order) is 0.
     ///
     /// # Errors
     /// When the vector has the wrong length.

@@ -1,4 +1,4 @@
-//! Makes [`Forces`] of the numbers of forces.
+//! Converts the numbers of forces into [`Forces`].
 
 use super::numbers::{Numbers, Sharing};
 use crate::forces::{Effort, Forces, Reaction, SpringForce, Wrench};

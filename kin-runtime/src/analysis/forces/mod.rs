@@ -2,8 +2,8 @@
 //!
 //! Along a plan the generated code computes λ in closed form. Otherwise λ is solved here from the scaled Φ_q: R Φ_q D
 //! with rows and columns on the common scale, (R Φ_q D)ᵀ y = D r, λ = R y. This is so if coordinates are prescribed, if
-//! special dimensions leave a degree of freedom open that the plan does not know, and if the closed forms give no
-//! solution.
+//! special dimensions leave a degree of freedom open that the plan does not take into account, and if the closed forms
+//! give no solution.
 
 mod collected;
 mod numbers;
@@ -91,7 +91,8 @@ pub(crate) fn numbers(
 /// The numbers by the closed forms; none without closed forms, and if they give no solution.
 fn by_plan(equations: &mut Equations<'_>, info: &ForceModel, state: &State) -> Result<Option<Vec<f64>>, SolveError> {
     let rows = equations.model.rows.len();
-    // The closed forms know neither prescribed coordinates nor degrees of freedom that special dimensions leave open.
+    // The closed forms take neither prescribed coordinates into account nor degrees of freedom that special dimensions
+    // leave open.
     if !info.solved || state.degrees_of_freedom_left > 0 || equations.rows() > rows {
         return Ok(None);
     }
@@ -185,8 +186,8 @@ fn not_held(equations: &mut Equations<'_>, state: &State, scaled: &DMatrix<f64>)
     Ok(SolveError::NotHeld { t: state.t, open: open.degrees_of_freedom_left, could_be_given })
 }
 
-/// What a singular configuration means for forces: those of the joints whose rows depend on one another there grow without
-/// bounds near it. Other errors stay what they are.
+/// What a singular configuration means for forces: those of the joints whose rows depend on one another there grow
+/// without bounds near it. Other errors are returned unchanged.
 pub(crate) fn unbounded(model: &Model, error: SolveError) -> SolveError {
     let SolveError::Singular { t, rows, condition, limit, .. } = error else { return error };
     let mut joints: Vec<&'static str> = Vec::new();

@@ -1,4 +1,4 @@
-//! Motion laws of cams: normalised courses of a rise over its duration.
+//! Motion laws of cams: the normalised displacement of a rise over its duration.
 
 mod cycloidal;
 mod harmonic;

@@ -102,7 +102,7 @@ fn visit(
             f(format!("{name}.normal"), force, source, found.and_then(|found| found.normal).unwrap_or(f64::NAN));
         }
         if reaction.has_tangential {
-            // It stands behind the normal part.
+            // The column after the normal part.
             let source = reaction.normal().map(|place| Source::Force(place + 1));
             let value = found.and_then(|found| found.tangential).unwrap_or(f64::NAN);
             f(format!("{name}.tangential"), force, source, value);

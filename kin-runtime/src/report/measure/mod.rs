@@ -35,7 +35,8 @@ use crate::model::{Component, CoordinateKind, Model, Units};
 use crate::transmission::{Pair, pairs};
 use core::fmt;
 
-/// A quantity that a mechanism has at every instant, by its name; [`Solver::measure`](crate::Solver::measure) has its value.
+/// A quantity that a mechanism has at every instant, by its name; [`Solver::measure`](crate::Solver::measure) computes
+/// its value.
 ///
 /// ```
 /// use kin_runtime::{Instant, Kinematics, Measure, Mechanism, mechanism};
@@ -244,7 +245,7 @@ impl Measure {
         self.per.is_some()
     }
 
-    /// Its place among the columns of forces.
+    /// Its index among the columns of forces.
     pub(crate) const fn force(&self) -> Option<usize> {
         if let (Of::Force(place, _), None) = (self.of, self.per) { Some(place) } else { None }
     }
@@ -261,7 +262,7 @@ impl Measure {
         matches!(self.of, Of::Effort(Along::Given(_)))
     }
 
-    /// Whether it is held while parameters vary: t and the inputs.
+    /// Whether it is kept fixed while parameters vary: t and the inputs.
     pub(crate) const fn is_held(&self) -> bool {
         self.per.is_none() && matches!(self.of, Of::Time | Of::Input(_))
     }

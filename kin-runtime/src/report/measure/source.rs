@@ -12,14 +12,14 @@ pub enum Source {
     Time,
     /// An entry of q, q̇ or q̈.
     Coordinate {
-        /// Its place in [`Model::coordinates`](crate::model::Model::coordinates).
+        /// Its index in [`Model::coordinates`](crate::model::Model::coordinates).
         place: usize,
-        /// Of which of the three.
+        /// 0 for q, 1 for q̇, 2 for q̈.
         order: usize,
     },
     /// A row of the observables.
     Observable {
-        /// Its place in [`Model::observables`](crate::model::Model::observables).
+        /// Its index in [`Model::observables`](crate::model::Model::observables).
         row: usize,
         /// Its value, its rate or its acceleration.
         order: usize,
@@ -28,7 +28,7 @@ pub enum Source {
     Speed([usize; 2]),
     /// An input.
     Input {
-        /// Its place in [`Model::inputs`](crate::model::Model::inputs).
+        /// Its index in [`Model::inputs`](crate::model::Model::inputs).
         place: usize,
         /// Its value, its rate or its acceleration.
         order: usize,

@@ -1,4 +1,4 @@
-//! The values of quantities over numbers that carry derivatives by parameters.
+//! The values of quantities over numbers that carry derivatives with respect to parameters.
 
 use super::{Measure, Of, Source};
 use crate::model::{Frame, Geometry, Model};
@@ -8,7 +8,7 @@ use crate::scalar::Scalar;
 use crate::signal::Signal;
 use crate::transmission::Pair;
 
-/// What has to be known of a configuration besides q for quantities to have values there.
+/// What the values of quantities require besides q.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Needs {
     /// How far a solution goes.
@@ -37,13 +37,13 @@ impl Needs {
 }
 
 impl Measure {
-    /// Whether [`varied`](Self::varied) has it: velocity ratios and forces without a closed form have no derivatives there,
-    /// and neither has what is held.
+    /// Whether [`varied`](Self::varied) computes it: not for velocity ratios, forces without a closed form, and
+    /// quantities that are kept fixed.
     pub(crate) const fn has_derivatives(&self) -> bool {
         !self.is_ratio() && !matches!(self.of, Of::Time | Of::Input(_) | Of::Effort(_) | Of::Force(_, None))
     }
 
-    /// Its rate; none of what has no rate, or of an acceleration.
+    /// Its rate; none for a quantity without a rate, and for an acceleration.
     #[cfg(feature = "design")]
     pub(crate) fn next_order(&self) -> Option<Self> {
         let has_rate = matches!(self.of, Of::Coordinate(_) | Of::Point(..) | Of::Observable(_)) && self.order < 2;
@@ -59,7 +59,8 @@ impl Measure {
         Needs { depth, observed, geometry: transmission, forces }
     }
 
-    /// Its value with derivatives; none where it [has none](Self::has_derivatives), or what it needs is not there.
+    /// Its value with derivatives; none where it [has none](Self::has_derivatives), or where a number that it needs is
+    /// missing.
     pub(crate) fn varied<T: Scalar>(&self, model: &Model, varied: &Varied<T>) -> Option<T> {
         if !self.has_derivatives() {
             return None;

@@ -6,14 +6,14 @@ use core::fmt;
 #[doc(hidden)]
 pub type GeometryFault = Degeneracy;
 
-/// A degenerate geometry of a joint: of its dimensions as the parameters give them, or of a contact.
+/// A degenerate geometry of a joint: of its dimensions, which follow from the parameters, or of a contact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub enum Degeneracy {
     /// The point is at the centre of a polar curve, where the direction θ is undefined.
     Centre {
-        /// |w|.
+        /// The distance |w| of the point from the centre.
         distance: f64,
     },
     /// The row of an implicit curve vanishes: the curve has no gradient at its point (a double point or a cusp), or its

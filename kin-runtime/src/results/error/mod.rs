@@ -18,7 +18,7 @@ pub use sweep::SweepError;
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub enum Refusal {
-    /// Beyond this place only another branch of the motion closes the mechanism, or none.
+    /// Beyond this place the mechanism closes on another branch of the motion only, or not at all.
     WouldJump,
     /// The rows do not close at any smaller step either.
     NotAssembled,
@@ -134,7 +134,7 @@ pub enum SolveError {
     UnknownDerivative {
         /// Time.
         t: f64,
-        /// The order that was asked for.
+        /// The requested order.
         order: usize,
         /// `input` or `function`.
         what: &'static str,
@@ -196,12 +196,12 @@ pub enum SolveError {
         /// What is degenerate.
         fault: Degeneracy,
     },
-    /// Forces were asked for, and the mechanism has neither masses nor loads.
+    /// Forces were requested, and the mechanism has neither masses nor loads.
     NoLoads {
         /// Its name.
         mechanism: &'static str,
     },
-    /// Degrees of freedom are left open that loads and inertia act along: no constraint or driver holds them.
+    /// Loads or inertia act along degrees of freedom that no constraint or driver holds.
     NotHeld {
         /// Time.
         t: f64,
@@ -221,8 +221,8 @@ pub enum SolveError {
         /// The group of the plan that is at its limit; none where there is no plan.
         limit: Option<Limit>,
     },
-    /// Derivatives by parameters were asked for, but the parameters do not determine the configuration: degrees of
-    /// freedom are left open, or rows of velocity level make the position depend on the motion so far.
+    /// Derivatives with respect to parameters were requested, but the parameters do not determine the configuration:
+    /// degrees of freedom are left open, or rows of velocity level make the position depend on the motion so far.
     NotDetermined {
         /// Time.
         t: f64,
@@ -231,7 +231,7 @@ pub enum SolveError {
         /// Coordinates that could be given.
         could_be_given: Vec<&'static str>,
     },
-    /// The configuration has no derivative by a parameter.
+    /// The configuration has no derivative with respect to a parameter.
     NoSensitivity {
         /// Time.
         t: f64,
@@ -313,21 +313,21 @@ pub enum SolveError {
         t: f64,
         /// Instants or configurations that are finished.
         done: usize,
-        /// All of them.
+        /// Their total number.
         total: usize,
     },
-    /// No mode has the name or the index that was asked for.
+    /// No mode has the requested name or index.
     UnknownMode {
-        /// What was asked for.
+        /// The requested mode.
         mode: String,
-        /// The modes that there are.
+        /// The modes of the mechanism.
         modes: Vec<&'static str>,
     },
-    /// The mechanism has no configuration in the modes asked for, with all other modes as the guesses have them.
+    /// The mechanism has no configuration in the requested modes, with all other modes as the guesses have them.
     ModeNotAssembled {
         /// Time.
         t: f64,
-        /// The modes asked for.
+        /// The requested modes.
         modes: Vec<(&'static str, Sign)>,
         /// The group that cannot close; `None` if the plan closes and the mechanism does not.
         limit: Option<Limit>,

@@ -32,7 +32,7 @@ impl Signal {
     /// The signal of something that is missing: NaN.
     pub(crate) const UNKNOWN: Self = Self { value: f64::NAN, rate: f64::NAN, acceleration: f64::NAN };
 
-    /// Of a value whose rates are unknown.
+    /// A value whose rates are unknown.
     fn without_rates(value: f64) -> Self {
         Self { value, ..Self::UNKNOWN }
     }

@@ -148,7 +148,7 @@ impl Index<Quantity> for Motion {
     }
 }
 
-/// The body, point, define or joint that an observable belongs to.
+/// The name of the body, point, define, condition or joint that an observable belongs to.
 pub(crate) fn name(model: &Model, observable: usize) -> &'static str {
     match model.observables.get(observable) {
         Some(&Observable::Pose { body, .. }) => model.bodies.get(body).map_or("", |body| body.name),

@@ -28,7 +28,7 @@ impl fmt::Display for PointMotion {
     }
 }
 
-/// `satisfied by 0.2 (rate 1, acceleration 0)`, `violated by …`.
+/// `satisfied by 0.2, rate 1, acceleration 0`, `violated by …`.
 impl fmt::Display for ConditionMotion {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(if self.satisfied { "satisfied by " } else { "violated by " })?;

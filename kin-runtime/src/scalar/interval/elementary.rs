@@ -6,10 +6,10 @@ use crate::scalar::Scalar;
 
 /// ln 2 in two parts, the first of 32 bits: 0.693… and 1.90…e-10.
 const LN_2: [f64; 2] = [f64::from_bits(0x3fe6_2e42_fee0_0000), f64::from_bits(0x3dea_39ef_3579_3c76)];
-/// 8 u, more than the relative error of the exponential.
+/// 8 u with u = 2⁻⁵³, more than the relative error of the exponential.
 const RELATIVE: f64 = 4.0 * f64::EPSILON;
 
-/// The square root; undefined where there are negative numbers. IEEE 754 has it rounded to nearest.
+/// The square root; undefined where there are negative numbers. By IEEE 754 it is rounded to nearest.
 pub(super) fn sqrt(x: Interval) -> Interval {
     if x.lower < 0.0 || !x.is_defined() {
         return Interval::UNDEFINED;
@@ -19,7 +19,7 @@ pub(super) fn sqrt(x: Interval) -> Interval {
     Interval { lower, upper }
 }
 
-/// The exponential, which grows with its argument.
+/// The exponential, which increases with its argument.
 pub(super) fn exp(x: Interval) -> Interval {
     if !x.is_defined() {
         return Interval::UNDEFINED;
@@ -50,7 +50,7 @@ fn exp_of(x: f64) -> (f64, f64) {
     if x == 0.0 { (1.0, 1.0) } else { ((value - error).next_down(), (value + error).next_up()) }
 }
 
-/// The natural logarithm, which grows with its argument; undefined where there are numbers that are not positive.
+/// The natural logarithm, which increases with its argument; undefined where there are numbers that are not positive.
 pub(super) fn ln(x: Interval) -> Interval {
     if x.lower <= 0.0 || !x.is_bounded() {
         return Interval::UNDEFINED;
@@ -59,7 +59,8 @@ pub(super) fn ln(x: Interval) -> Interval {
     if x.is_point() { lower } else { lower.hull(ln_of(x.upper)) }
 }
 
-/// The logarithm of a number: y, which the library finds, is a guess, and x exp(−y) says how good it is.
+/// The logarithm of a number: the library's value y is an approximation, and an enclosure of x exp(−y) bounds its
+/// error.
 fn ln_of(x: f64) -> Interval {
     let exponent = (((x.to_bits() >> 52) & 0x7ff) as i64 - 1023).clamp(-1022, 1023);
     // Between 1 and 2, unless x is subnormal.
@@ -91,7 +92,7 @@ fn powi_of(x: Interval, n: u32) -> Interval {
     if !x.is_defined() {
         return Interval::UNDEFINED;
     }
-    // Powers of numbers that are not negative grow with them.
+    // For x ≥ 0, xⁿ increases with x.
     let (down, up) = (|x: f64| power(x, n, product_down).max(0.0), |x: f64| power(x, n, product_up));
     match (x.lower >= 0.0, x.upper <= 0.0, n.is_multiple_of(2)) {
         (true, ..) => Interval { lower: down(x.lower), upper: up(x.upper) },
@@ -103,7 +104,7 @@ fn powi_of(x: Interval, n: u32) -> Interval {
     }
 }
 
-/// A power of a number that is not negative, by squares, every product rounded by `times`.
+/// A power of a number that is not negative, by repeated squaring, every product rounded by `times`.
 fn power(x: f64, n: u32, times: impl Fn(f64, f64) -> f64) -> f64 {
     let (mut power, mut square, mut rest) = (None, x, n);
     while rest > 0 {

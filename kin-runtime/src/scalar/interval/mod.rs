@@ -12,10 +12,11 @@ use rounding::{above, below, product_down, product_up, quotient_down, quotient_u
 /// All real numbers from a lower to an upper end, or [`UNDEFINED`](Self::UNDEFINED).
 ///
 /// Every operation and every function gives an interval that holds the result for all numbers of its operands: ends are
-/// rounded outwards, and functions come with error bounds of their own that do not depend on the platform's library. Where
-/// an operand leaves the domain of an operation (division by an interval that holds 0, a root of one that has negative
-/// numbers), or a function jumps within it, the result is `UNDEFINED`, and so is everything that follows from it. Therefore
-/// a result that is defined also proves that the formula is defined and continuous on all of the box it was evaluated over.
+/// rounded outwards, and functions come with error bounds of their own that do not depend on the platform's library.
+/// Where an operand leaves the domain of an operation (division by an interval that holds 0, a root of one that has
+/// negative numbers), or a function jumps within it, the result is `UNDEFINED`, and so is everything computed from it.
+/// Therefore a result that is defined also proves that the formula is defined and continuous on all of the box it was
+/// evaluated over.
 ///
 /// One end may be infinite. Iterations inside of a solution plan have no enclosure: their margin is 0.
 ///
@@ -89,7 +90,8 @@ impl Interval {
         if middle < self.lower || middle > self.upper { self.lower } else { middle }
     }
 
-    /// How far its numbers are from its [`midpoint`](Self::midpoint) at most, rounded up; NaN where it is undefined.
+    /// The largest distance of its numbers from its [`midpoint`](Self::midpoint), rounded up; NaN where it is
+    /// undefined.
     #[inline]
     pub fn radius(self) -> f64 {
         let middle = self.midpoint();
@@ -143,7 +145,8 @@ impl Interval {
         self.lower == self.upper
     }
 
-    /// The product, whatever the ends are: products with 0 are exact, and infinite ends are numbers without a bound.
+    /// The product for any ends: products with 0 are exact, even with an infinite end, which stands for numbers without
+    /// a bound.
     #[cold]
     fn times(self, b: Self) -> Self {
         if !(self.is_defined() && b.is_defined()) {
@@ -169,7 +172,7 @@ fn greater(a: f64, b: f64) -> f64 {
     if a > b { a } else { b }
 }
 
-/// The number as an interval of nothing else; undefined for what is not finite.
+/// The number as an interval that contains nothing else; undefined if it is not finite.
 impl From<f64> for Interval {
     #[inline]
     fn from(x: f64) -> Self {
@@ -209,12 +212,12 @@ impl Mul for Interval {
 
     #[inline]
     fn mul(self, b: Self) -> Self {
-        // Neighbours have the order of the products, so that those of the least and the most are enough, unless one of these
-        // is 0, which may be exact, or subnormal.
+        // Neighbours have the order of the products, so that those of the least and the greatest are enough, unless one
+        // of these is 0, which may be exact, or subnormal.
         let [p, q] = [self.lower * b.lower, self.upper * b.upper];
         let [r, s] = if b.is_point() { [q, p] } else { [self.lower * b.upper, self.upper * b.lower] };
         let (least, most) = (lesser(lesser(p, q), lesser(r, s)), greater(greater(p, q), greater(r, s)));
-        // Not finite where a product is not.
+        // Not finite if a product is not.
         let all = (p + q) + (r + s);
         if least.abs() >= f64::MIN_POSITIVE && most.abs() >= f64::MIN_POSITIVE && all.is_finite() {
             return Self { lower: below(least), upper: above(most) };

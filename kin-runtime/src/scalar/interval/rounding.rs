@@ -1,8 +1,8 @@
 //! Sums, products and quotients rounded down and up.
 //!
-//! Numbers are rounded to nearest, as IEEE 754 has it, so that the neighbour of a result is beyond the exact one. Where a
-//! result is exact, it stays what it is: a product with 0, and a sum whose error is 0 by T. J. Dekker and D. E. Knuth's
-//! two-sum.
+//! Operations round to nearest (IEEE 754), so that the exact result lies between the two neighbours of the computed
+//! one. Results that are known to be exact are kept: a product with 0, and a sum whose error is 0 by T. J. Dekker and
+//! D. E. Knuth's two-sum.
 
 /// a + b − fl(a + b); NaN where the sum or an intermediate result is not finite.
 #[inline]
@@ -11,7 +11,8 @@ fn error_of_sum(a: f64, b: f64, sum: f64) -> f64 {
     (a - (sum - b_part)) + (b - b_part)
 }
 
-/// The number below `x` if `step` is 1, and `x` itself if it is 0. Neither ±0, infinite nor NaN.
+/// The next number below `x` if `step` is 1, and `x` itself if it is 0; for an `x` that is neither ±0, infinite nor
+/// NaN.
 ///
 /// Without a branch, because whether a sum is rounded up or down cannot be predicted.
 #[inline]
@@ -21,13 +22,13 @@ fn below_by(x: f64, step: u64) -> f64 {
     f64::from_bits(bits.wrapping_add(2 * step * sign).wrapping_sub(step))
 }
 
-/// The number below one that is neither ±0, infinite nor NaN.
+/// The next number below an `x` that is neither ±0, infinite nor NaN.
 #[inline]
 pub(super) fn below(x: f64) -> f64 {
     below_by(x, 1)
 }
 
-/// The number above one that is neither ±0, infinite nor NaN.
+/// The next number above an `x` that is neither ±0, infinite nor NaN.
 #[inline]
 pub(super) fn above(x: f64) -> f64 {
     -below_by(-x, 1)
@@ -72,7 +73,7 @@ pub(super) fn quotient_up(a: f64, b: f64) -> f64 {
     if a == 0.0 { 0.0 } else { (a / b).next_up() }
 }
 
-/// An integer that is about nearest to a number of at most 2⁵¹.
+/// The nearest integer to a number of absolute value at most 2⁵¹.
 #[inline]
 pub(super) fn integer(x: f64) -> f64 {
     const ROUND: f64 = 1.5 / f64::EPSILON;

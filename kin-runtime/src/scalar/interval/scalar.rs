@@ -8,7 +8,7 @@ use crate::scalar::Scalar;
 const TURN: Interval = Interval { lower: core::f64::consts::TAU, upper: core::f64::consts::TAU.next_up() };
 
 impl Scalar for Interval {
-    /// The iterations of a plan have no enclosure. Without any correction they say that they did not converge.
+    /// The iterations of a plan have no enclosure. Without any correction they report that they did not converge.
     const CORRECTIONS: usize = 0;
 
     #[inline]
@@ -25,7 +25,7 @@ impl Scalar for Interval {
     fn tan(self) -> Self {
         let (from, to) = (Self::from(self.lower).sin_cos(), Self::from(self.upper).sin_cos());
         let (_, cos) = self.sin_cos();
-        // Between poles it grows.
+        // It increases between poles.
         if cos.contains(0.0) { Self::UNDEFINED } else { (from.0 / from.1).hull(to.0 / to.1) }
     }
 
@@ -55,7 +55,7 @@ impl Scalar for Interval {
         trigonometry::atan2(self, x)
     }
 
-    /// Undefined where the number of whole turns is not the same all over the intervals.
+    /// Undefined where the number of whole turns is not the same throughout the intervals.
     fn nearest(self, reference: Self) -> Self {
         if !(self.is_bounded() && reference.is_bounded()) {
             return Self::UNDEFINED;
@@ -114,7 +114,7 @@ impl Scalar for Interval {
         (Self::from(n) * self.ln()).exp()
     }
 
-    /// A supplied function is known at single numbers alone, where it is what it gives.
+    /// A supplied function can be evaluated at single numbers only; its results are taken as exact.
     fn lift(self, f: impl Fn(f64) -> [f64; 3]) -> [Self; 3] {
         if self.is_point() { f(self.lower).map(Self::from) } else { [Self::UNDEFINED; 3] }
     }

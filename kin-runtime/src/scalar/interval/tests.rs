@@ -1,4 +1,4 @@
-//! Intervals against exact fractions, and against series in integers of 200 bits.
+//! Compares intervals with exact fractions, and with series in fixed point with 200 bits.
 
 use super::Interval;
 use crate::random::Random;
@@ -8,9 +8,9 @@ use num_rational::BigRational;
 
 /// How many operands of every operation are drawn; a million in all with optimisation.
 const DRAWN: usize = if cfg!(debug_assertions) { 1_000 } else { 100_000 };
-/// Bits behind the point of fixed-point numbers.
+/// Fractional bits of fixed-point numbers.
 const BITS: usize = 200;
-/// More than rounding takes away from a series, in the last place of fixed-point numbers.
+/// More than the rounding error of a series, in units in the last place of fixed-point numbers.
 const SLACK: u32 = 1 << 12;
 
 /// A number of any size up to 2^±`exponents`; now and then a special one.
@@ -71,7 +71,7 @@ fn pi() -> BigInt {
     (arctan(5) * 4 - arctan(239)) * 4
 }
 
-/// The exponential series of x, and with `alternate` those of sine and cosine, at a small x.
+/// The even and the odd part of the exponential series at a small x; with `turn` cosine and sine.
 fn series(x: &BigInt, turn: bool) -> (BigInt, BigInt) {
     let (mut sums, mut term) = ([BigInt::from(0), BigInt::from(0)], BigInt::from(1) << BITS);
     for n in 1..200 {
@@ -157,7 +157,7 @@ fn power(x: &BigRational, n: i32) -> BigRational {
     (0..n).fold(exact(1.0), |product, _| product * x)
 }
 
-/// Ends where rounding has borders of its own: exact sums and products, halves of the last place, subnormal and huge numbers.
+/// Ends at special cases of rounding: exact sums and products, halves of the last place, subnormal and huge numbers.
 #[test]
 fn ends_at_borders_are_rounded_outwards() {
     let tiny = f64::from_bits(1);
@@ -184,7 +184,7 @@ fn ends_at_borders_are_rounded_outwards() {
 fn sines_and_cosines_hold_their_series() {
     let (mut random, pi) = (Random::new(2), pi());
     for k in 0..DRAWN {
-        // Beside multiples of π/2, too.
+        // Also near multiples of π/2.
         let multiple = (1e5 * random.symmetric()).round() * core::f64::consts::FRAC_PI_2;
         let x = if k % 4 == 0 { multiple } else { draw(&mut random, 19.0) };
         let width = draw(&mut random, 3.0).abs();
@@ -268,7 +268,7 @@ fn angles_hold_those_of_their_vectors() {
     }
     assert!(!Interval::new(0.5, 1.1).asin().is_defined() && !Interval::from(-1.1).acos().is_defined());
     assert!(Interval::from(0.0).atan2(Interval::from(-2.0)).contains(core::f64::consts::PI));
-    // Just beside the jump: a y that a division makes 0 is on its side of the x axis all the same.
+    // Close to the jump: a y that a division makes 0 still determines the side of the x axis.
     for y in [5e-324, 1e-310, f64::MIN_POSITIVE] {
         for x in [-1.0, -4.0, -3e7, -1e300, -f64::MAX] {
             let [above, below] = [y, -y].map(|y| Interval::from(y).atan2(Interval::from(x)));
@@ -294,7 +294,7 @@ fn exponentials_and_logarithms_hold_their_series() {
         let log = Interval::from(x).ln();
         assert!(exp(log.lower()) <= fixed(x) + SLACK && fixed(x) <= exp(log.upper()) + SLACK, "ln {x:e}: {log}");
         assert!(log.radius() < 1e-13, "ln {x:e}: {log}");
-        // √x is x to the half.
+        // √x is x to the power of one half.
         let [half, root] = [Interval::from(x).powf(0.5), Interval::from(x).sqrt()];
         assert!(half.intersection(root).is_some(), "{half} {root}");
     }
@@ -318,7 +318,7 @@ fn what_is_not_known_spreads() {
     assert!(!unknown.is_within(f64::INFINITY) && unknown.intersection(one).is_none());
     assert!(!Interval::from(f64::NAN).is_defined() && !Interval::from(f64::INFINITY).is_defined());
     assert!(!Interval::new(2.0, 1.0).is_defined());
-    // What overflows is unbounded and known.
+    // A result that overflows is unbounded, but defined.
     let large = Interval::from(f64::MAX) * Interval::from(2.0);
     assert_eq!((large.lower(), large.upper()), (f64::MAX, f64::INFINITY));
     assert!((one / large).contains(0.0) && (Interval::ZERO * Interval::ENTIRE) == Interval::ZERO);

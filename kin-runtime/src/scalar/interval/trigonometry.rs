@@ -1,14 +1,15 @@
 //! Sines and cosines of intervals.
 //!
-//! An angle x is reduced to x = k π/2 + r. With the three parts P₁ + P₂ + P₃ of π/2, of 33 bits each, k P₁, k P₂ and k P₃
-//! are exact for |k| < 2²⁰, and so is x − k P₁, because the two are within a factor of 2 of one another. What is left are
-//! the rounding of r and the rest of π/2 behind P₃, below 2⁻¹¹² k: together at most u |r| + 2⁻⁸⁰, u = 2⁻⁵³.
+//! An angle x is reduced to x = k π/2 + r. With the three parts P₁ + P₂ + P₃ of π/2, of 33 bits each, k P₁, k P₂ and k
+//! P₃ are exact for |k| < 2²⁰, and so is x − k P₁, because the two are within a factor of 2 of one another. The
+//! remaining errors are the rounding of r and the rest of π/2 beyond P₃, below 2⁻¹¹² k: together at most u |r| + 2⁻⁸⁰,
+//! u = 2⁻⁵³.
 //!
 //! For |r| ≤ 0.79 the Taylor polynomials of degree 17 and 16 have remainders below 0.03 u. The terms beyond the first fall
 //! quickly, so that their rounding errors add up to less than 1.8 u |r| for the sine and 1.8 u for the cosine; with the error
 //! of r that is less than 4 u |r| + 2⁻⁸⁰ and 4 u + 2⁻⁸⁰. None of it depends on a library.
 //!
-//! In which quadrant an angle is cannot be predicted, so that nothing here branches on it.
+//! A processor cannot predict in which quadrant an angle is, so that nothing here branches on it.
 
 use super::Interval;
 use super::rounding::{integer, sum_down, sum_up};
@@ -23,11 +24,11 @@ const HALF_PI: [f64; 3] = [
 const LARGEST: f64 = 1_048_576.0;
 /// 4 u, the bound of relative rounding errors.
 const RELATIVE: f64 = 2.0 * f64::EPSILON;
-/// 2⁻⁸⁰, what range reduction leaves.
+/// 2⁻⁸⁰, the bound of the absolute error of range reduction.
 const ABSOLUTE: f64 = f64::from_bits((1023 - 80) << 52);
 
-/// In intervals up to this radius functions are bounded from the middle: that is wider by a share of about as much, and takes
-/// one evaluation instead of two.
+/// On intervals up to this radius functions are bounded by their value and slope in the middle: the result is wider by
+/// a fraction of about this size, and takes one evaluation instead of two.
 const NARROW: f64 = 1e-4;
 
 /// 1/3!, 1/5!, … with signs.
@@ -62,7 +63,7 @@ struct Turned {
     cos: Interval,
 }
 
-/// `value` and everything as near to it as `error`, within [−1, 1].
+/// All numbers at most `error` away from `value`, within [−1, 1].
 #[inline]
 fn near(value: f64, error: f64) -> Interval {
     Interval { lower: sum_down(value, -error).max(-1.0), upper: sum_up(value, error).min(1.0) }
@@ -78,7 +79,7 @@ fn turned(x: f64) -> Turned {
     let first = x - k * HALF_PI[0];
     let second = k * HALF_PI[1];
     let difference = first - second;
-    // What that rounding took away.
+    // The rounding error of `difference`.
     let part = difference - first;
     let lost = (first - (difference - part)) - (second + part);
     let r = difference + (lost - k * HALF_PI[2]);
@@ -91,7 +92,7 @@ fn turned(x: f64) -> Turned {
     Turned { k, r, sin: enclosed(choose(odd, cos, sin), k & 2), cos: enclosed(choose(odd, sin, cos), (k + 1) & 2) }
 }
 
-/// Σ cₖ zᵏ, the terms added in pairs, which do not wait for one another.
+/// Σ cₖ zᵏ, the terms added in pairs, which can be computed in parallel.
 #[inline]
 fn polynomial(c: &[f64; 8], z: f64) -> f64 {
     let (z2, pair) = (z * z, |k: usize| c[k] + c[k + 1] * z);
@@ -142,10 +143,10 @@ pub(super) fn sin_cos(x: Interval) -> (Interval, Interval) {
     let from = turned(x.lower);
     let to = turned(x.upper);
     let (mut sin, mut cos) = (from.sin.hull(to.sin), from.cos.hull(to.cos));
-    // The multiples of π/2 in between; where it is not certain whether one is, it counts.
+    // The multiples of π/2 in between; one that may be in between counts.
     let first = if from.r > ABSOLUTE { from.k + 1 } else { from.k };
     let last = if to.r < -ABSOLUTE { to.k - 1 } else { to.k };
-    // Whether one of them is at this many quarters of a turn.
+    // Whether one of them is at this many quarters of a turn, up to whole turns.
     let has = |quarter: i64| (quarter - first) & 3 <= last - first;
     cos.upper = if has(0) { 1.0 } else { cos.upper };
     sin.upper = if has(1) { 1.0 } else { sin.upper };
@@ -157,15 +158,15 @@ pub(super) fn sin_cos(x: Interval) -> (Interval, Interval) {
 /// The angle of the vector (x, y) for all numbers of both; undefined where the box holds the origin, and where it holds
 /// vectors on both sides of the negative x axis, where the angle jumps.
 ///
-/// An angle θ found by the library is a guess. With its sine and cosine, as they are proven above, the component of the vector
-/// across the direction of θ is known, and with it how far θ is from the angle.
+/// The angle θ that the library gives is an approximation. The enclosures of its sine and cosine enclose the component
+/// of the vector across the direction of θ, and thereby the error of θ.
 pub(super) fn atan2(y: Interval, x: Interval) -> Interval {
     let jumps = y.lower < 0.0 && y.upper >= 0.0 && x.lower < 0.0;
     let origin = x.contains(0.0) && y.contains(0.0);
     if !(x.is_bounded() && y.is_bounded()) || jumps || origin {
         return Interval::UNDEFINED;
     }
-    // In a box without the origin the angle has no extremes but at corners.
+    // In a box without the origin the angle has its extremes at corners.
     let corner = |y: f64, x: f64| angle(y + 0.0, x);
     let mut all = corner(y.lower, x.lower);
     if !y.is_point() {
@@ -182,9 +183,10 @@ pub(super) fn atan2(y: Interval, x: Interval) -> Interval {
 
 /// The angle of one vector.
 fn angle(y: f64, x: f64) -> Interval {
-    // Of the vector itself: a y that vanishes when it is scaled still says on which side of the x axis the vector is.
+    // Of the vector before scaling: a y that scaling makes 0 still determines on which side of the x axis the vector
+    // is.
     let guess = crate::scalar::standard::atan2(y, x);
-    // Components that neither overflow nor vanish where they are squared.
+    // Scaled components whose squares neither overflow nor vanish.
     let largest = y.abs().max(x.abs());
     let scale = Interval::from(f64::from_bits(largest.to_bits() & (0x7ff << 52)));
     let (y, x) = (Interval::from(y) / scale, Interval::from(x) / scale);

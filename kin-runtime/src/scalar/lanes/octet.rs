@@ -1,8 +1,8 @@
 //! Eight numbers as one scalar, for the blocks of batches.
 //!
-//! Operations are written number by number. The compiler combines those of a kernel to vectors of the widest
+//! Operations are written number by number. The compiler combines those of a kernel into vectors of the widest
 //! instruction set that it may use, and keeps enough of them in flight to hide their latency. With the feature
-//! `dispatch` kernels are compiled a second time for AVX2, and the processor decides at run time.
+//! `dispatch` kernels are compiled a second time for AVX2, and one of the two versions is chosen at run time.
 
 use super::pack::Pack;
 use super::{Lanes, complement, power};
@@ -18,7 +18,7 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 pub(crate) struct Octet([f64; Self::WIDTH]);
 
 impl Octet {
-    /// The number of numbers.
+    /// How many numbers there are.
     const WIDTH: usize = 8;
 
     /// The number of groups of lanes.
