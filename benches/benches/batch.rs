@@ -1,7 +1,7 @@
 //! Φ, Φ_q, Φ_t, γ of the lecture's 9×9 four-bar in batches: `cargo bench -p kin-benches --bench batch`, as in
-//! `benches/table.sh` for other instruction sets. Angles are random, over several turns, and differ in every pass: with
-//! repeated angles the branch predictor would learn the branches in the sines of the standard library, which does not
-//! happen in a real batch.
+//! `benches/table.sh` for other instruction sets. Angles are random, over several turns, and differ in every pass: if
+//! they were repeated, the branch predictor would learn the branches in the sines of the standard library, which does
+//! not happen in a real batch.
 
 use kin_benches::four_bar::{ByHand, FourBar, by_hand};
 use kin_benches::library;

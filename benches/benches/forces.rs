@@ -1,9 +1,9 @@
 //! Forces of the lecture's four-bar with masses, gravity and a spring, compared with its motion alone and with the
 //! usual method: `cargo bench -p kin-benches --bench forces`, as in `benches/table.sh` for other instruction sets.
 //!
-//! The usual method knows q, q̇ and solves the 18×18 system of M q̈ + Φ_qᵀ λ = Q and Φ_q q̈ = γ for q̈ and λ with
-//! nalgebra's dense LU of a size known at compile time; M and Q are written by hand; efforts and reactions follow from
-//! λ.
+//! The usual method takes q and q̇ as given and solves the 18×18 system of M q̈ + Φ_qᵀ λ = Q and Φ_q q̈ = γ for q̈ and λ
+//! with nalgebra's dense LU of a size known at compile time; M and Q are written by hand; efforts and reactions follow
+//! from λ.
 
 use kin_benches::loaded::LoadedFourBar;
 use kin_benches::paired::{Contender, compare};
@@ -92,10 +92,10 @@ impl Motion {
     }
 }
 
-/// Configurations of a batch: so many that their results stay in the cache of the second level.
+/// Number of configurations of a batch, whose results fit into the second-level cache.
 const BATCH: usize = STEPS;
 
-/// A batch over a turn, solved.
+/// A solved batch over a turn.
 struct Batch {
     times: Vec<f64>,
     start: Vec<f64>,

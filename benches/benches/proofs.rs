@@ -1,6 +1,7 @@
-//! Certificates against one step of the plan, and all closures of one loop with their certificates, for the lecture's four-bar,
-//! joint by joint, and for Andrews' squeezer; all closures of a 3-RRR robot whose cranks are given, against its ranges over a
-//! whole turn of one of them; and all closures of three loops that close together: `cargo bench -p kin-benches --bench proofs`.
+//! Proofs compared with steps of the plan: certificates, and all closures with their certificates, of the lecture's
+//! four-bar, joint by joint, and of Andrews' squeezer; all closures of a 3-RRR robot with driven cranks, its ranges
+//! over a whole turn of one crank, and all closures of three loops that close together. `cargo bench -p kin-benches
+//! --bench proofs`.
 
 use kin_benches::four_bar::FourBar;
 use kin_benches::paired::{Contender, compare_rounds};
@@ -46,7 +47,8 @@ struct Squeezer {
     omega: f64,
 }
 
-/// Two ternary links with a common pin, each on two links of its own: three loops that close together, with 18 complex closures.
+/// Two ternary links with a common pin, each on two links of its own: three loops that close together, with 18 complex
+/// closures.
 #[mechanism]
 #[bodies(left, right, ba, bb, bc, bd)]
 #[revolute(A: ground @ (0, 0), ba @ (0, 0))]
@@ -63,7 +65,7 @@ struct Couplers {
     l: f64,
 }
 
-/// Instants.
+/// The number of instants.
 const STEPS: usize = 64;
 
 fn at(step: usize) -> f64 {

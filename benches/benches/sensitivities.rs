@@ -1,5 +1,5 @@
-//! The derivatives of q, q̇ and q̈ of the lecture's four-bar by all seven parameters, against q, q̇ and q̈ alone by the
-//! same plan: `cargo bench -p kin-benches --bench sensitivities`.
+//! The derivatives of q, q̇ and q̈ of the lecture's four-bar with respect to all seven parameters, compared with q, q̇ and
+//! q̈ alone by the same plan: `cargo bench -p kin-benches --bench sensitivities`.
 
 use kin_benches::four_bar::FourBar;
 use kin_benches::paired::{Contender, compare};
@@ -10,7 +10,7 @@ use kin_runtime::scalar::Tangents;
 use kin_runtime::{Instant, Kinematics, Measure, Mechanism, Scalar};
 use std::hint::black_box;
 
-/// One revolution.
+/// The steps of one revolution.
 const STEPS: usize = 360;
 
 /// The plan evaluated over a scalar type, from instant to instant.

@@ -1,6 +1,6 @@
 //! A turn of the lecture's four-bar in steps of one degree through the public interface: by `Planned`, by a sweep and
-//! by a tracker, with the plan and by full Newton alone, with and without dense factorisations of Φ_q. `cargo bench -p
-//! kin-benches --bench sweep`.
+//! by a tracker, with the plan and by full Newton alone, with sparse and with dense factorisations of Φ_q. `cargo bench
+//! -p kin-benches --bench sweep`.
 
 use kin_benches::four_bar::FourBar;
 use kin_benches::paired::{Contender, compare};

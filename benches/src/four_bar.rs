@@ -71,8 +71,8 @@ impl Default for ByHand {
     }
 }
 
-/// The evaluation that an engineer writes after the lecture: straight-line code with the sines and cosines of the
-/// standard library.
+/// The evaluation as an engineer would write it from the lecture's equations: straight-line code with the sines and
+/// cosines of the standard library.
 #[inline(never)]
 pub fn by_hand(four_bar: &FourBar, t: f64, q: &[f64; 9], w: &[f64; 9], out: &mut ByHand) {
     let turns = [q[2], q[5], q[8]].map(|angle| (angle.sin(), angle.cos()));

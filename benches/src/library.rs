@@ -1,6 +1,6 @@
 //! Evaluations as functions of a library: compiled with this crate, and called from another one.
 //!
-//! In comparison, a bench that contains the evaluation in its own crate lets the compiler optimise across the call.
+//! If a bench has the evaluation in its own crate instead, the compiler can optimise across the call.
 
 use crate::chain::Chain;
 use crate::four_bar::FourBar;

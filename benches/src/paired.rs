@@ -1,4 +1,4 @@
-//! Contenders are timed in turns, round after round, so that disturbances of the machine affect all of them.
+//! Contenders are timed in turn, round after round, so that disturbances of the machine affect all of them.
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;

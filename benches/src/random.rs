@@ -24,7 +24,7 @@ impl Draws {
         (self.next() >> 20) as usize % count
     }
 
-    /// Random numbers, used as angles over several turns and as lengths.
+    /// Random numbers between −6 and 6, used as angles over about two turns and as lengths.
     pub fn several_turns<const N: usize>(&mut self) -> [f64; N] {
         core::array::from_fn(|_| self.about(0.0, 6.0))
     }

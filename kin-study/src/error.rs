@@ -10,9 +10,9 @@ use std::path::{Path, PathBuf};
 #[derive(Debug)]
 #[non_exhaustive]
 pub enum StudyError {
-    /// The description makes no sense, or it does not fit the mechanism.
+    /// The description is invalid, or it does not fit the mechanism.
     Description {
-        /// The line of the file, from 1; none where the study was built in Rust.
+        /// The line of the file, from 1; `None` if the study was built in Rust.
         line: Option<usize>,
         /// What is wrong there, and what would be right.
         message: String,
@@ -23,24 +23,25 @@ pub enum StudyError {
     File {
         /// Which file.
         path: PathBuf,
-        /// What the system said.
+        /// The error of the system.
         error: io::Error,
     },
     /// The directory holds another study, or parts that are not expected there.
     Directory(String),
-    /// A scheduler or all of its workers do not answer, or are another program; with its address.
+    /// A scheduler or all of its workers do not answer, or a member of the cluster is another program. The text has the
+    /// address.
     Cluster(String),
-    /// What the engine said: of a query, or while it computed.
+    /// An error of the engine, in a query or during a run.
     Engine(Box<DataFusionError>),
 }
 
 impl StudyError {
-    /// A description that makes no sense, built in Rust or not yet located in its file.
+    /// An invalid description that was built in Rust, or whose line in its file is not known yet.
     pub(crate) fn description(message: impl Into<String>) -> Self {
         Self::Description { line: None, message: message.into() }
     }
 
-    /// The same with its line, unless it has one already.
+    /// The same error with a line, unless it has one already.
     pub(crate) fn on_line(self, place: Option<usize>) -> Self {
         match self {
             Self::Description { line: None, message } => Self::Description { line: place, message },
@@ -84,7 +85,7 @@ impl From<BatchError> for StudyError {
     }
 }
 
-/// An error of this crate that went through the engine comes out as itself.
+/// An error of this crate that the engine has passed on becomes the original error again.
 impl From<DataFusionError> for StudyError {
     fn from(error: DataFusionError) -> Self {
         match error {

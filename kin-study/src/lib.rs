@@ -13,7 +13,7 @@ mod study;
 mod suggest;
 
 pub use cli::{main, run_from};
-/// The tables of answers, so that a crate needs no version of its own to match.
+/// The crate of the tables in [`Answer`], so that users need not depend on the same version of it themselves.
 pub use datafusion::arrow;
 pub use engine::{Answer, Limits, Report, Watch, missing, query, query_to_file, run, run_part};
 pub use error::StudyError;

@@ -1,4 +1,4 @@
-//! The one place that knows the mechanism's type: motions of many sets of dimensions, scored in lanes.
+//! The only module that is generic over the mechanism: motions of many sets of dimensions, scored in lanes.
 
 use crate::error::StudyError;
 use crate::sampling::Range;
@@ -10,33 +10,34 @@ use kin_runtime::model::Model;
 use kin_runtime::{Instant, Lanes, Mechanism, Sign, Signal, Solver};
 use std::fmt;
 
-/// At most so many modes are gone through together: 2¹² rows for every set of dimensions.
+/// Largest number of modes whose combinations are all computed: 2¹² rows for every set of dimensions.
 const MODES: usize = 12;
 
-/// The motions of many sets of dimensions.
+/// A mechanism whose motions are computed for many sets of dimensions at once.
 pub(crate) trait Machine: Send + Sync {
     /// The mechanism's tables.
     fn model(&self) -> &'static Model;
 
-    /// Moves `count` sets over all instants; the signs are those of the modes at a place of [`Motion::modes`].
+    /// Sweeps `count` sets of dimensions over all instants. `signs` has a column for every mode of the plan; the signs
+    /// of a set are one of the combinations in [`Motion::modes`].
     fn sweep(&self, parameters: &[Column<'_>], signs: &[Column<'_>], count: usize) -> Result<Scored, BatchError>;
 }
 
-/// What is left of some motions.
+/// What is kept of the motions of many sets of dimensions.
 pub(crate) struct Scored {
-    /// Of every score, what every set has; it says nothing where the set ended early.
+    /// For every score, its values for all sets; the value of a set that ended early is meaningless.
     pub(crate) scores: Vec<Values>,
-    /// The least margin up to the end.
+    /// For every set, the least margin of its motion; for a set that ended early, the margin at its end.
     pub(crate) margins: Vec<f64>,
-    /// Where sets could not go on.
+    /// For every set, where its motion ended, if it ended early.
     pub(crate) ends: Vec<Option<End>>,
 }
 
-/// What sets have of a score.
+/// The values of a score for all sets.
 pub(crate) enum Values {
     /// A number each.
     Numbers(Vec<f64>),
-    /// So many numbers each, those of one set after those of another.
+    /// A list of this length each, one set after another.
     Lists(usize, Vec<f32>),
 }
 
@@ -45,7 +46,7 @@ pub(crate) enum Values {
 pub(crate) struct Motion {
     /// The instants.
     pub(crate) times: Vec<f64>,
-    /// The values of all parameters where no row says otherwise.
+    /// The default values of all parameters, with the fixed values of the study.
     pub(crate) defaults: Vec<f64>,
     /// Combinations of signs, each with its name.
     pub(crate) modes: Vec<(String, Vec<f64>)>,
@@ -60,7 +61,7 @@ struct Bound<M> {
     scores: Vec<Score>,
 }
 
-/// The machine of a study, and what its motions have in common.
+/// The mechanism of a study, and what its motions have in common.
 pub(crate) fn bind<M>(study: &Study) -> Result<(Box<dyn Machine>, Motion), StudyError>
 where
     M: Mechanism + Default + Send + Sync + 'static,
@@ -94,7 +95,7 @@ where
     Ok((Box::new(Bound { mechanism, times, inputs, start, scoring, scores }), motion))
 }
 
-/// All inputs at every instant, those of one instant after those of another.
+/// All inputs at every instant, one instant after another.
 fn inputs(model: &Model, study: &Study) -> Result<Vec<Signal<f64>>, StudyError> {
     let times = &study.times;
     let (first, last) = (times[0], times[times.len() - 1]);
@@ -123,10 +124,10 @@ fn inputs(model: &Model, study: &Study) -> Result<Vec<Signal<f64>>, StudyError> 
     Ok(times.iter().flat_map(|t| at(*t)).collect())
 }
 
-/// What motions start from.
+/// The configuration near which motions start, and the combinations of modes with their names.
 type Starts = (Vec<f64>, Vec<(String, Vec<f64>)>);
 
-/// The configuration near which motions start, and the combinations of modes that they take.
+/// The start of all motions, and the combinations of modes that the study computes.
 fn starts<M: Mechanism>(mechanism: &M, study: &Study, at: &Instant<'_>) -> Result<Starts, StudyError> {
     let modes = M::model().plan.modes;
     let wrong = |message: String| StudyError::description(message).on_line(study.line("motion.mode"));
@@ -140,7 +141,7 @@ fn starts<M: Mechanism>(mechanism: &M, study: &Study, at: &Instant<'_>) -> Resul
     if solved.is_ok() {
         let mut closures = vec![0.0; modes.len()];
         let parameters = mechanism.parameters::<f64>();
-        // The lists have the lengths of the mechanism.
+        // All lists have the lengths that the mechanism requires.
         if mechanism.closures_with(parameters.as_ref(), at, &start, &mut closures).is_ok() {
             signs = closures.into_iter().map(Sign::of).collect();
         }

@@ -2,10 +2,10 @@
 
 use strsim::damerau_levenshtein;
 
-/// How many names are listed where none is near.
+/// Largest number of names that are listed if none is similar.
 const LISTED: usize = 12;
 
-/// That there is no such thing, with the nearest name, or all of them where they are few.
+/// The message that a name is unknown, with the most similar known name or, if they are few, all known names.
 pub(crate) fn unknown<'a>(what: &str, name: &str, known: impl Iterator<Item = &'a str>) -> String {
     let known: Vec<&str> = known.collect();
     let far = name.chars().count().max(3) / 3;

@@ -1,4 +1,4 @@
-//! A belt in the ground and one on a moving arm.
+//! A belt between pulleys on the ground, and one on a moving arm.
 
 use kin_runtime::mechanism;
 

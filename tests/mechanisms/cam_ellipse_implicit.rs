@@ -12,10 +12,10 @@ use kin_runtime::mechanism;
 #[driver(drive: cam.phi = 0.2 + w*t + 0.15*sin(t))]
 #[guess(follower.y = 0.32)]
 pub struct CamEllipseImplicit {
-    /// Half axis along x of the cam
+    /// Semi-axis along x of the cam
     #[param(0.23, unit = "m")]
     pub a: f64,
-    /// Half axis along y
+    /// Semi-axis along y
     #[param(0.17, unit = "m")]
     pub b: f64,
     /// Offset of the guide, which the file carries without using it

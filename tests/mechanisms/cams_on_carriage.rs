@@ -19,7 +19,7 @@ pub struct CamsOnCarriage {
     /// Places of the shafts
     #[param([-0.1, 0.15], unit = "m")]
     pub x: [f64; 2],
-    /// Eccentricities, which stand among angles, too, and have no unit for that
+    /// Eccentricities, without a unit because formulas combine them with angles, too
     #[param([0.012, 0.02])]
     pub e: [f64; 2],
     /// Radius of the cams

@@ -1,4 +1,4 @@
-//! A press whose crank is not driven evenly.
+//! A press whose crank is driven by a motion with dwells.
 
 use kin_runtime::function::{MotionLaw, Sequence};
 use kin_runtime::mechanism;
@@ -26,7 +26,7 @@ pub struct DwellPress {
     pub l: f64,
     /// Places of the feeders
     pub place: [f64; 2],
-    /// What the feeders are ahead
+    /// Times by which the feeders are ahead
     pub shift: [f64; 2],
 }
 

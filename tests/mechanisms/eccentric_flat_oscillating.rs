@@ -1,4 +1,4 @@
-//! The eccentric cam under the face of a lever, with frames that are not at special places and a face at an angle.
+//! The eccentric cam under the face of a lever, with frames at general positions and an inclined face.
 
 use kin_runtime::mechanism;
 

@@ -1,4 +1,4 @@
-//! One cam with a roller follower, written in three ways, which `tests/cams.rs` compares with one another.
+//! One cam with a roller follower, written in three ways, which `tests/tests/curves/cams.rs` compares with one another.
 
 use kin_runtime::mechanism;
 

@@ -2,7 +2,7 @@
 
 use kin_runtime::mechanism;
 
-/// Elliptic cam whose half axis grows while it turns, with an oscillating roller follower.
+/// Elliptic cam whose semi-axis along x grows while it turns, with an oscillating roller follower.
 #[mechanism]
 #[bodies(cam, lever)]
 #[coordinates(u)]

@@ -2,7 +2,7 @@
 
 use kin_runtime::mechanism;
 
-/// Geared five-bar: two cranks in the ground, coupled by an external gear pair, move the joint of two links.
+/// Geared five-bar: two cranks on the ground, coupled by an external gear pair, move the joint of two links.
 #[mechanism]
 #[bodies(crank1, crank2, link1, link2)]
 #[point(C = link2 @ (0, 0))]

@@ -14,7 +14,8 @@ impl ScalarFunction for Bell {
     }
 }
 
-/// A slider whose place is a function of a crank's angle, and a second one that is a function of the first.
+/// A slider whose position is a function of a crank's angle, and a second one whose position is a function of the
+/// first.
 #[mechanism]
 #[function(profile)]
 #[function(wave)]
@@ -27,9 +28,9 @@ impl ScalarFunction for Bell {
 #[driver(drive: crank.phi = 0.4 + omega * t)]
 #[guess(s = 0.05 * profile(0.4))]
 pub struct ProfileSlider {
-    /// Place over angle
+    /// Position over angle
     pub profile: Box<Bell>,
-    /// Place of the second over the first
+    /// Position of the second slider over that of the first
     pub wave: FromFn<fn(f64) -> [f64; 3]>,
     /// Amplitude
     pub scale: f64,

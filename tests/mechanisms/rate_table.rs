@@ -3,7 +3,7 @@
 use kin_runtime::function::{MotionLaw, Sequence};
 use kin_runtime::{Signal, mechanism};
 
-/// A skate trails behind a table that is moved; meters count what they are told to.
+/// A skate trails behind a moving table; coordinates (`meter`) integrate rates that are given by formulas.
 #[mechanism]
 #[body(table, x = 0.5 * cos(t) + sway, y = 0.1 * t, phi = 0.3 * sway)]
 #[body(arm, origin = table @ (1, 0.2))]

@@ -15,7 +15,7 @@ pub struct RollingIncline {
     /// Radius of the disc
     #[param(0.15, unit = "m")]
     pub r: f64,
-    /// Place of the disc on the line where its angle is that of the beam
+    /// Position of the disc on the line when its angle equals that of the beam
     #[param(0.1, unit = "m")]
     pub c: f64,
 }

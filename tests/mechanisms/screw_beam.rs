@@ -12,7 +12,7 @@ use kin_runtime::mechanism;
 #[driver(swing: beam.phi = 0.3 * sin(1.3 * t))]
 #[relative_angle(turn: beam, nut = 4 * t + sin(2 * t))]
 pub struct ScrewBeam {
-    /// What the carriage moves in a turn
+    /// Travel of the carriage per turn
     #[param(0.04, unit = "m")]
     pub lead: f64,
 }

@@ -1,5 +1,5 @@
-//! Every joint and driver of the vocabulary against a closed form, with all kinds of operands: bodies with given or
-//! carried coordinates, families, named points, moving frames, defines as dimensions.
+//! Every joint and driver of the vocabulary compared with a closed form, with all kinds of operands: bodies with given
+//! or carried coordinates, families, named points, moving frames, defines as dimensions.
 
 use kin_runtime::{Kinematics, Mechanism, State, mechanism};
 

@@ -24,7 +24,7 @@ use crate::state::State;
 
 /// Number of steps without `--steps`.
 pub(super) const STEPS: usize = 180;
-/// Largest number of numbers (coordinates times instants) in all additional assembly modes of a page together, so that pages stay
+/// Largest size of all additional assembly modes of a page together, in coordinates times instants, so that pages stay
 /// small.
 const NUMBERS: usize = 60_000;
 
@@ -124,7 +124,7 @@ pub(super) fn run(args: &AnimateArgs, engine: &mut dyn Engine, session: &mut Ses
     let mut runs = vec![drawn.run(&setup, (&trajectory.states, &motions, along_arc), columns, choice.own, note)?];
     for (place, (name, asked)) in choice.others.iter().enumerate() {
         watch.go_on((1 + place) * instants.len());
-        // Other modes that do not close are left out: they are no error of the motion that was asked for.
+        // Other modes that do not close are left out. That is no error, since the requested motion exists.
         let Ok(also) = (Walk { setup: asked, ..walk }).kept() else { continue };
         let states = &also.trajectory.states;
         if watch.interrupted() {
@@ -191,7 +191,7 @@ struct Drawn<'a> {
 }
 
 impl Drawn<'_> {
-    /// A motion with its drawing and its numbers; along an arc in equal steps, and not by time.
+    /// A motion with its drawing and its numbers. Along an arc, instants are equally spaced, whatever their times are.
     fn run(
         &self,
         setup: &Setup,
@@ -229,7 +229,7 @@ impl Drawn<'_> {
     }
 }
 
-/// Numbers the instants in place of their times, and takes velocities by these numbers, from one neighbour to the other.
+/// Replaces times by the numbers of the instants, and velocities by central differences with respect to these numbers.
 fn by_steps(snapshots: &mut [Snapshot]) {
     let places: Vec<Vec<[f64; 2]>> = snapshots.iter().map(|snapshot| snapshot.points.clone()).collect();
     for (k, snapshot) in snapshots.iter_mut().enumerate() {

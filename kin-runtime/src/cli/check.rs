@@ -58,7 +58,7 @@ pub(super) struct Findings {
     /// Why forces do not exist although there are masses or loads.
     #[serde(skip_serializing_if = "Option::is_none")]
     no_forces: Option<String>,
-    /// Whether that is no error: coordinates are open along which loads act.
+    /// False if forces do not exist because loads act along coordinates that are open, which is no error.
     #[serde(skip)]
     held: bool,
     /// Contacts whose normal force is negative, in words; they are no error of the solution.
@@ -156,7 +156,7 @@ pub(super) fn find(
     let here = |s: &State| Configuration { t, q: s.q.clone(), q_dot: s.q_dot.clone(), inputs: s.inputs.clone() };
     let given = state.map(here).into_iter().collect();
     let options = CrossCheckOptions { configurations, given, ..CrossCheckOptions::default() };
-    // Both go through all configurations.
+    // Both checks go through all configurations.
     let all = options.given.len() + configurations;
     let checks = if engine.model().plan.exists() { 2 } else { 1 };
     watch.begin("configurations", checks * all);
@@ -184,7 +184,7 @@ pub(super) fn find(
     let pulling = pulling.unwrap_or_default();
     let balanced = power.is_none_or(|miss| miss <= CLOSURE_TOLERANCE);
     let certificate = state.map(|state| engine.certify(setup, state));
-    // A missing certificate is no failure, unless the reason is that the state is not a solution.
+    // A missing certificate is a failure only if the reason is that the state is not a solution.
     let solution = !matches!(certificate, Some(Err(Uncertified::NotASolution { .. })));
     let loaded = no_forces.is_none() || !held;
     let passed = closed && planned && balanced && loaded && solution && cross_check.passes(CLOSED_FORM_TOLERANCE);

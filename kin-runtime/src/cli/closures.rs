@@ -11,7 +11,7 @@ use crate::present::number::rounded;
 use crate::state::State;
 use std::f64::consts::TAU;
 
-/// The setup for a motion from the instant t: a closure that was asked for by its number becomes the guess.
+/// The setup for a motion from the instant t: a closure that is requested by its number becomes the guess.
 pub(super) fn settled(engine: &dyn Engine, setup: Setup, t: f64) -> Result<Setup, Failure> {
     let Some(number) = setup.closure else { return Ok(setup) };
     let all = engine.assemblies(&setup, t).map_err(|error| analysis(engine, &error))?;
@@ -29,37 +29,38 @@ fn guesses(found: &Assembly) -> Vec<(usize, f64)> {
     found.q.iter().copied().enumerate().collect()
 }
 
-/// Motions that one page shows at most.
+/// Largest number of motions that one page shows.
 pub(super) const MOST: usize = 8;
-/// Unknowns of a group without closed form up to which its closures are searched for a page.
+/// Largest number of unknowns of a group without a closed form whose closures are searched for a page.
 const SEARCHED: usize = 3;
-/// Modes of which all combinations are shown, so that it is worth to know which of them close.
+/// Largest number of modes of which a page shows all combinations. Only for so few modes are their closures computed,
+/// to leave out combinations that do not close.
 const FEW: usize = MOST.ilog2() as usize;
-/// Configurations nearer to one another than this are one, whole turns of bodies left out.
+/// Configurations that differ by less than this, apart from whole turns of bodies, are the same.
 const SAME: f64 = 1e-6;
 
-/// The motion that was asked for, by its name, and the others with how they are asked for.
+/// The name of the requested motion, and the names and setups of other motions.
 pub(super) struct Choice {
     pub(super) own: String,
     pub(super) others: Vec<(String, Setup)>,
 }
 
 impl Choice {
-    /// The motion that was asked for, alone.
+    /// The requested motion alone.
     pub(super) fn one(engine: &dyn Engine, first: &State) -> Self {
         let own = signs(engine, first);
         Self { own: mode_name(engine.model(), &own, &own), others: Vec::new() }
     }
 
-    /// With at most `most` others: closures that are proven to exist where they can be found, otherwise combinations of
-    /// signs, which may or may not close.
+    /// The requested motion and at most `most` others: closures that are proven to exist if they can be found quickly,
+    /// otherwise combinations of signs, which may or may not close.
     pub(super) fn all(engine: &dyn Engine, setup: &Setup, first: &State, most: usize) -> Self {
         let model = engine.model();
         let mut iterated = model.plan.steps.iter().filter_map(|step| match step.kind {
             StepKind::Newton(unknowns) => Some(unknowns),
             _ => None,
         });
-        // What takes no time to find, or at least not long.
+        // Whether all closures can be found in a short time.
         let quick = match iterated.next() {
             None => engine.closes_by_signs(setup, first.t),
             Some(unknowns) => unknowns <= SEARCHED && iterated.all(|unknowns| unknowns <= SEARCHED),
@@ -110,7 +111,7 @@ fn closes(model: &Model, all: Option<&Assemblies>, signs: &[Sign]) -> bool {
     all.is_none_or(|all| all.found.iter().any(|found| is(&found.modes)))
 }
 
-/// All other combinations of signs, few enough to look at.
+/// Other combinations of signs, in which at most the first `FEW` signs differ.
 fn combinations(own: &[Sign]) -> Vec<Vec<Sign>> {
     let free = own.len().min(FEW);
     let combination = |number: usize| {
@@ -122,7 +123,7 @@ fn combinations(own: &[Sign]) -> Vec<Vec<Sign>> {
     (1..1_usize << free).map(combination).collect()
 }
 
-/// The signs where they are few, otherwise those that differ from the first.
+/// The signs of all modes if they are at most two, otherwise only those that differ from `own`.
 fn mode_name(model: &Model, own: &[Sign], signs: &[Sign]) -> String {
     let few = signs.len() <= 2;
     let modes = model.plan.modes.iter().zip(own).zip(signs);
@@ -131,7 +132,7 @@ fn mode_name(model: &Model, own: &[Sign], signs: &[Sign]) -> String {
     if names.is_empty() { "as assembled".to_owned() } else { names.join(", ") }
 }
 
-/// True where configurations differ by whole turns of bodies alone.
+/// Whether configurations are the same, apart from whole turns of bodies.
 fn is_same(model: &Model, a: &[f64], b: &[f64]) -> bool {
     a.iter().zip(b).zip(model.coordinates).all(|((a, b), coordinate)| {
         let is_angle = matches!(coordinate.kind, CoordinateKind::Pose { component: Component::Phi, .. });

@@ -1,4 +1,4 @@
-//! Quantities for tables and diagrams: those asked for by name, and those shown by default.
+//! Quantities for tables and diagrams: those requested by name, and those shown by default.
 
 use super::failure::{Failure, Ledger};
 use super::names::find_quantity;
@@ -20,8 +20,8 @@ pub(super) fn column_infos(units: Units, measures: &[Measure]) -> Vec<ColumnInfo
     measures.iter().map(info).collect()
 }
 
-/// The two columns that are plotted by default: the first value of a point or a coordinate that is not linear in time,
-/// and its rate.
+/// The two columns that are plotted by default: the first coordinate of a point that is not linear in time or, if there
+/// is none, the last such coordinate of q; and its rate.
 pub(super) fn shown(model: &Model, columns: &[Vec<f64>]) -> Vec<usize> {
     let bends = |k: usize| columns.get(k).map_or(0.0, |values| bend(values));
     let points = 3 * model.coordinates.len()..3 * (model.coordinates.len() + 2 * model.points.len());

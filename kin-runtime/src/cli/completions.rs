@@ -67,8 +67,8 @@ fn no_space(name: &str, program: &str) -> String {
     )
 }
 
-/// The commands with possible values of their options, for completion only: a parser would refuse `l1=0.1`, which is
-/// none of them.
+/// The commands with possible values of their options, for completion only: a parser would reject `l1=0.1`, since only
+/// `l1=` is one of these values.
 fn with_names(command: clap::Command, model: &'static Model) -> clap::Command {
     let assigned = |kind: Kind| kind.names(model).into_iter().map(|name| format!("{name}=")).collect::<Vec<_>>();
     let [parameters, coordinates, inputs] = [Kind::Parameter, Kind::Coordinate, Kind::Input].map(assigned);

@@ -1,4 +1,4 @@
-//! `design`: the dimensions with which the mechanism does what is wanted.
+//! `design`: searches for dimensions with which the mechanism has a wanted motion.
 
 use super::engine::{Engine, Setup};
 use super::examples::{Help, Names};
@@ -23,7 +23,7 @@ use crate::present::text::section;
 use crate::serial::Named;
 use std::collections::BTreeMap;
 
-/// How near to a bound a parameter is at it, relative to its range.
+/// A parameter that is nearer to a bound than this, relative to its range, is reported as being at the bound.
 const AT_BOUND: f64 = 1e-6;
 
 /// Search for dimensions that give a wanted motion
@@ -149,7 +149,7 @@ pub(super) fn run(args: &DesignArgs, engine: &mut dyn Engine, session: &mut Sess
     session.deliver(&output, &text)
 }
 
-/// The parameters beside their bounds, and what is left of the conditions.
+/// The parameters with their bounds, the modes, and the slack of every condition.
 fn report(model: &Model, bounds: &[(String, [f64; 2])], found: &Designed<()>) -> String {
     let of = |name: &str| bounds.iter().find(|(other, _)| other == name).map(|(_, bounds)| *bounds);
     let range = |name: &str| of(name).map_or_else(String::new, |[low, high]| format!("{low} to {high}"));
@@ -181,7 +181,7 @@ fn report(model: &Model, bounds: &[(String, [f64; 2])], found: &Designed<()>) ->
     format!("{}, designed\n{summary}\n{}", model.name, sections.concat())
 }
 
-/// The search, with a bar and an ear for Ctrl-C.
+/// The search, with a progress bar; Ctrl-C ends it.
 fn searched(
     args: &DesignArgs,
     engine: &dyn Engine,
@@ -204,7 +204,7 @@ fn searched(
     })
 }
 
-/// What the options ask for.
+/// The requirements that the options specify.
 fn wishes(args: &DesignArgs, engine: &dyn Engine) -> Result<Vec<Wish>, Failure> {
     let model = engine.model();
     let (mut ledger, mut all) = (Ledger::default(), Vec::new());

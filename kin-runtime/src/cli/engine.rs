@@ -1,4 +1,4 @@
-//! The interface through which commands use a mechanism. Only this file knows the mechanism's type.
+//! The interface through which commands use a mechanism. Only this file depends on the mechanism's type.
 
 use std::ops::ControlFlow;
 
@@ -37,13 +37,13 @@ pub(super) struct Setup {
     pub(super) given: Vec<(usize, Signal)>,
     /// All inputs, at the first instant.
     pub(super) inputs: Vec<Signal>,
-    /// Modes that were asked for, by their indices.
+    /// The requested signs of modes, by their indices.
     pub(super) modes: Vec<(usize, Sign)>,
-    /// The closure that was asked for, by its number in the list of `modes`; counted from 1.
+    /// The requested closure, by its number in the list that the command `modes` prints; counted from 1.
     pub(super) closure: Option<usize>,
-    /// Names of inputs that the user gave no value for.
+    /// Names of inputs without a value.
     pub(super) missing_inputs: Vec<&'static str>,
-    /// Whether forces that redundant rows share are those of least norm.
+    /// Whether forces that redundant rows leave undetermined are those of least norm.
     pub(super) least_norm: bool,
 }
 
@@ -55,7 +55,7 @@ impl Setup {
         Err(Failure::option("--input", format!("{missing}\n  write --input {first}=value,rate,acceleration")))
     }
 
-    /// An error when a closure is asked for, in a command that has no instant at which closures are numbered.
+    /// An error if a closure is requested, for commands without a single instant at which closures have numbers.
     pub(super) fn without_closure(self) -> Result<Self, Failure> {
         match self.closure {
             None => Ok(self),
@@ -75,7 +75,7 @@ impl Setup {
     }
 }
 
-/// The arc that a motion follows: the time at its start, the end of the interval of t where there is one, and steps.
+/// The arc that a motion follows: the time at its start, the end of its interval of t, and the number of steps.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Arc {
     pub(super) from: f64,
@@ -102,7 +102,7 @@ pub(super) trait Engine {
     /// An assembled configuration, singular or not.
     fn assemble(&self, setup: &Setup, t: f64) -> Result<Vec<f64>, SolveError>;
     fn state(&self, setup: &Setup, t: f64) -> Result<State, SolveError>;
-    /// The input that keeps the mechanism from closing.
+    /// The input with whose value the mechanism cannot close, and its range.
     fn out_of_range(&self, setup: &Setup, t: f64) -> Option<OutOfRange>;
     /// The motion up to the first failure, or to the first event if `stop_at_events`, with the failure. `visit` is
     /// called with every state; the states are not kept.
@@ -126,7 +126,7 @@ pub(super) trait Engine {
     fn forces(&self, setup: &Setup, state: &State) -> Result<Forces, SolveError>;
     /// The forces of gravity, of applied loads and of springs on the bodies.
     fn loads(&self, setup: &Setup, state: &State) -> Result<Vec<Load>, SolveError>;
-    /// Gives the next state of a motion that began at `first` to the watch of contact forces.
+    /// Updates the watch of contact forces with the next state of a motion that began at `first`.
     fn watch_contacts(
         &self,
         setup: &Setup,
@@ -135,7 +135,7 @@ pub(super) trait Engine {
         state: &State,
     ) -> Result<(), SolveError>;
     fn sensitivities(&self, setup: &Setup, state: &State) -> Result<Sensitivities, SolveError>;
-    /// Derivatives of quantities by parameters at a state.
+    /// Derivatives of quantities with respect to parameters at a state.
     fn measure_sensitivities(
         &self,
         setup: &Setup,
@@ -161,7 +161,7 @@ pub(super) trait Engine {
     /// The modes of a configuration; an empty list if there is no plan.
     fn modes(&self, at: &Instant<'_>, q: &[f64]) -> Vec<Mode>;
     fn assemblies(&self, setup: &Setup, t: f64) -> Result<Assemblies, SolveError>;
-    /// Whether the closures are those of the signs of a plan in closed form, which are found without a search.
+    /// Whether the combinations of signs of a plan in closed form give all closures, so that no search is needed.
     fn closes_by_signs(&self, setup: &Setup, t: f64) -> bool;
     fn ranges(&self, setup: &Setup, from: f64, to: f64) -> Result<Ranges, SolveError>;
     /// Local points, axes, values and radii at an instant.
@@ -245,7 +245,7 @@ impl<M: Mechanism + Default> Engine for Bound<M> {
 
     fn sweep_from(&self, setup: &Setup, first: f64, start: &[f64], times: &[f64]) -> Result<Trajectory, SolveError> {
         let inputs = setup.inputs_from(first);
-        // Prescribed coordinates begin at the first of these instants.
+        // Prescribed coordinates have their values at the first of these instants.
         let elapsed = times.first().copied().unwrap_or(first) - first;
         let given = setup.given.iter().map(|&(place, signal)| (place, signal.after(elapsed))).collect();
         let later = Setup { given, ..setup.clone() };

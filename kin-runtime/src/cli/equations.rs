@@ -45,7 +45,7 @@ by 2π the one nearest to the last position is taken.
 A mechanism with masses or loads has M and Q of M q̈ + Φ_qᵀ λ = Q at the end.",
 };
 
-/// What is written.
+/// The part of the derivation that is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 enum Chosen {
     Rows,

@@ -9,7 +9,7 @@ use crate::present::number::{plain, rounded};
 
 /// Width of the help in columns.
 const COLUMNS: usize = 100;
-/// Width up to which the command of an example has its comment on the same line.
+/// Largest width of the command of an example that has its comment on the same line.
 const BESIDE: usize = 62;
 
 /// The arguments after the program's name, and a comment.
@@ -113,7 +113,7 @@ impl Names {
         Some((format!("{args}{}", self.needed).trim_start().to_owned(), comment))
     }
 
-    /// As [`analysis`](Self::analysis) with an option; `None` if there is no value for it.
+    /// As [`analysis`](Self::analysis), with a value at the end of `args`; `None` if there is no value.
     pub(super) fn with(&self, args: &str, value: &Option<String>, comment: &'static str) -> Option<Example> {
         self.analysis(&format!("{args} {}", value.as_ref()?), comment)
     }

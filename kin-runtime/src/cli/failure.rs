@@ -7,11 +7,11 @@ use std::fmt;
 pub(super) enum Failure {
     /// All errors in the options: status 2.
     Usage(Vec<String>),
-    /// The mechanism has no good answer for these numbers: status 1.
+    /// The analysis fails for these numbers, or a check does: status 1.
     Analysis(String),
     /// A file or stream could not be written: status 1.
     Output(String),
-    /// Ctrl-C, with how much was finished: status 130, that of a program which the signal ends.
+    /// Ctrl-C, with how much was finished: status 130, as of a program that the signal ends.
     Interrupted(String),
 }
 

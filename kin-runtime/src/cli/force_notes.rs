@@ -1,4 +1,4 @@
-//! Sentences about forces: contacts that would have to pull or lift off, and why a force has no number.
+//! Sentences about forces: contacts that would have to pull or that lift off, and why a force is not determined.
 
 use super::engine::{Engine, Setup};
 use crate::forces::{ContactChange, Forces, Reaction};
@@ -23,7 +23,7 @@ pub(super) fn contact(change: &ContactChange) -> String {
     format!("event: {} {what} at t = {}", change.name, rounded(change.t))
 }
 
-/// A note on the first force among quantities that has no number at a state.
+/// A note on the first force among the quantities that is not determined at a state.
 pub(super) fn missing_force(
     (engine, setup): (&dyn Engine, &Setup),
     state: &State,

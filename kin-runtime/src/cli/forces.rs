@@ -1,4 +1,4 @@
-//! `forces`: what drivers supply and joints carry at one instant.
+//! `forces`: the efforts of drivers and the reactions in joints at one instant.
 
 use super::engine::{Engine, Setup};
 use super::examples::{Help, Names};
@@ -53,7 +53,8 @@ pub(super) fn run(args: &ForcesArgs, engine: &mut dyn Engine, session: &mut Sess
     let At { t, setup, output } = ledger.close(at)?;
     let setup = Setup { least_norm: args.least_norm, ..setup };
     let (state, _) = driven_state(engine, &setup, t, args.least_norm).map_err(|failure| {
-        // In a singular configuration without velocities, the error names the joints whose forces grow near it.
+        // In a singular configuration, where velocities do not exist, the error names the joints whose forces grow
+        // without bounds near it.
         let singular = engine.state(&setup, t).err().filter(|error| matches!(error, SolveError::Singular { .. }));
         singular.map_or(failure, |error| analysis(engine, &unbounded(engine.model(), error)))
     })?;

@@ -58,8 +58,7 @@ pub(super) fn run(args: &InfoArgs, engine: &mut dyn Engine, session: &mut Sessio
     session.deliver(&output, &text)?;
     match solved {
         Ok(_) => Ok(()),
-        // Inputs without a value were taken as 0. That the mechanism does not close then is no error: nobody asked for
-        // 0.
+        // Inputs without a value were taken as 0. If the mechanism does not close with 0, that is no error.
         Err(_) if !setup.missing_inputs.is_empty() => {
             session
                 .note("note: with these the mechanism has no configuration; degrees of freedom and ranks need --input");

@@ -36,12 +36,12 @@ reaches when time runs backwards from 0, or from --to if that is earlier"
 }
 
 impl GridArgs {
-    /// Whether any instant of a motion is asked for.
+    /// Whether any of these options is given.
     pub(super) const fn is_given(&self) -> bool {
         self.from.is_some() || self.to.is_some() || self.steps.is_some() || self.times.is_some()
     }
 
-    /// The instants that are asked for; `steps` is the default number of steps.
+    /// The requested instants; `steps` is the default number of steps.
     pub(super) fn asked(&self, steps: usize, model: &Model) -> Result<Asked, Failure> {
         let mut ledger = Ledger::default();
         let end =
@@ -67,7 +67,7 @@ impl GridArgs {
     }
 }
 
-/// How a motion goes on where the driver can go no further.
+/// How a motion continues where the driver can go no further.
 #[derive(Clone, Copy, Debug, Default, clap::Args)]
 pub(super) struct ArcArgs {
     /// Go on through dead centres, where the driver turns back: the whole curve
@@ -82,7 +82,7 @@ far apart on that way. With --to t stays between --from and --to"
 }
 
 impl ArcArgs {
-    /// What is asked for, along the arc where that is wanted.
+    /// The requested instants, along the arc if the option is given.
     pub(super) fn of(self, asked: Asked) -> Result<Asked, Failure> {
         let refuse = |what: &str| Err(Failure::option("--along-arc", what));
         match asked {
@@ -116,7 +116,7 @@ impl End {
     }
 }
 
-/// The instants that the options ask for.
+/// The instants that the options specify.
 #[derive(Clone, Debug)]
 pub(super) enum Asked {
     Times(Vec<Moment>),
@@ -144,7 +144,7 @@ pub(super) struct Instants {
     pub(super) start: usize,
     /// The limits at the beginning and at the end of the motion.
     pub(super) limits: [Option<Stop>; 2],
-    /// Notes about ends that are no limits.
+    /// Notes about ends for which a limit was requested and none was found.
     pub(super) notes: Vec<String>,
     /// The arc that is followed in place of all of these.
     pub(super) arc: Option<Arc>,
@@ -178,12 +178,13 @@ impl Instants {
 }
 
 impl Asked {
-    /// True if no end is asked for.
+    /// Whether no end is given.
     pub(super) fn is_open(&self) -> bool {
         matches!(self, Self::Grid { to: None, .. })
     }
 
-    /// The instant at which the motion starts, also where it first runs to a limit.
+    /// The instant at which the mechanism is assembled. If the motion begins at a limit, it is followed backwards from
+    /// there.
     pub(super) fn first(&self, engine: &dyn Engine, setup: &Setup) -> Result<f64, Failure> {
         let at = |option: &str, moment: &Moment| instant(option, *moment, engine, setup);
         match self {
@@ -239,7 +240,7 @@ pub(super) fn instant(option: &str, moment: Moment, engine: &dyn Engine, setup: 
     }
 }
 
-/// Units of time within which a limit is looked for, one after the other, where no crank turns.
+/// If no crank turns at constant speed, a limit is searched within these durations, one after the other.
 const FAR: [f64; 4] = [1.0, 10.0, 100.0, 1000.0];
 
 /// The instants of a motion through `start`; an end that is `None` is at the limit of the motion in that direction. The
@@ -281,7 +282,7 @@ fn as_far(
             }
         }
     }
-    // A crank without a limit in either direction turns once.
+    // If neither direction has a limit, the motion is one turn of the crank, not two.
     if whole == [true; 2] {
         times[0] = start;
         out.notes.truncate(1);
@@ -304,15 +305,15 @@ fn as_far(
     let first = usize::from(out.limits[0].is_some());
     let last = steps - usize::from(out.limits[1].is_some());
     let mut times: Vec<f64> = (first..=last).map(|k| if k == steps { to } else { place(k) }).collect();
-    // The motion is followed from the start in both directions: the start is one of the instants, in place of one that
-    // differs from it by rounding.
+    // The motion is followed from the start in both directions. The start is therefore one of the instants; it replaces
+    // one that differs from it by rounding.
     let same = |t: f64| (t - start).abs() <= 1e-9 * (to - from).abs();
     let mut behind = times.iter().position(|t| *t >= start || same(*t)).unwrap_or(times.len());
     match times.get_mut(behind).filter(|t| same(**t)) {
         Some(t) => *t = start,
         None => times.insert(behind, start),
     }
-    // However few steps there are, the motion goes on towards a limit on either side.
+    // Even with few steps, there is an instant between the start and a limit on either side.
     if out.limits[0].is_some() && behind == 0 && from < start {
         times.insert(0, 0.5 * (from + start));
         behind = 1;

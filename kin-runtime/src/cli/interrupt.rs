@@ -22,7 +22,7 @@ impl Interrupt {
         Self { asked: flag(false), deadly: flag(true), heard: false }
     }
 
-    /// Ctrl-C of this process, as if it had not been pressed before.
+    /// Ctrl-C of this process; earlier ones are forgotten.
     pub(super) fn of_process() -> Self {
         static FLAGS: OnceLock<Interrupt> = OnceLock::new();
         let interrupt = Self { heard: true, ..FLAGS.get_or_init(Self::unheard).clone() };

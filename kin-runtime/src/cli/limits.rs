@@ -1,4 +1,4 @@
-//! `limits`: where the mechanism closes between two instants, mode by mode, and what ends that.
+//! `limits`: the intervals of time in which the mechanism closes, mode by mode, and the dead centres at which they end.
 
 use super::engine::{Engine, Setup};
 use super::examples::{Help, Names};

@@ -11,7 +11,7 @@ pub(super) struct MissingArgs {
     rest: Vec<OsString>,
 }
 
-/// Says which feature has the command.
+/// The error that names the feature to which the command belongs.
 pub(super) fn run(_: &MissingArgs, command: &str) -> Result<(), Failure> {
     Err(Failure::usage(format!(
         "this program was built without `{command}`, which needs the feature `{command}` of kin-runtime: write \

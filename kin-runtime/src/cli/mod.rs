@@ -10,10 +10,10 @@
 //! The commands are `info`, `solve`, `sweep`, `extremes`, `forces`, `sensitivities`, `modes`, `limits`, `check`,
 //! `animate`, `completions` and, with the features of the same names, `design`, `plot` and `equations`. Each has a file
 //! of its own. Without a command a report at t = 0 is printed. Results go to stdout or to the file of `--out`, whose
-//! ending chooses the format; everything else goes to stderr. The exit status is 0 only when the answer is good, 2 when
-//! the options make no sense, 1 when the mechanism has no good answer, 130 after Ctrl-C, where the finished part of a
-//! sweep, a plot or an animation is still written, and 141, without a message, when the reader of a pipe has closed it
-//! early (`… | head`).
+//! extension chooses the format; everything else goes to stderr. The exit status is 0 after success, 1 if an analysis
+//! or a check fails or a file cannot be written, 2 if the options are invalid, 130 after Ctrl-C, where the finished
+//! part of a sweep, a plot or an animation is still written, and 141, without a message, if the reader of a pipe has
+//! closed it early (`… | head`).
 //!
 //! A computation that takes longer than a second shows a progress bar if stderr is a terminal. Terminals get colours
 //! unless `NO_COLOR` is set; with `CLICOLOR_FORCE` all output is coloured.
@@ -198,7 +198,7 @@ fn run(
     session.finish(done)
 }
 
-/// A hint to add to clap's message about arguments that it does not accept.
+/// A hint that follows clap's message about invalid arguments.
 fn hint(error: &clap::Error, command: &clap::Command, asked: Option<&str>) -> String {
     let wrong = match error.get(ContextKind::InvalidArg) {
         Some(ContextValue::String(arg)) => arg.as_str(),
@@ -218,7 +218,7 @@ fn hint(error: &clap::Error, command: &clap::Command, asked: Option<&str>) -> St
     }
 }
 
-/// The commands that have an option which this one lacks, and the options of this one.
+/// The commands that have the unknown option `wrong`, and the options of the command that was called.
 fn options_there_are(wrong: &str, command: &clap::Command, asked: Option<&str>) -> String {
     let name = wrong.trim_start_matches('-').split('=').next().unwrap_or_default();
     let has = |command: &clap::Command| command.get_arguments().any(|arg| arg.get_long() == Some(name));

@@ -1,4 +1,4 @@
-//! `modes`: every way in which the mechanism closes at one instant.
+//! `modes`: all closures of the mechanism at one instant.
 
 use super::engine::Engine;
 use super::examples::{Help, Names};

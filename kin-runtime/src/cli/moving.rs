@@ -1,4 +1,5 @@
-//! Motions, as all commands follow them: from instant to instant, with the values of the wanted quantities.
+//! Motions, which all commands follow in the same way: from instant to instant, with the values of the requested
+//! quantities.
 
 use std::ops::ControlFlow;
 
@@ -31,17 +32,17 @@ pub(super) struct Moved {
     pub(super) trajectory: Trajectory,
     /// Points, defines and joint quantities of the states, if they were kept.
     pub(super) motions: Vec<Motion>,
-    /// The values of every quantity that was asked for, if they were kept.
+    /// The values of every requested quantity, if they were kept.
     pub(super) columns: Vec<Vec<f64>>,
     /// Why it ended early.
     pub(super) ended: Option<Failure>,
     /// Notes about its ends.
     pub(super) notes: Vec<String>,
-    /// True if it ended at a limit and no end was asked for.
+    /// True if it ended at or near a limit before its last instant and this is no failure.
     pub(super) at_its_end: bool,
-    /// Degrees of freedom that the drivers leave at the first instant.
+    /// Degrees of freedom that the drivers leave open at the first instant.
     pub(super) left: usize,
-    /// Contacts that lift off on the way or press again.
+    /// Contacts that lift off or press again during the motion.
     pub(super) contacts: Vec<ContactChange>,
 }
 
@@ -52,14 +53,14 @@ pub(super) struct Walk<'a> {
     pub(super) setup: &'a Setup,
     pub(super) instants: &'a Instants,
     pub(super) stop_at_events: bool,
-    /// No end is asked for: a motion that ends at a limit is complete.
+    /// No end is given: a motion that ends at a limit is complete.
     pub(super) open_end: bool,
     pub(super) freedom: FreedomArgs,
     /// Whether points, defines and joint quantities are computed as well.
     pub(super) reported: bool,
-    /// Whether a note tells why forces among the quantities have no number.
+    /// Whether a note says why forces among the quantities are not determined.
     pub(super) tells_missing: bool,
-    /// The quantities whose values are wanted.
+    /// The requested quantities.
     pub(super) measures: &'a [Measure],
     /// Whether angles among their values are in degrees.
     pub(super) degrees: bool,
@@ -72,7 +73,7 @@ type Visit<'v> = &'v mut dyn FnMut(&Row<'_>) -> ControlFlow<()>;
 /// A part of a motion, in one direction of time.
 struct Leg {
     trajectory: Trajectory,
-    /// The first force that has no number.
+    /// The note on the first force that is not determined.
     missing: Option<String>,
     ended: Option<Failure>,
     limit: Option<String>,
@@ -81,14 +82,14 @@ struct Leg {
 }
 
 impl Leg {
-    /// Whether it reached its last instant, or came as near to its limit as can be solved.
+    /// Whether it reached its last instant, or an instant as close to its limit as can be solved.
     const fn is_whole(&self) -> bool {
         self.ended.is_none() && self.limit.is_none()
     }
 }
 
 /// Instants that are nearer to a limit than this, relative to the length of the motion, may have no solution: close to
-/// a crossing of branches rounding decides.
+/// a crossing of branches, rounding errors decide whether they have one.
 const BESIDE: f64 = 0.01;
 
 impl Walk<'_> {
@@ -156,7 +157,7 @@ impl Walk<'_> {
         self.without_rates(state, visit).map(|_| ())
     }
 
-    /// Lends a configuration with all that depends on the place alone, and without rates.
+    /// Calls `visit` with a configuration and all quantities that depend on it alone; rates and accelerations are NaN.
     fn without_rates(&self, mut state: State, visit: Visit<'_>) -> Result<ControlFlow<()>, Failure> {
         let Self { engine, setup, .. } = *self;
         let say = |error| analysis(engine, &error);
@@ -173,7 +174,7 @@ impl Walk<'_> {
         Ok(visit(&Row { state: &state, motion: self.reported.then_some(&motion), values: &values }))
     }
 
-    /// The motion along the arc of the solution curve, whose states are lent when all of them are there.
+    /// The motion along the arc of the solution curve; `visit` is called after the whole arc is solved.
     fn along_arc(&self, arc: Arc, visit: Visit<'_>) -> Result<Moved, Failure> {
         let Self { engine, setup, watch, .. } = *self;
         let say = |error| analysis(engine, &error);
@@ -204,12 +205,12 @@ impl Walk<'_> {
         Ok(Moved { trajectory, motions, columns, ended: None, notes, at_its_end, left: 0, contacts })
     }
 
-    /// The values of the quantities, with angles in degrees if asked for.
+    /// The values of the requested quantities, with angles in degrees if that is requested.
     fn values(&self, state: &State) -> Result<Vec<f64>, SolveError> {
         self.values_of(state, self.measures)
     }
 
-    /// The values of some quantities, with angles in degrees if asked for.
+    /// The values of some quantities, with angles in degrees if that is requested.
     pub(super) fn values_of(&self, state: &State, measures: &[Measure]) -> Result<Vec<f64>, SolveError> {
         let mut values = self.engine.measure(self.setup, state, measures)?;
         if self.degrees {
@@ -218,7 +219,8 @@ impl Walk<'_> {
         Ok(values)
     }
 
-    /// The motion in one direction of time, perhaps towards a limit; `done` instants were finished before.
+    /// The motion in one direction of time, towards the limit `stop` if it is given; `done` instants were finished
+    /// before.
     fn leg(&self, times: &[f64], (done, stop): (usize, Option<&Stop>), visit: Visit<'_>) -> Result<Leg, Failure> {
         let &Self { engine, setup, watch, .. } = self;
         // Checked at the first instant, so that a mechanism that is not fully driven fails before a long sweep.
@@ -306,7 +308,7 @@ impl Walk<'_> {
     }
 }
 
-/// What there is to say of an arc.
+/// Notes about the ends of an arc and what it passes.
 fn arc_notes(arc: &SolutionArc) -> Vec<String> {
     let place = |place: &ArcPlace| match place.drivers.as_slice() {
         [] => format!("note: {place}"),

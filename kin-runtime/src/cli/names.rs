@@ -1,4 +1,4 @@
-//! Finds what a user named, and suggests corrections.
+//! Looks up names that a user gave, and suggests corrections.
 
 use super::failure::Failure;
 use crate::measure::Measure;
@@ -37,7 +37,7 @@ impl Kind {
 }
 
 impl Kind {
-    /// All names of this kind; quantities are those of [`find_quantity`].
+    /// All names of this kind; none for quantities, which [`find_quantity`] looks up.
     pub(super) fn names(self, model: &Model) -> Vec<&'static str> {
         match self {
             Self::Parameter => model.parameters.iter().map(|parameter| parameter.name).collect(),
@@ -56,7 +56,7 @@ impl Kind {
         }
     }
 
-    /// The mode that a joint belongs to.
+    /// For modes, the mode that a joint with this name belongs to.
     fn of_joint<'n>(self, name: &str, names: &[&'n str]) -> Option<&'n str> {
         let has = |mode: &&&str| mode.split('-').any(|joint| joint == name);
         names.iter().find(has).copied().filter(|_| self == Self::Mode)
@@ -90,7 +90,7 @@ pub(super) fn find_quantity(model: &'static Model, name: &str) -> Result<Measure
         );
         return Err(Failure::option("WHAT", what));
     }
-    // The list may be cut: transmission angles, of which there are few, come before points and forces.
+    // Transmission angles, which are few, are listed before points and forces, which may be many.
     let (angles, others): (Vec<_>, Vec<_>) = Measure::all(model).into_iter().partition(Measure::is_transmission);
     let coordinates = others.len().min(1 + 3 * model.coordinates.len());
     let (first, rest) = others.split_at(coordinates);
@@ -105,7 +105,7 @@ pub(super) fn find_quantity(model: &'static Model, name: &str) -> Result<Measure
     Err(Failure::usage(text))
 }
 
-/// The index of `name` among the names of a kind. The error says if the model has it as another kind.
+/// The index of `name` among the names of a kind. If the model has it as a name of another kind, the error says so.
 pub(super) fn find(model: &Model, option: &str, kind: Kind, name: &str) -> Result<usize, Failure> {
     search(option, kind, name, &kind.names(model), other_kind(model, kind, name))
 }
@@ -139,7 +139,7 @@ fn search(option: &str, kind: Kind, name: &str, names: &[&str], elsewhere: Optio
     if !kind.has_rates() {
         text.push_str(&listing(&lead, &listed));
     } else {
-        // No other output lists all quantities.
+        // The whole list is printed, because no other output has it.
         let all = listed.iter().map(|name| (*name).to_owned());
         text.push_str(wrapped(&lead, all, 96).trim_end());
         text.push_str("\n  with their rates NAME_dot and accelerations NAME_ddot; paths of points and of bodies");

@@ -1,7 +1,7 @@
 //! Numbers as people write them: `0.25`, `pi/2`, `2*(1 + 0.5)`, `60deg`, `200mm`, `1turn`, `3m/s`.
 //!
 //! A number with a unit is converted to the unit of its quantity; a number without one is in that unit already. kin
-//! reads these itself because crates for expressions know no units.
+//! reads these itself because crates for expressions do not support units.
 
 use crate::measure::Dimension;
 use crate::model::Model;
@@ -85,7 +85,7 @@ fn own(of: Measured<'_>) -> Option<Unit> {
     Some(parse(of.unit?).ok()?.times(time.power(-f64::from(of.rate.0))))
 }
 
-/// A product that is exact if it only moves the decimal point: 700 by 0.001 is 0.7.
+/// The product, correctly rounded if the factor or its inverse is a whole number: 700 times 0.001 is 0.7.
 fn scaled(value: f64, factor: f64) -> f64 {
     let whole = |x: f64| (x - x.round()).abs() < 1e-9 * x;
     match factor {
@@ -127,7 +127,7 @@ impl Reader<'_> {
             } else {
                 return Ok(left);
             };
-            // `1/2 turn` is half a turn; one by two turns is written `1/(2 turn)`.
+            // `1/2 turn` is half a turn; the inverse of two turns is written `1/(2 turn)`.
             let fraction = left.unit.is_none() && !bracketed;
             let unit = right.unit.map(|unit| if inverse && !fraction { unit.power(-1.0) } else { unit });
             left = Amount {

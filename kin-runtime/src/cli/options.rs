@@ -55,7 +55,7 @@ A motion starts with these values and keeps the accelerations"
     mode: Vec<String>,
 }
 
-/// Asks for a closure by its number, where a mode is asked for by a sign.
+/// The name with which `--mode` requests a closure by its number, in place of a mode by its sign.
 const CLOSURE: &str = "closure";
 
 impl SetupArgs {
@@ -131,7 +131,8 @@ impl SetupArgs {
     }
 }
 
-/// The assignments of parameters, with every `@FILE` replaced by those of that file, and the assembly modes of the files.
+/// The assignments of parameters, with every `@FILE` replaced by those of that file, and the assembly modes of the
+/// files.
 fn expanded(option: &str, texts: &[String]) -> Result<[Vec<String>; 2], Failure> {
     let (mut ledger, mut all) = (Ledger::default(), <[Vec<String>; 2]>::default());
     for text in texts {

@@ -1,11 +1,11 @@
-//! The form of a result and its target: `--format` and `--out` of every command.
+//! The format of a result and its target: `--format` and `--out` of every command.
 
 use std::path::{Path, PathBuf};
 
 use super::failure::Failure;
 use super::names::nearest;
 
-/// The form of a result.
+/// The format of a result.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Form {
     Text,
@@ -59,7 +59,7 @@ impl Form {
         }
     }
 
-    /// The endings of its files, the usual one first.
+    /// The extensions of its files, the usual one first.
     pub(super) const fn endings(self) -> &'static [&'static str] {
         match self {
             Self::Text => &["txt"],
@@ -75,7 +75,7 @@ impl Form {
     }
 }
 
-/// The forms of every command, the default first. The report has the empty name.
+/// The formats of every command, the default first. The report has the empty name.
 const WRITERS: &[(&str, &[Form])] = &[
     ("", &[Form::Text, Form::Json]),
     ("info", &[Form::Text, Form::Json]),
@@ -96,7 +96,7 @@ const WRITERS: &[(&str, &[Form])] = &[
     ("plot", &[Form::Svg, Form::Png]),
 ];
 
-/// The forms of a command.
+/// The formats of a command.
 pub(super) fn forms(command: &str) -> &'static [Form] {
     WRITERS.iter().find(|(name, _)| *name == command).map_or(&[], |(_, forms)| forms)
 }
@@ -128,12 +128,12 @@ pub(super) enum Target<'p> {
     File(&'p Path),
 }
 
-/// The form of a result and its target.
+/// The format of a result and its target.
 #[derive(Clone, Debug)]
 pub(super) struct Destination<'p> {
     pub(super) form: Form,
     pub(super) target: Target<'p>,
-    /// The form that the ending of the file stands for, if it is known.
+    /// The format of the extension of the file, if it has one.
     pub(super) ending: Option<Form>,
 }
 
@@ -143,7 +143,7 @@ impl Destination<'_> {
         self.form == Form::Text && self.target == Target::Out
     }
 
-    /// A note about a file whose ending stands for another form; `.txt` fits every form.
+    /// A note about a file with the extension of another format; `.txt` fits every format.
     pub(super) fn contradiction(&self) -> Option<String> {
         let (Target::File(path), Some(ending)) = (self.target, self.ending) else { return None };
         let told = ending != self.form && ending != Form::Text;
@@ -154,7 +154,7 @@ impl Destination<'_> {
 }
 
 impl OutputArgs {
-    /// The form and the target of the result of `command`.
+    /// The format and the target of the result of `command`.
     pub(super) fn destination(&self, command: &str) -> Result<Destination<'_>, Failure> {
         let forms = forms(command);
         let target = self.out.as_deref().map_or(Target::Out, target);
@@ -184,7 +184,7 @@ impl OutputArgs {
     }
 }
 
-/// A file, unless it is one of this program's own streams by another name.
+/// A file, or stdout or stderr if the path is a name of it.
 fn target(path: &Path) -> Target<'_> {
     match path.to_str() {
         Some("-") => Target::Out,
@@ -196,12 +196,12 @@ fn target(path: &Path) -> Target<'_> {
     }
 }
 
-/// True for a device or a pipe, whose name needs no ending.
+/// True for a device or a pipe, whose name needs no extension.
 fn is_special_file(path: &Path) -> bool {
     path.metadata().is_ok_and(|m| !m.is_file())
 }
 
-/// The form that `--format` names.
+/// The format that `--format` names.
 fn form_named(command: &str, name: &str) -> Result<Form, Failure> {
     let lower = name.trim().to_lowercase();
     let known = Form::ALL.iter().copied().find(|form| form.name() == lower || form.endings().contains(&lower.as_str()));
@@ -232,7 +232,7 @@ fn wrong_ending(command: &str, path: &Path, ending: Option<Form>) -> String {
     }
 }
 
-/// The commands that write a form.
+/// The commands that write a format.
 fn others(form: &str) -> String {
     let writes = |(name, forms): &&(&str, &[Form])| !name.is_empty() && forms.iter().any(|f| f.name() == form);
     let names: Vec<String> = WRITERS.iter().filter(writes).map(|(name, _)| format!("`{name}`")).collect();

@@ -17,7 +17,7 @@ pub(super) fn literal(text: &str) -> String {
     format!("{BOLD}{text}{RESET}")
 }
 
-/// Colours the headings of a text, which are its lines without indentation, and its verdict.
+/// Colours the headings of a text, which are its lines without indentation, and the words `passed` and `FAILED`.
 pub(super) fn result(text: &str) -> String {
     let line = |line: &str| match line.trim_end() {
         "  passed" => format!("  {GREEN}passed{RESET}\n"),

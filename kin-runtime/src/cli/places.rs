@@ -1,9 +1,9 @@
-//! Numbers and places in files of comma-separated values.
+//! Numbers and positions in files of comma-separated values.
 
 use super::failure::Failure;
 
-/// The numbers of a file, below a line of names where it has one. Names are those of one of these lists of columns, or
-/// end with them: `tip.x` is an x. Without lists they may be any.
+/// The numbers of a file, whose first line may have names of columns. These must be the names in one of `lists`,
+/// perhaps with a prefix: `tip.x` is accepted for `x`. If `lists` is empty, all names are accepted.
 pub(super) fn columns(option: &str, file: &str, lists: &[&[&str]]) -> Result<Vec<Vec<f64>>, Failure> {
     let cannot = |why: String| Failure::option(option, format!("cannot read `{file}`: {why}"));
     let reader = csv::ReaderBuilder::new().has_headers(false).trim(csv::Trim::All).from_path(file);
@@ -27,10 +27,10 @@ pub(super) fn columns(option: &str, file: &str, lists: &[&[&str]]) -> Result<Vec
     if rows.is_empty() { Err(cannot("there are no numbers in it".to_owned())) } else { Ok(rows) }
 }
 
-/// The columns of places, and of places with their times.
+/// The columns of positions, and of positions with their times.
 pub(super) const PLACES: [&[&str]; 2] = [&["x", "y"], &["t", "x", "y"]];
 
-/// The places of a path: the columns x,y or t,x,y.
+/// The positions of a path: the columns x,y or t,x,y.
 pub(super) fn places(option: &str, file: &str) -> Result<Vec<[f64; 2]>, Failure> {
     let place = |row: Vec<f64>| match row[..] {
         [x, y] | [_, x, y] => Ok([x, y]),

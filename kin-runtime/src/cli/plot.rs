@@ -211,8 +211,8 @@ fn one(
     Ok((columns, worst, limits, ended))
 }
 
-/// The curves that are drawn if none is asked for: the path of the first point that moves, beside the coordinate that
-/// moves most; without such a point a coordinate and its rate.
+/// The curves that are drawn by default: the path of the first point that moves, and the coordinate that varies most
+/// among those that are not linear in time; without such a point a coordinate and its rate.
 fn default_curves(model: &Model, names: &[String], infos: &[ColumnInfo], numbers: &[Vec<f64>]) -> Vec<Wanted> {
     let range = |k: usize| {
         let values = numbers.get(k).map_or(&[][..], Vec::as_slice).iter();
@@ -240,14 +240,13 @@ fn default_curves(model: &Model, names: &[String], infos: &[ColumnInfo], numbers
     std::iter::once(Wanted { x, y, path: true }).chain(most).collect()
 }
 
-/// The coordinates that are no linear functions of time; the angle of a crank with constant speed is one.
+/// The coordinates that are not linear in time, as the angle of a crank at constant speed is.
 fn moved_unevenly(model: &Model, numbers: &[Vec<f64>]) -> Vec<usize> {
     let coordinates = (0..model.coordinates.len()).map(|k| 3 * k + 1);
     coordinates.filter(|&k| numbers.get(k).is_some_and(|values| bend(values) > 1e-9)).collect()
 }
 
-/// The curves that were asked for; columns that are not standard are added to `measures`. All errors are reported at
-/// once.
+/// The requested curves; columns that are not standard are added to `measures`. All errors are reported at once.
 fn wanted(model: &'static Model, what: &[String], measures: &mut Vec<Measure>) -> Result<Vec<Wanted>, Failure> {
     let carried = || model.points.iter().map(|p| p.name).chain(model.bodies.iter().map(|b| b.name));
     let mut place = |measure: Measure| {
@@ -331,7 +330,7 @@ fn panels(units: Units, wanted: &[Wanted], infos: &[ColumnInfo], runs: &[Curves]
     panels.into_iter().map(|(members, panel)| shared_labels(members.len(), panel, &members, &unit)).collect()
 }
 
-/// Marks the ends of curves that are limits, where the quantities have values.
+/// Marks the ends of curves that are limits, if the quantities have values there.
 fn mark_limits(marks: &mut Vec<Mark>, want: Wanted, runs: &[Curves]) {
     for run in runs {
         let (xs, ys) = (&run.columns[want.x], &run.columns[want.y]);

@@ -1,8 +1,8 @@
-//! The bound of a mechanism that has a program of its own.
+//! The trait bound for mechanisms that have a command-line program.
 
 use crate::mechanism::Mechanism;
 
-/// A mechanism with a default for every parameter; its program begins with these. Every such mechanism implements it.
+/// A mechanism with a default for every parameter, with which its program starts. Every such mechanism implements it.
 #[doc(hidden)]
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is no mechanism with default parameters",
@@ -12,7 +12,7 @@ use crate::mechanism::Mechanism;
 )]
 pub trait Program: Mechanism + Default {}
 
-// The compiler would otherwise name only one half of the bound, or suggest to derive `Default`, which makes every
-// length 0.
+// The compiler would otherwise name only one half of the bound, or suggest deriving `Default`, which sets every length
+// to 0.
 #[diagnostic::do_not_recommend]
 impl<M: Mechanism + Default> Program for M {}

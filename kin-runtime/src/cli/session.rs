@@ -78,7 +78,7 @@ impl<'a> Session<'a> {
         Ok(to)
     }
 
-    /// Writes a result where it was asked for.
+    /// Writes a result to its target.
     pub(super) fn deliver(&mut self, to: &Destination<'_>, text: &str) -> Result<(), Failure> {
         match self.colours[0] && to.is_for_people() {
             true => self.deliver_bytes(to, paint::result(text).as_bytes()),
@@ -125,7 +125,7 @@ impl<'a> Session<'a> {
 
     fn check_written(&mut self, target: Target<'_>, written: io::Result<()>) -> Result<(), Failure> {
         match written {
-            // The reader has closed the pipe (`… | head`). That is no error to report, but the exit status tells it.
+            // The reader has closed the pipe (`… | head`). That is no error to report, but the exit status shows it.
             Err(e) if e.kind() == io::ErrorKind::BrokenPipe => {
                 self.reader_left = true;
                 Ok(())
@@ -134,7 +134,7 @@ impl<'a> Session<'a> {
         }
     }
 
-    /// Writes a message to stderr. A failure of that cannot be reported anywhere and is ignored.
+    /// Writes a message to stderr. If that fails, it cannot be reported anywhere and is ignored.
     pub(super) fn note(&mut self, text: &str) {
         let text = text.trim_end();
         let watch = self.watch();

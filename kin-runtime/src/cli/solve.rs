@@ -120,7 +120,7 @@ pub(super) fn run(args: &SolveArgs, engine: &mut dyn Engine, session: &mut Sessi
     }
 }
 
-/// The quantities that were asked for by name.
+/// The quantities that were requested by name.
 fn named(
     args: &SolveArgs,
     (t, setup, wanted): (f64, &Setup, &[Measure]),

@@ -28,14 +28,14 @@ pub(super) struct Solved {
     pub(super) ratios: VelocityRatios,
     pub(super) angles: Vec<TransmissionAngle>,
     pub(super) modes: Vec<Mode>,
-    /// The certificate, if it was asked for.
+    /// The certificate, if it was requested.
     pub(super) certificate: Option<Certified>,
     /// Whether angles are in degrees.
     pub(super) degrees: bool,
 }
 
 impl Solved {
-    /// With angles in degrees, if asked for. Velocity ratios stay per radian.
+    /// With angles in degrees, if requested. Velocity ratios stay per radian.
     pub(super) fn shown(mut self, model: &Model, degrees: bool) -> Self {
         if !degrees {
             return self;
@@ -60,7 +60,7 @@ pub(super) fn solve(engine: &dyn Engine, setup: &Setup, t: f64, least_norm: bool
     Ok(Solved { state, motion, mobility, ratios, angles, modes, certificate: None, degrees: false })
 }
 
-/// A solved instant without what is reported about it.
+/// The state at an instant, without the other results.
 pub(super) fn driven_state(
     engine: &dyn Engine,
     setup: &Setup,
@@ -83,7 +83,8 @@ pub(super) fn note_freedom(session: &mut Session<'_>, left: usize) {
     }
 }
 
-/// A note for an instant that is assembled in other modes than t = 0: a motion from t = 0 would be elsewhere by then.
+/// A note for an instant at which the guess leads to other modes than at t = 0: a motion from t = 0 would stay in those
+/// of t = 0.
 pub(super) fn other_modes(engine: &dyn Engine, setup: &Setup, t: f64) -> Option<String> {
     if t == 0.0 || engine.model().plan.modes.is_empty() {
         return None;
@@ -101,7 +102,7 @@ pub(super) fn other_modes(engine: &dyn Engine, setup: &Setup, t: f64) -> Option<
     })
 }
 
-/// Notes what [`other_modes`] says.
+/// Prints the note of [`other_modes`].
 pub(super) fn note_modes(session: &mut Session<'_>, engine: &dyn Engine, setup: &Setup, t: f64) {
     if let Some(note) = other_modes(engine, setup, t) {
         session.note(&note);
@@ -169,7 +170,8 @@ pub(super) fn misfit(engine: &dyn Engine, setup: &Setup, t: f64, error: &SolveEr
     }
 }
 
-/// What is proven of the closures at an instant, if a plan in closed form gives them: that there are none, or in which modes.
+/// What is proven about the closures at an instant, if a plan in closed form gives them: that there are none, or which
+/// modes close.
 fn closures(engine: &dyn Engine, setup: &Setup, t: f64) -> Option<String> {
     let plan = &engine.model().plan;
     if !plan.exists() || plan.steps.iter().any(|step| matches!(step.kind, StepKind::Newton(_))) {

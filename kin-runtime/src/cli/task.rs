@@ -1,5 +1,5 @@
-//! Options that commands share, read together so that all errors are reported at once: those of one instant, and those of
-//! a motion.
+//! Options that commands share, read together so that all errors are reported at once: those of one instant, and those
+//! of a motion.
 
 use super::closures::settled;
 use super::engine::{Engine, Setup};
@@ -28,7 +28,8 @@ pub(super) struct At<'o> {
     pub(super) output: Destination<'o>,
 }
 
-/// How options become a setup: [`SetupArgs::apply`], or [`SetupArgs::apply_complete`] for a command that needs all inputs.
+/// How options become a setup: [`SetupArgs::apply`], or [`SetupArgs::apply_complete`] for a command that needs all
+/// inputs.
 type Apply = fn(&SetupArgs, &mut dyn Engine) -> Result<Setup, Failure>;
 
 impl AtArgs {
@@ -72,8 +73,8 @@ pub(super) struct Task<'o> {
 }
 
 impl MotionArgs {
-    /// Reads the options of `command`, whose default number of steps is `steps`, along the arc if `arc` asks for it;
-    /// errors go to the ledger.
+    /// Reads the options of `command`, whose default number of steps is `steps`, with the options `arc`; errors go to
+    /// the ledger.
     pub(super) fn read<'o>(
         &self,
         ledger: &mut Ledger,

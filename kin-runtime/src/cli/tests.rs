@@ -12,7 +12,7 @@ use super::fixture::{CrossHead, DRIVEN, FREE, WITH_INPUT};
 use super::run;
 use super::session::Surroundings;
 
-/// What one run gave.
+/// The output and the status of a run.
 #[derive(Debug)]
 struct Ran {
     status: u8,
@@ -207,7 +207,7 @@ fn an_open_motion_needs_given_coordinates_or_least_norm() {
     let sweep = kind::<FREE>("sweep --to 1 --steps 2 --given crank.phi=0.7:2 --format json").json();
     near(&sweep["states"][2]["q"][0], 2.7);
     assert_eq!(kind::<FREE>("info").status, 0);
-    // Nothing is wrong with the equations.
+    // The equations themselves are correct.
     let check = kind::<FREE>("check");
     assert_eq!(check.status, 0, "{}", check.err);
     assert_eq!(check.err, "note: 1 degree of freedom left open; this is the answer of least norm\n");
@@ -255,7 +255,7 @@ fn out_writes_a_file_and_nothing_else() {
     assert!(std::fs::remove_dir_all(&dir).is_ok());
 }
 
-/// A reader that has gone.
+/// A pipe whose reader has closed it.
 struct Closed;
 
 impl Write for Closed {
@@ -356,7 +356,7 @@ fn what_comes_from_a_sweep_is_the_same_in_every_form() {
         near(&state["q"][1], row[4]);
         near(&state["points"]["tip"]["r"][0], row[7]);
     }
-    // Without --to it ends by itself.
+    // Without --to the motion has a default end.
     let open = driven("sweep --steps 4 --format json").json();
     assert_eq!(open["states"].as_array().map(Vec::len), Some(5));
 }

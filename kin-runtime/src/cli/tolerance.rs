@@ -1,4 +1,4 @@
-//! Tolerances of parameters, and what they come to along a motion.
+//! Tolerances of parameters, and the deviations that they cause along a motion.
 
 use super::engine::{Engine, Setup};
 use super::failure::{Failure, Ledger};
@@ -17,7 +17,7 @@ pub(super) fn tolerances(texts: &[String], model: &Model) -> Result<Vec<f64>, Fa
     let mut ledger = Ledger::default();
     let example = values::example_of(Kind::Parameter, model, "0.001");
     for (name, value) in ledger.take(values::assignments(OPTION, &example, texts)).unwrap_or_default() {
-        // The unit of what is no parameter is not known.
+        // If the name is no parameter, its unit is not known.
         let Some(place) = ledger.take(find(model, OPTION, Kind::Parameter, &name)) else { continue };
         let value = values::number(&format!("{OPTION} {name}"), &value, Measured::parameter(model, &name));
         if let Some(value) = ledger.take(value) {
@@ -34,7 +34,7 @@ pub(super) struct Slopes {
 }
 
 impl Slopes {
-    /// Derivatives by all parameters. At a state that has none, such as a limit, they are NaN.
+    /// Derivatives with respect to all parameters. At a state that has none, such as a limit, they are NaN.
     pub(super) fn along(
         engine: &dyn Engine,
         setup: &Setup,
@@ -56,12 +56,13 @@ impl Slopes {
         Self { numbers: states.iter().map(at).collect() }
     }
 
-    /// The derivatives of a quantity by a parameter, state by state.
+    /// The derivatives of a quantity with respect to a parameter, state by state.
     pub(super) fn by(&self, quantity: usize, parameter: usize) -> impl Iterator<Item = f64> + '_ {
         self.numbers.iter().map(move |at| at[quantity][parameter])
     }
 
-    /// What tolerances come to of a quantity, state by state. A parameter without a tolerance changes nothing.
+    /// The deviations of a quantity that tolerances cause, state by state. A parameter without a tolerance contributes
+    /// none.
     pub(super) fn deviations(&self, quantity: usize, tolerances: &[f64]) -> Vec<Deviation> {
         let at = |at: &Vec<Vec<f64>>| {
             let given = at[quantity].iter().zip(tolerances).filter(|(_, tolerance)| **tolerance != 0.0);

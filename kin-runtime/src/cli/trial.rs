@@ -35,7 +35,8 @@ pub(super) struct Trial {
     pub(super) vary: Option<String>,
     /// `A-B-D=-`, as it is assembled.
     pub(super) mode: Option<String>,
-    /// Whether the configuration at t = 0 has a certificate, whether all closures there are known, and all limits of a turn.
+    /// Whether the configuration at t = 0 has a certificate, whether all closures there are known, and all limits of a
+    /// turn.
     pub(super) proven: [bool; 3],
     /// Whether the motion along the arc closes.
     pub(super) arc: bool,
@@ -196,7 +197,7 @@ fn shortened(value: f64) -> f64 {
     }
     let places = 1 - value.abs().log10().floor() as i32;
     let factor = 10_f64.powi(places);
-    // As a decimal is written: 0.29 and not 0.28999999999999998.
+    // Parsed from a decimal, so that the result is 0.29 and not 0.28999999999999998.
     let digits = (value * factor * (1.0 + 1e-12)).trunc();
     format!("{digits}e{}", -places).parse().unwrap_or(value)
 }

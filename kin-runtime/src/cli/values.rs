@@ -9,7 +9,7 @@ use crate::present::units::Units;
 use crate::workspace::Signal;
 use kin_core::units::Unit;
 
-/// The most instants that one sweep computes.
+/// Largest number of steps of one sweep.
 const MOST_STEPS: usize = 1_000_000;
 
 /// A finite number, in the unit of its quantity.
@@ -19,7 +19,7 @@ pub(super) fn number(option: &str, text: &str, of: Measured<'_>) -> Result<f64, 
     if value.is_finite() { Ok(value) } else { Err(not_finite(option, text)) }
 }
 
-/// A time, or the angle by which the driven crank has turned until then.
+/// An instant: a time, or the angle by which the driven crank has turned since t = 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Moment {
     At(f64),
@@ -69,7 +69,7 @@ fn written(option: &str, text: &str) -> Result<Amount, Failure> {
     }
 }
 
-/// The parameters and the assembly modes that a design's json holds, as `--set` and `--mode` take them.
+/// The parameters and the assembly modes in a json file of `design`, in the form of the values of `--set` and `--mode`.
 pub(super) fn of_file(option: &str, file: &str) -> Result<[Vec<String>; 2], Failure> {
     let cannot = |why: String| Failure::option(option, format!("cannot read `{file}`: {why}"));
     let text = std::fs::read_to_string(file).map_err(|error| cannot(error.to_string()))?;
@@ -91,7 +91,7 @@ pub(super) fn assignments(option: &str, example: &str, texts: &[String]) -> Resu
     let mut in_array = false;
     for piece in texts.iter().flat_map(|t| t.split(',')) {
         if in_array {
-            // The rest of an array that was refused as a whole.
+            // The rest of an array that was rejected as a whole.
             in_array = !piece.contains(']');
             continue;
         }
@@ -240,10 +240,10 @@ pub(super) fn times(option: &str, text: &str, model: &Model) -> Result<Vec<Momen
     Ok(times)
 }
 
-/// If neighbouring `f64` near t are farther apart than this, the error about two equal instants says how far.
+/// If neighbouring `f64` near t differ by more than this, the error about equal instants states the difference.
 const COARSE: f64 = 1e-3;
 
-/// An error if instants cannot be told apart, or if there are too many.
+/// An error if instants are not different `f64`, or if there are too many.
 pub(super) fn grid_is_possible(from: f64, to: f64, steps: usize) -> Result<(), Failure> {
     if steps == 0 {
         return Err(Failure::option("--steps", "at least 1 is needed (N steps are N + 1 instants)"));

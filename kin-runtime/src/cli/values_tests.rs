@@ -58,7 +58,7 @@ fn bad_assignments_say_what_would_be_right() {
     assert_eq!(bad("l1=1,l1=2"), "--set: `l1` is set twice");
     let decimal = "--set: `5` has no name (arrays are set member by member, decimals have a point); write --set l1=0.1";
     assert_eq!(bad("l1=0,5"), decimal);
-    // All faults are told at once.
+    // All errors are reported at once.
     assert_eq!(bad("l1,l2=,l3=1").lines().count(), 2);
 }
 

@@ -22,7 +22,7 @@ pub(super) struct Watch {
     bar: RefCell<Option<ProgressBar>>,
     began: Cell<Instant>,
     drawn: Cell<bool>,
-    /// Steps that were finished before the analysis that reports now.
+    /// Steps that were finished before the current analysis began.
     before: Cell<usize>,
 }
 
@@ -56,12 +56,12 @@ impl Watch {
         }
     }
 
-    /// Begins the next one of several analyses, after `before` finished steps.
+    /// Begins the next of several analyses, after `before` finished steps.
     pub(super) fn go_on(&self, before: usize) {
         self.before.set(before);
     }
 
-    /// Takes the progress of an analysis; ends it after Ctrl-C.
+    /// Shows the progress of an analysis; ends the analysis after Ctrl-C.
     pub(super) fn observe(&self, reached: Reached<'_>) -> ControlFlow<()> {
         self.step(reached.done)
     }
@@ -94,7 +94,7 @@ impl Watch {
         }
     }
 
-    /// The long part is over: the bar disappears, and Ctrl-C ends the program again.
+    /// Ends the long part: the bar disappears, and Ctrl-C ends the program again.
     pub(super) fn end(&self) {
         if let Some(bar) = self.bar.take() {
             bar.finish_and_clear();
@@ -102,7 +102,7 @@ impl Watch {
         self.interrupt.disarm();
     }
 
-    /// Does something short that the first Ctrl-C does not interrupt.
+    /// Does some short work that the first Ctrl-C does not interrupt.
     pub(super) fn hold<R>(&self, work: impl FnOnce() -> R) -> R {
         self.interrupt.arm();
         let result = work();

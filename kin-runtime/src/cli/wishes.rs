@@ -1,14 +1,14 @@
-//! What `design` is asked for, before the mechanism's type is known.
+//! The requirements of `design`, as data that do not depend on the mechanism's type.
 
 use crate::design::{Design, DesignError, Direction, Shortest};
 use crate::mechanism::Mechanism;
 
-/// Instants of a turn at which a search looks at conditions; the result is looked at between them, too.
+/// Instants of a turn at which a search evaluates conditions; the result is tested between them, too.
 pub(super) const INSTANTS: usize = 37;
-/// The least margin of a mechanism that turns: a dyad's height over its links, for example.
+/// The least margin of a mechanism that must turn, for example the height of a dyad relative to its links.
 const MARGIN: f64 = 1e-2;
 
-/// What is asked of a design, one call of its builder each.
+/// A requirement of a design: one call of its builder.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Wish {
     Free(String, f64, f64),
@@ -33,7 +33,7 @@ impl Wish {
     }
 }
 
-/// A design with what belongs to all of its wishes.
+/// All requirements of a design, with the duration of a turn, which they share.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Wishes {
     pub(super) all: Vec<Wish>,

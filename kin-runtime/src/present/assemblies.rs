@@ -1,4 +1,4 @@
-//! The ways in which a mechanism closes: tables for people, and records for JSON.
+//! All closures of a mechanism: tables for people, and records for JSON.
 
 use super::json::{Record, record};
 use super::number::magnitude;

@@ -3,7 +3,7 @@
 use super::json::{Record, fields, record};
 use crate::certificate::{Certificate, Uncertified};
 
-/// The result of asking for a certificate.
+/// A certificate, or why there is none.
 pub(crate) type Certified = Result<Certificate, Uncertified>;
 
 /// A certificate with the largest radius of its intervals of q and the smallest radius of the box without another

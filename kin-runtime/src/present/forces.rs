@@ -11,7 +11,7 @@ pub(crate) fn text(forces: &Forces) -> String {
     if !units.is_empty() {
         out += &format!("  {units}\n");
     }
-    // An input that is what one driver drives has that driver's effort.
+    // An input that equals the driven quantity of a driver has the effort of that driver, and is not listed again.
     let is_told = |input: &Effort| {
         let near = |a: f64, b: f64| (a - b).abs() <= 1e-12 * a.abs();
         let same = |driver: &Effort| Some(near(driver.effort?, input.effort?) && near(driver.rate, input.rate));

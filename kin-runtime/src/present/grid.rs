@@ -32,7 +32,7 @@ impl<W: Write> CsvRows<W> {
     }
 }
 
-/// The error of the system, so that callers can ask for its kind.
+/// The error of the system, so that callers can distinguish its kinds.
 fn io_error(error: csv::Error) -> io::Error {
     match error.into_kind() {
         csv::ErrorKind::Io(error) => error,
@@ -40,7 +40,7 @@ fn io_error(error: csv::Error) -> io::Error {
     }
 }
 
-/// A number for another program; an empty cell for NaN, as of an undetermined force.
+/// A number for another program; an empty cell for NaN, for example for an undetermined force.
 fn exact(value: f64) -> String {
     if value.is_finite() { plain(value) } else { String::new() }
 }

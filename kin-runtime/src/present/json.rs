@@ -7,7 +7,7 @@ use serde_json::Value;
 /// Names with their values.
 pub(crate) type Record = serde_json::Map<String, Value>;
 
-/// A value for a record. Results have no keys other than texts, the only values that JSON cannot hold.
+/// A value for a record. Only maps with keys that are no strings cannot be written as JSON, and results have none.
 pub(crate) fn value(of: &impl Serialize) -> Value {
     serde_json::to_value(of).unwrap_or_default()
 }

@@ -62,7 +62,7 @@ pub(crate) fn plain(value: f64) -> String {
     }
 }
 
-/// A small number of which the order of magnitude matters: an error or a residual.
+/// An error or a residual, of which only the order of magnitude matters.
 pub(crate) fn magnitude(value: f64) -> String {
     let size = value.abs();
     if value == 0.0 {

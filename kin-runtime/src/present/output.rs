@@ -1,4 +1,4 @@
-//! Files that are replaced only when all of their new contents are written.
+//! Files that are replaced only after all of their new contents are written.
 
 use std::ffi::OsString;
 use std::fs::{self, File, OpenOptions};
@@ -10,12 +10,12 @@ const LINKS: usize = 40;
 
 /// Writes `contents` to `path`: to a temporary file beside it first, which then takes its place.
 ///
-/// A reader sees the old contents or the new ones, never a part. What is no regular file (a pipe, a terminal) is
-/// written to directly; a symbolic link stays and the file it names is replaced, whether that exists or not. Permissions
-/// stay what they are, and a file that must not be written is not replaced either.
+/// A reader sees the old contents or the new ones, never a part. A pipe, a terminal or another special file is written
+/// directly. A symbolic link stays; the file that it names is replaced, or created if it does not exist. Permissions
+/// are kept, and a file without permission to write is not replaced.
 ///
 /// # Errors
-/// What the file system reports; the temporary file is removed then.
+/// The errors of the file system; the temporary file is then removed.
 pub(crate) fn write_atomically(path: &Path, contents: &[u8]) -> io::Result<()> {
     write_atomically_by(path, |file| file.write_all(contents))
 }
@@ -23,7 +23,7 @@ pub(crate) fn write_atomically(path: &Path, contents: &[u8]) -> io::Result<()> {
 /// As [`write_atomically`], with contents that are written piece by piece; if `write` fails, the old contents stay.
 ///
 /// # Errors
-/// What the file system or `write` reports.
+/// The errors of the file system and of `write`.
 pub(crate) fn write_atomically_by(path: &Path, write: impl FnOnce(&mut File) -> io::Result<()>) -> io::Result<()> {
     let existing = match fs::metadata(path) {
         Ok(metadata) => Some(metadata),
@@ -34,7 +34,7 @@ pub(crate) fn write_atomically_by(path: &Path, write: impl FnOnce(&mut File) -> 
         return Err(io::Error::new(io::ErrorKind::IsADirectory, "it is a directory"));
     }
     if existing.is_some() {
-        // Opening it checks the permission to write and changes nothing.
+        // Opening the file checks the permission to write and changes nothing.
         let mut file = OpenOptions::new().write(true).open(path)?;
         if existing.as_ref().is_some_and(|m| !m.is_file()) {
             return write(&mut file).and_then(|()| file.flush());
@@ -127,7 +127,7 @@ mod tests {
         let (file, link, further) = (dir.join("file.csv"), dir.join("link.csv"), dir.join("further.csv"));
         symlink("file.csv", &link)?;
         symlink("link.csv", &further)?;
-        // The first write finds links that lead to nothing yet.
+        // At the first write the target of the links does not exist.
         for contents in [b"first".as_slice(), b"second"] {
             write_atomically(&further, contents)?;
             assert_eq!(fs::read(&file)?, contents);

@@ -57,7 +57,7 @@ fn of_step(model: &'static Model, step: Step) -> Record {
     }
 }
 
-/// The names of the rows that are watched.
+/// The names of the redundant rows that a step checks.
 fn watched(model: &Model, step: &PlanStep) -> Vec<&'static str> {
     step.rows.iter().filter_map(|&row| model.rows.get(row)).map(|row| row.name).collect()
 }

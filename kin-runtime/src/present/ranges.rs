@@ -24,7 +24,7 @@ fn record(limit: &RangeLimit, (driver, value): (Option<&str>, Option<f64>)) -> R
         driver: driver,
         value: value,
         t: limit.t.midpoint(),
-        // Between these.
+        // The limit is between these two instants.
         interval: limit.t,
         mode: limit.name(),
         joints: limit.joints,

@@ -25,21 +25,21 @@ impl Parameters {
     }
 }
 
-/// An instant of a motion, with angles in degrees if asked for.
+/// An instant of a motion, with angles in degrees if requested.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Row<'r> {
     pub(crate) state: &'r State,
     /// Points, defines and joint quantities, if they are wanted.
     pub(crate) motion: Option<&'r Motion>,
-    /// The values of the quantities that were asked for.
+    /// The values of the requested quantities.
     pub(crate) values: &'r [f64],
 }
 
 /// A function that writes a row of a sweep.
 pub(crate) type Visit<'v> = &'v mut dyn FnMut(&Row<'_>) -> ControlFlow<()>;
 
-/// Gives the result of a finished sweep: its trajectory, the contacts that lift off or press again, and whether it is
-/// complete.
+/// Passes the result of a finished sweep to a function: its trajectory, the contacts that lift off or press again, and
+/// whether it is complete.
 pub(crate) type Ended<'e> = &'e dyn Fn(&mut dyn FnMut(&Trajectory, &[ContactChange], bool));
 
 /// A sweep whose states are computed while they are written.
@@ -49,7 +49,7 @@ pub(crate) struct SweepRecord<'a> {
     pub(crate) varied: Option<Parameters>,
     pub(crate) parameters: Parameters,
     pub(crate) units: Record,
-    /// The quantities that were asked for by name; without any, the states are written whole.
+    /// The quantities that were requested by name; if there are none, whole states are written.
     pub(crate) quantities: &'a [Measure],
     /// Computes the states one by one and passes each to a function.
     pub(crate) walk: &'a dyn Fn(Visit<'_>),
@@ -169,7 +169,7 @@ impl Serialize for States<'_> {
     }
 }
 
-/// Quantities that were asked for by name, at one instant.
+/// Quantities that were requested by name, at one instant.
 #[derive(Clone, Debug, Serialize)]
 pub(crate) struct QuantitiesState<'a> {
     t: f64,

@@ -1,10 +1,10 @@
-//! Sensitivities as tables for people: which dimension matters most, and what tolerances come to.
+//! Sensitivities as tables for people: which dimension matters most, and the deviations that tolerances cause.
 
 use super::table::Table;
 use super::text::section;
 use crate::sensitivities::{Deviation, Sensitivities, Sensitivity};
 
-/// A quantity with its derivative by a parameter.
+/// A quantity with a function that gives its derivative with respect to a parameter.
 type Quantity<'a> = (String, Box<dyn Fn(&Sensitivity) -> f64 + 'a>);
 
 /// Coordinates, coordinates of points, and defines.
@@ -25,8 +25,8 @@ pub(crate) fn quantities(found: &Sensitivities) -> Vec<Quantity<'_>> {
     all
 }
 
-/// What one percent of each dimension does, the one that matters most first: to every point or, where there is none, to
-/// the coordinates.
+/// The effect of one percent of each dimension, the most important dimension first: on every point or, if there is
+/// none, on the coordinates.
 pub(crate) fn text(found: &Sensitivities, values: &[f64]) -> String {
     let model = found.model;
     let percent = |k: usize| 0.01 * values.get(k).copied().unwrap_or(0.0);
@@ -59,7 +59,7 @@ pub(crate) fn text(found: &Sensitivities, values: &[f64]) -> String {
     out + &section("Coordinates by each parameter", &table)
 }
 
-/// What tolerances come to, of everything that they move.
+/// The deviations that tolerances cause, without those that are zero.
 pub(crate) fn deviations(found: &Sensitivities, tolerances: &[f64]) -> Vec<(String, Deviation)> {
     let all = quantities(found).into_iter();
     let all = all.map(|(name, derivative)| (name, found.deviation(tolerances, |by| derivative(by))));

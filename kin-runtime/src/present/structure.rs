@@ -51,7 +51,7 @@ pub(crate) fn structure(model: &'static Model, values: &[f64], known: Option<Kno
         could_be_given: names(|m| &m.could_be_given),
         rank: mobility.map(|m| m.rank),
         rank_without_driving: mobility.map(|m| m.rank_without_driving),
-        // Ranks at a general pose and for general dimensions; null if the model does not know them.
+        // Ranks at a general pose and for general dimensions; null if the model does not have them.
         generic_rank: model.structure.map(|s| s.rank),
         generic_degrees_of_freedom: model.structure.map(|s| model.coordinates.len() - s.rank_without_driving),
         generic_redundant: generic(model),
@@ -76,7 +76,7 @@ pub(crate) fn drivers(model: &Model) -> Vec<&'static str> {
     model.joints.iter().enumerate().filter(|(place, _)| drives(*place)).map(|(_, j)| j.name).collect()
 }
 
-/// Rows that are redundant whatever the dimensions.
+/// Rows that are redundant for all dimensions.
 fn generic(model: &Model) -> Vec<Record> {
     let record = |found: &crate::model::GenericRedundancy| {
         let row = model.rows.get(found.row);

@@ -154,7 +154,7 @@ pub(crate) fn coordinates(model: &Model, units: Units, state: &State) -> String 
     section("Generalized coordinates", &table)
 }
 
-/// Poses of bodies that do not own all three coordinates; the others stand among the coordinates.
+/// Poses of bodies with fewer than three coordinates of their own; the poses of the others are among the coordinates.
 pub(crate) fn bodies(model: &Model, units: Units, motion: &Motion) -> String {
     let chosen: Vec<_> =
         model.bodies.iter().zip(&motion.bodies).filter(|(b, _)| b.coordinates.iter().any(Option::is_none)).collect();

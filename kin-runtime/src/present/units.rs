@@ -1,4 +1,4 @@
-//! Units of results, as the description gives them.
+//! The units of results, from the description.
 
 use super::json::{Record, record};
 use crate::measure::{Dimension, Measure};

@@ -5,7 +5,7 @@ use crate::forces::{Effort, Forces, Reaction, SpringForce, Wrench};
 use crate::model::ForceUnits;
 use serde::{Serialize, Serializer};
 
-/// Drivers, joints and springs by name; what is undetermined is missing.
+/// Drivers, joints and springs by name; undetermined values are left out.
 impl Serialize for Forces {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         ForcesRecord::new(self).serialize(serializer)

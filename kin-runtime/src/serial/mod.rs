@@ -1,4 +1,4 @@
-//! Results as serde sees them, where names come from the model: maps by name, in the order of declaration.
+//! How results serialise whose names come from the model: as maps by name, in the order of declaration.
 
 mod forces;
 mod sensitivities;
@@ -36,7 +36,7 @@ impl<T, N> Named<T, N> {
 }
 
 impl<T> Named<T> {
-    /// True for nothing at all.
+    /// True if there are no values.
     pub(crate) fn is_empty(&self) -> bool {
         self.0.is_empty()
     }
@@ -63,7 +63,7 @@ pub(crate) fn coordinate_names(model: &Model) -> Vec<&'static str> {
     model.coordinates.iter().map(|coordinate| coordinate.name).collect()
 }
 
-/// A state without the names of what it holds.
+/// A state that serialises without names.
 struct Bare<'a>(&'a State);
 
 impl Serialize for Bare<'_> {
@@ -76,7 +76,7 @@ impl Serialize for Bare<'_> {
     }
 }
 
-/// What a state has with names and without.
+/// The fields of a state that serialise in the same way with and without names.
 fn fields<S: SerializeStruct>(state: &State, s: &mut S) -> Result<(), S::Error> {
     s.serialize_field("t", &state.t)?;
     s.serialize_field("inputs", &state.inputs)?;
@@ -104,7 +104,7 @@ impl Serialize for State {
     }
 }
 
-/// With all names once, and states in their order.
+/// With all names once; in the states, values are in the order of these names.
 impl Serialize for Trajectory {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let states: Vec<Bare<'_>> = self.states.iter().map(Bare).collect();
@@ -132,7 +132,8 @@ impl Serialize for ArcPlaceKind {
     }
 }
 
-/// What a report on everything that a mechanism shows serialises to: everything by name.
+/// Implements `Serialize` for a report on the bodies, points, defines, joints and conditions of a mechanism: all by
+/// name.
 macro_rules! by_name {
     ($report:ident $(, $more:ident)?) => {
         impl Serialize for $report {

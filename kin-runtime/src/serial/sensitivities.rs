@@ -1,4 +1,4 @@
-//! Sensitivities by name: of every quantity, by every parameter.
+//! Sensitivities by name: of every quantity, with respect to every parameter.
 
 use super::{Named, coordinate_names};
 use crate::forces::{Effort, Reaction, Wrench};
@@ -7,10 +7,11 @@ use crate::sensitivities::{Sensitivities, Sensitivity};
 use crate::signal::Signal;
 use serde::{Serialize, Serializer};
 
-/// The derivatives of one quantity by all parameters.
+/// The derivatives of one quantity with respect to all parameters.
 type By<T> = Named<T>;
 
-/// Derivatives of q, q̇ and q̈ by parameter, then everything that is reported, by name and parameter.
+/// Derivatives of q, q̇ and q̈ with respect to every parameter, then those of everything that is reported, by name and
+/// parameter.
 impl Serialize for Sensitivities {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         Record::new(self).serialize(serializer)
@@ -95,7 +96,7 @@ impl<'a> Record<'a> {
     }
 }
 
-/// A quantity by every parameter.
+/// The derivatives of a quantity with respect to every parameter.
 fn each<T>(by: &[Sensitivity], of: impl Fn(&Sensitivity) -> T) -> By<T> {
     by.iter().map(|by| (by.parameter, of(by))).collect()
 }

@@ -1,12 +1,14 @@
-//! The tables of large mechanisms, unpacked when the model is first asked for.
+//! The tables of large mechanisms, unpacked at the first use of the model.
 //!
-//! A struct literal for every row of a thousand takes the compiler as long as the code of the mechanism, and so does a
-//! constant that it has to work out entry by entry. So generated code writes long tables as names in one text, a few kinds
-//! of entries, and numbers in one string of bytes, which a program unpacks once. Without `std` nothing can be made at run
-//! time; there the same bytes are unpacked while the user's crate is compiled.
+//! A thousand struct literals take the compiler as long as the code of the mechanism, and so does a constant that it
+//! evaluates entry by entry. Generated code therefore writes a long table as one text with all names, a short list of
+//! `kinds`, entries with the values of the remaining fields, and one string of bytes with the numbers ("words") of
+//! every entry; a program unpacks it once. Without `std`, where nothing can be allocated at run time, the same bytes
+//! are unpacked while the user's crate is compiled.
 //!
-//! The numbers are those of one entry after another, seven bits in a byte and the lowest first, the last byte of each below
-//! 128. The first number of an entry is the length of its name where it has one.
+//! The words of one entry follow those of another, each as LEB128: seven bits in a byte, the lowest first, and only the
+//! last byte below 128. A word "kind" is an index of `kinds`; a word "length of the name" takes as many bytes from the
+//! text.
 
 use crate::model::{
     BodyInfo, CoordinateInfo, CoordinateKind, DefineInfo, Frame, Geometry, JointInfo, Model, Observable, OriginKind,
@@ -24,7 +26,7 @@ pub struct Unpacked {
     /// Unpacks it.
     #[cfg(feature = "std")]
     pub make: fn() -> Model,
-    /// Where it stays.
+    /// The model, once it is unpacked.
     #[cfg(feature = "std")]
     pub model: std::sync::OnceLock<Model>,
     /// The model.
@@ -63,7 +65,7 @@ macro_rules! __unpacked {
     };
 }
 
-/// A table of so many entries.
+/// A table with this number of entries.
 #[cfg(feature = "std")]
 #[doc(hidden)]
 #[macro_export]
@@ -73,7 +75,7 @@ macro_rules! __unpack {
     };
 }
 
-/// A table of so many entries.
+/// A table with this number of entries.
 #[cfg(not(feature = "std"))]
 #[doc(hidden)]
 #[macro_export]
@@ -87,7 +89,8 @@ macro_rules! __unpack {
 pub use std::sync::OnceLock;
 pub use {__unpack as unpack, __unpacked as unpacked};
 
-/// Defines how a table is unpacked: entry by entry, as a whole by the compiler, and as a whole by a program.
+/// Defines a module that unpacks a kind of table, from an expression that unpacks one entry: `array` for the compiler,
+/// and `leaked` for a program.
 macro_rules! unpack {
     ($(#[$doc:meta])* $name:ident -> $entry:ty, $empty:expr, ($($argument:ident: $ty:ty),*), |$rest:ident| $unpack:expr) => {
         $(#[$doc])*
@@ -111,7 +114,7 @@ macro_rules! unpack {
                 out
             }
 
-            /// All entries, by a program; they stay as long as it runs.
+            /// All entries, by a program; their memory is never freed.
             #[cfg(feature = "std")]
             #[allow(unused_mut, reason = "not every table counts in its arguments")]
             pub fn leaked(
@@ -129,7 +132,7 @@ macro_rules! unpack {
 }
 
 unpack!(
-    /// Words: kind, length of the name, body; the kinds have neither name nor body.
+    /// Words: kind, length of the name, body; names and bodies of `kinds` are not used.
     coordinates -> CoordinateInfo,
     CoordinateInfo { name: "", kind: CoordinateKind::Scalar },
     (kinds: &[CoordinateInfo]),
@@ -145,7 +148,7 @@ unpack!(
 );
 
 unpack!(
-    /// Words: kind, length of the name; the kinds have no name.
+    /// Words: kind, length of the name; names of `kinds` are not used.
     parameters -> ParameterInfo,
     ParameterInfo { name: "", unit: None, default: None, doc: "" },
     (kinds: &[ParameterInfo]),
@@ -172,7 +175,7 @@ unpack!(
 );
 
 unpack!(
-    /// Words: kind, length of the name, joint; the kinds have neither name nor joint.
+    /// Words: kind, length of the name, joint; names and joints of `kinds` are not used.
     rows -> RowInfo,
     NO_ROW,
     (kinds: &[RowInfo]),
@@ -192,7 +195,7 @@ const NO_ROW: RowInfo = RowInfo {
 };
 
 unpack!(
-    /// Words: kind, frame, offset; of the kinds only the role counts.
+    /// Words: kind, frame, offset; of `kinds` only the role is used.
     geometry -> Geometry,
     Geometry { role: crate::model::Role::P, frame: Frame::Ground, offset: 0 },
     (kinds: &[Geometry]),
@@ -207,7 +210,7 @@ unpack!(
 );
 
 unpack!(
-    /// Words: kind, observable; of the kinds only the name counts.
+    /// Words: kind, observable; of `kinds` only the name is used.
     quantities -> DefineInfo,
     DefineInfo { name: "", observable: 0, varies: true },
     (kinds: &[DefineInfo]),
@@ -218,8 +221,8 @@ unpack!(
 );
 
 unpack!(
-    /// Words: kind, length of the name, two frames, first row, rows, how many entries of `geometry` and `quantities`; the
-    /// kinds have nothing else.
+    /// Words: kind, length of the name, two frames, first row, number of rows, numbers of entries of `geometry` and of
+    /// `quantities`; of `kinds` only the kind of joint is used.
     joints -> JointInfo,
     NO_JOINT,
     (kinds: &[JointInfo], geometry: &'static [Geometry], quantities: &'static [DefineInfo]),
@@ -245,7 +248,7 @@ const NO_JOINT: JointInfo = JointInfo {
 };
 
 unpack!(
-    /// Words: kind and two numbers; of the kinds only what they are and their components count.
+    /// Words: kind and two indices; of `kinds` only the variant and the component are used.
     observables -> Observable,
     Observable::Define(0),
     (kinds: &[Observable]),
@@ -270,7 +273,7 @@ unpack!(
 );
 
 unpack!(
-    /// Words: kind, place; the kinds have no place.
+    /// Words: kind, place; of `kinds` only the value is used.
     constants -> (usize, f64),
     (0, 0.0),
     (kinds: &[(usize, f64)]),
@@ -289,8 +292,8 @@ unpack!(
 );
 
 unpack!(
-    /// Words: kind, how many entries of `joints` and `coordinates`, the ends of its modes and margins; of the kinds only
-    /// kind, group and the words on singularity count.
+    /// Words: kind, numbers of entries of `joints` and of `coordinates`, first index and end of its modes and of its
+    /// margins; all other fields are those of `kinds`.
     steps -> PlanStep,
     NO_STEP,
     (kinds: &[PlanStep], joints: &'static [usize], coordinates: &'static [(usize, usize)]),

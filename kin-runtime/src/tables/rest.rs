@@ -2,12 +2,12 @@
 
 use crate::model::Frame;
 
-/// What is left of a text and of packed numbers.
+/// A text and packed numbers, with how much of them is read.
 #[derive(Clone, Copy, Debug)]
 pub struct Rest<'w> {
     text: &'static str,
     bytes: &'w [u8],
-    /// The next byte. The compiler counts by one faster than it shortens slices.
+    /// The index of the next byte. The compiler evaluates an increment faster than a shortened slice.
     at: usize,
 }
 

@@ -1,4 +1,4 @@
-//! Tables by the compiler and by a program, from the same bytes.
+//! Tables unpacked by the compiler and by a program from the same bytes are equal.
 
 use super::*;
 use crate::model::Component;

@@ -1,5 +1,5 @@
-//! Ctrl-C, and the signal by which batch systems end a job: the first one ends a run and keeps what is done, the second one
-//! ends the program.
+//! Ctrl-C, and SIGTERM, by which batch systems end a job: the first signal ends a run and keeps the rows that are done,
+//! the second ends the program.
 
 use signal_hook::consts::{SIGINT, SIGTERM};
 use signal_hook::flag;
@@ -7,15 +7,17 @@ use std::sync::Arc;
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// Set by the first signal while a run listens.
+/// The flag that the first signal sets during a run.
 static ASKED: OnceLock<Arc<AtomicBool>> = OnceLock::new();
 
-/// The flag that a signal sets from now on. Where the system refuses, a signal ends the program at once, as everywhere else.
+/// The flag that a signal sets from now on. If the system refuses a handler, a signal ends the program at once, as it
+/// does by default.
 pub(super) fn listen() -> Arc<AtomicBool> {
     let install = || {
         let asked = Arc::new(AtomicBool::new(false));
         for signal in [SIGINT, SIGTERM] {
-            // In this order: a signal that finds the flag set ends the program as if nobody listened.
+            // In this order: if the flag is set already, the first handler ends the program, as a signal does by
+            // default.
             let installed = flag::register_conditional_default(signal, Arc::clone(&asked))
                 .and_then(|_| flag::register(signal, Arc::clone(&asked)));
             drop(installed);

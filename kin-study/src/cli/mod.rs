@@ -22,8 +22,8 @@ use watched::{ran, read};
 /// Runs the study program of the mechanism `M` with the arguments of this process: `run`, `chunk`, `missing`, `query`,
 /// `names`, and `scheduler` and `worker`, which need the feature `cluster`.
 ///
-/// The exit status is 0 when everything went well, 2 when arguments or the study make no sense, 1 for all other errors, and
-/// 130 after Ctrl-C or SIGTERM.
+/// The exit status is 0 after success, 2 if the arguments or the study are invalid, 1 for all other errors, and 130
+/// after Ctrl-C or SIGTERM.
 pub fn main<M: Mechanism + Default + Send + Sync + 'static>() -> ExitCode {
     run_from::<M>(std::env::args_os())
 }
@@ -37,7 +37,7 @@ where
         Ok(arguments) => arguments.command,
         Err(error) => {
             let status = if error.use_stderr() { 2 } else { 0 };
-            // Where nobody reads, there is nobody to tell.
+            // If stdout or stderr cannot be written, this cannot be reported anywhere.
             let _ = error.print();
             return ExitCode::from(status);
         }
@@ -58,7 +58,7 @@ where
     }
 }
 
-/// Does what is asked; notes which file a complaint is about.
+/// Executes a command; `file` becomes the file of the study, which errors in its description are about.
 fn done<M>(command: Command, file: &mut Option<PathBuf>) -> Result<ExitCode, StudyError>
 where
     M: Mechanism + Default + Send + Sync + 'static,
@@ -101,7 +101,7 @@ fn array(numbers: &[u64]) -> String {
     runs.collect::<Vec<_>>().join(",")
 }
 
-/// Writes to stdout; nothing is wrong where a reader leaves early.
+/// Writes to stdout. If the reader of a pipe has closed it early, that is no error.
 fn said(text: &str) -> Result<ExitCode, StudyError> {
     match io::stdout().lock().write_all(text.as_bytes()) {
         Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(StudyError::file(Path::new("stdout"), error)),

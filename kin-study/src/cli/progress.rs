@@ -1,4 +1,4 @@
-//! How far a run is, on stderr where that is a terminal.
+//! The progress of a run, on stderr if that is a terminal.
 
 use super::interrupt::listen;
 use crate::engine::Watch;
@@ -10,10 +10,10 @@ use std::thread::JoinHandle;
 use std::time::Duration;
 
 const TEMPLATE: &str = "  {bar:32} {percent:>3} %  {place} of {total} rows, {rate}, {left} left";
-/// Between two looks at how far it is.
+/// Time between two updates of the bar.
 const TICK: Duration = Duration::from_millis(200);
 
-/// Watches a run until it ends.
+/// The progress bar of a run, which a thread updates until the run ends.
 pub(super) struct Progress {
     watch: Watch,
     over: Sender<()>,
@@ -21,7 +21,7 @@ pub(super) struct Progress {
 }
 
 impl Progress {
-    /// Listens for Ctrl-C, and shows a bar as soon as it is known how many rows there are.
+    /// Starts to handle Ctrl-C, and shows a bar as soon as the number of rows is known.
     pub(super) fn begin() -> Self {
         let watch = Watch { stop: listen(), ..Watch::default() };
         let (over, told) = channel();
@@ -37,15 +37,15 @@ impl Progress {
         Self { watch, over, thread }
     }
 
-    /// Who looks on.
+    /// The numbers that the run updates, and its stop flag.
     pub(super) fn watch(&self) -> &Watch {
         &self.watch
     }
 
-    /// The run is over; whether Ctrl-C was pressed.
+    /// Removes the bar after the run; returns whether Ctrl-C was pressed.
     pub(super) fn end(self) -> bool {
         drop(self.over);
-        // A bar that failed has shown less than it should; the run itself is not touched.
+        // A panic of the bar's thread does not affect the run.
         let _ = self.thread.join();
         self.watch.stop.load(Ordering::SeqCst)
     }
@@ -64,7 +64,7 @@ fn bar() -> ProgressBar {
     let left = |state: &ProgressState, write: &mut dyn Write| {
         let _ = write!(write, "{:#}", HumanDuration(state.eta()));
     };
-    // A template that indicatif cannot read would leave its own.
+    // The template is constant; if indicatif could not read it, its default style would be used.
     let style = ProgressStyle::with_template(TEMPLATE).unwrap_or_else(|_| ProgressStyle::default_bar());
     let style = style.progress_chars("━╸─").with_key("place", place).with_key("total", total);
     ProgressBar::new(0).with_style(style.with_key("rate", rate).with_key("left", left))

@@ -84,7 +84,7 @@ mod with {
     }
 }
 
-/// The commands of a program that was built without clusters: they say so.
+/// The same commands in a program that was built without clusters: each is an error that says so.
 #[cfg(not(feature = "cluster"))]
 mod without {
     use crate::cli::arguments::{ClusterArgs, ListenArgs, RunArgs};

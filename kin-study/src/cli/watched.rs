@@ -1,4 +1,4 @@
-//! Runs of a study whose file is read, with its progress on the screen.
+//! Reads a study from its file and runs it, with its progress on the screen.
 
 use super::arguments::{RunArgs, StudyArgs};
 use super::progress::Progress;
@@ -8,7 +8,7 @@ use crate::study::Study;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-/// Runs a study in one of the ways that there are.
+/// Runs a study by `run`: a whole run, one part, or a run on a cluster.
 pub(super) fn ran(
     args: &RunArgs,
     file: &mut Option<PathBuf>,
@@ -28,7 +28,7 @@ pub(super) fn ran(
     Ok(ExitCode::SUCCESS)
 }
 
-/// The study of a file; complaints from here on are about that file.
+/// The study of a file. `file` becomes its path, so that errors in the description name it.
 pub(super) fn read(args: &StudyArgs, file: &mut Option<PathBuf>) -> Result<Study, StudyError> {
     let text = std::fs::read_to_string(&args.study).map_err(|error| StudyError::file(&args.study, error))?;
     *file = Some(args.study.clone());

@@ -25,18 +25,19 @@ use std::sync::Arc;
 use std::sync::atomic::Ordering;
 use std::time::{Duration, Instant, SystemTime};
 
-/// Rows of every task in the first wave, which tells how fast the cluster is.
+/// Rows of every task in the first wave, which measures how fast the cluster is.
 const FIRST: u64 = 256;
 /// How often a wave is tried while there are workers.
 const TRIES: usize = 5;
-/// How long a client waits for a wave beyond what it should take, and for the first wave; twice as long every other time.
+/// How long a client waits for a wave: for the first wave `UNKNOWN`, for later ones `PATIENCE` more than four times the
+/// expected duration. Every further try may take twice as long as the one before.
 const PATIENCE: Duration = Duration::from_secs(20);
 const UNKNOWN: Duration = Duration::from_secs(120);
-/// How long a client waits for a wave once somebody has asked it to stop.
+/// How long a client still waits for a wave after a request to stop.
 const GRACE: Duration = Duration::from_secs(5);
-/// Tasks in a wave at most: each costs the scheduler some milliseconds.
+/// Largest number of tasks in a wave: each takes the scheduler some milliseconds.
 const TASKS: u64 = 2000;
-/// Numbers in a parcel at most, so that it fits into a message.
+/// Largest number of numbers in the result of a piece, so that it fits into a message.
 const NUMBERS: u64 = 1 << 20;
 
 /// Where rows are solved.
@@ -48,9 +49,9 @@ pub struct Cluster {
 
 #[derive(Clone, Debug)]
 enum Place {
-    /// At the workers of a scheduler.
+    /// On the workers of the scheduler at this address.
     Scheduler(String),
-    /// At a scheduler and a worker in this process.
+    /// On a worker in this process, with a scheduler of its own and this number of threads.
     Here(NonZero<usize>),
 }
 
@@ -60,26 +61,26 @@ impl Cluster {
         Self { place: Place::Scheduler(scheduler.into()), tasks: 64 }
     }
 
-    /// A cluster within this process, with a worker of so many threads: to try what a study does there.
+    /// A cluster within this process, with one worker of `threads` threads, to try how a study runs on a cluster.
     pub fn standalone(threads: NonZero<usize>) -> Self {
         Self { place: Place::Here(threads), tasks: 64 }
     }
 
-    /// Into how many tasks every wave is cut, at most 2000 and 64 where nobody says. With fewer than the cluster has cores some
-    /// of them wait; each costs the scheduler some milliseconds.
+    /// The number of tasks into which every wave is cut: 64 by default, at most 2000. With fewer tasks than cores, some
+    /// cores are idle; every task takes the scheduler some milliseconds.
     #[must_use]
     pub fn tasks(self, tasks: NonZero<usize>) -> Self {
         Self { tasks: (tasks.get() as u64).min(TASKS), ..self }
     }
 }
 
-/// Runs a whole study on a cluster; its parts go to the directory, which only this process writes.
+/// Runs a whole study on a cluster and writes its parts to the directory; only this process writes there.
 ///
-/// A worker that is lost costs what it was at work on and what it has found in these seconds, which others compute again.
+/// If a worker is lost, the others compute its rows of the current wave again.
 ///
 /// # Errors
-/// As [`run`](crate::run); [`StudyError::Cluster`] where the scheduler or all workers are lost, and where they are another
-/// program. Parts that were finished before stay.
+/// As [`run`](crate::run); [`StudyError::Cluster`] if the scheduler or all workers are lost, or if one of them is
+/// another program. Parts that are finished by then stay.
 pub fn run_on<M>(
     cluster: &Cluster,
     study: &Study,
@@ -92,7 +93,7 @@ where
 {
     let prepared = Arc::new(Prepared::new::<M>(study)?);
     let text = study.to_toml();
-    // Workers know the text alone.
+    // Workers get the study as this text only.
     let again = Prepared::new::<M>(&Study::from_toml(&text)?)?;
     if again.identity != prepared.identity {
         return Err(StudyError::description("this study is another one when it is written as a file and read again"));
@@ -140,12 +141,12 @@ fn ran(
 struct Remote {
     prepared: Arc<Prepared>,
     function: ScalarUDF,
-    /// The study.
+    /// The study as TOML text.
     text: String,
     scheduler: String,
-    /// The name under which the scheduler knows this run.
+    /// The name of this run at the scheduler.
     session: String,
-    /// Whether it is another process.
+    /// Whether the scheduler is another process.
     is_far: bool,
     tasks: u64,
     runtime: tokio::runtime::Runtime,
@@ -169,7 +170,8 @@ impl Workers for Remote {
         let Some(answers) = self.answers(&rows)? else {
             return Ok(Found { rows: rows.start..rows.start, batches: Vec::new(), summary });
         };
-        // A worker that was taken for lost may answer after all: what comes twice is the same, and counts once.
+        // A worker that counted as lost may answer after all. Results that arrive twice are equal, and are counted
+        // once.
         let mut parcels = BTreeMap::new();
         for answer in &answers {
             let starts = answer.column(0).as_primitive::<UInt64Type>().values();
@@ -198,8 +200,8 @@ impl Workers for Remote {
 }
 
 impl Remote {
-    /// What the workers find in some rows; none if somebody asks to stop and it takes long. A worker that is lost takes with it
-    /// what it has found, so that all is computed again by those that are left.
+    /// The results of the workers for some rows; `None` if a stop is requested and they take longer than `GRACE` after
+    /// that. The results of a lost worker are lost with it and are computed again by the remaining ones.
     fn answers(&self, rows: &Range<u64>) -> Result<Option<Vec<RecordBatch>>, StudyError> {
         let count = (rows.end - rows.start) as f64;
         let mut patience = self.rate.map_or(UNKNOWN, |rate| PATIENCE + Duration::from_secs_f64(4.0 * count / rate));
@@ -234,7 +236,7 @@ impl Remote {
         Ok(None)
     }
 
-    /// Waits until somebody has asked to stop, and a little longer.
+    /// Waits for a request to stop, and `GRACE` longer.
     async fn abandoned(&self) {
         while !self.watch.stop.load(Ordering::Relaxed) {
             tokio::time::sleep(Duration::from_millis(100)).await;
@@ -242,7 +244,8 @@ impl Remote {
         tokio::time::sleep(GRACE).await;
     }
 
-    /// A table whose partitions are the tasks, each with a row for every piece, and the function of these.
+    /// The plan of a wave: a table whose partitions are the tasks, each with a row (start, end) for every piece, and
+    /// the function applied to these rows.
     async fn plan(&self, rows: &Range<u64>) -> Result<Arc<dyn ExecutionPlan>, DataFusionError> {
         let number = |name| Field::new(name, DataType::UInt64, false);
         let schema = Arc::new(Schema::new(vec![number("start"), number("end")]));
@@ -260,12 +263,12 @@ impl Remote {
     }
 }
 
-/// An error behind which the study goes on.
+/// An error after which the run can be resumed.
 fn resumable(error: StudyError) -> StudyError {
     StudyError::Cluster(format!("{error}\nwhat is done is kept; go on with --resume"))
 }
 
-/// Rows as pieces of at most `largest` rows, and these as so many tasks of about the same size.
+/// Cuts rows into `tasks` tasks of about the same size, and every task into pieces of at most `largest` rows.
 fn cut(rows: &Range<u64>, tasks: u64, largest: u64) -> Vec<Vec<Range<u64>>> {
     let count = rows.end - rows.start;
     let bound = |task: u64| rows.start + (u128::from(count) * u128::from(task) / u128::from(tasks)) as u64;

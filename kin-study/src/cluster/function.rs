@@ -1,4 +1,4 @@
-//! The function that workers evaluate: what is found in a range of rows of a study.
+//! The function that workers evaluate: the results of a range of rows of a study.
 
 use super::parcel::packed;
 use crate::engine::solve;
@@ -15,9 +15,9 @@ use std::hash::{Hash, Hasher};
 use std::path::Path;
 use std::sync::{Arc, Mutex, PoisonError};
 
-/// `found(study, start, end)`: rows of a study, given by its text, as a parcel.
+/// The function of the text of a study, the first row and the end of a range: the results of these rows as bytes.
 pub(super) struct Function {
-    /// Another program has another name for it, and says that it does not know this one.
+    /// It contains a hash of this program's file, so that another program, or another build, reports it as unknown.
     name: String,
     signature: Signature,
     prepare: fn(&Study) -> Result<Prepared, StudyError>,
@@ -26,7 +26,7 @@ pub(super) struct Function {
 }
 
 impl Function {
-    /// The function of a mechanism in this very program.
+    /// The function for a mechanism in this program.
     pub(super) fn of<M>() -> Result<ScalarUDF, StudyError>
     where
         M: Mechanism + Default + Send + Sync + 'static,
@@ -103,7 +103,8 @@ impl Hash for Function {
     }
 }
 
-/// A number that tells this program from all others: the FNV-1a hash of its file, taken eight bytes at a time.
+/// A hash of this program's file, which distinguishes it from other programs: FNV-1a with words of eight bytes and a
+/// rotation.
 fn program() -> Result<u64, StudyError> {
     let own = std::env::current_exe().map_err(|error| StudyError::file(Path::new("this program"), error))?;
     let bytes = std::fs::read(&own).map_err(|error| StudyError::file(&own, error))?;

@@ -1,11 +1,11 @@
 //! Studies on many machines, by Ballista: a scheduler, workers, and a client that hands out the rows.
 //!
-//! All three are the program that `kin_study::main` makes, started with other arguments: a worker knows the mechanism because
-//! it is compiled in, and gets the study as its text. The client cuts the rows into waves of some seconds, merges what the
-//! workers send, and writes the same files as a run on one machine.
+//! All three are the program of `kin_study::main`, started with different arguments: a worker has the mechanism
+//! compiled in, and gets the study as text. The client cuts the rows into waves of some seconds, merges the results of
+//! the workers, and writes the same files as a run on one machine.
 //!
-//! Scheduler and workers accept whatever reaches them: they have no passwords and no encryption, and must stand in a network
-//! whose machines trust one another. They listen on the loopback interface unless they are told otherwise.
+//! Scheduler and workers accept every connection: they have no passwords and no encryption, and must run in a network
+//! whose machines trust one another. They listen on the loopback interface unless another one is given.
 
 mod client;
 mod function;

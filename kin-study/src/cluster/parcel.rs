@@ -1,4 +1,5 @@
-//! What a worker has found in some rows, as bytes: an Arrow stream with the numbers about all rows in its metadata.
+//! The results of a range of rows as bytes: an Arrow stream of the kept rows, with the summary of all rows in its
+//! metadata.
 
 use crate::engine::{Summary, Tally};
 use crate::rows::{Counts, Prepared};
@@ -10,10 +11,10 @@ use datafusion::arrow::record_batch::{RecordBatch, RecordBatchOptions};
 use std::collections::HashMap;
 use std::sync::Arc;
 
-/// The metadata with the counts of all histograms.
+/// The metadata key for the counts of all histograms.
 const COUNTS: &str = "kin.counts";
 
-/// Rows that are kept, and numbers about all of them.
+/// The kept rows and the summary of all rows, as bytes.
 pub(super) fn packed(batch: RecordBatch, summary: &Summary) -> Result<Vec<u8>, ArrowError> {
     let mut metadata: HashMap<String, String> =
         summary.tally.entries().map(|(key, number)| (key.to_owned(), number.to_string())).into();
@@ -25,7 +26,7 @@ pub(super) fn packed(batch: RecordBatch, summary: &Summary) -> Result<Vec<u8>, A
     writer.into_inner()
 }
 
-/// The rows and the numbers of some bytes.
+/// The kept rows and the summary that these bytes contain.
 pub(super) fn unpacked(bytes: &[u8], prepared: &Prepared) -> Result<(Vec<RecordBatch>, Summary), ArrowError> {
     let reader = StreamReader::try_new(bytes, None)?;
     let schema = reader.schema();

@@ -1,4 +1,4 @@
-//! Whether a scheduler is where it should be, and whether it has workers.
+//! Whether a scheduler answers at an address, and whether it has workers.
 
 use crate::engine::Watch;
 use crate::error::StudyError;
@@ -58,12 +58,12 @@ pub(super) fn ask(host: &str, port: u16) -> Result<bool, Silence> {
     Err(Silence::Nobody(last))
 }
 
-/// What a scheduler says of itself by HTTP: 200 if it has workers, 503 if it has none.
+/// Whether a scheduler has workers, by HTTP: it answers 200 if it has some and 503 if it has none.
 fn has_workers(mut stream: TcpStream, host: &str) -> Result<bool, Silence> {
     let mut line = String::new();
     let mut answer = || {
         stream.set_read_timeout(Some(Duration::from_secs(5)))?;
-        // At once: who is no scheduler may answer and leave after the first part.
+        // In one write: a server that is no scheduler may answer and close the connection after the first line.
         let question = format!("GET /readyz HTTP/1.1\r\nHost: {host}\r\nConnection: close\r\n\r\n");
         stream.write_all(question.as_bytes())?;
         BufReader::new(&stream).read_line(&mut line)

@@ -32,22 +32,23 @@ use std::num::NonZero;
 use std::sync::Arc;
 use std::time::Duration;
 
-/// Between two signs of life of a worker, in seconds.
+/// Seconds between two heartbeats of a worker.
 pub(super) const HEARTBEAT: u64 = 2;
-/// After how many seconds without one a worker counts as lost.
+/// Seconds without a heartbeat after which a worker counts as lost.
 const LOST: u64 = 10;
-/// For how many seconds workers keep what clients have fetched or given up.
+/// Seconds after which the data of a finished job are removed; its state, and data that nobody removed, stay ten times
+/// as long.
 const KEPT: u64 = 60;
 
 /// Where a scheduler or a worker listens.
 #[derive(Clone, Debug)]
 pub struct Listen {
-    /// The address of the interface; the loopback interface hears this machine alone.
+    /// The address of the interface. On the loopback interface, only processes of this machine can connect.
     pub bind: IpAddr,
-    /// The name by which the others reach this machine; the address where there is none. An address that stands for all
-    /// interfaces needs one.
+    /// The name by which other machines reach this one; `None` stands for the address in `bind`. It is required if that
+    /// address stands for all interfaces (0.0.0.0).
     pub host: Option<String>,
-    /// The port; 0 for any that is free.
+    /// The port; 0 for any free one. A worker also takes the next port or, if this is 0, another free one.
     pub port: u16,
 }
 
@@ -64,12 +65,12 @@ impl Listen {
     }
 }
 
-/// What went wrong at an address.
+/// The error of this study for an error of Ballista at an address.
 fn lost(at: impl Display) -> impl Fn(BallistaError) -> StudyError {
     move |error| StudyError::Cluster(format!("{at}: {error}"))
 }
 
-/// A session that knows the function.
+/// Makes sessions in which the function is registered.
 fn sessions(function: &ScalarUDF) -> SessionBuilder {
     let function = Arc::new(function.clone());
     Arc::new(move |config| {
@@ -89,11 +90,11 @@ fn configurations() -> ConfigProducer {
     Arc::new(|| SessionConfig::new_with_ballista().with_ballista_grpc_client_max_message_size(MESSAGE as usize))
 }
 
-/// Runs a scheduler until the process ends, and says where it listens. It keeps no rows, and what clients have finished stays
-/// with them.
+/// Runs a scheduler until the process ends; calls `listens` with its address as soon as it listens. It stores no rows:
+/// finished rows are in the directory of the client.
 ///
 /// # Errors
-/// Where it cannot listen there.
+/// It cannot listen at this address.
 pub fn scheduler<M>(listen: &Listen, mut listens: impl FnMut(SocketAddr)) -> Result<(), StudyError>
 where
     M: Mechanism + Default + Send + Sync + 'static,
@@ -140,15 +141,15 @@ fn schedule(function: &ScalarUDF, listen: &Listen, listens: &mut dyn FnMut(Socke
 pub enum Standing {
     /// No scheduler answers yet.
     Waiting,
-    /// The scheduler knows it, or is about to.
+    /// The scheduler answers, and the worker registers with it.
     Joining,
 }
 
-/// Runs a worker for the scheduler at `host:port` with so many threads, until the process is told to end (Ctrl-C, SIGTERM). It
-/// waits for a scheduler that does not answer yet.
+/// Runs a worker with `threads` threads for the scheduler at `host:port` until Ctrl-C or SIGTERM. While no scheduler
+/// answers, it waits; `stands` is called with what it is doing.
 ///
 /// # Errors
-/// Where it cannot listen there, where the scheduler is another program, and where something else answers.
+/// It cannot listen at this address, the scheduler is another program, or the program that answers is no scheduler.
 pub fn worker<M>(
     scheduler: &str,
     listen: &Listen,
@@ -210,7 +211,7 @@ fn work(
     runtime.block_on(start_executor_process(Arc::new(config))).map_err(lost(scheduler))
 }
 
-/// The port of a worker and the next one; two that are free for port 0.
+/// The port of a worker and the next one; for port 0 two free ones.
 fn ports(listen: &Listen) -> io::Result<[u16; 2]> {
     if listen.port != 0 {
         return Ok([listen.port, listen.port.saturating_add(1)]);
@@ -220,7 +221,7 @@ fn ports(listen: &Listen) -> io::Result<[u16; 2]> {
     Ok([one?.local_addr()?.port(), other?.local_addr()?.port()])
 }
 
-/// A scheduler and a worker within this process; where the scheduler listens.
+/// Starts a scheduler and a worker within this process; returns the address of the scheduler.
 pub(super) async fn embedded(function: &ScalarUDF, threads: NonZero<usize>) -> Result<String, StudyError> {
     let failed = lost("within this process");
     let codec = BallistaCodec::default();

@@ -21,7 +21,7 @@ use std::time::Duration;
 /// How long a scheduler may take to read a plan.
 const READ: Duration = Duration::from_secs(3);
 
-/// What the workers of a scheduler make of a plan.
+/// The result of a plan that the workers of a scheduler execute.
 pub(super) async fn submitted(
     scheduler: &str,
     session: &str,
@@ -36,25 +36,25 @@ pub(super) async fn submitted(
     collect(stream).await
 }
 
-/// Whether a scheduler knows a function: it is asked for the function of no rows at all.
+/// Checks that a scheduler has a function, by a plan that evaluates the function for no rows.
 ///
 /// # Errors
-/// Where it is another program.
+/// The scheduler is another program.
 pub(super) async fn known(scheduler: &str, function: &ScalarUDF) -> Result<(), StudyError> {
     let number = |name| Field::new(name, DataType::UInt64, false);
     let schema = Arc::new(Schema::new(vec![number("start"), number("end")]));
     let table = MemTable::try_new(Arc::clone(&schema), vec![vec![RecordBatch::new_empty(schema)]])?;
     let found = function.call(vec![lit(""), col("start"), col("end")]).alias("found");
     let plan = context(1).read_table(Arc::new(table))?.select(vec![found])?.create_physical_plan().await?;
-    // It answers at once where it cannot read the plan, and otherwise as soon as there are workers.
+    // It answers at once if it cannot read the plan, and otherwise as soon as there are workers.
     match tokio::time::timeout(READ, submitted(scheduler, "kin-study-worker", plan)).await {
         Ok(Err(error)) if is_foreign(&error, function.name()) => Err(foreign(scheduler)),
         _ => Ok(()),
     }
 }
 
-/// Whether an error says that a member of the cluster is another program: a scheduler says which function it does not know,
-/// and a worker only that it cannot read the task.
+/// Whether an error means that a member of the cluster is another program: the error of a scheduler names the unknown
+/// function, that of a worker only says that it cannot read the task.
 pub(super) fn is_foreign(error: &DataFusionError, function: &str) -> bool {
     let text = error.strip_backtrace();
     let unknown = ["no UDF named", "not provided for scalar function"];

@@ -1,4 +1,4 @@
-//! What is found in some rows: those that are kept, and numbers about all of them.
+//! The results of a range of rows: those that are kept, and a summary of all of them.
 
 use super::write::Tally;
 use crate::error::StudyError;
@@ -10,7 +10,7 @@ use datafusion::catalog::TableProvider;
 use std::ops::Range;
 use std::sync::Arc;
 
-/// Numbers about rows.
+/// A summary of rows: how many there are of each kind, and the counts of histograms.
 #[derive(Clone, Debug)]
 pub(crate) struct Summary {
     pub(crate) tally: Tally,
@@ -18,29 +18,29 @@ pub(crate) struct Summary {
 }
 
 impl Summary {
-    /// Of no rows.
+    /// The summary of no rows.
     pub(crate) fn new(prepared: &Prepared) -> Self {
         Self { tally: Tally::default(), counts: Counts::new(&prepared.bins) }
     }
 
-    /// Adds those of other rows.
+    /// Adds the summary of other rows.
     pub(crate) fn and(&mut self, other: &Self) {
         self.tally = self.tally.and(&other.tally);
         self.counts.and(&other.counts);
     }
 }
 
-/// What is found in some rows.
+/// The results of a range of rows.
 #[derive(Debug)]
 pub(crate) struct Found {
-    /// The rows that were gone through.
+    /// The rows that were computed.
     pub(crate) rows: Range<u64>,
-    /// Those that are kept.
+    /// The rows that are kept.
     pub(crate) batches: Vec<RecordBatch>,
     pub(crate) summary: Summary,
 }
 
-/// Solves one piece: what may be kept of it, and the numbers about all of its rows.
+/// Solves one piece: the rows of it that may be kept, and the summary of all of its rows.
 pub(crate) fn solve(prepared: &Prepared, rows: Range<u64>) -> Result<(RecordBatch, Summary), StudyError> {
     let piece = prepared.rows(rows)?;
     let mut summary = Summary::new(prepared);
@@ -50,7 +50,7 @@ pub(crate) fn solve(prepared: &Prepared, rows: Range<u64>) -> Result<(RecordBatc
     Ok((prepared.kept.of(piece.batch)?, summary))
 }
 
-/// What a study keeps of a table of rows, in its order.
+/// The rows of a table that a study keeps, in its order.
 pub(crate) async fn merged(
     prepared: &Prepared,
     table: Arc<dyn TableProvider>,
@@ -68,9 +68,9 @@ fn in_order(mut batches: Vec<RecordBatch>) -> Vec<RecordBatch> {
     batches
 }
 
-/// What goes through the rows of a study: the threads of this process, or the workers of a cluster.
+/// What computes the rows of a study: the threads of this process, or the workers of a cluster.
 pub(crate) trait Workers {
-    /// Goes through rows from the first of these on, for some seconds; through none after a request to stop. The rows are
-    /// counted as done in the watch.
+    /// Computes rows in order from the first of `rows` on, for some seconds; none after a request to stop. Adds their
+    /// number to [`Watch::done`](super::Watch::done).
     fn wave(&mut self, rows: Range<u64>) -> Result<Found, StudyError>;
 }

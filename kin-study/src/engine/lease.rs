@@ -1,4 +1,4 @@
-//! Who works on which rows of a directory: two processes never compute the same rows at the same time.
+//! Locks on the rows of a directory, so that two processes never compute the same rows at the same time.
 
 use super::parts::ROWS;
 use crate::error::StudyError;
@@ -6,10 +6,10 @@ use std::fs::{File, OpenOptions, TryLockError};
 use std::ops::Range;
 use std::path::Path;
 
-/// The file that a whole run locks for itself, and that jobs of an array lock together.
+/// The file with an exclusive lock of a whole run, or with shared locks of the jobs of an array.
 const STUDY: &str = "study.lock";
 
-/// Rows that are this process's own until it is dropped, or until the process ends in any way.
+/// A lock on rows; it ends when this value is dropped or the process ends in any way.
 #[derive(Debug)]
 pub(super) struct Lease {
     /// The locks last as long as these files are open.
@@ -17,7 +17,8 @@ pub(super) struct Lease {
 }
 
 impl Lease {
-    /// A whole run takes the study for itself. A part takes its own rows, and other parts may be taken beside it.
+    /// Locks the whole study for a whole run. For a part, locks its own rows only, so that other parts can run beside
+    /// it.
     pub(super) fn take(directory: &Path, rows: &Range<u64>, whole: bool) -> Result<Self, StudyError> {
         if whole {
             return Ok(Self { _files: vec![locked(directory, STUDY, File::try_lock)?] });
@@ -37,7 +38,7 @@ fn locked(directory: &Path, name: &str, lock: impl Fn(&File) -> Result<(), TryLo
             "another process is computing these rows in {}; wait for it, or end it",
             directory.display()
         ))),
-        // Some network file systems have no locks: there, whoever starts the jobs must not start one twice.
+        // Some network file systems have no locks. There the user must not start the same job twice.
         Ok(()) | Err(TryLockError::Error(_)) => Ok(file),
     }
 }

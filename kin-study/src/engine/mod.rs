@@ -1,4 +1,4 @@
-//! Running studies and asking for their results, by DataFusion.
+//! Runs studies and queries their results, by DataFusion.
 
 mod found;
 mod lease;

@@ -1,4 +1,5 @@
-//! The directory of a study: parts that are named by the rows they cover, so that what is missing can be told.
+//! The directory of a study. Its parts, Parquet files, are named by the rows that they cover, so that missing rows are
+//! known from the names.
 
 use super::write::temporary;
 use crate::error::StudyError;
@@ -8,9 +9,9 @@ use std::io::{ErrorKind, Write};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-/// The file that says which study a directory belongs to.
+/// The file with the text that identifies the study of a directory.
 const IDENTITY: &str = "study.txt";
-/// The file with the SQL by which the table `study` follows from all parts.
+/// The file with the SQL query that gives the table `study` from the table `parts`.
 const VIEW: &str = "study.sql";
 /// What the names of parts with rows begin with.
 pub(super) const ROWS: &str = "rows-";
@@ -24,8 +25,8 @@ pub(super) struct Parts {
 }
 
 impl Parts {
-    /// The directory for a study: made where it is missing, refused where it holds another study, or this one and nobody
-    /// said to go on.
+    /// The directory for a study, which is created if it does not exist. If it holds another study, or rows of this one
+    /// without `resume`, that is an error.
     pub(super) fn open(directory: &Path, prepared: &Prepared, resume: bool) -> Result<Self, StudyError> {
         let parts = Self::of(directory);
         parts.is_no_pattern()?;
@@ -45,7 +46,7 @@ impl Parts {
         Ok(parts)
     }
 
-    /// Whether the directory holds this study. One that holds another study is refused.
+    /// Whether the directory holds this study. If it holds another study, that is an error.
     pub(super) fn holds(&self, prepared: &Prepared) -> Result<bool, StudyError> {
         let path = self.directory.join(IDENTITY);
         match fs::read_to_string(&path) {
@@ -63,7 +64,7 @@ impl Parts {
         }
     }
 
-    /// Writes a small file, whole or not at all; one that is there stays as it is.
+    /// Writes a small file, whole or not at all; an existing file stays as it is.
     fn put_new(&self, name: &str, text: &str) -> Result<(), StudyError> {
         let path = self.directory.join(name);
         if path.exists() {
@@ -78,7 +79,7 @@ impl Parts {
         }
     }
 
-    /// The SQL by which the table `study` follows from the table `parts`.
+    /// The SQL query that gives the table `study` from the table `parts`.
     pub(super) fn view(&self) -> Result<String, StudyError> {
         let path = self.directory.join(VIEW);
         fs::read_to_string(&path).map_err(|error| StudyError::file(&path, error))
@@ -89,7 +90,7 @@ impl Parts {
         Self { directory: directory.to_owned() }
     }
 
-    /// Whether its files can be asked for: the engine would read some names as patterns for several files.
+    /// An error if the engine would read the name of the directory as a pattern for several files.
     pub(super) fn is_no_pattern(&self) -> Result<(), StudyError> {
         match self.directory.to_string_lossy().contains(['*', '?', '[']) {
             false => Ok(()),
@@ -100,7 +101,7 @@ impl Parts {
         }
     }
 
-    /// Where it is.
+    /// Its path.
     pub(super) fn directory(&self) -> &Path {
         &self.directory
     }
@@ -145,7 +146,7 @@ fn covered_by(name: &str, kind: &str) -> Option<Range<u64>> {
     Some(start.parse().ok()?..end.parse().ok()?)
 }
 
-/// What of `rows` is not covered, in order.
+/// The ranges of `rows` that are not covered, in order.
 pub(super) fn gaps(rows: Range<u64>, covered: &[Range<u64>]) -> Vec<Range<u64>> {
     let mut gaps = Vec::new();
     let mut next = rows.start;

@@ -17,14 +17,14 @@ use std::future::Future;
 use std::io::{self, BufWriter};
 use std::path::{Path, PathBuf};
 
-/// The rows of an answer.
+/// The result of a query.
 #[derive(Clone, Debug)]
 pub struct Answer {
     /// Its rows, batch by batch.
     pub batches: Vec<RecordBatch>,
 }
 
-/// A table for people.
+/// A table of text.
 impl fmt::Display for Answer {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match pretty_format_batches(&self.batches) {
@@ -34,11 +34,11 @@ impl fmt::Display for Answer {
     }
 }
 
-/// Asks for something of a study's directory: its rows are the table `study`, the counts of its histograms `histogram`.
-/// The answer is held in memory.
+/// Queries the directory of a study by SQL: its rows are the table `study`, the counts of its histograms the table
+/// `histogram`. The result is held in memory.
 ///
 /// # Errors
-/// Where there are no parts, and where the engine does not understand the question.
+/// The directory has no parts, or the engine rejects the query.
 pub fn query(directory: &Path, sql: &str) -> Result<Answer, StudyError> {
     wait(async {
         let answer = asked(directory, sql).await?;
@@ -46,10 +46,11 @@ pub fn query(directory: &Path, sql: &str) -> Result<Answer, StudyError> {
     })
 }
 
-/// The same, written to a file as it comes: to CSV where its name ends in `.csv`, to Parquet where it ends in `.parquet`.
+/// As [`query`], with the result written to a file batch by batch: as CSV if its name ends in `.csv`, as Parquet if it
+/// ends in `.parquet`. Returns the number of rows.
 ///
 /// # Errors
-/// As [`query`], and where the file cannot be written: what was there before stays.
+/// As [`query`], and if the file has another extension or cannot be written; an existing file stays as it was then.
 pub fn query_to_file(directory: &Path, sql: &str, path: &Path) -> Result<u64, StudyError> {
     let failed = |error: io::Error| StudyError::file(path, error);
     let engine = |error: datafusion::error::DataFusionError| StudyError::from(error);
@@ -92,13 +93,13 @@ pub fn query_to_file(directory: &Path, sql: &str, path: &Path) -> Result<u64, St
     })
 }
 
-/// Waits for what the engine does on all processors.
+/// Executes work of the engine on all processors and waits for it.
 fn wait<T>(work: impl Future<Output = Result<T, StudyError>>) -> Result<T, StudyError> {
     let runtime = tokio::runtime::Builder::new_multi_thread().build();
     runtime.map_err(|error| StudyError::file(Path::new("threads"), error))?.block_on(work)
 }
 
-/// The question, over all parts.
+/// The query over all parts.
 async fn asked(directory: &Path, sql: &str) -> Result<DataFrame, StudyError> {
     let parts = Parts::of(directory);
     parts.is_no_pattern()?;

@@ -1,4 +1,4 @@
-//! A study from its first row to its last: waves, a part for each, and what is left after a stop.
+//! Runs a study from its first row to its last: in waves, with a part for each; a stopped run can be resumed.
 
 use super::found::Workers;
 use super::lease::Lease;
@@ -21,27 +21,27 @@ use std::time::{Duration, Instant};
 /// How a study runs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Limits {
-    /// Threads; as many as there are processors where nobody says.
+    /// The number of threads; `None` stands for the number of processors.
     pub threads: Option<NonZero<usize>>,
-    /// Goes on with what a directory holds already.
+    /// Whether the directory may hold rows of this study already, which are not computed again.
     pub resume: bool,
 }
 
-/// What became of a study.
+/// The result of a run.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Report {
-    /// The rows that this run was to cover.
+    /// The rows that this run was to compute.
     pub rows: Range<u64>,
     /// How many of them are done, those of earlier runs included.
     pub done: u64,
-    /// How many rows met the conditions before solving. This and the two numbers below count the files that lie within these
-    /// rows: a file of an earlier run that was cut in another way may reach beyond them.
+    /// How many rows met the conditions before solving. This and the two numbers below include only parts that lie
+    /// within `rows`: a part of an earlier run that was cut in another way may extend beyond them.
     pub solved: u64,
-    /// How many of these could not go through all instants.
+    /// How many of the solved rows have a motion that ended before the last instant.
     pub ended: u64,
     /// How many met all conditions.
     pub passed: u64,
-    /// How many rows this run has done itself.
+    /// How many rows this run has computed itself.
     pub own: u64,
     /// How long it took.
     pub time: Duration,
@@ -54,7 +54,7 @@ impl Report {
     }
 }
 
-/// `1000 rows: 800 solved, 12 of them not to the end, 788 kept`.
+/// `1000 rows: 800 solved, 12 of them not to the end, 788 met all conditions; 1000 in 0.5 s, 2000 rows/s`.
 impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { done, solved, ended, passed, own, time, .. } = self;
@@ -68,11 +68,11 @@ impl fmt::Display for Report {
     }
 }
 
-/// Runs a whole study; its parts go to the directory.
+/// Runs a whole study and writes its parts to the directory.
 ///
 /// # Errors
-/// Where the study makes no sense for the mechanism, where the directory holds something else, and where a file cannot be
-/// written; parts that were finished before stay.
+/// The study does not fit the mechanism, the directory holds another study, or a file cannot be written. Parts that are
+/// finished by then stay.
 pub fn run<M>(study: &Study, directory: &Path, limits: Limits, watch: &Watch) -> Result<Report, StudyError>
 where
     M: Mechanism + Default + Send + Sync + 'static,
@@ -80,10 +80,11 @@ where
     run_part::<M>(study, directory, (0, NonZero::<u64>::MIN), limits, watch)
 }
 
-/// Runs the part `index` of `of` parts of about the same size, `index` from 0: for an array of jobs that share a directory.
+/// Runs the part `index` of `of` parts of about the same size, counted from 0: for an array of jobs that share a
+/// directory.
 ///
 /// # Errors
-/// As [`run`], and where `index` is not below `of`.
+/// As [`run`], and if `index` is not less than `of`.
 pub fn run_part<M>(
     study: &Study,
     directory: &Path,
@@ -108,21 +109,21 @@ where
     cover(&prepared, directory, part, &mut workers, watch)
 }
 
-/// What a run is to cover.
+/// The rows that a run is to compute.
 #[derive(Clone, Debug)]
 pub(crate) struct Part {
     pub(crate) rows: Range<u64>,
     /// Whether these are all rows of the study.
     pub(crate) is_whole: bool,
-    /// Whether the directory may hold some of them.
+    /// Whether the directory may hold some of them already.
     pub(crate) resume: bool,
 }
 
-/// The parts of `of`, as [`run_part`] counts them, of which rows are missing in a directory: what is to be started again
-/// after some jobs of an array have failed.
+/// The indices of those of `of` parts, as [`run_part`] counts them, that have rows missing in a directory: the jobs to
+/// be started again after some of an array have failed.
 ///
 /// # Errors
-/// Where the study makes no sense for the mechanism, and where the directory holds something else or cannot be read.
+/// The study does not fit the mechanism, or the directory holds another study or cannot be read.
 pub fn missing<M>(study: &Study, directory: &Path, of: NonZero<u64>) -> Result<Vec<u64>, StudyError>
 where
     M: Mechanism + Default + Send + Sync + 'static,
@@ -148,7 +149,7 @@ fn part(rows: u64, index: u64, of: NonZero<u64>) -> Range<u64> {
     bound(index)..bound(index + 1)
 }
 
-/// Covers some rows with parts; not generic over the mechanism.
+/// Computes the rows that no part covers yet and writes them; not generic over the mechanism.
 pub(crate) fn cover(
     prepared: &Prepared,
     directory: &Path,
@@ -184,7 +185,7 @@ pub(crate) fn cover(
                 let table = table.map_err(|error| StudyError::Engine(Box::new(error.into())))?;
                 write(&parts.path(COUNTS, &found.rows), &counts_schema(), &[table], None)?;
             }
-            // The part with the rows comes last: it says that all of the wave is there.
+            // The file with the rows is written last: its existence means that the wave is complete.
             write(&parts.path(ROWS, &found.rows), &prepared.schema, &found.batches, Some(&found.summary.tally))?;
         }
     }

@@ -1,15 +1,15 @@
-//! Who looks on while a study runs.
+//! The progress of a run, and its stop flag.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU64};
 
-/// Who looks on: how many rows are done, and whether to stop. Both may be read and set from any thread.
+/// The progress of a run, and the flag that stops it. Both may be read and set from any thread.
 #[derive(Clone, Debug, Default)]
 pub struct Watch {
-    /// Rows that this run has to do, once that is known.
+    /// Number of rows that this run has to compute, 0 until it is known.
     pub total: Arc<AtomicU64>,
-    /// Rows of this run that are done.
+    /// Number of rows that this run has computed.
     pub done: Arc<AtomicU64>,
-    /// Set to true, it ends the run after the pieces that are being solved; what is done is kept.
+    /// If true, the run ends after the pieces that are being solved; rows that are done are kept.
     pub stop: Arc<AtomicBool>,
 }

@@ -1,7 +1,7 @@
-//! A wave: as many pieces as are solved in a few seconds on all cores, merged by the engine.
+//! A wave: as many pieces (of 4096 rows) as are solved in a few seconds on all cores, merged by the engine.
 //!
-//! Every partition of a streaming table takes the next piece until the wave has enough or somebody asks to stop. Pieces are
-//! taken in order and finished once they are taken, so the rows of a wave are a range without gaps, wherever it ends.
+//! Every partition of a streaming table takes the next piece until the wave is full or a stop is requested. Pieces are
+//! taken in order, and every piece that is taken is finished, so that the rows of a wave are a range without gaps.
 
 use super::found::{Found, Summary, Workers, merged, solve};
 use super::watch::Watch;
@@ -22,12 +22,13 @@ use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
-/// After how long a wave takes no more pieces: so much is lost where the machine fails.
+/// Time after which a wave takes no more pieces. If the machine fails, the work of about this time is lost.
 pub(crate) const TIME: Duration = Duration::from_secs(3);
-/// Numbers that a wave holds in memory at most.
+/// Largest number of numbers that a wave holds in memory.
 const NUMBERS: u64 = 1 << 23;
 
-/// Rows that a wave has at most: the best rows of pieces take little, but all rows of a wave must fit into memory.
+/// Largest number of rows of a wave. If all rows are kept, they must fit into memory; the best ones of every piece take
+/// little of it.
 pub(crate) fn most(prepared: &Prepared) -> u64 {
     if matches!(prepared.kept, Kept::All) { NUMBERS / prepared.numbers() } else { u64::MAX }
 }
@@ -42,7 +43,7 @@ pub(super) struct Threads {
 }
 
 impl Threads {
-    /// So many threads.
+    /// Starts `count` threads.
     pub(super) fn new(prepared: &Arc<Prepared>, count: usize, watch: &Watch) -> io::Result<Self> {
         let runtime = tokio::runtime::Builder::new_multi_thread().worker_threads(count).build()?;
         Ok(Self { prepared: Arc::clone(prepared), count, runtime, watch: watch.clone() })
@@ -87,7 +88,7 @@ impl Wave {
         }
     }
 
-    /// Takes the next piece; none when the wave is over.
+    /// Takes the next piece; `None` if the wave takes no more.
     fn take(&self) -> Option<Range<u64>> {
         let first = self.next.load(Ordering::Relaxed) == self.rows.start;
         if self.stop.load(Ordering::Relaxed) || (!first && self.began.elapsed() > TIME) {
@@ -105,7 +106,7 @@ impl Wave {
         Ok(kept)
     }
 
-    /// Runs it over so many partitions.
+    /// Solves the pieces of the wave in `partitions` partitions.
     async fn run(self, partitions: usize) -> Result<Found, StudyError> {
         let wave = Arc::new(self);
         let prepared = &wave.prepared;

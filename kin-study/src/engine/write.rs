@@ -13,32 +13,32 @@ use std::io;
 use std::path::Path;
 use tempfile::NamedTempFile;
 
-/// What became of the rows that a part covers.
+/// The numbers of rows of each kind among those that a part covers.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Tally {
     /// How many there were.
     pub(crate) tried: u64,
     /// How many met the conditions before solving.
     pub(crate) solved: u64,
-    /// How many of these could not go through all instants.
+    /// How many of the solved rows have a motion that ended before the last instant.
     pub(crate) ended: u64,
     /// How many met all conditions.
     pub(crate) passed: u64,
 }
 
 impl Tally {
-    /// Its numbers with the names that they have beside rows.
+    /// Its numbers with their keys in the metadata of files.
     pub(crate) fn entries(&self) -> [(&'static str, u64); 4] {
         [("kin.tried", self.tried), ("kin.solved", self.solved), ("kin.ended", self.ended), ("kin.passed", self.passed)]
     }
 
-    /// The tally of named numbers; what is missing counts as none.
+    /// The tally with these named numbers; missing ones count as 0.
     pub(crate) fn of(number: impl Fn(&str) -> Option<u64>) -> Self {
         let [tried, solved, ended, passed] = Self::default().entries().map(|(key, none)| number(key).unwrap_or(none));
         Self { tried, solved, ended, passed }
     }
 
-    /// Both together.
+    /// The sum of both.
     pub(crate) fn and(&self, other: &Self) -> Self {
         Self {
             tried: self.tried + other.tried,
@@ -49,11 +49,12 @@ impl Tally {
     }
 }
 
-/// A file of another name in a directory, for what shall appear there whole. Where it is not kept, it is removed.
+/// A file with a temporary name in a directory, for contents that are to appear there complete. It is removed unless it
+/// gets its final name.
 pub(super) fn temporary(directory: &Path) -> io::Result<NamedTempFile> {
     let mut builder = tempfile::Builder::new();
     builder.prefix(".kin-").suffix(".tmp");
-    // Others may read what the umask lets them read: a directory is often shared.
+    // The permissions are those that the umask gives, since a directory is often shared.
     #[cfg(unix)]
     {
         use std::os::unix::fs::PermissionsExt;
@@ -62,7 +63,7 @@ pub(super) fn temporary(directory: &Path) -> io::Result<NamedTempFile> {
     builder.tempfile_in(directory)
 }
 
-/// Writes a table to a file of another name in the same directory, which then takes its place.
+/// Writes a table to a temporary file in the same directory, which then takes the place of `path`.
 pub(super) fn write(
     path: &Path,
     schema: &SchemaRef,
@@ -73,7 +74,7 @@ pub(super) fn write(
     let parquet = |error: ParquetError| failed(system(error));
     let entries = tally
         .map(|tally| tally.entries().map(|(key, number)| KeyValue::new(key.to_owned(), number.to_string())).to_vec());
-    // Numbers that hardly repeat gain nothing by a dictionary; names do.
+    // Numbers, which hardly repeat, gain nothing from a dictionary; names do.
     let mut properties = WriterProperties::builder().set_dictionary_enabled(false).set_key_value_metadata(entries);
     for name in ["mode", "limit", "of"] {
         properties = properties.set_column_dictionary_enabled(name.into(), true);
@@ -105,7 +106,7 @@ pub(super) fn tally(path: &Path) -> Result<Tally, StudyError> {
     Ok(Tally::of(number))
 }
 
-/// What the system said, where it was the system.
+/// The error of the system, if that is the cause.
 fn system(error: ParquetError) -> io::Error {
     match error {
         ParquetError::External(inner) => match inner.downcast::<io::Error>() {

@@ -11,14 +11,14 @@ use datafusion::physical_expr::PhysicalExpr;
 use datafusion::prelude::SessionConfig;
 use std::sync::Arc;
 
-/// Rows that are solved in one piece, and those of one batch of the engine.
+/// Number of rows of a piece, which are solved together, and of a batch of the engine.
 pub(crate) const CHUNK: usize = 4096;
 
-/// An engine that takes names as they are written, so that `L1` and `l1` are two.
+/// A context of the engine in which the case of names matters, so that `L1` and `l1` are different.
 pub(crate) fn context(partitions: usize) -> SessionContext {
     let config = SessionConfig::new().with_target_partitions(partitions).with_batch_size(CHUNK);
     let config = config.set_bool("datafusion.sql_parser.enable_ident_normalization", false);
-    // Rows without a number come last in every order, so that a design without a score is never the best one.
+    // Nulls come last in every order, so that a design without a score is never the best one.
     SessionContext::new_with_config(config.set_str("datafusion.sql_parser.default_null_ordering", "nulls_last"))
 }
 
@@ -68,7 +68,7 @@ impl Formula {
     }
 }
 
-/// The rows that meet all conditions; one that is null is not met.
+/// The rows that meet all conditions; a condition that is null is not met.
 pub(crate) fn meeting(batch: RecordBatch, conditions: &[Formula]) -> Result<RecordBatch, StudyError> {
     let mut batch = batch;
     for condition in conditions {

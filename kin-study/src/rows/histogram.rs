@@ -16,7 +16,7 @@ pub(crate) struct Bins {
     column: usize,
 }
 
-/// The columns of counted intervals.
+/// The columns of the table of counts.
 pub(crate) fn counts_schema() -> SchemaRef {
     let number = |name| Field::new(name, DataType::Float64, false);
     let count = Field::new("count", DataType::UInt64, false);
@@ -47,13 +47,13 @@ impl Counts {
         Self(bins.iter().map(|bins| vec![0; bins.histogram.bins]).collect())
     }
 
-    /// Counts the rows of a table; those without a number are left out.
+    /// Counts the rows of a table, except those without a number.
     pub(crate) fn add(&mut self, bins: &[Bins], batch: &RecordBatch) {
         for (counts, Bins { histogram, column }) in self.0.iter_mut().zip(bins) {
             let scale = histogram.bins as f64 / (histogram.to - histogram.from);
             let values = batch.column(*column).as_primitive::<Float64Type>();
             for value in values.iter().flatten().filter(|value| !value.is_nan()) {
-                // The conversion takes what is less than 0 to 0.
+                // The conversion turns negative numbers into 0.
                 let place = ((value - histogram.from) * scale) as usize;
                 counts[place.min(histogram.bins - 1)] += 1;
             }

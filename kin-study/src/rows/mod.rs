@@ -24,7 +24,7 @@ use prepare::{Source, item};
 use std::ops::Range;
 use std::sync::Arc;
 
-/// Some rows of a study, and what became of the others.
+/// The rows of a piece that meet all conditions, and how many there were before.
 #[derive(Debug)]
 pub(crate) struct Piece {
     /// The rows that meet all conditions.
@@ -33,7 +33,7 @@ pub(crate) struct Piece {
     pub(crate) tried: u64,
     /// How many met the conditions before solving.
     pub(crate) solved: u64,
-    /// How many of these could not go through all instants.
+    /// How many of the solved rows have a motion that ended before the last instant.
     pub(crate) ended: u64,
 }
 
@@ -65,7 +65,7 @@ impl Prepared {
         Ok(Piece { batch, tried, solved: count as u64, ended })
     }
 
-    /// Parameters and derived columns of a range of rows, behind their numbers.
+    /// The numbers of a range of rows, followed by their parameters and derived columns.
     fn sampled(&self, rows: Range<u64>) -> Result<RecordBatch, StudyError> {
         let count = (rows.end - rows.start) as usize;
         let modes = self.motion.modes.len() as u64;
@@ -80,7 +80,7 @@ impl Prepared {
         for (formula, schema) in self.derived.iter().zip(&self.inputs[1..]) {
             let mut columns = batch.columns().to_vec();
             let values = formula.values(&batch)?;
-            // A quotient by zero is null in places; to a mechanism it is no number.
+            // Some quotients by zero are null in SQL; for the mechanism they are NaN.
             let values = values.as_primitive::<Float64Type>();
             let numbers = values.iter().map(|value| value.unwrap_or(f64::NAN));
             columns.push(Arc::new(Float64Array::from_iter_values(numbers)));
@@ -95,7 +95,7 @@ impl Prepared {
         numbers.values().iter().map(|row| (row % self.motion.modes.len() as u64) as usize).collect()
     }
 
-    /// The table: what is shown of the sampled columns, scores, and how it ended.
+    /// The table: the columns that it shows of `batch`, the scores, and where and why motions ended.
     fn scored(&self, batch: &RecordBatch, combinations: &[usize], scored: Scored) -> Result<RecordBatch, StudyError> {
         let column = |place: &usize| match self.schema.field_with_name(batch.schema_ref().field(*place).name()) {
             Ok(field) if field.is_nullable() => known(batch.column(*place)),
@@ -107,7 +107,7 @@ impl Prepared {
             columns.push(Arc::new(StringArray::from_iter_values(names)));
         }
         for score in scored.scores {
-            // A quantity without a value, the angle at an arm of no length for example, is no score.
+            // A score without a value, such as the angle at an arm of length zero, is null.
             let known = |(value, end): (bool, &Option<End>)| end.is_none() && value;
             columns.push(match score {
                 Values::Numbers(values) => {
@@ -140,8 +140,8 @@ impl Prepared {
     }
 }
 
-/// A column of numbers that is empty where they are none: files of tables do not count what is not a number when they note
-/// the least and the greatest value, and an engine may rely on these.
+/// The column with null in place of NaN: Parquet files leave NaN out of the least and the greatest value that they
+/// store of a column, and an engine may rely on these.
 fn known(column: &ArrayRef) -> ArrayRef {
     let values = column.as_primitive::<Float64Type>();
     Arc::new(Float64Array::from_iter(values.iter().map(|value| value.filter(|value| !value.is_nan()))))

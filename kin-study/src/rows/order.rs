@@ -1,4 +1,4 @@
-//! The order of the best rows, as SQL writes it.
+//! The best rows, in an order that is written as in SQL.
 
 use super::formula::context;
 use crate::error::StudyError;
@@ -21,11 +21,11 @@ pub(crate) enum Kept {
     None,
     /// All that meet the conditions.
     All,
-    /// The best of them.
+    /// The best of those that meet the conditions.
     Best(Best),
 }
 
-/// So many rows that are first in an order.
+/// The first `count` rows in an order.
 #[derive(Clone, Debug)]
 pub(crate) struct Best {
     count: usize,
@@ -34,15 +34,15 @@ pub(crate) struct Best {
 }
 
 impl Best {
-    /// The first `count` rows of a table with these columns, in the order `by`; rows that are equal there stand in the order
-    /// of their numbers.
+    /// The first `count` rows of a table with these columns in the order `by`; rows that are equal in it are in the
+    /// order of their numbers.
     pub(super) fn new(count: usize, by: &str, schema: &SchemaRef) -> Result<Self, StudyError> {
         let wrong = |error: DataFusionError| StudyError::description(format!("`{by}`: {}", error.strip_backtrace()));
         let best = Self { count, by: by.to_owned(), keys: Vec::new() };
         let context = context(1);
         let empty = MemTable::try_new(Arc::clone(schema), vec![vec![]]).map_err(wrong)?;
         context.register_table("study", Arc::new(empty)).map_err(wrong)?;
-        // A plan over tables in memory waits for nothing.
+        // A plan over tables in memory is ready at once.
         let planned = context.sql(&best.sql("study")).now_or_never();
         let unplanned = || DataFusionError::Plan("it is no order".to_owned());
         let planned = planned.unwrap_or_else(|| Err(unplanned())).map_err(wrong)?;
@@ -56,12 +56,12 @@ impl Best {
         Ok(Self { keys, ..best })
     }
 
-    /// The question for these rows of a table.
+    /// The SQL query for these rows of a table.
     pub(crate) fn sql(&self, table: &str) -> String {
         format!("SELECT * FROM {table} ORDER BY {}, \"row\" LIMIT {}", self.by, self.count)
     }
 
-    /// The best rows of a batch, in order; all of them, as they are, where there are no more than are wanted.
+    /// The best rows of a batch, in order. If it has no more rows than are wanted, they stay in their own order.
     pub(crate) fn of(&self, batch: RecordBatch) -> Result<RecordBatch, StudyError> {
         if batch.num_rows() <= self.count {
             return Ok(batch);
@@ -78,7 +78,7 @@ impl Best {
 }
 
 impl Kept {
-    /// The question for what is kept of a table.
+    /// The SQL query for the rows of a table that are kept.
     pub(crate) fn sql(&self, table: &str) -> String {
         match self {
             Self::Best(best) => best.sql(table),
@@ -86,7 +86,8 @@ impl Kept {
         }
     }
 
-    /// What is kept of a batch: at least all of it that is kept of a table that holds the batch.
+    /// The rows of a batch that may be kept: they include all of its rows that are kept of any table with this batch in
+    /// it.
     pub(crate) fn of(&self, batch: RecordBatch) -> Result<RecordBatch, StudyError> {
         match self {
             Self::None => Ok(batch.slice(0, 0)),

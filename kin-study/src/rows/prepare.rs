@@ -1,4 +1,4 @@
-//! A study made ready for its mechanism: names resolved, formulas compiled, columns laid out.
+//! A study prepared for its mechanism: names resolved, formulas compiled, columns laid out.
 
 use super::formula::{Formula, context};
 use super::histogram::Bins;
@@ -14,7 +14,7 @@ use kin_runtime::Mechanism;
 use kin_runtime::model::{Model, ParameterInfo};
 use std::sync::Arc;
 
-/// Names of columns that every table has.
+/// Names that are reserved for columns of kin-study itself.
 const OWN: [&str; 5] = ["row", "mode", "margin", "ended", "limit"];
 
 /// A study that fits its mechanism.
@@ -25,16 +25,17 @@ pub(crate) struct Prepared {
     pub(super) sampler: Sampler,
     /// How many columns are sampled.
     pub(super) sampled: usize,
-    /// Columns behind them: parameters of the mechanism that the study does not name.
+    /// The values of the constant columns after the sampled ones: parameters of the mechanism that the study does not
+    /// name.
     pub(super) constants: Vec<f64>,
-    /// Formulas of further columns.
+    /// The formulas of the derived columns, which come after the constant ones.
     pub(super) derived: Vec<Formula>,
-    /// The columns before any formula, then with those of one formula after another.
+    /// The input columns before the first formula, and after every formula.
     pub(super) inputs: Vec<SchemaRef>,
     /// Where the parameters of the mechanism come from.
     pub(super) sources: Vec<Source>,
     pub(super) before: Vec<Formula>,
-    /// Places among the input columns of those that the table shows.
+    /// The indices of the input columns that the table shows.
     pub(super) shown: Vec<usize>,
     /// The columns of the table.
     pub(crate) schema: SchemaRef,
@@ -44,14 +45,14 @@ pub(crate) struct Prepared {
     pub(crate) rows: u64,
     /// Which rows are kept.
     pub(crate) kept: Kept,
-    /// The text that tells studies apart.
+    /// The text that identifies the study: studies with the same text have the same rows.
     pub(crate) identity: String,
 }
 
 /// Where a parameter of the mechanism comes from.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Source {
-    /// The input column at a place.
+    /// The input column with this index.
     Each(usize),
     /// The same number in all rows.
     Shared(f64),
@@ -61,7 +62,7 @@ fn number(name: &str) -> Field {
     Field::new(name, DataType::Float64, false)
 }
 
-/// What the list of a path is made of.
+/// The type of the numbers in the list of a path.
 pub(super) fn item() -> FieldRef {
     Arc::new(Field::new("item", DataType::Float32, false))
 }
@@ -76,7 +77,7 @@ impl Prepared {
         self.schema.fields().iter().map(count).sum()
     }
 
-    /// Makes a study ready for a mechanism.
+    /// Prepares a study for a mechanism.
     pub(crate) fn new<M>(study: &Study) -> Result<Self, StudyError>
     where
         M: Mechanism + Default + Send + Sync + 'static,
@@ -182,7 +183,7 @@ fn conditions(
     compiled.collect()
 }
 
-/// Whether every sampled name is a parameter of the mechanism, or at least stands in a formula that derives one.
+/// An error if a sampled name neither is a parameter of the mechanism nor occurs in the formula of a derived column.
 fn names_are_known(study: &Study, model: &Model) -> Result<(), StudyError> {
     let known = || model.parameters.iter().map(|parameter| parameter.name);
     for (name, _) in &study.parameters {
@@ -195,7 +196,7 @@ fn names_are_known(study: &Study, model: &Model) -> Result<(), StudyError> {
     Ok(())
 }
 
-/// Whether no two columns have the same name.
+/// An error if two columns have the same name.
 fn names_are_free(study: &Study) -> Result<(), StudyError> {
     let parameters = study.parameters.iter().map(|(name, _)| ("parameters", name));
     let derived = study.derived.iter().map(|(name, _)| ("derived", name));

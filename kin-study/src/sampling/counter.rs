@@ -1,4 +1,5 @@
-//! Random numbers by counting: the number of a row and a dimension follows from the two and the seed alone.
+//! Counter-based random numbers: each depends only on the seed, the row and the parameter, not on the numbers before
+//! it.
 
 /// Mixes all bits (the finaliser of splitmix64: Steele, Lea and Flood, 2014).
 fn mixed(bits: u64) -> u64 {

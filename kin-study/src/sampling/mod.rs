@@ -1,4 +1,4 @@
-//! Rows of numbers: what a row holds follows from its number alone, however the work is cut.
+//! Sampled values of parameters. Those of a row depend on its number alone, however the work is divided.
 
 mod counter;
 mod permutation;
@@ -17,16 +17,17 @@ pub enum Sampling {
     /// Independent random numbers.
     #[default]
     Random,
-    /// Of every parameter, as many slices of equal probability as there are rows, and one value in each (McKay, Beckman
-    /// and Conover, 1979).
+    /// The range of every parameter is divided into as many intervals of equal probability as there are rows, with one
+    /// value in each (McKay, Beckman and Conover, 1979).
     LatinHypercube,
-    /// Sobol's sequence, shifted by the seed: evener than random numbers in several dimensions together.
+    /// Sobol's sequence, with a random shift that depends on the seed: more even than random numbers in several
+    /// parameters together.
     Sobol,
     /// Every combination of lists and fixed values; the parameter that is named last changes fastest.
     Grid,
 }
 
-/// The numbers of all rows.
+/// Gives the values of the parameters in all rows.
 #[derive(Debug)]
 pub(crate) struct Sampler {
     ranges: Vec<Range>,
@@ -35,13 +36,13 @@ pub(crate) struct Sampler {
     way: Way,
 }
 
-/// What a way of sampling needs.
+/// A way of sampling with what it needs.
 #[derive(Debug)]
 enum Way {
     Random,
     LatinHypercube(Vec<Permutation>),
     Sobol(Sequence),
-    /// For every parameter, how many rows pass before it changes.
+    /// For every parameter, the number of rows after which it changes.
     Grid(Vec<u64>),
 }
 
@@ -83,7 +84,7 @@ impl Sampler {
         self.rows
     }
 
-    /// The number of one parameter in one row.
+    /// The value of one parameter in one row.
     pub(crate) fn at(&self, row: u64, parameter: usize) -> f64 {
         let range = &self.ranges[parameter];
         let random = |counter| unit(bits(self.seed, parameter as u64, counter));

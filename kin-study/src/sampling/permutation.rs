@@ -1,11 +1,12 @@
-//! A random order of 0 … n − 1 whose places are computed one by one, without a table.
+//! A random permutation of 0 … n − 1 whose elements are computed one by one, without a table.
 
 use super::counter::bits;
 
 /// Rounds of the network.
 const ROUNDS: u64 = 6;
 
-/// A permutation by a Feistel network over the next power of four, walked until it is below the count again.
+/// A permutation by a Feistel network over the next power of four, which is applied until the value is below the count
+/// (cycle walking).
 #[derive(Debug)]
 pub(super) struct Permutation {
     count: u64,
@@ -16,16 +17,17 @@ pub(super) struct Permutation {
 }
 
 impl Permutation {
-    /// The order that belongs to a seed and a stream.
+    /// The permutation for a seed and a stream.
     pub(super) fn new(count: u64, seed: u64, stream: u64) -> Self {
         let digits = u64::BITS - count.saturating_sub(1).leading_zeros();
         Self { count, half: digits.div_ceil(2).max(1), seed, stream }
     }
 
-    /// What stands at a place; both are below the count.
+    /// The element at a place; both are below the count.
     pub(super) fn at(&self, place: u64) -> u64 {
         let mut value = self.network(place);
-        // A power of four is at most four times the count, so a few rounds suffice; a cycle ends below the count.
+        // The power of four is at most four times the count, so that few applications suffice. The loop ends, because
+        // the cycle returns to `place`, which is below the count.
         while value >= self.count {
             value = self.network(value);
         }

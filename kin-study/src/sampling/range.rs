@@ -1,41 +1,41 @@
-//! What a parameter may be: one value, several, an interval, or a distribution.
+//! The range of a parameter: one value, several, an interval, or a distribution.
 
 use statrs::function::erf::{erfc, erfc_inv};
 use std::f64::consts::SQRT_2;
 
-/// What a parameter may be. All numbers are in the unit of the parameter.
+/// The values that a parameter may have. All numbers are in the unit of the parameter.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Range {
     /// The same in every row.
     Fixed(f64),
-    /// One of these, each as often as any other.
+    /// One of these values, each with the same probability.
     List(Vec<f64>),
-    /// Evenly distributed between two values.
+    /// Uniformly distributed between two values.
     Uniform {
         /// The least value.
         from: f64,
         /// The greatest value.
         to: f64,
     },
-    /// Its logarithm is evenly distributed; both values are positive.
+    /// A value whose logarithm is uniformly distributed; both bounds are positive.
     LogUniform {
         /// The least value.
         from: f64,
         /// The greatest value.
         to: f64,
     },
-    /// Normally distributed, cut off at two values.
+    /// Normally distributed, truncated at two values.
     Normal {
-        /// The mean before it is cut off.
+        /// The mean before truncation.
         mean: f64,
-        /// The standard deviation before it is cut off.
+        /// The standard deviation before truncation.
         deviation: f64,
-        /// Nothing is less; −∞ cuts nothing off.
+        /// The least value, or −∞.
         from: f64,
-        /// Nothing is greater; ∞ cuts nothing off.
+        /// The greatest value, or ∞.
         to: f64,
     },
-    /// A density that rises linearly up to its mode and falls linearly behind it.
+    /// A density that rises linearly up to its mode and falls linearly after it.
     Triangular {
         /// The least value.
         from: f64,
@@ -91,7 +91,7 @@ impl Range {
         }
     }
 
-    /// How many values a grid takes; none where it has none of its own.
+    /// The number of values that a grid takes; `None` for an interval or a distribution.
     pub(super) fn count(&self) -> Option<u64> {
         match self {
             Self::Fixed(_) => Some(1),
@@ -100,7 +100,7 @@ impl Range {
         }
     }
 
-    /// How much of the normal distribution is not cut off.
+    /// The share of the normal distribution that truncation leaves.
     fn mass(&self) -> f64 {
         match *self {
             Self::Normal { mean, deviation, from, to } => {

@@ -1,4 +1,4 @@
-//! Sobol's sequence, any point of it directly (direction numbers of Joe and Kuo, 2008).
+//! Sobol's sequence, of which any point is computed directly (direction numbers of Joe and Kuo, 2008).
 
 use super::counter::bits;
 use sobol::Sobol;
@@ -12,10 +12,10 @@ pub(super) struct Sequence {
 }
 
 impl Sequence {
-    /// How many dimensions there are at most.
+    /// Largest number of dimensions.
     pub(super) const DIMENSIONS: usize = 1000;
 
-    /// The sequence in so many dimensions, at most [`DIMENSIONS`](Self::DIMENSIONS).
+    /// The sequence in `dimensions` dimensions, at most [`DIMENSIONS`](Self::DIMENSIONS).
     pub(super) fn new(dimensions: usize, seed: u64) -> Self {
         let table = JoeKuoD6::standard();
         let directions = Sobol::<f64>::init_direction_vals(dimensions, u64::BITS as usize, &table);
@@ -41,7 +41,7 @@ mod tests {
 
     #[test]
     fn the_first_points_are_the_published_ones() {
-        // Without its shift; the published order goes by the Gray code of the row.
+        // Without its shift. The published points are in the order of the Gray code of the row.
         let sequence = Sequence { shifts: vec![0; 3], ..Sequence::new(3, 0) };
         let point = |row: u64| [0, 1, 2].map(|k| sequence.bits(row ^ (row >> 1), k) as f64 / 2.0_f64.powi(64));
         assert_eq!(point(0), [0.0; 3]);

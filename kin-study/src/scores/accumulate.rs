@@ -1,4 +1,4 @@
-//! Scores gathered in lanes, instant after instant.
+//! Scores accumulated in lanes, instant after instant.
 
 use super::reporter::Reporter;
 use super::score::{Measure, Score};
@@ -6,29 +6,29 @@ use crate::suggest::unknown;
 use kin_runtime::batch::Moment;
 use kin_runtime::{Lanes, Mechanism, Scalar};
 
-/// How a score is gathered; `state` is its first number in a block's state.
+/// How a score is accumulated; a variant says what its state holds.
 #[derive(Clone, Debug)]
 enum Rule {
-    /// The value so far.
+    /// The least or greatest value so far.
     Least,
     Greatest,
     /// The sum so far.
     Mean,
-    /// The least and the greatest so far.
+    /// The least and the greatest value so far.
     Range,
-    /// The value and the instant so far.
+    /// The least or greatest value so far, and its instant.
     TimeOfLeast,
     TimeOfGreatest,
-    /// At this place among the instants.
+    /// The value at the instant with this index.
     At(usize),
-    /// Of every point the square of its distance so far; y is the quantity behind x.
+    /// For every given point, the square of its least distance so far. The quantity after that of x is y.
     Distance(Vec<[f64; 2]>, Measure),
-    /// x and y at all of so many instants.
+    /// x and y at all instants, whose number this is.
     Path(usize),
 }
 
 impl Rule {
-    /// How many numbers it needs, and what they begin with.
+    /// The initial values of its state.
     fn start(&self) -> Vec<f64> {
         match self {
             Self::Least => vec![f64::INFINITY],
@@ -43,10 +43,10 @@ impl Rule {
     }
 }
 
-/// What is gathered of a block.
+/// The accumulated state of a block.
 pub(crate) type Gathering = Box<[Lanes]>;
 
-/// A score of the study: its rule, its quantity and its state.
+/// A score of the study: its rule, and the indices of its quantity and of its first number in the state of a block.
 #[derive(Clone, Debug)]
 struct Gathered {
     rule: Rule,
@@ -63,11 +63,11 @@ pub(crate) struct Scoring<M> {
 }
 
 impl<M: Mechanism + 'static> Scoring<M> {
-    /// The scores over a motion with these instants; an error names the place of its score.
+    /// The scores over a motion with these instants; an error has the index of its score.
     pub(crate) fn new(scores: &[&Score], times: &[f64]) -> Result<Self, (usize, String)> {
         let mut names: Vec<String> = Vec::new();
         let mut gathered = Vec::with_capacity(scores.len());
-        // The least margin stands before all scores.
+        // The least margin comes before all scores.
         let mut state = 1;
         for (place, score) in scores.iter().enumerate() {
             let quantity = names.len();
@@ -81,7 +81,7 @@ impl<M: Mechanism + 'static> Scoring<M> {
         Ok(Self { reporter, scores: gathered, instants: times.len(), state })
     }
 
-    /// What a block begins with.
+    /// The initial state of a block.
     pub(crate) fn start(&self) -> Gathering {
         let rules = self.scores.iter().flat_map(|score| score.rule.start());
         let numbers: Box<[Lanes]> = std::iter::once(f64::INFINITY).chain(rules).map(Lanes::from).collect();
@@ -89,7 +89,7 @@ impl<M: Mechanism + 'static> Scoring<M> {
         numbers
     }
 
-    /// Takes in a block of sets at one instant. Lanes that have ended gather nothing that counts.
+    /// Adds a block of sets at one instant. What lanes accumulate after the end of their motion is not used.
     #[inline]
     pub(crate) fn visit(&self, mechanism: &M, gathering: &mut [Lanes], moment: &Moment<'_>) {
         let mut room = self.reporter.evaluates().then(|| self.reporter.room());
@@ -132,7 +132,7 @@ impl<M: Mechanism + 'static> Scoring<M> {
         gathering[0]
     }
 
-    /// x and y at all instants, one after another, where the score at a place is a path.
+    /// x and y at all instants, one after another, if the score at this index is a path.
     pub(crate) fn path<'g>(&self, place: usize, gathering: &'g [Lanes]) -> Option<&'g [Lanes]> {
         match self.scores[place] {
             Gathered { rule: Rule::Path(instants), state, .. } => Some(&gathering[state..][..2 * instants]),
@@ -140,7 +140,7 @@ impl<M: Mechanism + 'static> Scoring<M> {
         }
     }
 
-    /// The score at a place, of a block whose motion is complete.
+    /// The score at this index, of a block whose motion is complete.
     pub(crate) fn score(&self, place: usize, gathering: &[Lanes]) -> Lanes {
         let Gathered { rule, state: first, .. } = &self.scores[place];
         let state = &gathering[*first..];
@@ -164,7 +164,7 @@ impl<M: Mechanism + 'static> Scoring<M> {
     }
 }
 
-/// How a score is gathered; the names of its quantities are added to the list.
+/// The rule of a score; the names of its quantities are added to the list.
 fn rule<M: Mechanism>(score: &Score, times: &[f64], names: &mut Vec<String>) -> Result<Rule, String> {
     let (of, rule) = match score {
         Score::Least(of) => (of, Rule::Least),
@@ -199,7 +199,7 @@ fn coordinates<M: Mechanism>(point: &str) -> Result<[String; 2], String> {
     }
 }
 
-/// The place of an instant, which must be one of the motion's to within rounding.
+/// The index of an instant, which must be one of those of the motion to within rounding.
 fn instant(times: &[f64], t: f64) -> Result<usize, String> {
     let away = |place: &usize| (times[*place] - t).abs();
     let nearest = (0..times.len()).min_by(|a, b| away(a).total_cmp(&away(b)));
@@ -211,21 +211,21 @@ fn instant(times: &[f64], t: f64) -> Result<usize, String> {
     }
 }
 
-/// The lesser of two numbers, lane by lane; the first where the second is none.
+/// The lesser of two numbers, lane by lane; the first if the second is NaN.
 #[inline(always)]
 fn least(old: Lanes, new: Lanes) -> Lanes {
     let (old, new) = (old.to_array(), new.to_array());
     Lanes::generate(|lane| if new[lane] < old[lane] { new[lane] } else { old[lane] })
 }
 
-/// The greater of two numbers, lane by lane; the first where the second is none.
+/// The greater of two numbers, lane by lane; the first if the second is NaN.
 #[inline(always)]
 fn greatest(old: Lanes, new: Lanes) -> Lanes {
     let (old, new) = (old.to_array(), new.to_array());
     Lanes::generate(|lane| if new[lane] > old[lane] { new[lane] } else { old[lane] })
 }
 
-/// Keeps a value that is better than that at hand, and its instant.
+/// Replaces the value in the state and its instant in the lanes in which the new value is better.
 #[inline(always)]
 fn first(state: &mut [Lanes], value: Lanes, t: f64, better: impl Fn(f64, f64) -> bool) {
     let (new, old, at) = (value.to_array(), state[0].to_array(), state[1].to_array());

@@ -1,4 +1,4 @@
-//! Scores: what is kept of a motion, gathered in lanes.
+//! Scores: what is kept of a motion, accumulated in lanes.
 
 mod accumulate;
 mod path;

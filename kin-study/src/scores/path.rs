@@ -1,7 +1,7 @@
-//! Paths that differ only in place, size and direction, made alike.
+//! Normalised paths, which are equal for paths that differ only in position, size and direction.
 
-/// Moves, turns and scales a path, x and y of one point after another, as [`Score::Path`](crate::Score::Path) says. One that
-/// is a single point becomes the origin.
+/// Moves, turns and scales a path, x and y of one point after another, as [`Score::Path`](crate::Score::Path)
+/// describes. If all points are the same, or a number is not finite, all numbers become 0.
 pub fn normalise(path: &mut [f64]) {
     let (points, _) = path.as_chunks_mut::<2>();
     let count = points.len() as f64;

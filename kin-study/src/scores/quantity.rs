@@ -1,14 +1,14 @@
-//! The quantities of a mechanism by name: those that kin reports, and what else a score may be of.
+//! The quantities of a mechanism by name: those that kin reports, and others that a score may use.
 
 use crate::suggest::unknown;
 use kin_runtime::Measure;
 use kin_runtime::measure::Source;
 use kin_runtime::model::Model;
 
-/// The last letters of a name, for a value, its rate and its acceleration.
+/// The suffixes of names for a value, its rate and its acceleration.
 const SUFFIXES: [&str; 3] = ["", "_dot", "_ddot"];
 
-/// What is made of a value.
+/// A function of a value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Made {
     /// The value itself.

@@ -10,7 +10,7 @@ use std::cell::Cell;
 use std::f64::consts::FRAC_PI_2;
 use std::marker::PhantomData;
 
-/// Gives the quantities that the scores of a study want.
+/// Evaluates the quantities that the scores of a study need.
 pub(crate) struct Reporter<M> {
     quantities: Vec<Quantity>,
     observes: bool,
@@ -22,11 +22,11 @@ pub(crate) struct Reporter<M> {
 }
 
 thread_local! {
-    /// Room that a thread uses moment after moment, whatever the mechanism is.
+    /// Buffers that a thread uses again at every moment, for any mechanism.
     static ROOM: Cell<Option<Box<dyn Any>>> = const { Cell::new(None) };
 }
 
-/// What is evaluated once for a moment, where a quantity wants it.
+/// What is evaluated once for a moment, as far as a quantity needs it.
 pub(super) struct Evaluated<M: Mechanism> {
     observations: Option<Observations<M, Lanes>>,
     geometry: Vec<Lanes>,
@@ -49,13 +49,13 @@ impl<M: Mechanism + 'static> Reporter<M> {
         Ok(Self { quantities, observes, places, has_forces, entries, mechanism: PhantomData })
     }
 
-    /// Whether a quantity wants more than coordinates and their rates.
+    /// Whether a quantity needs more than t, inputs, coordinates and their rates.
     #[inline]
     pub(super) fn evaluates(&self) -> bool {
         self.observes || self.has_forces
     }
 
-    /// Room for what the quantities have in common: that of this thread, where it has some that fits.
+    /// Buffers for what the quantities have in common: those of this thread, if it has some of the right lengths.
     pub(super) fn room(&self) -> Box<Evaluated<M>> {
         let known = ROOM.take().and_then(|room| room.downcast::<Evaluated<M>>().ok());
         let fits = |room: &Evaluated<M>| {
@@ -65,7 +65,7 @@ impl<M: Mechanism + 'static> Reporter<M> {
         known.filter(|room| fits(room)).unwrap_or_else(|| self.new_room())
     }
 
-    /// Keeps room for the next moment of this thread.
+    /// Keeps the buffers for the next moment of this thread.
     pub(super) fn keep(room: Box<Evaluated<M>>) {
         ROOM.set(Some(room));
     }
@@ -97,7 +97,7 @@ impl<M: Mechanism + 'static> Reporter<M> {
         debug_assert!(fits, "all lists have the lengths of the mechanism");
     }
 
-    /// The quantity at a place of the list.
+    /// The value of the quantity with this index.
     #[inline]
     pub(super) fn value(&self, place: usize, evaluated: Option<&Evaluated<M>>, moment: &Moment<'_>) -> Lanes {
         let quantity = &self.quantities[place];

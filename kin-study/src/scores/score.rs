@@ -1,12 +1,13 @@
 //! What is kept of a motion.
 
-/// What is kept of a motion, one number for every row.
+/// What is kept of a motion: one number for every row, or a list for a path.
 ///
-/// A quantity has the name that kin prints: `rocker.phi`, `tip.x`, a define, `slide.stroke`, each also with `_dot` or
-/// `_ddot` behind it for its rate and its acceleration; `tip.speed`; `B.transmission` is the transmission angle at a joint,
-/// in [0, π] (`B.transmission_A_D` where it has several), `B.deviation` how far it is from π/2; where there are masses or loads, `drive.effort`, `B.force_x`, `B.force_y`,
-/// `B.force`, `B.moment`, the tension of a spring, `shaking.force` and `shaking.moment`. Between bars (`|tip.x_ddot|`) its
-/// magnitude is meant. Units follow the parameters, angles are in radians.
+/// A quantity has the name that kin prints: `rocker.phi`, `tip.x`, a define, `slide.stroke`, each also with the suffix
+/// `_dot` or `_ddot` for its rate and its acceleration; `tip.speed`; `B.transmission` for the transmission angle at a
+/// joint, in [0, π] (`B.transmission_A_D` if the joint has several), and `B.deviation` for its distance from π/2; with
+/// masses or loads also `drive.effort`, `B.force_x`, `B.force_y`, `B.force`, `B.moment`, the tension of a spring,
+/// `shaking.force` and `shaking.moment`. A name between bars (`|tip.x_ddot|`) stands for the absolute value. Units
+/// follow the parameters, angles are in radians.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Score {
     /// The least value over the instants.
@@ -15,7 +16,7 @@ pub enum Score {
     Greatest(String),
     /// The mean over the instants, each with the same weight.
     Mean(String),
-    /// The greatest value less the least.
+    /// The greatest value minus the least.
     Range(String),
     /// The first instant t of the least value.
     TimeOfLeast(String),
@@ -25,11 +26,11 @@ pub enum Score {
     At {
         /// The quantity.
         of: String,
-        /// The instant, one of those of the motion.
+        /// The instant, which must be one of those of the motion.
         t: f64,
     },
-    /// How far the path of a named point stays away from given points: of every given point the distance to the nearest
-    /// place that the point reaches at an instant.
+    /// How far given points are from the path of a named point: for every given point, its distance from the nearest
+    /// position of the named point at an instant.
     Distance {
         /// The point of the mechanism.
         point: String,
@@ -42,15 +43,16 @@ pub enum Score {
     Path {
         /// The point of the mechanism.
         point: String,
-        /// Moved, turned and scaled so that paths of one shape are alike: their mean is the origin, their distance from it is
-        /// 1 in the root of the mean square, and the axis along which they extend farthest is x, with the longer tail in
-        /// positive direction. They are not mirrored, and begin where they begin.
+        /// Whether the path is moved, turned and scaled so that paths of the same shape become equal: the mean of its
+        /// points is the origin, the root mean square of their distances from it is 1, and x is the principal axis of
+        /// the greatest second moment, with a third moment along it that is not negative. It is not mirrored, and its
+        /// first point stays the first.
         normalised: bool,
     },
 }
 
 impl Score {
-    /// How many numbers the list of a path has over so many instants; none for a number.
+    /// The length of the list of a path over this number of instants; `None` for scores that are one number.
     pub(crate) fn list(&self, instants: usize) -> Option<usize> {
         matches!(self, Self::Path { .. }).then_some(2 * instants)
     }

@@ -7,19 +7,19 @@ use kin_runtime::Sign;
 use std::fmt;
 
 impl Study {
-    /// A study of nothing yet.
+    /// An empty study.
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// How many sets of dimensions there are; a grid says so itself.
+    /// The number of sets of dimensions; a grid determines it by its lists.
     #[must_use]
     pub fn rows(mut self, rows: u64) -> Self {
         self.rows = Some(rows);
         self
     }
 
-    /// Another seed, another set of random numbers; 0 where nobody says.
+    /// The seed of the random numbers, 0 by default.
     #[must_use]
     pub fn seed(mut self, seed: u64) -> Self {
         self.seed = seed;
@@ -33,30 +33,30 @@ impl Study {
         self
     }
 
-    /// What a parameter of the mechanism may be; those that are not named keep their defaults. A name that is none of the
-    /// mechanism's is a column for formulas.
+    /// The range of a parameter; parameters without a range keep their defaults. A name that is no parameter of the
+    /// mechanism is a column that formulas may use.
     #[must_use]
     pub fn parameter(mut self, name: &str, range: Range) -> Self {
         self.parameters.push((name.to_owned(), range));
         self
     }
 
-    /// A parameter, or a column for later formulas, that follows from those before it by an SQL expression.
+    /// A parameter, or a column for later formulas, given by an SQL expression of the columns before it.
     #[must_use]
     pub fn derived(mut self, name: &str, formula: &str) -> Self {
         self.derived.push((name.to_owned(), formula.to_owned()));
         self
     }
 
-    /// A condition on parameters and derived columns, an SQL expression: rows that miss it are not solved.
+    /// A condition on parameters and derived columns, an SQL expression: rows that do not meet it are not solved.
     #[must_use]
     pub fn condition(mut self, condition: &str) -> Self {
         self.before.push(condition.to_owned());
         self
     }
 
-    /// A condition on a row with its scores, an SQL expression: rows that miss it are not kept. Rows that could not be
-    /// solved to the end have no scores, and miss every condition on one.
+    /// A condition on a row with its scores, an SQL expression: rows that do not meet it are not kept. The scores of a
+    /// row whose motion ended early are null, and comparisons with null are not met.
     #[must_use]
     pub fn keep_where(mut self, condition: &str) -> Self {
         self.after.push(condition.to_owned());
@@ -77,14 +77,14 @@ impl Study {
         self
     }
 
-    /// An input over the motion.
+    /// The values of an input over the motion.
     #[must_use]
     pub fn input(mut self, name: &str, ramp: Ramp) -> Self {
         self.inputs.push((name.to_owned(), ramp));
         self
     }
 
-    /// A closure by the name of its mode; the others are those of the guess.
+    /// The sign of an assembly mode; all other modes have the signs of the guess.
     #[must_use]
     pub fn mode(mut self, name: &str, sign: Sign) -> Self {
         let mut signs = match self.modes {
@@ -96,14 +96,14 @@ impl Study {
         self
     }
 
-    /// Every closure, a row for each.
+    /// Every combination of the signs of all modes, a row for each.
     #[must_use]
     pub fn all_modes(mut self) -> Self {
         self.modes = Closures::All;
         self
     }
 
-    /// A score, and the name of its column.
+    /// A score, in a column of this name.
     #[must_use]
     pub fn score(mut self, name: &str, score: Score) -> Self {
         self.scores.push((name.to_owned(), score));
@@ -117,14 +117,15 @@ impl Study {
         self
     }
 
-    /// Counts how often a column falls into each of some intervals, over all rows that pass.
+    /// Counts how often the values of a column fall into each of several intervals, over all rows that meet all
+    /// conditions.
     #[must_use]
     pub fn histogram(mut self, histogram: Histogram) -> Self {
         self.histograms.push(histogram);
         self
     }
 
-    /// The line of something in its file, where it comes from one.
+    /// The line of an entry in the file of the study, if it was read from one.
     pub(crate) fn line(&self, place: &str) -> Option<usize> {
         self.lines.get(place).copied()
     }
@@ -143,7 +144,7 @@ pub(super) fn grid(from: f64, to: f64, steps: usize) -> Vec<f64> {
     (0..=steps).map(|k| if k == steps && k > 0 { to } else { from + (to - from) * (k as f64 / last) }).collect()
 }
 
-/// All that it says, the same text for the same study: two studies with one text have the same rows.
+/// Everything that determines the results: two studies with the same text have the same rows.
 impl fmt::Debug for Study {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("Study")

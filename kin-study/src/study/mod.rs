@@ -1,4 +1,4 @@
-//! A study: which designs, which motion, which scores, and what is kept.
+//! A study: its designs, their motion, the scores, and the rows that are kept.
 
 mod build;
 mod read;
@@ -9,7 +9,7 @@ use crate::scores::Score;
 use kin_runtime::Sign;
 use std::collections::BTreeMap;
 
-/// A study: which designs, which motion, which scores, and what is kept.
+/// A study: its designs, their motion, the scores, and the rows that are kept.
 ///
 /// ```
 /// use kin_study::{Range, Score, Study};
@@ -69,23 +69,23 @@ pub struct Study {
     pub(crate) histograms: Vec<Histogram>,
     /// Only histograms are kept.
     pub(crate) no_rows: bool,
-    /// The lines of a file: of a parameter by `parameters.l2`, of a list by `conditions.before`.
+    /// The lines of the entries of a file: of a parameter by `parameters.l2`, of a condition by `conditions.before.0`.
     pub(crate) lines: BTreeMap<String, usize>,
 }
 
-/// Which closures of a mechanism a study goes through.
+/// The closures of a mechanism that a study computes.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub enum Closures {
-    /// That of the mechanism with its default dimensions, where its guess puts it.
+    /// The closure that the mechanism's guess leads to, with its default dimensions and the fixed ones of the study.
     #[default]
     OfGuess,
-    /// That of the guess, but for the modes with these names.
+    /// The same with these signs of the modes with these names.
     Signs(Vec<(String, Sign)>),
-    /// Every combination of signs: as many rows for every set of dimensions, told apart by the column `mode`.
+    /// Every combination of signs: a row for each for every set of dimensions, distinguished by the column `mode`.
     All,
 }
 
-/// An input of the mechanism over the motion: it changes steadily from one value to another.
+/// An input of the mechanism over the motion: it changes from one value to another at a constant rate.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ramp {
     /// Its value at the first instant.
@@ -94,7 +94,7 @@ pub struct Ramp {
     pub to: f64,
 }
 
-/// How often a column falls into each of several intervals of the same width.
+/// How often the values of a column fall into each of several intervals of the same width.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Histogram {
     /// A parameter, a derived column or a score.

@@ -6,7 +6,7 @@ use crate::scores::{Measure, Score};
 use std::fmt::{self, Write};
 
 impl Study {
-    /// The study as TOML text: [`from_toml`](Self::from_toml) makes the same study of it, with the same numbers.
+    /// The study as TOML text, from which [`from_toml`](Self::from_toml) makes the same study with the same numbers.
     pub fn to_toml(&self) -> String {
         let mut text = String::new();
         // Nothing fails when it is written to a string.
@@ -58,7 +58,7 @@ impl Study {
     }
 }
 
-/// A table of names of the user's own.
+/// A TOML table whose keys are names of the user.
 fn table<'a>(f: &mut String, title: &str, entries: impl Iterator<Item = (&'a String, String)>) -> fmt::Result {
     writeln!(f, "\n[{title}]")?;
     entries.into_iter().try_for_each(|(name, value)| writeln!(f, "{} = {value}", quoted(name)))

@@ -20,10 +20,10 @@ use kin_runtime::mechanism;
 #[spring(spring: follower @ (-0.026, -0.0076), cam @ (0.01, -0.024), stiffness = 126, free_length = 0.174, damping = 23.8)]
 #[torsion_spring(torsion: ground, cam, stiffness = 0.842, free_angle = -0.204, damping = 0.0659)]
 pub struct CamEllipseImplicit {
-    /// Half axis along x of the cam
+    /// Semi-axis along x of the cam
     #[param(0.23)]
     pub a: f64,
-    /// Half axis along y
+    /// Semi-axis along y
     #[param(0.17)]
     pub b: f64,
     /// Offset of the guide, which the file carries without using it

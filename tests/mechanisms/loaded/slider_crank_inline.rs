@@ -2,7 +2,7 @@
 
 use kin_runtime::mechanism;
 
-/// In-line slider-crank with a crank that is not driven uniformly; the rod's frame stands off the link line.
+/// In-line slider-crank with a crank that is not driven uniformly; the rod's frame is off the line of its joints.
 #[mechanism]
 #[bodies(crank, rod, slider)]
 #[point(slider_B = slider @ (0.02, -0.03))]

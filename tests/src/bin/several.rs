@@ -83,7 +83,7 @@ struct Arm {
 #[derive(Default)]
 struct DeadCentre;
 
-/// A follower that lies on an eccentric disc with its weight alone, and lifts off where the disc falls faster.
+/// A follower that only its weight holds on an eccentric disc, and that lifts off where the disc falls faster.
 #[mechanism]
 #[bodies(cam, follower)]
 #[revolute(O: ground @ (0, 0), cam @ (0, 0))]

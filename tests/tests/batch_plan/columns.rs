@@ -1,4 +1,4 @@
-//! Tests that the lengths of columns are checked, and that a batch of solutions does not allocate inside.
+//! The lengths of columns are checked, and a batch of solutions does not allocate memory while it is solved.
 
 use super::Drawn;
 use allocation_counter::measure;

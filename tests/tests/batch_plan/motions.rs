@@ -1,4 +1,4 @@
-//! Motions of many parameter sets: masks, ends, cancellation, and no allocation inside.
+//! Motions of many parameter sets: masks, ends, cancellation, and no allocations during the computation.
 
 use allocation_counter::measure;
 use kin_runtime::batch::{BatchError, Column, Modes, Moment, Motions, Progress, Sweeps, always, sweep};

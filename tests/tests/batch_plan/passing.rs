@@ -1,4 +1,5 @@
-//! Limits that a redundant mechanism passes, because only the rows that the plan uses have them.
+//! Limits of the rows that the plan uses, which a redundant mechanism passes because its other rows have no limit
+//! there.
 
 use kin_runtime::batch::{Column, Modes, Moment, Motions, Sweeps, always, sweep};
 use kin_runtime::{Instant, Kinematics, Lanes, Mechanism, PlanError, Planned, mechanism};

@@ -1,5 +1,5 @@
-//! Motions through folds and crossings of branches, compared with closed forms: a motion ends there with a typed error,
-//! or continues along its analytic branch. No other state is ever accepted.
+//! Motions through folds of branches (dead centres) and crossings of branches, compared with closed forms: a motion
+//! ends there with a typed error, or continues along its analytic branch. No other state is accepted.
 //!
 //! Every motion is followed by all methods: a sweep with the plan and one without, a tracker, a follower of the plan,
 //! and a batch. `KIN_SWEEPS` sets the number of sweeps.

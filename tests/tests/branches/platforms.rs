@@ -1,5 +1,6 @@
-//! Platforms on three driven cranks with links, or on three cylinders, that are moved to a singular pose and back: slightly less far, or slightly
-//! farther. There is no closed form, so the reference is an arc-length continuation in this test.
+//! Platforms on three driven cranks with links, or on three cylinders, that are moved to a singular pose and back, to
+//! slightly before it or slightly beyond it. There is no closed form, so the reference is an arc-length continuation in
+//! this test.
 
 use crate::case::{Case, Group};
 use crate::draw::Draw;

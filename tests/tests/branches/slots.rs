@@ -1,5 +1,5 @@
-//! Motions with little rotation or none: pins in waved slots, long arms on them, and Kepler's equation. An iteration could
-//! pass a dead centre and go on along another part of the curve, since no body turns far.
+//! Motions with little rotation or none: pins in waved slots, long arms on them, and Kepler's equation. Since no body
+//! turns far, an iteration could pass a dead centre and continue on another part of the curve.
 
 use crate::case::{Case, Group};
 use crate::draw::Draw;

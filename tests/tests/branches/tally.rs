@@ -1,4 +1,4 @@
-//! Counts of verdicts over many motions, and the law that they must obey.
+//! Counts of verdicts over many motions, and the condition that they must satisfy.
 
 use crate::case::Verdict;
 use crate::ways::WAYS;

@@ -1,4 +1,4 @@
-//! Where a mechanism does not close, and what counting says of it.
+//! Messages about mechanisms that do not close, motions between limits, and the count of degrees of freedom.
 
 use super::{failed, good, kin};
 

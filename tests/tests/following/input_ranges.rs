@@ -1,4 +1,4 @@
-//! What inputs can be: against closed forms, and against a fine search with the follower itself.
+//! The ranges of inputs in which a mechanism closes, compared with closed forms and with a fine search by the follower.
 
 use kin_runtime::{Instant, Kinematics, Mechanism, Planned, Signal, mechanism};
 use kin_tests::mechanisms::{MeasuredExcavator, signals};

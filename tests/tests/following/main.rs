@@ -1,4 +1,4 @@
-//! What follows a motion: trackers, plans, inputs, batches and limits.
+//! Motions followed instant by instant: by trackers and plans, with inputs, in batches, and up to limits.
 
 mod batch;
 mod controller;

@@ -1,4 +1,5 @@
-//! Special dimensions and starts: equal pulleys, a dimension of 0 by which the plan divides, a start beside a dead centre.
+//! Special dimensions and starts: equal pulleys, a dimension of 0 by which the plan divides, a start beside a dead
+//! centre.
 
 use kin_runtime::{Instant, Kinematics, Options, Planned, mechanism};
 

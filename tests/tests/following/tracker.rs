@@ -1,4 +1,4 @@
-//! The tracker against sweeps, along its branch to the end of the range and back.
+//! The tracker compared with sweeps, along its branch to the end of the range and back.
 
 use kin_runtime::{
     GeometryFault, Instant, Kinematics, LengthError, Mechanism, Options, Refusal, Signal, SolveError, State, Tracker,

@@ -1,4 +1,4 @@
-//! Transmission angles against the law of cosines, and which joints have one.
+//! Transmission angles compared with the law of cosines, and which joints have one.
 
 use kin_runtime::{Instant, Kinematics, mechanism};
 use kin_tests::mechanisms::*;

@@ -1,4 +1,4 @@
-//! Where the bodies of a mechanism are, and how points of them move, from the poses alone.
+//! The poses of bodies, and positions, velocities and accelerations of their points from these alone.
 
 use crate::{Loads, Place};
 use kin_runtime::State;

@@ -1,4 +1,4 @@
-//! The balance of power: in itself, and against differences of the energy along the motion.
+//! The balance of power: within the reported values, and compared with differences of the energy along the motion.
 
 use crate::{Weighted, forces_at, swept};
 use kin_runtime::Forces;

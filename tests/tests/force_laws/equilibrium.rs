@@ -1,5 +1,5 @@
-//! Newton's and Euler's equations of every body, from the reported reactions alone, and the sum of all that the ground
-//! carries.
+//! Newton's and Euler's equations of every body, from the reported reactions alone, and the resultant of all forces on
+//! the ground.
 
 use crate::bodies::{Sum, named, poses, slot};
 use crate::{Weighted, forces_at, swept};

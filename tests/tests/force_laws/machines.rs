@@ -1,4 +1,4 @@
-//! One machine has one set of forces, however it is written: a slider-crank with Cartesian bodies, with held and carried
+//! A machine has the same forces in every formulation: a slider-crank with Cartesian bodies, with held and carried
 //! origins, with other joints for its guide, and by formulas of three scalar coordinates.
 
 use kin_runtime::{Forces, Instant, Kinematics, mechanism};

@@ -1,7 +1,8 @@
 //! Laws of forces for every test mechanism, with a mass on every body and random loads of every kind.
 //!
-//! The build script writes the mechanisms with their masses and loads, and a table of these beside each. What bodies need
-//! is computed from that table and from the motion; what they get, from the reported reactions.
+//! The build script writes the mechanisms with their masses and loads, and a table of these beside each. The forces
+//! that the accelerations of bodies require are computed from that table and from the motion; the forces that act on
+//! them, from the reported reactions.
 
 mod bodies;
 mod energy;

@@ -1,4 +1,4 @@
-//! Every kind of joint is among the mechanisms of the laws.
+//! Every kind of joint occurs in the mechanisms for which the laws are tested.
 
 use crate::kinds;
 use kin_core::joints::forms;

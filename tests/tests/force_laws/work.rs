@@ -1,5 +1,5 @@
-//! Virtual work at rest: the effort of a driver is the derivative of the potential energy by what it drives, less the
-//! work of the other loads, by differences of the mechanism solved again with that driver moved.
+//! Virtual work at rest: the effort of a driver is the derivative of the potential energy with respect to the driven
+//! quantity, minus the work of the other loads. Derivatives are differences between solutions with the driver moved.
 
 use crate::bodies::{named, poses};
 use crate::{FiveBarLeg, MeasuredExcavator, Weighted};

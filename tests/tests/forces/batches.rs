@@ -1,4 +1,4 @@
-//! Forces of batches against those of single states.
+//! Forces of batches compared with those of single states.
 
 use crate::machines::*;
 use kin_runtime::batch::{

@@ -1,4 +1,4 @@
-//! What redundant rows leave undetermined, what they do not, and the least forces where they are asked for.
+//! Forces that redundant rows leave undetermined, forces that are determined nevertheless, and forces of least norm.
 
 use crate::machines::*;
 use kin_runtime::{Forces, Instant, Kinematics, Mechanism, Signal, SolveError, State, mechanism};

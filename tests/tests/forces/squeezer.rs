@@ -1,7 +1,8 @@
-//! Andrews' squeezer with the masses, the spring and the torque of the test set for initial value problem solvers, in its
-//! seven angles: the multipliers of its six loop equations at both ends of the interval that is published.
+//! Andrews' squeezer with the masses, the spring and the torque of the test set for initial value problem solvers, in
+//! its seven angles: the multipliers of its six loop equations at both ends of the interval that is published.
 //!
-//! Source: E. Hairer and G. Wanner, *Solving Ordinary Differential Equations II*, section VII.7; F. Mazzia and C. Magherini,
+//! Source: E. Hairer and G. Wanner, *Solving Ordinary Differential Equations II*, section VII.7; F. Mazzia and C.
+//! Magherini,
 //! *Test Set for Initial Value Problem Solvers*, release 2.4, "Andrews' squeezing mechanism".
 
 use kin_runtime::{Forces, Instant, Kinematics, Signal, mechanism};

@@ -1,4 +1,4 @@
-//! The printed M and Q of M q̈ + Φ_qᵀ λ = Q, read and evaluated, give what constraints must balance.
+//! The printed M and Q of M q̈ + Φ_qᵀ λ = Q, read and evaluated, give the same Q − M q̈ as the code.
 
 #[path = "../laws/typeset/latex.rs"]
 mod latex;

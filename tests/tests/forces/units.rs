@@ -1,4 +1,4 @@
-//! The units of forces follow from those that are written.
+//! The units of forces follow from the units in the description.
 
 use kin_runtime::{Mechanism, mechanism};
 

@@ -1,4 +1,4 @@
-//! The mechanisms of the gallery, `examples/README.md`, compared with known properties. The page contains the figures
+//! The mechanisms of the gallery, `examples/README.md`, compared with known properties. The page contains the numbers
 //! that are measured here, word for word.
 
 mod forces;

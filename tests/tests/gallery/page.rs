@@ -1,4 +1,4 @@
-//! The gallery page: every example has its picture on it, and every figure on it is measured here.
+//! The gallery page: it has a picture of every example, and every number on it is measured here.
 
 use kin_runtime::{Kinematics, cli};
 use kin_tests::examples::hart::Hart;

@@ -1,5 +1,5 @@
-//! The order of the crates' modules: no file imports another one in a circle, neither directly nor along a chain, and every
-//! top-level module imports only those that ARCHITECTURE.md lists above it.
+//! The order of the crates' modules: imports of files form no cycle, and every top-level module imports only those that
+//! ARCHITECTURE.md lists above it.
 
 mod source;
 

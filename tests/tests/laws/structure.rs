@@ -1,4 +1,4 @@
-//! Generic and actual ranks.
+//! Laws of the generic rank and the actual rank of Φ_q.
 
 use crate::motion::{grid, swept};
 use kin_runtime::Kinematics;

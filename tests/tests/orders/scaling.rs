@@ -1,4 +1,4 @@
-//! Exact identities: scaling of time, agreement with γ; and absence of allocations.
+//! Exact identities: scaling of time, and agreement with γ; absence of allocations.
 
 use allocation_counter::measure;
 use kin_runtime::plan::Solved;

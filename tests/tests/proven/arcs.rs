@@ -1,4 +1,4 @@
-//! Sweeps along the arc of the solution curve, through dead centres, against what is known of the curves.
+//! Sweeps along the arc of the solution curve, through dead centres, compared with known properties of the curves.
 
 use kin_runtime::{
     ArcEnd, ArcFault, ArcPlaceKind, Instant, Kinematics, Options, SolutionArc, SolveError, Trajectory, mechanism,

@@ -1,4 +1,4 @@
-//! All closures of a mechanism, against those found by elimination in closed form.
+//! All closures of a mechanism, compared with those found by elimination in closed form.
 
 use kin_runtime::cli::run_from;
 use kin_runtime::{Assemblies, Instant, Kinematics, SolveError, Uncertified, mechanism};

@@ -1,4 +1,5 @@
-//! Certificates are proofs: good solutions get correct ones; points that are no solution, or none isolated, get none.
+//! Certificates are proofs: isolated solutions have correct ones; points that are no solution, or no isolated one, have
+//! none.
 
 use kin_runtime::{Certificate, Instant, Kinematics, Solver, State, Uncertified, mechanism};
 

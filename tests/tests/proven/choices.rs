@@ -1,5 +1,5 @@
-//! Mechanisms whose closures the signs of their plan do not tell apart: angles that occur as a multiple of themselves, and angles
-//! that others follow in a ratio.
+//! Mechanisms whose closures are not distinguished by the signs of their plan: with angles that occur only as a
+//! multiple, and with bodies that turn in a ratio to others.
 
 use super::ranges::closures;
 use kin_runtime::{Assemblies, Instant, Kinematics, Ranges, Signal, mechanism};

@@ -1,4 +1,4 @@
-//! All closures of random groups of every class, against circles and lines.
+//! All closures of random groups of every class, compared with intersections of circles and lines.
 
 use super::assemblies::Forward;
 use kin_runtime::{Instant, Kinematics, mechanism};

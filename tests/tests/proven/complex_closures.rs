@@ -1,5 +1,5 @@
-//! How many complex closures groups have, counted exactly: modulo a large prime, the function of an elimination is a fraction
-//! of polynomials in x = tan(φ/2), whose numerator has one zero for each.
+//! The number of complex closures of groups, counted exactly: modulo a large prime, the function of an elimination is a
+//! fraction of polynomials in x = tan(φ/2), whose numerator has one zero for every closure.
 
 use super::elimination::{Elimination, chain, couplers, dyad, star, triad};
 use super::residues::{Number, P, divided, fraction, inverse, is_simple, minus, plus, times};

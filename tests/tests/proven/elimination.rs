@@ -1,6 +1,6 @@
-//! Closures by elimination: at a given angle of one link all others follow from intersections of circles, but for one length.
-//! The product of its miss over all intersections, complex ones as well, is a rational function of the cosine and the sine of
-//! the angle, without roots in it, whose zeros are the closures.
+//! Closures by elimination: at a given angle of one link, intersections of circles give all others, and the equation of
+//! one length remains. The product of its residuals over all intersections, real and complex, is a rational function of
+//! the cosine and the sine of the angle, without square roots, and its zeros are the closures.
 
 use kin_runtime::nalgebra::Complex;
 use std::ops::{Add, Div, Mul, Neg, Sub};

@@ -1,4 +1,4 @@
-//! What is proven: certificates, all closures, ranges and arcs.
+//! Proofs: certificates, all closures and ranges; and arcs of solution curves.
 
 mod arcs;
 mod assemblies;

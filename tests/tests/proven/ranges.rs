@@ -1,4 +1,4 @@
-//! How far mechanisms move, against what is known of them.
+//! The ranges in which mechanisms close, compared with known ones.
 
 use kin_runtime::planned::LimitKind;
 use kin_runtime::{Instant, Kinematics, Ranges, Signal, SolveError, Uncertified, mechanism};

@@ -1,4 +1,5 @@
-//! How far mechanisms move that close by iteration, against eliminations and curves in closed form.
+//! The ranges in which mechanisms with groups without a closed form close, compared with eliminations and with curves
+//! in closed form.
 
 use super::assemblies::Forward;
 use super::ranges::{carried, closures, pins};

@@ -1,6 +1,6 @@
-//! All closures of structures of seven links that close in three loops at once, two with four ternary links and one with a
-//! quaternary link. The real ones are compared with those of an [elimination](super::elimination), whose function changes its
-//! sign at every real closure.
+//! All closures of structures of seven links that close in three loops at once, two with four ternary links and one
+//! with a quaternary link. The real ones are compared with those of an [elimination](super::elimination), whose
+//! function changes its sign at every real closure.
 
 use super::complex_closures::{CHAIN, COUPLERS, STAR};
 use super::elimination::{Elimination, chain, couplers, star};

@@ -1,4 +1,4 @@
-//! Derivatives of batches against those of single states.
+//! Derivatives of batches compared with those of single states.
 
 use kin_runtime::batch::{
     BatchError, Column, Modes, Problems, SensitivitySolutions, Solutions, always, sensitivities, solve,

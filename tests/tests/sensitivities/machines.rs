@@ -1,5 +1,5 @@
-//! Test mechanisms some of whose points have coordinates that are parameters, `crank_O_x` for x of the point O of the crank:
-//! those by which the reference files differentiate.
+//! Test mechanisms in which coordinates of some points are parameters, for example `crank_O_x` for x of the point O of
+//! the crank. The reference files have derivatives with respect to these.
 
 use kin_runtime::mechanism;
 

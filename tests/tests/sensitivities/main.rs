@@ -1,4 +1,4 @@
-//! Derivatives by parameters: against the reference files, and against finite differences of the motion.
+//! Derivatives with respect to parameters, compared with the reference files and with finite differences of the motion.
 
 mod batches;
 mod command;

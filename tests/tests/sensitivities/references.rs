@@ -1,5 +1,5 @@
-//! Sensitivities against the reference files of `tests/data/sensitivities`: every mode at every instant, by the plan
-//! and by the factorisation of Φ_q as a whole.
+//! Sensitivities compared with the reference files of `tests/data/sensitivities`: every mode at every instant, by the
+//! plan and by a factorisation of the whole Φ_q.
 
 use crate::machines::*;
 use kin_runtime::{Instant, Kinematics, Options, Sensitivity};

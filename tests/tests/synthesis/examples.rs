@@ -1,4 +1,4 @@
-//! The examples that search for dimensions find what they say.
+//! The examples that search for dimensions have the results that their descriptions state.
 
 #![allow(dead_code, unreachable_pub, missing_docs, reason = "programs of their own")]
 

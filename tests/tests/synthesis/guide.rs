@@ -1,4 +1,4 @@
-//! The design of the guide, command by command.
+//! The search for dimensions in the guide, command by command.
 
 #[path = "../../../examples/design/pusher.rs"]
 #[allow(dead_code, unreachable_pub, reason = "a program of its own")]

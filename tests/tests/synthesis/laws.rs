@@ -1,4 +1,5 @@
-//! What holds of every search: seeds repeat, conditions are kept, equal parameters stay equal, and bad input is refused.
+//! Laws of every search: the same seed gives the same result, conditions are met, equal parameters stay equal, and
+//! invalid input is an error.
 
 use crate::published::{LENGTHS, four_bar, timed};
 use kin_runtime::design::{DesignError, Direction, Number, Progress, Search};

@@ -1,7 +1,7 @@
-//! Synthesis: the published problems of `tests/data/SYNTHESIS.md`, what conditions do, and what is refused.
+//! Synthesis: the published problems of `tests/data/SYNTHESIS.md`, the effect of conditions, and errors.
 //!
-//! Most problems take seconds with optimisation and minutes without: `cargo test --release -p kin-tests --test synthesis --
-//! --include-ignored` runs all of them, each with ten seeds.
+//! Most problems take seconds with optimisation and minutes without: `cargo test --release -p kin-tests --test
+//! synthesis -- --include-ignored` runs all of them, each with ten seeds.
 
 mod command;
 // Quick with optimisation, and minutes without.

@@ -1,5 +1,5 @@
-//! The designs that papers print for the published problems: what each of them is worth, and that those which do not
-//! assemble are said not to.
+//! The designs that papers print for the published problems: the error of each of them, and the message about those
+//! that do not assemble.
 
 use crate::published::{FourBar, mode, rows};
 use kin_runtime::{Kinematics, Sign, SolveError};

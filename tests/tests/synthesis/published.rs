@@ -1,4 +1,4 @@
-//! The published problems: at least nine of ten seeds find the best that is known.
+//! The published problems: with at least nine of ten seeds the search finds the best known design.
 
 use kin_runtime::design::{Design, DesignError, Direction, Search, Shortest};
 use kin_runtime::{Mechanism, Sign, mechanism};

@@ -1,5 +1,5 @@
-//! Rows of velocity level against exact motions: circles, a trailer that straightens, and the same motions written with
-//! equations of position level.
+//! Rows of velocity level compared with exact motions: circles, a trailer that straightens, and motions that are also
+//! written with equations of position level.
 
 mod limits;
 

@@ -1,5 +1,5 @@
-//! A designer's questions on the command line: quantities by name, parameters that vary, extremes, and motions as far as
-//! they go, against closed forms.
+//! A designer's use of the command line: quantities by name, varied parameters, extremes, and motions up to their
+//! limits, compared with closed forms.
 
 use std::f64::consts::{FRAC_PI_4, PI};
 use std::process::{Command, Output, Stdio};

@@ -1,4 +1,4 @@
-//! Limits of solvability: far guesses, late instants, rows that vanish completely.
+//! Extreme cases of solutions: guesses that are far away, late instants, and rows that vanish completely.
 
 use kin_runtime::{Instant, Kinematics, Mechanism, Planned, Refusal, Signal, SolveError, mechanism};
 

@@ -1,4 +1,4 @@
-//! What can be written, and what is said of it: families, frames, units, lengths, functions.
+//! What descriptions can contain, and the results and errors for it: families, frames, units, lengths, functions.
 
 mod designer;
 mod edges;

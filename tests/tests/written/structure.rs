@@ -1,4 +1,5 @@
-//! The generic rank, from the structure of a mechanism, and the actual rank, at its dimensions, are told apart.
+//! The generic rank, which follows from the structure of a mechanism, is distinguished from the rank for its
+//! dimensions.
 
 use kin_runtime::{Cause, GeometryFault, Instant, Kinematics, Mechanism, SolveError, mechanism};
 use kin_tests::random::Random;

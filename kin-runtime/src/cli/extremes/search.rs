@@ -56,13 +56,13 @@ impl Search<'_> {
         if is_constant(&values) {
             return Some(Extreme { place: "constant", ..sampled() });
         }
-        // Rates grow without bounds towards a dead centre, where they have no value.
+        // Rates grow without bounds towards a dead centre, and are NaN at it.
         let last = values.len() - 1;
         if [(0, 1), (last, last.saturating_sub(1))].iter().any(|&(end, beside)| values[end].is_nan() && top == beside) {
             return Some(Extreme { place: "towards the limit", ..sampled() });
         }
-        // An upper estimate of the curve around an instant: it rises above the sample by less than it changes to the
-        // next one.
+        // An estimate of the greatest value around an instant: between two instants the curve is assumed to rise above
+        // a value by no more than it drops to the neighbouring ones.
         let potential = |k: usize| {
             let beside = [k.checked_sub(1), Some(k + 1)].into_iter().flatten().filter_map(|j| values.get(j));
             let drop = beside.map(|other| values[k] - other).filter(|drop| drop.is_finite()).fold(0.0, f64::max);
@@ -99,7 +99,8 @@ impl Search<'_> {
         Extreme { value: self.columns[place][k], t: self.states[k].t, drivers: drivers.collect(), place: told }
     }
 
-    /// The extreme around an instant; its place is `end` if it is at an end of the interval that can be solved there.
+    /// The extreme around an instant; its place is `end` if it is at an end of the interval around it that can be
+    /// solved.
     fn refined(&self, place: usize, sign: f64, k: usize) -> Option<Extreme> {
         let last = self.states.len() - 1;
         // Neither a limit nor what is beyond it can be solved.

@@ -46,7 +46,7 @@ pub(super) fn text(motions: &[MotionRecord], model: &Model, degrees: bool) -> St
                 let value = |extreme: &Extreme| extreme.drivers.iter().nth(k).map_or(f64::NAN, |(_, value)| *value);
                 table = table.right(name, rows.iter().map(|(_, extreme)| rounded(value(extreme))));
             }
-            // Most extremes are between instants: that place is not mentioned.
+            // Most extremes are between instants, which is therefore not mentioned.
             let told = |extreme: &Extreme| if extreme.place == "between instants" { "" } else { extreme.place };
             table = table.words("", rows.iter().map(|(_, extreme)| told(extreme)));
             out += &format!("\n{}", table.render());

@@ -1,4 +1,5 @@
-//! `sensitivities`: derivatives by the parameters at one instant or along a motion, and what tolerances come to.
+//! `sensitivities`: derivatives with respect to the parameters at one instant or along a motion, and the deviations
+//! that tolerances cause.
 
 mod motion;
 
@@ -116,7 +117,7 @@ pub(in crate::cli) fn run(
     session.deliver(&output, &text)
 }
 
-/// The quantities, if all of them have derivatives by the dimensions.
+/// The quantities, if all of them have derivatives with respect to parameters.
 fn differentiable(measures: Vec<Measure>) -> Result<Vec<Measure>, Failure> {
     match measures.iter().find(|measure| measure.is_ratio()) {
         None => Ok(measures),

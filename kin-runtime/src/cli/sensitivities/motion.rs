@@ -1,4 +1,4 @@
-//! Derivatives along a motion, and what tolerances come to on its way.
+//! Derivatives along a motion, and the deviations that tolerances cause along it.
 
 use crate::cli::engine::{Engine, Setup};
 use crate::cli::failure::Failure;
@@ -19,13 +19,13 @@ use crate::sensitivities::Deviation;
 use crate::serial::Named;
 use serde::Serialize;
 
-/// Steps when --steps is not there.
+/// Number of steps without `--steps`.
 pub(super) const STEPS: usize = 180;
 
-/// What is asked of a motion.
+/// A motion along which derivatives are requested.
 pub(super) struct Course {
     pub(super) asked: Asked,
-    /// The quantities; the default outputs where there are none.
+    /// The quantities; an empty list stands for the default outputs.
     pub(super) measures: Vec<Measure>,
     /// One per parameter, 0 where none is given.
     pub(super) tolerances: Vec<f64>,
@@ -99,12 +99,12 @@ impl Course {
     }
 }
 
-/// The greatest of numbers, and its place; what is no number is passed over.
+/// The index and the value of the greatest finite number.
 fn greatest(numbers: impl Iterator<Item = f64>) -> Option<(usize, f64)> {
     numbers.enumerate().filter(|(_, x)| x.is_finite()).max_by(|a, b| a.1.total_cmp(&b.1))
 }
 
-/// Which parameter matters most to every quantity and when; what tolerances come to at most.
+/// For every quantity, the parameter that matters most and when; and the largest deviations that tolerances cause.
 fn text(model: &Model, times: &[f64], quantities: &[Quantity], values: &[f64]) -> String {
     let [from, to] = [times.first(), times.last()].map(|t| t.copied().map_or_else(String::new, rounded));
     let when = if times.len() == 1 { format!("at t = {from}") } else { format!("from t = {from} to t = {to}") };
@@ -147,7 +147,7 @@ fn text(model: &Model, times: &[f64], quantities: &[Quantity], values: &[f64]) -
     out + &section("Greatest deviations for these tolerances", &table)
 }
 
-/// A row per instant: t, then for every quantity its value and either what tolerances come to or its derivatives.
+/// A row per instant: t, then for every quantity its value and either its deviations by tolerances or its derivatives.
 fn csv(times: &[f64], quantities: &[Quantity]) -> String {
     let mut header = vec!["t".to_owned()];
     for Quantity { name, by, deviations, .. } in quantities {

@@ -48,7 +48,7 @@ pub(crate) struct Animation {
     pub(crate) along: &'static str,
     /// The unit of time.
     pub(crate) time: Option<String>,
-    /// That of forces, where they are shown.
+    /// The unit of force, if forces are shown.
     pub(crate) force: Option<&'static str>,
 }
 
@@ -71,7 +71,7 @@ struct RunData<'a> {
     t: &'a [f64],
     /// Width and height in pixels.
     size: [f64; 2],
-    /// For every carrier, x, y in pixels and the angle in degrees, clockwise; of arrows their size, too.
+    /// For every carrier, x and y in pixels, the angle in degrees, clockwise, and for arrows their size.
     tracks: Vec<Vec<Vec<f64>>>,
     columns: Vec<Vec<f32>>,
 }
@@ -145,14 +145,14 @@ impl Animation {
             .replace("{{data}}", &data))
     }
 
-    /// The first motion as an animated picture, with or without names, which would hide a large mechanism.
+    /// The first motion as an animated picture, with or without names, which may cover a large mechanism.
     pub(crate) fn picture(&self, names: bool) -> String {
         let scene = &self.runs[0].scene;
         let title = format!("{}: {}", self.model.name, self.model.doc);
         animated(scene, &View::of([scene]), &title, self.seconds(), names, self.force)
     }
 
-    /// The duration of the motion if it is easy to watch, otherwise five seconds.
+    /// The time for which the motion is played: its own duration if that is easy to watch, otherwise five seconds.
     fn seconds(&self) -> f64 {
         let times = &self.runs[0].scene.times;
         let span = (times.last().copied().unwrap_or(0.0) - times.first().copied().unwrap_or(0.0)).abs();

@@ -1,8 +1,8 @@
 //! Forces and couples as arrows whose size is proportional to them: the reactions of joints on the body of the second
 //! operand, at the joint's point, the efforts of drivers, and the forces of gravity, applied loads and springs.
 //!
-//! The arrow of the largest force of the whole motion is a quarter of the mechanism's size long. Couples have a scale of
-//! their own; a couple without a point is drawn in the middle of its body.
+//! The arrow of the largest force of the whole motion is a quarter of the mechanism's size long. Couples have a scale
+//! of their own; a couple without a point is drawn in the middle of its body.
 
 use super::carrier::Carrier;
 use super::links::Links;
@@ -14,9 +14,9 @@ use core::f64::consts::{PI, TAU};
 
 /// The length of the largest arrow, relative to the size of the mechanism.
 const LONGEST: f64 = 0.25;
-/// The part of the largest arrow from which on arrows have a head of full size.
+/// The share of the largest arrow above which arrows have a head of full size.
 const FULL_HEAD: f64 = 0.1;
-/// Forces and couples that never exceed this part of the largest are rounding errors and are not drawn.
+/// Forces and couples that never exceed this share of the largest are rounding errors and are not drawn.
 const NOTHING: f64 = 1e-9;
 
 /// The scale of the arrows of forces.
@@ -32,7 +32,7 @@ pub(crate) struct ForceScale {
 pub(super) struct Arrows {
     /// Shafts, heads and couples.
     pub(super) carriers: Vec<Carrier>,
-    /// The scale of forces; none without forces.
+    /// The scale of forces; `None` without forces.
     pub(super) scale: Option<ForceScale>,
 }
 
@@ -107,7 +107,7 @@ impl Arrows {
                 let share = size(force) / largest;
                 at = point;
                 if share > NOTHING {
-                    // Between two instants it turns the short way.
+                    // Between two instants the arrow turns by less than half a turn.
                     angle += (force[1].atan2(force[0]) - angle + PI).rem_euclid(TAU) - PI;
                 }
                 let (sin, cos) = angle.sin_cos();
@@ -165,14 +165,14 @@ fn track<T>(subject: &Subject<'_>, ink: Ink, value: impl Fn(usize, &Forces) -> O
     Track { ink, values: values.map(|(k, snapshot)| value(k, snapshot.forces.as_ref()?)).collect() }
 }
 
-/// The largest of all values; none where there are only zeros.
+/// The largest of all values; `None` if all are zero.
 fn largest<T: Copy>(tracks: &[Track<T>], size: impl Fn(T) -> f64) -> Option<f64> {
     let values = tracks.iter().flat_map(|track| &track.values).flatten();
     let largest = values.fold(0.0, |largest: f64, (_, value)| largest.max(size(*value)));
     (largest > 0.0 && largest.is_finite()).then_some(largest)
 }
 
-/// The middle of a body, its origin where nothing is attached to it; none for the ground.
+/// The middle of a body, or its origin if nothing is attached to it; `None` for the ground.
 fn middle(subject: &Subject<'_>, links: &Links, instant: usize, frame: Frame) -> Option<[f64; 2]> {
     match frame {
         Frame::Ground => None,
@@ -180,8 +180,9 @@ fn middle(subject: &Subject<'_>, links: &Links, instant: usize, frame: Frame) ->
     }
 }
 
-/// The body whose coordinate a driver drives, of two angles that which counts positive; none where joints show what it
-/// exerts, and for a formula.
+/// The body that a driver drives, with the component of its pose. If the driver prescribes the difference of two
+/// angles, that is the body whose angle counts positive. `None` for other formulas, and for drivers that are drawn as
+/// reactions.
 fn driven(subject: &Subject<'_>, forces: &Forces, effort: &Effort) -> Option<(usize, Component)> {
     let model = subject.model;
     let joint = model.joints.iter().find(|joint| joint.name == effort.name)?;

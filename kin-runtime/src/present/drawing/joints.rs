@@ -36,7 +36,7 @@ pub(super) fn draw(
     }
 }
 
-/// Two points in one place.
+/// Draws two points that coincide, in general by `part`, on the ground by a foot.
 fn pinned(subject: &Subject<'_>, joint: &JointInfo, links: &mut Links, front: &mut Vec<Carrier>, part: Part) {
     let Some([(i, p), (j, q)]) = subject.ends(joint) else { return };
     links.attach(i, p);
@@ -47,7 +47,7 @@ fn pinned(subject: &Subject<'_>, joint: &JointInfo, links: &mut Links, front: &m
     front.push(upright(track, if on_ground { Part::Foot([0.0; 2]) } else { part }));
 }
 
-/// A point with a prescribed x or y: held where it never moves, guided where it does.
+/// Draws a point with a prescribed x or y: with a foot if it never moves, otherwise with a guide.
 fn prescribed(subject: &Subject<'_>, joint: &JointInfo, links: &mut Links, front: &mut Vec<Carrier>) {
     let Some((frame, local)) = subject.local(0, joint, Role::P) else { return };
     links.attach(frame, local);
@@ -100,7 +100,7 @@ fn massless(
     behind.push(Carrier::new(along(&from, &to), vec![bar(barrel)]));
 }
 
-/// A wheel or blade that does not slip across its plane.
+/// Draws a wheel or blade that does not slip sideways.
 fn tread(subject: &Subject<'_>, joint: &JointInfo, links: &mut Links, front: &mut Vec<Carrier>) {
     let Some((frame, local)) = subject.local(0, joint, Role::P) else { return };
     links.attach(frame, local);

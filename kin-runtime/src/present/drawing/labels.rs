@@ -6,9 +6,9 @@ use super::scene::Scene;
 use super::subject::placed;
 use super::view::View;
 
-/// Instants at which collisions are counted.
+/// Number of instants at which collisions are counted.
 const INSTANTS: usize = 12;
-/// Pixels between two points of a bar that a name should not hide.
+/// Pixels between two points of a bar that a name should not cover.
 const STEP: f64 = 6.0;
 /// With more names than this collisions are not avoided: such drawings are read enlarged.
 const MOST: usize = 150;
@@ -20,7 +20,7 @@ const OUTSIDE: f64 = 20.0;
 /// The position of a text relative to the point that it names.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Side {
-    /// The baseline's end that is nearest to the place, or its middle.
+    /// The point of the baseline that `anchor` names, relative to the named point.
     pub(super) at: [f64; 2],
     /// `start`, `middle` or `end`, as SVG says it.
     pub(super) anchor: &'static str,
@@ -104,7 +104,7 @@ impl Frame {
         Self { low: [left, base - 0.8 * size], high: [left + width, base + 0.2 * size] }
     }
 
-    /// Whether a point lies within, or nearer to it than half the width of a bar.
+    /// Whether a point lies in the rectangle enlarged by `near` on all sides.
     fn holds(&self, point: [f64; 2], near: f64) -> bool {
         (0..2).all(|axis| self.low[axis] - near <= point[axis] && point[axis] <= self.high[axis] + near)
     }

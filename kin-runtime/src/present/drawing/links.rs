@@ -30,12 +30,12 @@ struct Body {
 /// A point at which something is attached to a body.
 struct Place {
     at: [f64; 2],
-    /// Whether a joint is attached, not only a name.
+    /// Whether a joint is attached here, and not only a named point.
     held: bool,
 }
 
 impl Links {
-    /// Bodies with the points that they carry and the origins that hold them.
+    /// Bodies with their named points, and with pins where the origin of a body is fixed to another frame.
     pub(super) fn new(subject: &Subject<'_>, front: &mut Vec<Carrier>) -> Self {
         let model = subject.model;
         let bodies = model.bodies.iter().map(|_| Body::default()).collect();
@@ -100,17 +100,18 @@ impl Links {
         }
     }
 
-    /// Notes a place by its name.
+    /// Adds the name of a joint with its positions at all instants.
     pub(super) fn pin(&mut self, name: &str, track: Vec<[f64; 2]>) {
         self.pins.push((name.to_owned(), track));
     }
 
-    /// The places noted, with their names.
+    /// The names of joints with their positions at all instants.
     pub(super) fn pins(&self) -> &[(String, Vec<[f64; 2]>)] {
         &self.pins
     }
 
-    /// The middle of what is attached to a body, in its frame, or that of two places where the middle is one itself.
+    /// The mean of the places that are attached to a body, in its frame; if one of them is near this mean, the mean of
+    /// the first two.
     pub(super) fn middle(&self, body: usize) -> Option<[f64; 2]> {
         let places = &self.bodies.get(body)?.attached;
         let mean = |places: &[Place]| {
@@ -157,7 +158,7 @@ impl Body {
     fn shape(self, ink: Ink) -> Vec<Part> {
         let Self { mut attached, slots, parts } = self;
         if attached.len() == 1 && slots.is_empty() && parts.is_empty() && attached[0].at != [0.0; 2] {
-            // Only the frame of this body is known, and that a joint holds it.
+            // The only known place of this body is one joint: it is drawn as a bar from the joint to the origin.
             attached.push(Place { at: [0.0; 2], held: false });
         }
         let bar = |from, to| Part::Bar { points: vec![from, to], ink };

@@ -6,7 +6,7 @@ use super::subject::{Subject, bounds, distance, seen_from};
 use crate::model::{CoordinateKind, Frame, JointInfo, JointKind, Role};
 use core::f64::consts::TAU;
 
-/// Points of a curve.
+/// Number of points of a curve.
 const SAMPLES: usize = 180;
 
 /// Draws the curve of a contact on its body, and the follower on the other.
@@ -45,13 +45,15 @@ fn sampled(subject: &Subject<'_>, place: usize, from: f64, to: f64) -> Vec<[f64;
     points.filter(|r| r.iter().all(|x| x.is_finite())).collect()
 }
 
-/// The part of a curve that the motion uses: the path of the follower in the frame of the curve's body.
+/// The part of a curve that the contact passes during the motion: the path of the follower in the frame of the curve's
+/// body.
 fn followed(subject: &Subject<'_>, joint: &JointInfo, frame: Frame) -> Vec<[f64; 2]> {
     let seen = |k: usize| Some(seen_from(subject.pose(k, frame), subject.point(k, joint, Role::Q)?));
     subject.instants().filter_map(seen).collect()
 }
 
-/// The range of a curve's parameter: a whole turn if the curve closes after that, otherwise what the motion uses.
+/// The range of a curve's parameter: a whole turn if the curve closes after that, otherwise a little more than its
+/// range during the motion.
 fn parameter(subject: &Subject<'_>, place: usize, joint: &JointInfo, size: f64) -> Option<(f64, f64)> {
     let model = subject.model;
     let rows = joint.first_row..joint.first_row + joint.rows;
@@ -68,7 +70,8 @@ fn parameter(subject: &Subject<'_>, place: usize, joint: &JointInfo, size: f64) 
     (most > least).then_some((least - beyond, most + beyond))
 }
 
-/// The flat face of a follower, as long as the contact moves along it: by h′ from the foot of the normal.
+/// The flat face of a follower. It extends to both sides of its point as far as the cam extends from its centre `p`,
+/// since the contact is not farther away.
 fn face(subject: &Subject<'_>, joint: &JointInfo, cam: &[[f64; 2]], p: [f64; 2], links: &mut Links, ink: Ink) {
     let Some((frame, [ax, ay])) = subject.local(0, joint, Role::Axis) else { return };
     let Some((_, [qx, qy])) = subject.local(0, joint, Role::Q) else { return };

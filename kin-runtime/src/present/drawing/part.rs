@@ -32,9 +32,10 @@ impl Ink {
 /// A part of a drawing in the frame of its carrier.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Part {
-    /// A bar along two points or more; of three or more these are its outline, which is filled.
+    /// A bar along two points; three or more points are an outline, which is filled.
     Bar { points: Vec<[f64; 2]>, ink: Ink },
-    /// A line through two points or more; joined to its start if it is closed, and then filled where it is full.
+    /// A line through two or more points. If it is closed, it returns to its start; it is then filled if its stroke is
+    /// [`Full`](Stroke::Full).
     Line { points: Vec<[f64; 2]>, ink: Ink, stroke: Stroke, closed: bool },
     /// The path of a point: a smooth curve through places at which its direction is known, with the two inner control
     /// points of every piece between two of them (cubic Bézier curves).
@@ -55,11 +56,11 @@ pub(crate) enum Part {
     Disc { centre: [f64; 2], radius: f64, ink: Ink },
     /// A named point.
     Dot([f64; 2], Ink),
-    /// A place that a point is to pass.
+    /// A position that a point is to pass.
     Target([f64; 2]),
-    /// The wheel of a rolling contact without slip across its plane, seen from above, along the x axis of its carrier.
+    /// A wheel or blade that does not slip sideways, seen from above, along the x axis of its carrier.
     Tread,
-    /// The shaft of an arrow along the x axis; its length is that of the arrow of the largest force.
+    /// The shaft of an arrow along the x axis, with the length of the arrow of the largest force.
     Shaft(f64, Ink),
     /// The head of an arrow along the x axis, its tip at the origin.
     Head(Ink),
@@ -72,7 +73,7 @@ pub(crate) enum Part {
 /// How a line is drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Stroke {
-    /// As strong as the outline of a body.
+    /// As wide as the outline of a body.
     Full,
     /// Thin.
     Thin,
@@ -102,7 +103,7 @@ impl Part {
         Self::Line { points, ink, stroke, closed: false }
     }
 
-    /// Points that the view must hold, in the carrier's frame.
+    /// Calls `each` with points that the view must contain, in the carrier's frame.
     pub(crate) fn reach(&self, each: &mut dyn FnMut([f64; 2])) {
         match self {
             Self::Bar { points, .. } | Self::Line { points, .. } | Self::Path { points, .. } => {

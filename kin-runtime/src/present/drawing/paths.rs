@@ -30,9 +30,9 @@ pub(super) fn paths(subject: &Subject<'_>, links: &mut Links) -> Vec<Part> {
 /// Time, place and velocity of a point.
 type Moment = (f64, [f64; 2], [f64; 2]);
 
-/// The inner control points of the curve from one place to the next that has the point's velocity at both (Hermite's
-/// cubic). Near a limit velocities grow without bounds, so the control points are no farther from the places than these
-/// are apart.
+/// The inner control points of the curve from one place to the next with the velocity of the point at both (Hermite's
+/// cubic). Velocities grow without bounds near a limit; control points are therefore no farther from their places than
+/// the two places are from one another.
 fn controls((t, p, v): Moment, (u, q, w): Moment) -> [[f64; 2]; 2] {
     let (third, most) = ((u - t) / 3.0, distance(p, q));
     let handle = |[x, y]: [f64; 2]| {

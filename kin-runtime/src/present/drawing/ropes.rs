@@ -9,7 +9,7 @@ use crate::model::{Geometry, JointInfo, Role};
 /// Largest number of pieces that a part of a rope is drawn with.
 const PIECES: f64 = 64.0;
 
-/// A rope over its points. A part whose length changes is drawn with pieces that overlap where it is short.
+/// A rope over its points. A part whose length changes is drawn as pieces, which overlap when the part is short.
 pub(super) fn rope(
     subject: &Subject<'_>,
     joint: &JointInfo,

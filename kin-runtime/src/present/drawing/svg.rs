@@ -118,7 +118,7 @@ pub(crate) fn force_scale(view: &View, scale: &ForceScale, unit: Option<&str>) -
     )
 }
 
-/// 1, 2 or 5 times a power of ten, at most so much.
+/// The greatest number that is 1, 2 or 5 times a power of ten and not greater than `most`.
 pub(crate) fn round_below(most: f64) -> f64 {
     let power = 10_f64.powf(most.log10().floor());
     [5.0, 2.0, 1.0].into_iter().map(|digit| digit * power).find(|value| *value <= most).unwrap_or(power)
@@ -271,7 +271,7 @@ impl Pen<'_> {
             }
             Part::Head(own) => write!(out, "<path d=\"{HEAD}\" fill=\"{}\" class=\"force\"/>", self.ink(*own)),
             Part::Turn { clockwise, ink: own } => {
-                // Three quarters around, from the right; y points down.
+                // Three quarters of a circle, from its right; y points down.
                 let (c, r, up) = (self.ink(*own), TURN, if *clockwise { 1.0 } else { -1.0 });
                 let (sweep, y) = (u8::from(*clockwise), -up * r);
                 let head = 6.0 * up;

@@ -1,4 +1,4 @@
-//! Teeth that mesh: of a wheel and of a rack, as outlines.
+//! The outlines of toothed wheels and racks, with teeth that mesh.
 
 use super::part::{Ink, Part, Stroke};
 use crate::model::Frame;
@@ -7,16 +7,16 @@ use core::f64::consts::TAU;
 /// Height of a tooth above and below the pitch circle, relative to the pitch.
 const HEIGHT: f64 = 0.28;
 
-/// The corners of a tooth, both roots and both ends of the tip: positions in parts of the pitch, and heights.
+/// The corners of a tooth, both roots and both ends of the tip: positions as shares of the pitch, and heights.
 fn corners(height: f64) -> [(f64, f64); 4] {
     [(-0.36, -height), (-0.16, height), (0.16, height), (0.36, -height)]
 }
 
-/// The angle at which a wheel is touched, in its own frame, and the phase of its teeth there.
+/// The angle of a contact on a wheel, in the wheel's frame, and the phase of its teeth there.
 #[derive(Clone, Copy)]
 pub(super) struct Contact {
     pub(super) angle: f64,
-    /// 0 on a tooth, ½ in a gap; `None` if it is free.
+    /// 0 on a tooth, ½ in a gap; `None` if the phase may be chosen.
     pub(super) phase: Option<f64>,
 }
 
@@ -58,7 +58,7 @@ impl Wheel {
             })
         };
         let mut points: Vec<[f64; 2]> = (0..self.teeth as usize).flat_map(tooth).collect();
-        // A ring is hollow: its outline comes back to its start without being filled.
+        // A ring is hollow: its outline returns to its start without being filled.
         points.extend((radius < 0.0).then(|| points[0]));
         let outline = Part::Line { points, ink, stroke: Stroke::Full, closed: radius > 0.0 };
         let circle = |r: f64| (0..=90).map(|k| at(f64::from(k) * TAU / 90.0, r)).collect();
@@ -79,15 +79,15 @@ impl Wheel {
 
 /// The teeth of a rack in the inertial frame.
 pub(super) struct Strip {
-    /// Where it touches the pinion.
+    /// The contact with the pinion.
     pub(super) touch: [f64; 2],
-    /// Along the rack.
+    /// The angle of the direction of the rack.
     pub(super) direction: f64,
-    /// From the pinion to the rack.
+    /// The angle of the direction from the pinion to the rack.
     pub(super) down: f64,
-    /// How far it goes against the direction.
+    /// How far the rack extends from the contact against its direction.
     pub(super) before: f64,
-    /// How far along it.
+    /// How far it extends along its direction.
     pub(super) after: f64,
     pub(super) pitch: f64,
     /// The phase of the pinion's teeth at the contact.

@@ -12,7 +12,7 @@ use super::teeth::{Contact, Strip, Wheel};
 use crate::model::{Frame, JointInfo, JointKind, Role};
 use core::f64::consts::TAU;
 
-/// Teeth of the smallest wheel.
+/// Number of teeth of the smallest wheel.
 const FEWEST: f64 = 14.0;
 
 /// A wheel of a pair: its frame, its centre there, its radius.
@@ -44,7 +44,7 @@ fn foot_of(subject: &Subject<'_>, body: Frame) -> Option<[f64; 2]> {
     (body != Frame::Ground).then(|| axle(subject, body, Frame::Ground)).map(|p| placed(subject.pose(0, body), p))
 }
 
-/// Both wheels of a gear or belt, scaled so that they meet; `None` if they have the same centre.
+/// Both wheels of a gear or belt, with radii scaled by `meet` so that they fit; `None` if they have the same centre.
 fn pair(subject: &Subject<'_>, joint: &JointInfo, meet: impl Fn(f64, f64, f64) -> f64) -> Option<[Half; 2]> {
     let [(a, ra), (b, rb)] = subject.radii(joint)[..] else { return None };
     let carrier = piece(joint, Role::Value).map_or(Frame::Ground, |value| value.frame);
@@ -77,8 +77,8 @@ pub(super) fn gear(subject: &Subject<'_>, joint: &JointInfo, links: &mut Links) 
     mount(links, b, pitch, Contact { angle: at_b - turned(b), phase: Some(meshing) });
 }
 
-/// The pitch of all teeth of a mechanism along the circle. The first pair determines it, so that all wheels of a train
-/// mesh.
+/// The circular pitch of all teeth of a mechanism. The first pair of wheels determines it, so that all wheels of a
+/// train mesh.
 fn pitch(subject: &Subject<'_>, links: &mut Links, smaller: f64) -> f64 {
     debug_assert!(!subject.snapshots.is_empty(), "a motion has an instant");
     links.wheels().first().map_or(TAU * smaller / FEWEST, |wheel| wheel.pitch)
@@ -105,7 +105,7 @@ fn mount(links: &mut Links, half: Half, pitch: f64, contact: Contact) -> f64 {
 
 /// Two discs and the belt around them; crossed where the radii differ in sign.
 pub(super) fn belt(subject: &Subject<'_>, joint: &JointInfo, links: &mut Links, behind: &mut Vec<Carrier>) {
-    // Numbers of teeth are scaled to lengths that leave half of the distance free; lengths are kept.
+    // Radii that are too large for the distance, such as numbers of teeth, are scaled so that half of it stays free.
     let fitting = |ra: f64, rb: f64, apart: f64| {
         let sum = ra.abs() + rb.abs();
         if sum < 0.95 * apart { 1.0 } else { 0.5 * apart / sum }

@@ -1,5 +1,5 @@
-//! The derivation for people: joint by joint, each with its own equation first, then its rows of Φ, Φ_q, Φ_t and γ; with
-//! masses or loads the equations of motion.
+//! The derivation for people: joint by joint, each with its own equation first, then its rows of Φ, Φ_q, Φ_t and γ;
+//! with masses or loads the equations of motion.
 //!
 //! The formulas are those from which the code was generated, as the tables of the mechanism hold them; kin-core writes
 //! them.
@@ -8,7 +8,7 @@ use crate::model::{EquationText, Frame, JointInfo, Level, LineText, Model, Role,
 use kin_core::sheet::{Dynamics, Joint, Line, Row, Rows, Sheet, Shown, Step};
 use kin_core::vectors::NamedJoint;
 
-/// The part of a sheet that is asked for.
+/// The requested part of a sheet.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Part {
     /// Joints, matrices and steps.

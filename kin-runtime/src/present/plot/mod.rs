@@ -26,7 +26,7 @@ const LEGEND: [f64; 2] = [18.0, 90.0];
 /// Room to the left of panels that share an axis, in pixels.
 const LEFT: f64 = 76.0;
 const RIGHT: f64 = 24.0;
-/// Width of an entry of the legend: its line and frame, and of a letter.
+/// Widths for an entry of the legend: of its line and frame, and of one letter.
 const ENTRY: [f64; 2] = [45.0, 7.4];
 /// Free room above and below the curves, as a part of their height.
 const MARGIN: f64 = 0.05;

@@ -7,12 +7,12 @@ pub(crate) struct Curve {
     pub(crate) name: String,
     /// (x, y), all finite.
     pub(crate) points: Vec<(f64, f64)>,
-    /// By how much y may deviate on either side, for every point; empty where nothing is said of that.
+    /// The deviation of y on either side, for every point; empty for a curve without a band.
     pub(crate) band: Vec<f64>,
 }
 
 impl Curve {
-    /// The lower and the upper edge of its band; the curve itself where it has none.
+    /// The lower or the upper edge of its band; the curve itself if it has none.
     pub(super) fn edge(&self, side: f64) -> impl Iterator<Item = f64> + '_ {
         let half = self.band.iter().copied().chain(core::iter::repeat(0.0));
         self.points.iter().zip(half).map(move |((_, y), half)| y + side * half)
@@ -35,7 +35,7 @@ pub(crate) struct Panel {
 /// Marked points of curves, such as limits at which motions end.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Mark {
-    /// What they are, for the legend.
+    /// Their name in the legend.
     pub(crate) name: String,
     /// (x, y), all finite.
     pub(crate) points: Vec<(f64, f64)>,

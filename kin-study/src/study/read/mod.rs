@@ -1,4 +1,4 @@
-//! Studies as TOML files; every complaint knows its line.
+//! Studies as TOML files; every error has its line.
 
 mod node;
 mod parts;
@@ -14,17 +14,17 @@ impl Study {
     /// Reads a study from TOML text.
     ///
     /// Top level: `rows`, `seed`, `sampling` (`"random"`, `"latin hypercube"`, `"sobol"`, `"grid"`). Tables, each with
-    /// names of your own: `[parameters]` (a number, a list, `{ from, to }` with `values = N` or `scale = "log"`,
-    /// `{ mean, deviation }` with optional `from` and `to`, `{ from, mode, to }`), `[derived]` (SQL expressions, in order),
-    /// `[scores]` (`{ least = "tip.x" }`, likewise `greatest`, `mean`, `range`, `time_of_least`, `time_of_greatest`;
-    /// `{ at = 0.5, of = "tip.x" }`; `{ distance = "tip", to = [[0, 1]], measure = "rms" }`; `{ path = "tip", normalised =
-    /// true }`). `[conditions]` has the lists
-    /// `before` and `after` of SQL conditions, `[motion]` either `times` or `from`, `to` and `steps`, besides `mode`
-    /// (`"all"` or `{ A-B-D = "+" }`) and `inputs` (`{ u = 1, v = { from = 0, to = 1 } }`), and `[keep]` has `best` and
-    /// `by`, `rows = false`, and `histograms` (`[{ of = "swing", from = 0, to = 1, bins = 20 }]`).
+    /// names of your own: `[parameters]` (a number, a list, `{ from, to }` with `values = N` or `scale = "log"`, `{
+    /// mean, deviation }` with optional `from` and `to`, `{ from, mode, to }`), `[derived]` (SQL expressions, in
+    /// order), `[scores]` (`{ least = "tip.x" }`, likewise `greatest`, `mean`, `range`, `time_of_least`,
+    /// `time_of_greatest`; `{ at = 0.5, of = "tip.x" }`; `{ distance = "tip", to = [[0, 1]], measure = "rms" }`; `{
+    /// path = "tip", normalised = true }`). `[conditions]` has the lists `before` and `after` of SQL conditions,
+    /// `[motion]` either `times` or `from`, `to` and `steps`, besides `mode` (`"all"` or `{ A-B-D = "+" }`) and
+    /// `inputs` (`{ u = 1, v = { from = 0, to = 1 } }`), and `[keep]` has `best` and `by`, `rows = false`, and
+    /// `histograms` (`[{ of = "swing", from = 0, to = 1, bins = 20 }]`).
     ///
     /// # Errors
-    /// [`StudyError::Description`] with the line, where the text is no TOML or a value makes no sense.
+    /// [`StudyError::Description`] with the line if the text is no TOML or a value is invalid.
     pub fn from_toml(text: &str) -> Result<Self, StudyError> {
         let table = DeTable::parse(text).map_err(|error| {
             let line = error.span().map(|span| node::line(text, span.start));

@@ -1,16 +1,16 @@
-//! A value of a TOML file with its place.
+//! A value of a TOML file with its position.
 
 use crate::error::StudyError;
 use crate::suggest::unknown;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-/// The line of a byte, from 1.
+/// The line of the byte with this index, from 1.
 pub(super) fn line(text: &str, byte: usize) -> usize {
     1 + text.as_bytes().iter().take(byte).filter(|byte| **byte == b'\n').count()
 }
 
-/// A value with its place in the file.
+/// A value with its position in the file.
 #[derive(Clone, Copy)]
 pub(super) struct Node<'t> {
     text: &'t str,
@@ -43,18 +43,18 @@ impl<'t> Node<'t> {
         line(self.text, self.start)
     }
 
-    /// A complaint about it.
+    /// An error about it.
     pub(super) fn wrong(&self, message: impl Into<String>) -> StudyError {
         StudyError::Description { line: Some(self.line()), message: message.into() }
     }
 
-    /// The value of a key, where it is a table that has one.
+    /// The value of a key, if this is a table that has the key.
     pub(super) fn get(&self, key: &str) -> Option<Self> {
         let Value::Table(table) = self.value else { return None };
         table.get_key_value(key).map(|(key, value)| self.of(key.span().start, value))
     }
 
-    /// Complains about any other key.
+    /// An error if the table has any other key.
     pub(super) fn only(&self, known: &[&str]) -> Result<(), StudyError> {
         for (name, node) in self.entries()? {
             if !known.contains(&name.as_str()) {
@@ -109,7 +109,7 @@ impl<'t> Node<'t> {
         }
     }
 
-    /// A whole number that is not negative; 1e6 is one, too.
+    /// A whole number that is not negative; it may be written as 1e6.
     pub(super) fn count(&self) -> Result<u64, StudyError> {
         if let Value::Other(DeValue::Integer(number)) = self.value
             && number.radix() == 10

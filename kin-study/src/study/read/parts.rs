@@ -52,7 +52,7 @@ pub(super) fn range(node: &Node<'_>) -> Result<Range, StudyError> {
     Ok(range)
 }
 
-/// What makes a score of one quantity.
+/// Makes a score of one quantity.
 type OfQuantity = fn(String) -> Score;
 
 /// A score.
