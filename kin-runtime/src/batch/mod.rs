@@ -55,13 +55,13 @@
 //! computes the whole motion of many sets of parameters over one time grid. It passes each instant to a closure and
 //! keeps no states, so that millions of motions fit into memory.
 
+mod block_solution;
 mod column;
 mod end;
 mod evaluation;
 mod forces;
 mod modes;
 mod motion;
-mod poses;
 mod run;
 #[cfg(feature = "std")]
 mod sensitivities;

@@ -1,10 +1,10 @@
 //! q, q̇ and q̈ of many configurations by the plan.
 
 use super::BatchError;
+use super::block_solution::{BlockSolution, Question};
 use super::column::{Arguments, Column, Configurations, check_list, check_signals};
 use super::modes::Modes;
 use super::motion::least_length;
-use super::poses::{Poses, Question};
 use super::run::{CHUNK, Progress, Shape, drive};
 use crate::mechanism::{LengthError, Mechanism};
 use crate::plan::Depth;
@@ -170,7 +170,7 @@ impl<M: Mechanism> Solve<'_, M> {
             q_dot.fill(Octet::default());
             q_ddot.fill(Octet::default());
         }
-        let mut poses = Poses { q, q_dot, q_ddot, margin: Octet::default(), good: Octet::ALL };
+        let mut poses = BlockSolution { q, q_dot, q_ddot, margin: Octet::default(), good: Octet::ALL };
         let mut good = Octet::from_f64(1.0);
         let all = poses.solve(self.mechanism, &Question { parameters, at, modes, start, depth }, margins).is_none();
         let lengths = least_length(self.mechanism, parameters, at);

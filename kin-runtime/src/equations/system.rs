@@ -9,7 +9,7 @@ use crate::mechanism::{LengthError, Mechanism, Observations, Workspace};
 use crate::model::{Model, Pattern};
 use crate::plan::{Depth, Solved};
 use crate::planned::PlanError;
-use crate::planned::follower::{Control, PlanFollower, Poses};
+use crate::planned::follower::{Control, PlanFollower, PlanSolution};
 use crate::scalar::{Interval, Scalar};
 use crate::signal::Signal;
 use crate::state::State;
@@ -177,7 +177,7 @@ pub(crate) struct Followed {
 impl Followed {
     /// Writes the numbers of the last accepted state.
     fn write<M: Mechanism>(follower: &PlanFollower<M>, state: &mut State) -> Self {
-        let Poses { q, q_dot, q_ddot, margins } = follower.state();
+        let PlanSolution { q, q_dot, q_ddot, margins } = follower.state();
         for (to, from) in [(&mut state.q, q), (&mut state.q_dot, q_dot), (&mut state.q_ddot, q_ddot)] {
             let from = from.as_ref();
             // The usual case has a length that the compiler knows.

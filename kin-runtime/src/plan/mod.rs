@@ -97,9 +97,9 @@ impl Plan {
 
     /// The index of the margin of a group, from the index of its sign: the root of this margin is the distance of the
     /// group from the limit at which the sign changes.
-    pub(crate) fn margin_of_group(&self, sign: usize) -> Option<usize> {
-        let of_iteration = || self.orientations.get(sign - self.modes.len());
-        self.modes.get(sign).or_else(of_iteration).map(|info| info.margin)
+    pub(crate) fn margin_of_group(&self, group: usize) -> Option<usize> {
+        let of_iteration = || self.orientations.get(group - self.modes.len());
+        self.modes.get(group).or_else(of_iteration).map(|info| info.margin)
     }
 
     /// The index of the sign of the group to which a margin belongs; `None` for other margins.

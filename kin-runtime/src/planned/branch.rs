@@ -96,12 +96,12 @@ pub(super) fn first_dip(
     middle: &[f64],
     [modes, modes_before]: [&[f64]; 2],
 ) -> Option<usize> {
-    let dips = |sign: usize| {
-        let stays = middle[sign].abs() >= MIDDLE * before[sign].min(after[sign]);
+    let dips = |group: usize| {
+        let stays = middle[group].abs() >= MIDDLE * before[group].min(after[group]);
         !stays
     };
-    let near = |sign: &usize| may_dip(before[*sign], after[*sign]);
-    (0..modes.len()).filter(near).find(|&sign| dips(sign) && modes[sign] == modes_before[sign])
+    let near = |group: &usize| may_dip(before[*group], after[*group]);
+    (0..modes.len()).filter(near).find(|&group| dips(group) && modes[group] == modes_before[group])
 }
 
 #[cfg(test)]

@@ -9,7 +9,7 @@
 //! ```
 
 use super::error::LimitKind;
-use super::follower::{PlanFollower, Poses};
+use super::follower::{PlanFollower, PlanSolution};
 use super::predict::parabola;
 use super::walk::Blocked;
 use crate::course::Course;
@@ -51,16 +51,16 @@ pub(super) struct Found<M: Mechanism> {
 }
 
 impl<M: Mechanism> PlanFollower<M> {
-    /// The limit of a group, near the place `at` of the course; `sign` is the index of the group among the signs.
+    /// The limit of a group, near the place `at` of the course; `group` is its index.
     /// `None` where the motion did not start far enough away, or the states are not on a smooth curve.
     pub(super) fn extrapolate(
         &mut self,
         mechanism: &M,
         course: &dyn Course,
-        (sign, at): (usize, f64),
+        (group, at): (usize, f64),
         blocked: &Blocked<M>,
     ) -> Option<Found<M>> {
-        let margin = M::model().plan.margin_of_group(sign)?;
+        let margin = M::model().plan.margin_of_group(group)?;
         // Narrow intervals avoid the influence of other limits, wide ones that of rounding; the one with the smallest
         // error is used.
         let mut best: Option<Found<M>> = None;
@@ -130,15 +130,15 @@ impl<M: Mechanism> PlanFollower<M> {
         mechanism: &M,
         course: &dyn Course,
         (margin, s): (usize, f64),
-        (beside, from): (f64, &Poses<M>),
-    ) -> Option<(f64, Poses<M>)> {
+        (beside, from): (f64, &PlanSolution<M>),
+    ) -> Option<(f64, PlanSolution<M>)> {
         let mut inputs = M::Inputs::<f64>::filled(Signal::constant(0.0));
         let rates = [from.q.as_ref(), from.q_dot.as_ref(), from.q_ddot.as_ref()];
         parabola(self.predicted.as_mut(), rates, self.weights.as_ref(), s - beside);
         let is_good = self.solve_at(mechanism, course, s, &mut inputs).ok()?;
         let at = Instant { t: course.at(s, inputs.as_mut()), inputs: inputs.as_ref() };
         let is_good = is_good && self.keeps_orientations(mechanism, &at).ok()?;
-        let found = &self.states[1 - self.good];
+        let found = self.trial();
         is_good.then(|| (Scalar::sqrt(found.margins.as_ref()[margin]), *found))
     }
 }

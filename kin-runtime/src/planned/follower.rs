@@ -39,22 +39,22 @@ pub(crate) fn most_turn(control: &Control, w: f64) -> f64 {
 pub(crate) const NEGLIGIBLE: f64 = 1e-4;
 
 /// A solution by the plan: q, q̇, q̈ and margins.
-pub(crate) struct Poses<M: Mechanism> {
+pub(crate) struct PlanSolution<M: Mechanism> {
     pub(crate) q: M::Coordinates<f64>,
     pub(crate) q_dot: M::Coordinates<f64>,
     pub(crate) q_ddot: M::Coordinates<f64>,
     pub(crate) margins: Margins<M>,
 }
 
-impl<M: Mechanism> Clone for Poses<M> {
+impl<M: Mechanism> Clone for PlanSolution<M> {
     fn clone(&self) -> Self {
         *self
     }
 }
 
-impl<M: Mechanism> Copy for Poses<M> {}
+impl<M: Mechanism> Copy for PlanSolution<M> {}
 
-impl<M: Mechanism> Poses<M> {
+impl<M: Mechanism> PlanSolution<M> {
     /// A solution with all numbers zero.
     pub(crate) fn nothing() -> Self {
         let zeros = M::Coordinates::<f64>::filled(0.0);
@@ -69,11 +69,11 @@ pub(crate) struct PlanFollower<M: Mechanism> {
     pub(super) t: f64,
     pub(super) inputs: M::Inputs<f64>,
     /// The last accepted state and the trial state.
-    pub(super) states: [Poses<M>; 2],
+    pub(super) states: [PlanSolution<M>; 2],
     /// Index of the accepted state.
-    pub(super) good: usize,
+    pub(super) accepted: usize,
     /// The time of the state before the accepted one, if `states` still contains it; otherwise NaN.
-    pub(super) before: f64,
+    pub(super) t_before: f64,
     /// True if the next state is unrelated to the last one.
     pub(super) starts_anew: bool,
     /// 1 for every mode that the caller has requested since the last accepted state, otherwise 0.
@@ -91,7 +91,7 @@ pub(crate) struct PlanFollower<M: Mechanism> {
     /// See [`rows_turn_alone`].
     pub(super) rows_turn_alone: bool,
     /// q at the limit that ended the last motion, if it was located.
-    pub(super) limit: Option<M::Coordinates<f64>>,
+    pub(super) q_at_limit: Option<M::Coordinates<f64>>,
 }
 
 impl<M: Mechanism> Clone for PlanFollower<M> {
@@ -139,9 +139,9 @@ impl<M: Mechanism> PlanFollower<M> {
             branch: Branch { modes: Modes::filled(0.0), distances: Distances::filled(0.0) },
             t,
             inputs: M::Inputs::<f64>::filled(Signal::constant(0.0)),
-            states: [Poses::nothing(); 2],
-            good: 0,
-            before: f64::NAN,
+            states: [PlanSolution::nothing(); 2],
+            accepted: 0,
+            t_before: f64::NAN,
             starts_anew: true,
             requested: Modes::filled(0.0),
             predicted: zeros,
@@ -150,7 +150,7 @@ impl<M: Mechanism> PlanFollower<M> {
             weights: zeros,
             turns: zeros,
             rows_turn_alone: rows_turn_alone::<M>(),
-            limit: None,
+            q_at_limit: None,
         }
     }
 
@@ -165,7 +165,7 @@ impl<M: Mechanism> PlanFollower<M> {
         margins: Margins<M>,
     ) -> Self {
         let mut follower = Self::empty(parameters, at.t);
-        follower.states[0] = Poses { q, q_dot, q_ddot, margins };
+        follower.states[0] = PlanSolution { q, q_dot, q_ddot, margins };
         follower.branch.modes = modes;
         follower.starts_anew = false;
         super::predict::weights(M::model(), q.as_ref(), follower.weights.as_mut());
@@ -178,10 +178,10 @@ impl<M: Mechanism> PlanFollower<M> {
     /// Accepts the trial state; `nearest` is the distance of its nearest group from the limit, and `in_one_step` is
     /// true if it was reached from the accepted state in one step.
     pub(super) fn accept(&mut self, at: &Instant<'_>, nearest: f64, in_one_step: bool) {
-        self.before = if in_one_step { self.t } else { f64::NAN };
+        self.t_before = if in_one_step { self.t } else { f64::NAN };
         self.branch.distances = self.distances;
         self.nearest = nearest;
-        self.good = 1 - self.good;
+        self.accepted = 1 - self.accepted;
         self.t = at.t;
         self.keep_inputs(at.inputs);
     }
@@ -197,7 +197,7 @@ impl<M: Mechanism> PlanFollower<M> {
 
     /// q at the limit that ended the last motion, if it was located.
     pub(crate) fn q_at_limit(&self) -> Option<&[f64]> {
-        self.limit.as_ref().map(AsRef::as_ref)
+        self.q_at_limit.as_ref().map(AsRef::as_ref)
     }
 
     fn keep_inputs(&mut self, inputs: &[Signal]) {
@@ -206,11 +206,17 @@ impl<M: Mechanism> PlanFollower<M> {
 
     /// The last accepted state.
     #[inline]
-    pub(crate) fn state(&self) -> &Poses<M> {
-        &self.states[self.good]
+    pub(crate) fn state(&self) -> &PlanSolution<M> {
+        &self.states[self.accepted]
     }
 
-    /// The time of that state.
+    /// The trial state.
+    #[inline]
+    pub(super) fn trial(&self) -> &PlanSolution<M> {
+        &self.states[1 - self.accepted]
+    }
+
+    /// The time of the last accepted state.
     pub(crate) const fn t(&self) -> f64 {
         self.t
     }
@@ -218,7 +224,7 @@ impl<M: Mechanism> PlanFollower<M> {
     /// True if that state was reached in one step from the previous one.
     #[cfg(feature = "std")]
     pub(crate) const fn in_one_step(&self) -> bool {
-        !self.before.is_nan()
+        !self.t_before.is_nan()
     }
 
     /// The modes of the branch.

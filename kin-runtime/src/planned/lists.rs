@@ -158,8 +158,8 @@ fn least_of<V: Compare>(margins: &[V]) -> V {
 #[inline(always)]
 fn write_roots<V: Compare>(plan: &Plan, margins: &[V], distances: &mut [V]) -> V {
     let mut least = V::from_f64(1.0);
-    for (sign, distance) in distances.iter_mut().enumerate() {
-        let Some(margin) = plan.margin_of_group(sign) else { continue };
+    for (group, distance) in distances.iter_mut().enumerate() {
+        let Some(margin) = plan.margin_of_group(group) else { continue };
         *distance = margins[margin].abs().sqrt();
         least = least.least(*distance);
     }

@@ -228,7 +228,7 @@ impl<M: Mechanism> PlanFollower<M> {
             if !follower.solve_at(mechanism, &course, from, &mut signals).unwrap_or(false) {
                 return nowhere;
             }
-            let tried = &follower.states[1 - follower.good];
+            let tried = follower.trial();
             let rates = [tried.q_dot.as_ref(), tried.q_ddot.as_ref()];
             let step = natural_step(rates, follower.weights.as_ref(), control.rotation);
             if !step.is_finite() && reach == 0.0 {

@@ -3,7 +3,7 @@
 use super::bends::{Span, bends_are_followed};
 use super::between::{certainty_at_places, certainty_of_rates};
 use super::branch::{first_uncertain, may_have_touched_limit};
-use super::follower::{Control, NEGLIGIBLE, PlanFollower, Poses};
+use super::follower::{Control, NEGLIGIBLE, PlanFollower, PlanSolution};
 use super::lists::BranchValues;
 use super::passed::{self, Passed};
 use super::predict::{largest_turn, turned};
@@ -16,14 +16,14 @@ impl<M: Mechanism> PlanFollower<M> {
     /// Solves by the plan in the current modes; true where the solution is valid.
     #[inline]
     pub(super) fn solve_in_modes(&mut self, mechanism: &M, at: &Instant<'_>) -> Result<bool, LengthError> {
-        let Self { parameters, branch, states, good, predicted, .. } = self;
-        let Poses { q, q_dot, q_ddot, margins } = &mut states[1 - *good];
+        let Self { parameters, branch, states, accepted, predicted, .. } = self;
+        let PlanSolution { q, q_dot, q_ddot, margins } = &mut states[1 - *accepted];
         let solved =
             Solved { q: q.as_mut(), q_dot: q_dot.as_mut(), q_ddot: q_ddot.as_mut(), margins: margins.as_mut() };
         let modes = branch.modes.of_closures();
         let depth = Depth::Acceleration;
         mechanism.solve_with(parameters.as_ref(), at, modes, predicted.as_ref(), depth, solved)?;
-        let Poses { q, q_dot, q_ddot, margins } = &states[1 - *good];
+        let PlanSolution { q, q_dot, q_ddot, margins } = &states[1 - *accepted];
         let finite = all_finite(q.as_ref()) & all_finite(q_dot.as_ref()) & all_finite(q_ddot.as_ref());
         Ok(margins.are_good() & finite & at.t.is_finite())
     }
@@ -34,7 +34,7 @@ impl<M: Mechanism> PlanFollower<M> {
     #[inline(never)]
     pub(super) fn retry_in_other_modes(&mut self, mechanism: &M, at: &Instant<'_>) -> Result<bool, LengthError> {
         let plan = &M::model().plan;
-        if !passed::is_missed(plan, self.states[1 - self.good].margins.as_ref()) {
+        if !passed::is_missed(plan, self.trial().margins.as_ref()) {
             return Ok(false);
         }
         let kept = self.branch.modes;
@@ -54,7 +54,7 @@ impl<M: Mechanism> PlanFollower<M> {
     /// Writes |w| of the groups of the trial state; returns the smallest.
     #[inline]
     pub(super) fn measure(&mut self) -> f64 {
-        self.states[1 - self.good].margins.write_distances(&mut self.distances)
+        self.states[1 - self.accepted].margins.write_distances(&mut self.distances)
     }
 
     /// True if in a step of the length h from `here` the gradients of iterated rows turn no farther than bodies may,
@@ -65,14 +65,14 @@ impl<M: Mechanism> PlanFollower<M> {
         &self,
         mechanism: &M,
         at: &Instant<'_>,
-        here: &Poses<M>,
+        here: &PlanSolution<M>,
         h: f64,
         control: &Control,
     ) -> Result<bool, LengthError> {
         if !self.rows_turn_alone {
             return Ok(true);
         }
-        let (turns, tried) = (self.turns.as_ref(), &self.states[1 - self.good]);
+        let (turns, tried) = (self.turns.as_ref(), self.trial());
         let turn = largest_turn([here.q_dot.as_ref(), here.q_ddot.as_ref()], turns, h);
         let away = turned(tried.q.as_ref(), self.predicted.as_ref(), turns);
         let is_near = turn <= control.rotation && away <= control.correction * turn + NEGLIGIBLE;
@@ -101,7 +101,7 @@ impl<M: Mechanism> PlanFollower<M> {
         if plan.orientations.is_empty() {
             return Ok(true);
         }
-        let q = &self.states[1 - self.good].q;
+        let q = &self.trial().q;
         let found = BranchValues::at(mechanism, self.parameters.as_ref(), at, q.as_ref())?;
         let iterated = plan.modes.len()..plan.signs();
         Ok(have_signs(&self.branch.modes.as_ref()[iterated.clone()], &found.as_ref()[iterated]))
@@ -132,7 +132,7 @@ impl<M: Mechanism> PlanFollower<M> {
         predicted: &[f64],
     ) -> Result<Option<usize>, LengthError> {
         let of = |q: &[f64]| BranchValues::at(mechanism, self.parameters.as_ref(), at, q);
-        let (foretold, found) = (of(predicted)?, of(self.states[1 - self.good].q.as_ref())?);
+        let (foretold, found) = (of(predicted)?, of(self.trial().q.as_ref())?);
         Ok(first_uncertain(self.branch.modes.as_ref(), foretold.as_ref(), found.as_ref()))
     }
 }

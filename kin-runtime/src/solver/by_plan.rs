@@ -18,7 +18,7 @@ use crate::plan::{Depth, Solved};
 #[cfg(feature = "design")]
 use crate::planned::PlanError;
 use crate::planned::branch::FAR_FROM_LIMITS;
-use crate::planned::follower::{PlanFollower, Poses};
+use crate::planned::follower::{PlanFollower, PlanSolution};
 use crate::planned::lists::{BranchValues, Margins, Modes};
 use crate::scalar::compare::{all_above, all_finite};
 use crate::state::State;
@@ -159,7 +159,7 @@ impl<M: Mechanism> Solver<'_, M> {
 
     /// The state that the plan finds at an instant, if it satisfies all rows.
     fn state_of(&self, parameters: &M::Parameters<f64>, at: &Instant<'_>, start: &Start<M>) -> Option<State> {
-        let mut poses = Poses::nothing();
+        let mut poses = PlanSolution::nothing();
         self.solve_poses(parameters, at, start, &mut poses)?;
         self.finished(parameters, at, &poses)
     }
@@ -170,9 +170,9 @@ impl<M: Mechanism> Solver<'_, M> {
         parameters: &M::Parameters<f64>,
         at: &Instant<'_>,
         start: &Start<M>,
-        poses: &mut Poses<M>,
+        poses: &mut PlanSolution<M>,
     ) -> Option<()> {
-        let Poses { q, q_dot, q_ddot, margins } = poses;
+        let PlanSolution { q, q_dot, q_ddot, margins } = poses;
         let solved =
             Solved { q: q.as_mut(), q_dot: q_dot.as_mut(), q_ddot: q_ddot.as_mut(), margins: margins.as_mut() };
         let modes = start.modes.of_closures();
@@ -187,7 +187,7 @@ impl<M: Mechanism> Solver<'_, M> {
     }
 
     /// The state with these rates, if it satisfies all rows.
-    fn finished(&self, parameters: &M::Parameters<f64>, at: &Instant<'_>, poses: &Poses<M>) -> Option<State> {
+    fn finished(&self, parameters: &M::Parameters<f64>, at: &Instant<'_>, poses: &PlanSolution<M>) -> Option<State> {
         let model = M::model();
         let solution = [poses.q.as_ref(), poses.q_dot.as_ref(), poses.q_ddot.as_ref()];
         let [q, q_dot, _] = solution;

@@ -4,8 +4,8 @@
 //! A set for which this step is not accepted repeats it with the scalar follower, so that every set moves as it would
 //! alone.
 
+use super::block_solution::{BlockSolution, Limits, Question, copy_lane};
 use super::end::{End, Outcome};
-use super::poses::{Limits, Poses, Question, copy_lane};
 use crate::mechanism::Mechanism;
 use crate::plan::{Depth, Plan};
 use crate::planned::bends::{Span, bends_are_followed};
@@ -30,7 +30,7 @@ pub(super) struct Motion<M: Mechanism> {
     distances: Distances<M, Octet>,
     margins: Margins<M, Octet>,
     /// The state at the last instant and the trial state.
-    poses: [Poses<M::Coordinates<Octet>, Octet>; 2],
+    poses: [BlockSolution<M::Coordinates<Octet>, Octet>; 2],
     good: usize,
     /// The margins at the last instant, and its inputs, which all sets share.
     margins_before: Margins<M, Octet>,
@@ -56,7 +56,7 @@ impl<M: Mechanism> Motion<M> {
             predicted: Array::generate(nothing),
             distances: Distances::filled(Octet::default()),
             margins: Margins::filled(Octet::default()),
-            poses: [Poses::nothing(); 2],
+            poses: [BlockSolution::nothing(); 2],
             good: 0,
             margins_before: Margins::filled(Octet::default()),
             inputs: Array::filled(Signal::constant(0.0)),
@@ -68,7 +68,7 @@ impl<M: Mechanism> Motion<M> {
     }
 
     /// The state of the last instant.
-    pub(super) fn poses(&self) -> &Poses<M::Coordinates<Octet>, Octet> {
+    pub(super) fn poses(&self) -> &BlockSolution<M::Coordinates<Octet>, Octet> {
         &self.poses[self.good]
     }
 
@@ -128,7 +128,7 @@ impl<M: Mechanism> Motion<M> {
     #[inline(always)]
     pub(super) fn advance(&mut self, mechanism: &M, at: &Instant<'_, Octet>, t: f64) -> Option<Refusals> {
         let h = t - self.t;
-        let Poses { q, q_dot, q_ddot, .. } = &self.poses[self.good];
+        let BlockSolution { q, q_dot, q_ddot, .. } = &self.poses[self.good];
         let rates = [q.as_ref(), q_dot.as_ref(), q_ddot.as_ref()];
         let turn = parabola(self.predicted.as_mut(), rates, self.weights.as_ref(), h);
         let limits = self.solve(mechanism, at);

@@ -34,7 +34,7 @@ fn begun(mechanism: &PlannedFourBar) -> Motion<PlannedFourBar> {
 
 /// The step, forwards or backwards, that turns by `turn`.
 fn step_of(motion: &Motion<PlannedFourBar>, turn: f64, side: f64) -> f64 {
-    let Poses { q, q_dot, q_ddot, .. } = motion.poses();
+    let BlockSolution { q, q_dot, q_ddot, .. } = motion.poses();
     let rates = [q.as_ref(), q_dot.as_ref(), q_ddot.as_ref()];
     let turns = |h: f64| parabola(&mut q.clone(), rates, motion.weights.as_ref(), h).lane(0);
     let (mut short, mut long) = (0.0, 1.0);

@@ -52,7 +52,7 @@ impl<M: Mechanism> PlanFollower<M> {
     #[cold]
     #[inline(never)]
     pub(super) fn blurred(&self, mechanism: &M, at: &Instant<'_>) -> Option<usize> {
-        let tried = &self.states[1 - self.good];
+        let tried = self.trial();
         let (q, q_dot) = (tried.q.as_ref(), tried.q_dot.as_ref());
         // A configuration ahead, so near that the motion to it is straight: ẇ is the difference quotient.
         let turns = if self.rows_turn_alone { self.turns.as_ref() } else { &[] };
@@ -71,7 +71,7 @@ impl<M: Mechanism> PlanFollower<M> {
         let t = at.t;
         let group = self.blurred(mechanism, at);
         let place = group.and_then(|group| M::model().plan.margin_of_group(group)).unwrap_or(0);
-        let here = self.states[1 - self.good];
+        let here = *self.trial();
         let margin = here.margins.as_ref()[place];
         // The crossing may lie before or after this instant.
         let blocked = Blocked { places: [t, t], here, fault: None };
@@ -79,7 +79,7 @@ impl<M: Mechanism> PlanFollower<M> {
             let course = Around { instant: *at, from: t + side * (1.0 + t.abs()) };
             self.extrapolate(mechanism, &course, (group?, t), &blocked)
         });
-        self.limit = found.as_ref().map(|found| found.q);
+        self.q_at_limit = found.as_ref().map(|found| found.q);
         // If it could not be located, the kind of the limit is known only for groups in closed form.
         let closes = group.is_some_and(|group| group < M::model().plan.modes.len());
         let unknown = (t, closes.then_some(LimitKind::BranchPoint));

@@ -32,7 +32,7 @@ impl Beside {
             [&q_dot, &q_ddot],
             &[],
         );
-        assert!(found.is_none_or(|sign| sign == 0));
+        assert!(found.is_none_or(|group| group == 0));
         found.is_some()
     }
 }

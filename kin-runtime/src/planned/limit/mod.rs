@@ -6,7 +6,7 @@
 //! or at a minimum of its margin.
 
 use super::error::{Limit, LimitKind, Located, PlanError};
-use super::follower::{Fault, PlanFollower, Poses};
+use super::follower::{Fault, PlanFollower, PlanSolution};
 use super::step::Step;
 use super::walk::Blocked;
 use crate::course::Course;
@@ -48,7 +48,7 @@ impl<M: Mechanism> PlanFollower<M> {
         if let Some(error) = self.unusable(at) {
             return error;
         }
-        let Poses { q, q_dot, q_ddot, margins } = &self.states[1 - self.good];
+        let PlanSolution { q, q_dot, q_ddot, margins } = self.trial();
         let start = if self.starts_anew { self.predicted.as_ref() } else { &[] };
         let solution = [q.as_ref(), q_dot.as_ref(), q_ddot.as_ref()];
         explain(M::model(), at.t, start, self.branch.modes.as_ref(), (solution, margins.as_ref()))
@@ -82,7 +82,7 @@ impl<M: Mechanism> PlanFollower<M> {
         if let Some(error) = self.unusable(at) {
             return (error, last);
         }
-        self.limit = None;
+        self.q_at_limit = None;
         let t = at.t;
         let mut inputs = M::Inputs::<f64>::filled(Signal::constant(0.0));
         let reached = course.at(blocked.places[0], inputs.as_mut());
@@ -119,7 +119,7 @@ impl<M: Mechanism> PlanFollower<M> {
         // If the minimum is not zero, the search ended before the limit, which lies farther on.
         let is_there = has_two_closures && margin <= TOUCHES;
         let found = self.extrapolate(mechanism, course, (group, s), blocked);
-        self.limit = found.as_ref().map(|found| found.q);
+        self.q_at_limit = found.as_ref().map(|found| found.q);
         let extrapolated = found.as_ref().and_then(|found| found.kind);
         let kind = match extrapolated {
             _ if is_there && least < -NO_MARGIN => Some(LimitKind::DeadCentre),
@@ -145,7 +145,7 @@ impl<M: Mechanism> PlanFollower<M> {
         let mut inputs = M::Inputs::<f64>::filled(Signal::constant(0.0));
         let t = course.at(s, inputs.as_mut());
         let start = blocked.here.q;
-        let spare = &mut self.states[1 - self.good];
+        let spare = &mut self.states[1 - self.accepted];
         let margins = spare.margins.as_mut();
         let (q, q_dot, q_ddot) = (spare.q.as_mut(), spare.q_dot.as_mut(), spare.q_ddot.as_mut());
         let solved = Solved { q, q_dot, q_ddot, margins };
@@ -160,7 +160,7 @@ impl<M: Mechanism> PlanFollower<M> {
             if plan.orientations.is_empty() { Depth::Position } else { Depth::Velocity },
             solved,
         );
-        let margin = self.states[1 - self.good].margins.as_ref()[margin];
+        let margin = self.trial().margins.as_ref()[margin];
         // An undefined margin counts as negative.
         if solution.is_ok() && !margin.is_nan() { margin } else { -1.0 }
     }

@@ -9,7 +9,7 @@
 use super::blurred::NEAR;
 use super::branch::{OUT_OF_REACH, resolves};
 use super::error::PlanError;
-use super::follower::{Control, NEGLIGIBLE, PlanFollower, Poses, most_turn};
+use super::follower::{Control, NEGLIGIBLE, PlanFollower, PlanSolution, most_turn};
 use super::lists::{BranchValues, Modes};
 use super::predict::{beyond_parabola, parabola, turned, weights};
 use crate::course::{Between, Course, Kind, kind};
@@ -60,7 +60,7 @@ impl<M: Mechanism> PlanFollower<M> {
         start: &[f64],
         modes: Modes<M>,
     ) -> Result<(), PlanError> {
-        self.limit = None;
+        self.q_at_limit = None;
         self.lengths_exist(mechanism, at)?;
         let before = core::mem::replace(&mut self.branch.modes, modes);
         self.predicted.as_mut().copy_from_slice(start);
@@ -77,7 +77,7 @@ impl<M: Mechanism> PlanFollower<M> {
     /// [`course`](crate::course).
     #[inline]
     pub(crate) fn update(&mut self, mechanism: &M, at: &Instant<'_>, control: &Control) -> Result<(), PlanError> {
-        self.limit = None;
+        self.q_at_limit = None;
         self.lengths_exist(mechanism, at)?;
         let turn = self.predict(at.t - self.t);
         if self.starts_anew {
@@ -98,7 +98,7 @@ impl<M: Mechanism> PlanFollower<M> {
         inputs: &dyn Fn(f64, &mut [crate::signal::Signal]),
         control: &Control,
     ) -> Result<(), PlanError> {
-        self.limit = None;
+        self.q_at_limit = None;
         self.lengths_exist(mechanism, at)?;
         let turn = self.predict(at.t - self.t);
         if self.starts_anew {
@@ -164,7 +164,7 @@ impl<M: Mechanism> PlanFollower<M> {
             Err(blocked) => {
                 let error = self.refusal(mechanism, course, at, &blocked);
                 (self.branch, self.turns) = kept;
-                self.before = f64::NAN;
+                self.t_before = f64::NAN;
                 Err(error)
             }
         }
@@ -173,7 +173,7 @@ impl<M: Mechanism> PlanFollower<M> {
     /// Writes the prediction; returns its largest rotation.
     #[inline]
     fn predict(&mut self, h: f64) -> f64 {
-        let Poses { q, q_dot, q_ddot, .. } = &self.states[self.good];
+        let PlanSolution { q, q_dot, q_ddot, .. } = &self.states[self.accepted];
         let rates = [q.as_ref(), q_dot.as_ref(), q_ddot.as_ref()];
         let turn = parabola(self.predicted.as_mut(), rates, self.weights.as_ref(), h);
         if !M::model().plan.orientations.is_empty() {
@@ -184,12 +184,14 @@ impl<M: Mechanism> PlanFollower<M> {
 
     /// Improves the prediction of the unknowns of iterations by the quintic.
     fn predict_unknowns(&mut self, h: f64) {
-        let (now, before) = (&self.states[self.good], &self.states[1 - self.good]);
-        let of = |state: &Poses<M>, k: usize| [state.q.as_ref()[k], state.q_dot.as_ref()[k], state.q_ddot.as_ref()[k]];
+        let (now, before) = (&self.states[self.accepted], &self.states[1 - self.accepted]);
+        let of = |state: &PlanSolution<M>, k: usize| {
+            [state.q.as_ref()[k], state.q_dot.as_ref()[k], state.q_ddot.as_ref()[k]]
+        };
         for step in M::model().plan.steps {
             let StepKind::Newton(unknowns) = step.kind else { continue };
             for &(k, _) in step.coordinates.iter().take(unknowns) {
-                let beyond = beyond_parabola(of(before, k), of(now, k), self.t - self.before, h);
+                let beyond = beyond_parabola(of(before, k), of(now, k), self.t - self.t_before, h);
                 self.predicted.as_mut()[k] += beyond;
             }
         }
@@ -197,16 +199,16 @@ impl<M: Mechanism> PlanFollower<M> {
 
     /// Solves at an instant that is unrelated to the last one.
     fn solve_anew(&mut self, mechanism: &M, at: &Instant<'_>) -> Result<(), PlanError> {
-        self.limit = None;
+        self.q_at_limit = None;
         let kept = (self.branch.modes, self.turns);
         let good = self.solve_in_modes(mechanism, at)? || self.retry_in_other_modes(mechanism, at)?;
         if !good {
-            self.before = f64::NAN;
+            self.t_before = f64::NAN;
             return Err(self.explain(at));
         }
         let plan = &M::model().plan;
         let nearest = self.measure();
-        let q = self.states[1 - self.good].q;
+        let q = self.trial().q;
         self.measure_turns(mechanism, at, &q);
         if self.is_blurred(mechanism, at) {
             let error = self.explain_blurred(mechanism, at);
@@ -215,10 +217,10 @@ impl<M: Mechanism> PlanFollower<M> {
         }
         if !plan.orientations.is_empty() {
             // An iteration may find any solution near its start, so its orientation is taken from the result.
-            let q = &self.states[1 - self.good].q;
+            let q = &self.trial().q;
             let found = BranchValues::at(mechanism, self.parameters.as_ref(), at, q.as_ref())?.modes();
-            for sign in plan.modes.len()..plan.signs() {
-                self.branch.modes.as_mut()[sign] = found.as_ref()[sign];
+            for group in plan.modes.len()..plan.signs() {
+                self.branch.modes.as_mut()[group] = found.as_ref()[group];
             }
         }
         self.accept(at, nearest, false);
@@ -242,10 +244,10 @@ impl<M: Mechanism> PlanFollower<M> {
         if !self.solve_in_modes(mechanism, at)? || !is_short {
             return Ok(false);
         }
-        let tried = &self.states[1 - self.good];
+        let tried = self.trial();
         let away = turned(tried.q.as_ref(), self.predicted.as_ref(), self.weights.as_ref());
         let is_expected = away <= control.correction * turn + NEGLIGIBLE;
-        let here = &self.states[self.good];
+        let here = &self.states[self.accepted];
         if !is_expected || !self.rows_are_followed(mechanism, at, here, at.t - self.t, control)? {
             return Ok(false);
         }

@@ -39,7 +39,7 @@ fn counts([before, now]: [f64; 2], turn: f64, control: &Control) -> bool {
         // An accepted step reaches the instant, and a rejected one changes nothing.
         assert_eq!(
             if counts { [h, 0.0] } else { [0.0, f64::NAN] }.map(f64::to_bits),
-            [follower.t.to_bits(), follower.before.to_bits()]
+            [follower.t.to_bits(), follower.t_before.to_bits()]
         );
         assert!((if counts { now } else { before } - follower.nearest).abs() < 1e-12);
         counts

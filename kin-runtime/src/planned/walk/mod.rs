@@ -6,7 +6,7 @@
 //! followed in steps that resolve the bend, and a group that reaches its limit stops the walk just before it.
 
 use super::branch::{first_dip, may_have_touched_limit, resolves};
-use super::follower::{Control, Fault, NEGLIGIBLE, PlanFollower, Poses, most_turn};
+use super::follower::{Control, Fault, NEGLIGIBLE, PlanFollower, PlanSolution, most_turn};
 use super::lists::{BranchValues, Modes};
 use super::predict::{parabola, turned};
 use crate::course::Course;
@@ -20,7 +20,7 @@ pub(crate) struct Blocked<M: Mechanism> {
     /// The last place reached, and the next one, which could not be reached.
     pub(super) places: [f64; 2],
     /// The state at the last place reached.
-    pub(super) here: Poses<M>,
+    pub(super) here: PlanSolution<M>,
     /// The reason; `None` where there were too many steps.
     pub(super) fault: Option<Fault>,
 }
@@ -38,14 +38,14 @@ impl<M: Mechanism> PlanFollower<M> {
         control: &Control,
     ) -> Result<(), Blocked<M>> {
         let [mut s, end] = course.ends();
-        let mut here = self.states[self.good];
+        let mut here = self.states[self.accepted];
         let mut inputs = M::Inputs::<f64>::filled(Signal::constant(0.0));
         if course.is_frozen() || !course.has_rates_of_end() {
             // The rates at the start must be those along the course.
             self.predicted = here.q;
             let good = self.solve_at(mechanism, course, s, &mut inputs).unwrap_or(false);
             if good {
-                here = self.states[1 - self.good];
+                here = *self.trial();
             }
         }
         let (mut proposed, mut smallest, mut nearest) = (f64::INFINITY, f64::NAN, self.nearest);
@@ -70,7 +70,7 @@ impl<M: Mechanism> PlanFollower<M> {
             let walked = (next - s).abs();
             match self.step(mechanism, course, [s, next], &mut inputs, (&here, nearest), control) {
                 Ok(growth) => {
-                    here = self.states[1 - self.good];
+                    here = *self.trial();
                     self.branch.distances = self.distances;
                     nearest = self.measure();
                     s = next;
@@ -98,7 +98,7 @@ impl<M: Mechanism> PlanFollower<M> {
         mechanism: &M,
         course: &dyn Course,
         at: &Instant<'_>,
-        here: Poses<M>,
+        here: PlanSolution<M>,
     ) -> Result<(), Blocked<M>> {
         let end = course.ends()[1];
         let blocked = |fault| Blocked { places: [end, end], here, fault: Some(fault) };
@@ -110,7 +110,7 @@ impl<M: Mechanism> PlanFollower<M> {
             self.measure();
         }
         match self.blurred(mechanism, at) {
-            Some(sign) => Err(blocked(Fault::Group(sign))),
+            Some(group) => Err(blocked(Fault::Group(group))),
             None => Ok(()),
         }
     }
@@ -122,7 +122,7 @@ impl<M: Mechanism> PlanFollower<M> {
         course: &dyn Course,
         [s, next]: [f64; 2],
         inputs: &mut M::Inputs<f64>,
-        (here, nearest): (&Poses<M>, f64),
+        (here, nearest): (&PlanSolution<M>, f64),
         control: &Control,
     ) -> Result<f64, Fault> {
         let h = next - s;
@@ -151,7 +151,7 @@ impl<M: Mechanism> PlanFollower<M> {
         course: &dyn Course,
         [s, next]: [f64; 2],
         inputs: &mut M::Inputs<f64>,
-        (here, kept): (&Poses<M>, &Modes<M>),
+        (here, kept): (&PlanSolution<M>, &Modes<M>),
         [allowed, turn, nearest]: [f64; 3],
     ) -> Result<f64, Fault> {
         let mut good = self.solve_at(mechanism, course, next, inputs)?;
@@ -163,7 +163,7 @@ impl<M: Mechanism> PlanFollower<M> {
             return Err(self.fault());
         }
         let nearest = f64::min(self.measure(), nearest);
-        let tried = &self.states[1 - self.good];
+        let tried = self.trial();
         let away = turned(tried.q.as_ref(), self.predicted.as_ref(), self.weights.as_ref());
         // The comparisons are written so that NaN is rejected.
         let (is_expected, is_resolved) = (away <= allowed, resolves(nearest, turn) >= 0.0);
@@ -174,8 +174,8 @@ impl<M: Mechanism> PlanFollower<M> {
             return Err(Fault::Group(self.nearest_group()));
         }
         let at = Instant { t, inputs: inputs.as_ref() };
-        if let Some(sign) = self.uncertain(mechanism, &at, self.predicted.as_ref())? {
-            return Err(Fault::Group(sign));
+        if let Some(group) = self.uncertain(mechanism, &at, self.predicted.as_ref())? {
+            return Err(Fault::Group(group));
         }
         let distances = [self.branch.distances.as_ref(), self.distances.as_ref()];
         if may_have_touched_limit(distances[0], distances[1]) {
@@ -186,8 +186,8 @@ impl<M: Mechanism> PlanFollower<M> {
             let at = Instant { t, inputs: inputs.as_ref() };
             let branch_values = BranchValues::<M>::at(mechanism, self.parameters.as_ref(), &at, middle.as_ref())?;
             let modes = [self.branch.modes.as_ref(), kept.as_ref()];
-            if let Some(sign) = first_dip(distances, branch_values.as_ref(), modes) {
-                return Err(Fault::Group(sign));
+            if let Some(group) = first_dip(distances, branch_values.as_ref(), modes) {
+                return Err(Fault::Group(group));
             }
         }
         Ok(away / allowed)
@@ -209,16 +209,16 @@ impl<M: Mechanism> PlanFollower<M> {
         }
         // Removes the contribution of time itself: velocities are linear in the rates of the inputs, accelerations
         // quadratic.
-        let along = self.states[1 - self.good];
+        let along = *self.trial();
         let (mut others, mut good) = ([along; 2], true);
         for (other, factor) in others.iter_mut().zip([0.0, -1.0]) {
             let mut changed = *inputs;
             scale_rates(changed.as_mut(), factor);
             good &= self.solve_in_modes(mechanism, &Instant { t, inputs: changed.as_ref() })?;
-            *other = self.states[1 - self.good];
+            *other = *self.trial();
         }
         let [still, back] = &others;
-        let tried = &mut self.states[1 - self.good];
+        let tried = &mut self.states[1 - self.accepted];
         *tried = along;
         let rates = [tried.q_dot.as_mut(), tried.q_ddot.as_mut()];
         without_time(rates, [still.q_dot.as_ref(), still.q_ddot.as_ref()], back.q_ddot.as_ref());
@@ -242,7 +242,7 @@ impl<M: Mechanism> PlanFollower<M> {
 
     /// The reason why the trial state is not valid.
     pub(super) fn fault(&self) -> Fault {
-        self.states[1 - self.good].margins.first_bad().map_or(Fault::NonFinite, Fault::Margin)
+        self.trial().margins.first_bad().map_or(Fault::NonFinite, Fault::Margin)
     }
 }
 

@@ -37,7 +37,7 @@ fn follower(mechanism: &PlannedFourBar) -> PlanFollower<PlannedFourBar> {
 /// Takes a step of length h from a state; `now` prescribes the group's distance at its end.
 fn step(
     follower: &mut PlanFollower<PlannedFourBar>,
-    here: &Poses<PlannedFourBar>,
+    here: &PlanSolution<PlannedFourBar>,
     now: &PlannedFourBar,
     h: f64,
     control: &Control,
@@ -50,7 +50,7 @@ fn step(
 
 /// The step, forwards or backwards, that turns by `turn`.
 fn step_of(follower: &PlanFollower<PlannedFourBar>, turn: f64, side: f64) -> f64 {
-    let Poses { q, q_dot, q_ddot, .. } = follower.state();
+    let PlanSolution { q, q_dot, q_ddot, .. } = follower.state();
     let turns =
         |h: f64| parabola(&mut q.clone(), [q.as_ref(), q_dot.as_ref(), q_ddot.as_ref()], follower.weights.as_ref(), h);
     let (mut short, mut long) = (0.0, 1.0);
@@ -83,7 +83,7 @@ fn a_solution_that_is_not_where_it_was_predicted_does_not_count() {
         let mut follower = follower(&mechanism);
         let (here, h) = (*follower.state(), step_of(&follower, 0.3, side));
         assert!(step(&mut follower, &here, &mechanism, h, &GENEROUS).is_ok());
-        let found = &follower.states[1 - follower.good];
+        let found = follower.trial();
         let away = turned(found.q.as_ref(), follower.predicted.as_ref(), follower.weights.as_ref());
         assert!(away > 4.0 * NEGLIGIBLE && away < 0.03, "{away}");
         for (factor, expected) in [(1.01, None), (0.99, Some(Fault::Coarse))] {

@@ -214,7 +214,6 @@ impl CheckedPlan {
         equations.move_to(s)?;
         to.s = s;
         to.basis = None;
-        to.fallback = None;
         self.solve(equations, before, &mut to.state)
     }
 }

@@ -61,7 +61,7 @@ impl Continuation {
         factor: Option<Factorization>,
     ) -> Result<Self, SolveError> {
         let plan = CheckedPlan::new(equations);
-        let mut node = Box::new(Node { s: state.t, state, basis: None, fallback: None });
+        let mut node = Box::new(Node { s: state.t, state, basis: None });
         if let Some(factor) = factor {
             node.basis = Some(basis_with(equations, &node.state, factor)?);
         }
@@ -130,7 +130,6 @@ impl Continuation {
             }
             equations.set_checked_instant(at);
             here.basis = None;
-            here.fallback = None;
             if plan.solve(equations, &node.state.q, &mut here.state)? {
                 if plan.has_curves && !plan.in_one_step {
                     // The side of a roller is checked from step to step, so a move of several steps is refused.

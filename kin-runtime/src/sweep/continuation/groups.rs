@@ -126,8 +126,8 @@ pub(super) fn are_blurred(
     // A divisor of the plan may be small although the branches of its groups are far apart.
     let margins = by_plan::margins(equations, groups, q);
     let plan = &equations.model.plan;
-    let by_margin = |sign: usize| plan.margin_of_group(sign).map_or(1.0, |place| margins[place].max(0.0).sqrt());
-    let distance = |(sign, w): (usize, &f64)| if w.is_nan() { 1.0 } else { w.abs().min(by_margin(sign)) };
+    let by_margin = |group: usize| plan.margin_of_group(group).map_or(1.0, |margin| margins[margin].max(0.0).sqrt());
+    let distance = |(group, w): (usize, &f64)| if w.is_nan() { 1.0 } else { w.abs().min(by_margin(group)) };
     let distances: Vec<f64> = groups.iter().enumerate().map(distance).collect();
     let turns = turns(equations, &equations.instant(), q);
     let further = 1e-6 / largest_angle(equations.model, &turns, q_dot);

@@ -21,20 +21,20 @@
 //! kinematic     from one instant of the grid to the next
 //!   follow      step control: the steps between two instants, by the plan or by full Newton
 //!     checked_plan   one step by the plan, compared with Φ
-//!     step           one full Newton step, judged (branch, groups)
+//!     step           one full Newton step, judged (orientation, groups)
 //!   refusal     the error where no step is certain
 //! ```
 //!
 //! Where there are rows of velocity level, Φ does not determine the position. The velocities are then integrated from
 //! the first instant on, and every step is projected onto Φ = 0; see `integrate`.
 
-mod branch;
 mod checked_plan;
 mod follow;
 mod groups;
 mod integrate;
 mod kinematic;
 mod nodes;
+mod orientation;
 mod refusal;
 mod step;
 

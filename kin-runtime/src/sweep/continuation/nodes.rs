@@ -1,7 +1,7 @@
 //! Data that full Newton needs at a node besides its state: the factorisation of Φ_q, its orientation, and rates.
 
-use super::branch::Orientation;
 use super::groups;
+use super::orientation::Orientation;
 use super::step::{Basis, Node};
 use crate::analysis::acceleration::acceleration;
 use crate::analysis::by_plan;

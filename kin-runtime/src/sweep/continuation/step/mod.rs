@@ -1,7 +1,7 @@
 //! One step of the continuation: predict, correct, check.
 
-use super::branch::Orientation;
 use super::groups;
+use super::orientation::Orientation;
 use crate::analysis::acceleration::acceleration;
 use crate::analysis::velocity::{inconsistency, scaled};
 use crate::equations::Equations;
@@ -12,7 +12,6 @@ use crate::linear::Factorization;
 use crate::nonlinear::newton::rounding;
 use crate::planned::bends::Span;
 use crate::state::State;
-use crate::trajectory::Fallback;
 use crate::workspace::Subset;
 use nalgebra::DVector;
 
@@ -35,8 +34,6 @@ pub(crate) struct Node {
     pub(crate) state: State,
     /// The data from which full Newton continues; `None` where the plan has solved this node.
     pub(crate) basis: Option<Basis>,
-    /// Why full Newton was used for this node although there is a plan.
-    pub(crate) fallback: Option<Fallback>,
 }
 
 /// The factorisation of Φ_q at a configuration, and the branch of that configuration.
@@ -116,7 +113,6 @@ pub(crate) fn step(
     fill(predicted, from.node.state.q.iter().zip(motion.iter()).map(|(q, d)| q + d));
     let allowed = equations.options.prediction_tolerance * equations.scale.size(motion) + NEGLIGIBLE;
     let corrected = correct(equations, scratch, &mut to.state.q, allowed, if last { 1e-9 } else { 1e-6 })?;
-    to.fallback = None;
     finish(equations, scratch, from, to, corrected, (s, allowed, last))
 }
 

@@ -24,7 +24,7 @@ fn is_expected([old, acceleration, new]: [f64; 3], h: f64) -> bool {
     let factor = equations.factorise(Purpose::Rank, None);
     let orientation = Orientation::here(&equations, &factor).unwrap();
     let basis = Basis { orientation, factor, groups: Vec::new(), turns: Vec::new() };
-    let node = Node { s: 0.0, state, basis: None, fallback: None };
+    let node = Node { s: 0.0, state, basis: None };
     let (q_dot, q_ddot) = ([old, 0.1, 0.0], [acceleration, 0.0, 0.0]);
     let start = Start { node: &node, basis: &basis, s: 0.0, q_dot: &q_dot, q_ddot: &q_ddot };
     expected(&equations, &mut Vec::new(), &start, h, &[new, 0.1, 0.0])

@@ -9,7 +9,7 @@ use crate::workspace::Array;
 
 /// A state of every lane; `Q` is an array of its own or a slice of the results.
 #[derive(Clone, Copy)]
-pub(super) struct Poses<Q, V: Pack> {
+pub(super) struct BlockSolution<Q, V: Pack> {
     pub(super) q: Q,
     pub(super) q_dot: Q,
     pub(super) q_ddot: Q,
@@ -34,7 +34,7 @@ pub(super) struct Question<'b, V> {
     pub(super) depth: Depth,
 }
 
-impl<Q: Array<V>, V: Pack> Poses<Q, V> {
+impl<Q: Array<V>, V: Pack> BlockSolution<Q, V> {
     /// Zeros, marked as having no solution.
     pub(super) fn nothing() -> Self {
         let [q, q_dot, q_ddot] = [(); 3].map(|()| Q::filled(V::default()));
@@ -42,7 +42,7 @@ impl<Q: Array<V>, V: Pack> Poses<Q, V> {
     }
 }
 
-impl<Q: AsRef<[V]> + AsMut<[V]>, V: Pack> Poses<Q, V> {
+impl<Q: AsRef<[V]> + AsMut<[V]>, V: Pack> BlockSolution<Q, V> {
     /// Solves the block; `margins` is a buffer for the margins of the plan. Returns `None` if all lanes are solved. In
     /// other lanes the numbers have no meaning, but the margin is not NaN.
     #[inline(always)]
@@ -131,7 +131,7 @@ impl<Q: AsRef<[V]> + AsMut<[V]>, V: Pack> Poses<Q, V> {
             start: start.as_ref(),
             depth: question.depth,
         };
-        let mut poses = Poses::<M::Coordinates<V>, V>::nothing();
+        let mut poses = BlockSolution::<M::Coordinates<V>, V>::nothing();
         let mut found = Margins::<M, V>::filled(V::default());
         poses.ask(mechanism, &own, found.as_mut());
         let limit = poses.judge_lane(&own, found.as_ref(), lane);
@@ -161,7 +161,7 @@ impl<Q: AsRef<[V]> + AsMut<[V]>, V: Pack> Poses<Q, V> {
     }
 
     /// Copies lane `from` of `other` to lane `to`.
-    pub(super) fn copy_lane(&mut self, other: &Poses<impl AsRef<[V]>, V>, from: usize, to: usize) {
+    pub(super) fn copy_lane(&mut self, other: &BlockSolution<impl AsRef<[V]>, V>, from: usize, to: usize) {
         copy_lane(self.q.as_mut(), other.q.as_ref(), from, to);
         copy_lane(self.q_dot.as_mut(), other.q_dot.as_ref(), from, to);
         copy_lane(self.q_ddot.as_mut(), other.q_ddot.as_ref(), from, to);
