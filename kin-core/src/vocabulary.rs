@@ -303,7 +303,7 @@ impl fmt::Display for StepKind {
             Self::Linear(n) => write!(f, "by a {n}×{n} linear system"),
             Self::Closure => f.write_str("in closed form"),
             Self::Newton(n) => write!(f, "by a {n}×{n} Newton iteration"),
-            Self::Watched => f.write_str("redundant rows watched"),
+            Self::Watched => f.write_str("redundant rows checked"),
         }
     }
 }

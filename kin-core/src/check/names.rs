@@ -86,7 +86,8 @@ pub(super) fn row_names_differ(mechanism: &Mechanism, errors: &mut Vec<ModelErro
         match first.get(name) {
             None => _ = first.insert(name, keyword),
             Some(other) => {
-                let message = format!("there is a row `{name}` already, a `{other}`; every row has a name of its own");
+                let message =
+                    format!("the name `{name}` is already used by a `{other}`; statements need different names");
                 errors.push(ModelError::new(origin, message));
             }
         }

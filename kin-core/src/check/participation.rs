@@ -17,8 +17,8 @@ pub(super) fn rows_contain_coordinates(mechanism: &Mechanism, errors: &mut Vec<M
         if mentioned_at(mechanism, joint, i).is_empty() {
             let (keyword, name) = (joint.operands.keyword(), &joint.name);
             let message = format!(
-                "{keyword} `{name}` mentions no coordinate, so that nothing can move to satisfy it; \
-                 a row holds at least one coordinate that is not held"
+                "{keyword} `{name}` contains no free coordinate, so that no motion can satisfy it; \
+                 a row needs at least one coordinate that is not held"
             );
             errors.push(ModelError::new(joint.keyword, message));
         }
@@ -63,7 +63,10 @@ pub(super) fn bodies_are_in_rows(mechanism: &Mechanism, errors: &mut Vec<ModelEr
         let members = if has_free(body) { body.len.unwrap_or(1) } else { 0 };
         let untouched = (0..members).filter(|&m| !touched.contains(&(family, m)));
         if let Some(names) = missing(&body.name, body.len, untouched.collect()) {
-            let message = format!("no row touches {names}; join it, hold all of its pose with `body`, or leave it out");
+            let message = format!(
+                "no joint or equation contains a coordinate of {names}; add a joint, fix its whole pose with \
+                 `body`, or remove it"
+            );
             errors.push(ModelError::new(body.origin, message));
         }
     }

@@ -166,7 +166,11 @@ fn everything_that_can_move_is_mentioned() {
     m.scalars.push(Scalar { name: "u".into(), len: Some(2), origin: Origin(8), unit: None });
     let said = said(&m);
     assert_eq!(said.len(), 2, "{said:?}");
-    assert!(said[0].contains("no row touches `wheel`") && said[1].contains("any of the 2 members of `u`"), "{said:?}");
+    assert!(
+        said[0].contains("no joint or equation contains a coordinate of `wheel`")
+            && said[1].contains("any of the 2 members of `u`"),
+        "{said:?}"
+    );
     assert_eq!(check_parts(&m), []);
     // The wheel has a held angle and a carried origin, so no coordinate is left.
     m.scalars.clear();
@@ -174,7 +178,7 @@ fn everything_that_can_move_is_mentioned() {
     m.bodies[1].phi = Some(Formula::ZERO);
     assert_eq!(check(&m), []);
     m.joints.push(joint("K", Angle { body: single(1), value: Formula::ZERO }.into()));
-    one(&m, "angle `K` mentions no coordinate");
+    one(&m, "angle `K` contains no free coordinate");
 }
 
 /// A mechanism that is built by a program may contain what the user's language cannot express.

@@ -105,8 +105,9 @@ fn own_carrier(mechanism: &Mechanism, joint: &Joint, gear: BodyRef, carrier: Bod
     let body = mechanism.common_member(joint.range, gear, carrier)?;
     let (keyword, name) = (joint.operands.keyword(), &joint.name);
     Some(if gear.is_ground() {
-        let right = "a body that carries both axles is given with `carrier = …`";
-        (gear.origin(), format!("{keyword} `{name}` turns against the ground and not with it; {right}"))
+        let wrong = format!("the ground cannot be one of the two bodies that {keyword} `{name}` couples");
+        let right = "unless a moving body that carries both axles is given with `carrier = …`";
+        (gear.origin(), format!("{wrong}, {right}"))
     } else {
         let right = "its carrier is a third body";
         (carrier.origin(), format!("`{body}` is one of the two bodies that {keyword} `{name}` couples; {right}"))

@@ -96,7 +96,7 @@ pub(super) fn guide_does_not_turn(
 ) {
     if let Some(body) = mechanism.common_member(joint.range, guide, turning) {
         let (keyword, name) = (joint.operands.keyword(), &joint.name);
-        let message = format!("`{body}` is the guide of {keyword} `{name}`, against which the {what} turns");
+        let message = format!("`{body}` is the guide of {keyword} `{name}`, so that it cannot also be the {what}");
         errors.push(ModelError::new(turning.origin(), message));
     }
 }

@@ -137,7 +137,7 @@ fn planned(system: &KinematicSystem, rank: usize, written: bool) -> Result<(Solu
     let set = &system.set;
     let (n, s) = (set.coordinates.len(), set.rows.len());
     if system.classes.iter().any(|class| !class.holonomic) {
-        return Err("rows of velocity level do not determine the position".to_owned());
+        return Err("nonholonomic rows (of velocity level) do not determine the position".to_owned());
     }
     if s < n {
         return Err(format!("{s} rows leave {} of {n} coordinates undetermined", n - s));

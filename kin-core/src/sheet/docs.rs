@@ -35,8 +35,7 @@ impl Sheet {
         }
         if !named.is_empty() {
             out.push_str(&format!(
-                "<p>{} stand in the same way for {}; the command <code>equations</code> writes them out.</p>\n",
-                if named.len() == 1 { "Further equations" } else { "The equations of further joints" },
+                "<p>The equations of {} are omitted here; the command <code>equations</code> prints them.</p>\n",
                 enumeration(&named)
             ));
         }
@@ -52,7 +51,7 @@ impl Sheet {
         let mut out = String::from("\n\n# Solution\n\n<div class=\"kin-sheet\">\n");
         for step in &self.steps {
             if out.len() > LONG {
-                out.push_str("<p>Further steps stand in what the command <code>equations</code> writes.</p>\n");
+                out.push_str("<p>The command <code>equations</code> prints the remaining steps.</p>\n");
                 break;
             }
             out.push_str(&html_step(step, "h4"));
@@ -65,7 +64,7 @@ impl Sheet {
     fn docs_dynamics(&self) -> String {
         let Some(forces) = self.html_dynamics() else { return String::new() };
         let forces = match forces.len() > LONG {
-            true => "<p>M and Q stand in what the command <code>equations</code> writes.</p>\n".to_owned(),
+            true => "<p>The command <code>equations</code> prints M and Q.</p>\n".to_owned(),
             false => forces,
         };
         format!("\n\n# Forces\n\n<div class=\"kin-sheet\">\n{forces}</div>\n")
@@ -103,8 +102,10 @@ fn section(joint: &Joint) -> String {
     let folded: String = joint.rows.iter().map(|row| table(derivatives(row, MathMl, WIDTH).into_iter())).collect();
     let alike = match joint.alike.as_slice() {
         [] => String::new(),
-        [one] => format!("<p>Likewise {}.</p>\n", escaped(one)),
-        many => format!("<p>Likewise {}.</p>\n", enumeration(&many.iter().map(String::as_str).collect::<Vec<_>>())),
+        names => format!(
+            "<p>The equations of {} have the same form.</p>\n",
+            enumeration(&names.iter().map(String::as_str).collect::<Vec<_>>())
+        ),
     };
     let summary = match joint.rows.iter().any(|row| row.position) {
         true => "Φ<sub>q</sub>, Φ<sub>t</sub> and γ",

@@ -58,9 +58,11 @@ pub(super) fn derivatives(row: &Row, notation: Notation, width: usize) -> Vec<Li
     let rest = match (row.position, notation) {
         (true, Notation::MathMl) => partial("<mi>t</mi>"),
         (true, _) => partial("t"),
-        (false, Notation::Unicode) => format!("{phi} at rest"),
+        (false, Notation::Unicode) => format!("{phi}(q̇ = 0)"),
         (false, Notation::Latex) => format!(r"{phi}\big|_{{\dot q = 0}}"),
-        (false, Notation::MathMl) => format!("{phi}<mtext> at rest</mtext>"),
+        (false, Notation::MathMl) => {
+            format!("{phi}<mo>(</mo>{}<mo>=</mo><mn>0</mn><mo>)</mo>", symbol("q_dot", notation))
+        }
     };
     let gamma = of_row("γ", &row.name, notation);
     entries.chain([line(rest, &row.phi_t), line(gamma, &row.gamma)]).collect()

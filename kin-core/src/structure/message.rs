@@ -66,7 +66,7 @@ fn message(system: &KinematicSystem, structure: &Structure, redundant: &[&Redund
             !is_angle && !system.classes[joint.first_row].driving
         };
         let by_lengths = others.iter().any(has_lengths);
-        let unless = if by_lengths { ", if special lengths leave more degrees of freedom," } else { "" };
+        let unless = if by_lengths { ", if special lengths give the mechanism more degrees of freedom," } else { "" };
         return format!(
             "the mechanism has {freedom} and {rows}: {names} {said} {already}; {advice}, or{unless} write \
              `#[mechanism(allow_redundant)]`"
@@ -76,11 +76,11 @@ fn message(system: &KinematicSystem, structure: &Structure, redundant: &[&Redund
     let said = if plural { "repeat or contradict" } else { "repeats or contradicts" };
     let already = match others.len() {
         0 => "itself".to_owned(),
-        1 => format!("what joint {with} already says"),
-        _ => format!("what joints {with} already say"),
+        1 => format!("what joint {with} already prescribes"),
+        _ => format!("what joints {with} already prescribe"),
     };
     format!(
-        "{rows}{names} {said} {already}, whatever the dimensions: {n} coordinates, {s} rows, rank {rank}; {advice}, or \
+        "{rows}{names} {said} {already}, for all dimensions: {n} coordinates, {s} rows, rank {rank}; {advice}, or \
          write `#[mechanism(allow_redundant)]`"
     )
 }
@@ -102,8 +102,8 @@ fn redundant_by_itself(
         let (constrains, each, it) =
             if plural { ("constrain", "of each", "them") } else { ("constrains", "of it", "it") };
         return format!(
-            "{names} {constrains} nothing: both sides {each} are the same; write the value of the left side on \
-             the right, or remove {it}"
+            "{names} {constrains} nothing: both sides {each} are the same; write the intended value on the right \
+             side, or remove {it}"
         );
     }
     let (constrains, residual) = if plural {
@@ -118,8 +118,11 @@ fn redundant_by_itself(
     if !meets_held {
         return said;
     }
-    let it = if plural { "them" } else { "it" };
-    format!("{said}; a held coordinate already satisfies {it}, or never can: leave that coordinate free instead")
+    let it_is = if plural { "they are" } else { "it is" };
+    format!(
+        "{said}; because of a held coordinate {it_is} either always or never satisfied: leave that coordinate free \
+         instead"
+    )
 }
 
 /// `row `N.angle` of `, or nothing if all rows of the joint are redundant.
@@ -174,10 +177,10 @@ fn instead_of(set: &ConstraintSet, place: usize, redundant: &[&Redundancy]) -> O
     }
     use RowMeaning::{AcrossAxis, Angle, Coincidence};
     match (&redundant_rows[..], &rest[..]) {
-        ([Angle], [AcrossAxis(_)]) => Some("`point_on_line`, which leaves the angle to the other joints"),
-        ([Angle], [Coincidence(_), Coincidence(_)]) => Some("`revolute`, which leaves the angle to the other joints"),
+        ([Angle], [AcrossAxis(_)]) => Some("`point_on_line`, which does not prescribe the angle"),
+        ([Angle], [Coincidence(_), Coincidence(_)]) => Some("`revolute`, which does not prescribe the angle"),
         ([AcrossAxis(_)] | [Coincidence(_), Coincidence(_)], [Angle]) => {
-            Some("`relative_angle`, which leaves the place to the other joints")
+            Some("`relative_angle`, which does not prescribe the position")
         }
         ([Coincidence(_)], _) => Some("`point_on_line`, which holds the point in one direction only"),
         _ => None,

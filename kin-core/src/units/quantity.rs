@@ -47,11 +47,11 @@ impl Checker<'_> {
                 Some(_) => unit.to_string(),
             };
             let like = match &self.first_length {
-                Some(name) if unit == self.length && found.is_like(unit) => format!(", the unit of `{name}`"),
+                Some(name) if unit == self.length && found.is_like(unit) => format!(", the unit of `{name}`,"),
                 _ => String::new(),
             };
             let hint = conversion(found, unit);
-            let message = format!("the units do not agree: this is {found}, and {wanted} is wanted{like}{hint}");
+            let message = format!("the units do not agree: this is {found}, but {wanted}{like} is expected here{hint}");
             self.errors.push(ModelError::new(first_origin(formula).unwrap_or(at), message));
         }
     }
@@ -75,7 +75,7 @@ impl Checker<'_> {
                     (None, None) => (other, one, self.at),
                 };
                 let hint = conversion(this, that);
-                let message = format!("the units do not agree: this is {this}, and what it meets is {that}{hint}");
+                let message = format!("the units do not agree: this is {this}, but the other quantity is {that}{hint}");
                 self.errors.push(ModelError::new(origin, message));
                 // `Any` agrees with every unit, so that no further errors follow.
                 Any

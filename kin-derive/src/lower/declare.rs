@@ -85,7 +85,10 @@ impl Lowerer<'_> {
         match &decl.name.bracket {
             None | Some(Bracket::Hole) => {}
             Some(Bracket::Len(_, span) | Bracket::Range(RangeDecl { span, .. })) => {
-                let message = format!("how many functions `{name}` has is given by its field: `#[function({name})]`");
+                let message = format!(
+                    "the number of functions `{name}` follows from the type of the field; write the name alone: \
+                     `#[function({name})]`"
+                );
                 self.report.error(*span, message);
             }
         }

@@ -24,7 +24,7 @@ impl Lowerer<'_> {
                 let (p, q) = (self.place(p, scope.range), self.place(q, scope.range));
                 let (p, q) = (p?, q?);
                 let class = if p.body.is_ground() && q.body.is_ground() { Class::Constant } else { Class::Coordinate };
-                self.require(class, "this distance holds coordinates", (expr.span, expr.span), scope)?;
+                self.require(class, "this distance contains coordinates", (expr.span, expr.span), scope)?;
                 Formula::Distance(Box::new(p), Box::new(q))
             }
             ExprKind::Neg(a) => Formula::Neg(Box::new(self.formula(a, scope)?)),
@@ -55,13 +55,14 @@ impl Lowerer<'_> {
                 match scope.allow {
                     Allow::Rates => Formula::Dot(Box::new(a?), self.origin(name.span())),
                     Allow::Dotted => {
-                        let message = "`dot` stands inside `dot`; a row of velocity level holds no accelerations";
+                        let message =
+                            "`dot` inside `dot` is an acceleration; rates are allowed here, accelerations are not";
                         return self.refuse(name.span(), message);
                     }
                     Allow::Parameters | Allow::Signals | Allow::Scalars | Allow::Everything => {
                         let message = format!(
-                            "`dot` is a rate, and {} holds none; it stands in `nonholonomic`, `force` and `torque` only: \
-                             `#[nonholonomic(N: dot(a.x) = v)]`",
+                            "`dot` is a rate, and {} cannot contain rates; `dot(…)` is allowed only in `nonholonomic`, \
+                             `force` and `torque`: `#[nonholonomic(N: dot(a.x) = v)]`",
                             scope.what
                         );
                         return self.refuse(name.span(), message);
@@ -114,7 +115,8 @@ impl Lowerer<'_> {
             Symbol::Function(_) => {
                 let index = if matches!(declared.shape, Shape::Family(_)) { "[i]" } else { "" };
                 let message = format!(
-                    "`{name}` is a function; its argument stands in parentheses, `{name}{index}(t)`; a number would be a field without `function`"
+                    "`{name}` is a function; its argument stands in parentheses, `{name}{index}(t)`; if `{name}` is \
+                     meant as a number, remove it from `#[function(…)]`"
                 );
                 return self.refuse(span, message);
             }
@@ -146,7 +148,7 @@ impl Lowerer<'_> {
                     Class::Coordinate => "coordinates",
                     Class::Signal | Class::Constant => "`t` or inputs",
                 };
-                self.require(class, &format!("the define `{name}` holds {depends}"), (span, span), scope)?;
+                self.require(class, &format!("the define `{name}` contains {depends}"), (span, span), scope)?;
                 Some(Formula::Define(Member { family, index, origin }))
             }
             Symbol::Body(_) | Symbol::Point(_) | Symbol::Function(_) => None,
@@ -237,8 +239,9 @@ impl Lowerer<'_> {
                 Some(Formula::PointCoordinate(Box::new(place), which?))
             }
             Some(Symbol::Input(_)) => {
-                let message =
-                    format!("`{name}` is an input; an expression takes its value, `{name}`, and derives the rest");
+                let message = format!(
+                    "`{name}` is an input; write `{name}` alone: its rate and acceleration are used automatically"
+                );
                 self.refuse(component.span(), message)
             }
             Some(other) => {

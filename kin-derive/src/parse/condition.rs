@@ -63,7 +63,7 @@ fn relation(input: ParseStream) -> Result<Relation> {
     for (is_there, operator, other) in [(input.peek(Token![>=]), ">", ">="), (input.peek(Token![<=]), "<", "<=")] {
         if is_there {
             let message =
-                format!("a motion passes its limit in an instant, so that there is no `{other}`; write `{operator}`");
+                format!("`{other}` is not available, because equality lasts only an instant; write `{operator}`");
             return Err(here(input, message));
         }
     }

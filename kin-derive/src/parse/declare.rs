@@ -62,8 +62,8 @@ pub(super) fn inputs(input: ParseStream, keyword: &Ident, report: &Report, items
         }
         let name = new_name(input, report)?;
         let caller = format!(
-            "an input is a name; value, rate and acceleration of `{0}` come with every call; a value to start from is \
-             written `#[input({0}, default = …)]`",
+            "an input is declared by its name alone; its value is given at run time, and a default with \
+             `#[input({}, default = …)]`",
             name.ident
         );
         items.push(Item::Input(InputDecl { name, unit: None, default: None }));
@@ -240,6 +240,6 @@ fn equals(input: ParseStream, form: &str) -> Result<()> {
 
 fn nonempty(input: ParseStream, keyword: &Ident, form: &str, report: &Report) {
     if input.is_empty() {
-        report.error(keyword.span(), format!("`{keyword}` says nothing here; it is written `{form}`"));
+        report.error(keyword.span(), format!("`{keyword}` is empty; it is written `{form}`"));
     }
 }

@@ -82,7 +82,8 @@ pub(super) fn unit(input: ParseStream) -> Result<String> {
         .parse()
         .map_err(|error: Error| Error::new(error.span(), "a unit is written in quotes: `unit = \"m\"`"))?;
     units::parse(&unit.value()).map_err(|units::UnknownUnit(part)| {
-        let forms = "units are written as in `m`, `mm`, `rad/s`, `m/s^2` or `N*m`; what has none of these has no unit";
+        let forms =
+            "units are written as in `m`, `mm`, `rad/s`, `m/s^2` or `N*m`; leave `unit` out for other quantities";
         Error::new(unit.span(), format!("no unit `{part}` is known; {forms}"))
     })?;
     Ok(unit.value())

@@ -228,12 +228,14 @@ impl<'a> Parts<'a> {
     }
 
     fn count_message(&self) -> String {
+        let points = format!("{} points", self.keyword_form.operands.len());
         let operands = match self.keyword_form.operands[..] {
             [OperandType::Points, ..] => "two points or more",
             [OperandType::Bodies] => "one body or two, then `=` and an expression",
             [OperandType::Point, OperandType::Vector] => "a point and a pair of components",
             [OperandType::Point] => "one point",
-            [OperandType::Point, ..] => "two points",
+            [OperandType::Point, OperandType::Point] => "two points",
+            [OperandType::Point, ..] => points.as_str(),
             [OperandType::Body | OperandType::Carrier] => "one body",
             [OperandType::Body | OperandType::Carrier, ..] => "two bodies",
             [_, _] => "two components",

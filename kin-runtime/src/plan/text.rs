@@ -25,7 +25,7 @@ impl fmt::Display for PlanStep {
             write!(f, "group {} ", self.group)?;
         }
         match self.kind {
-            StepKind::Watched => counted(f, self.rows.len(), "redundant row").and_then(|()| f.write_str(" watched"))?,
+            StepKind::Watched => counted(f, self.rows.len(), "redundant row").and_then(|()| f.write_str(" checked"))?,
             kind => kind.fmt(f)?,
         }
         if !self.coordinates.is_empty() {

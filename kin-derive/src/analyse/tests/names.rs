@@ -28,7 +28,7 @@ fn one_namespace_for_all_but_rows() {
     one_error(&pendulum("#[bodies(crank)]"), &["there is a body `crank` already"]);
     one_error(&pendulum("#[body(crank, x = 0)]"), &["there is a body `crank` already"]);
     one_error(&pendulum("#[point(l = crank @ (0, 0))]"), &["`l` is a point already, and here a parameter"]);
-    one_error(&pendulum("#[x(A: crank @ (0, 0) = 0)]"), &["there is a row `A` already, a `revolute`"]);
+    one_error(&pendulum("#[x(A: crank @ (0, 0) = 0)]"), &["the name `A` is already used by a `revolute`"]);
     assert!(errors(&pendulum("#[x(crank: crank @ (0, 0) = 0)] #[point(A = crank @ (0, 0))]")).is_empty());
     one_error(&pendulum("#[define(r#crank = 1)]"), &["`crank` is a body already, and here a define"]);
 }
@@ -72,14 +72,17 @@ fn only_what_makes_sense_stands_in_its_place() {
     one_error(&pendulum("#[translational(B: crank @ (0, 0), ground @ (0, 0), axis = (t, 1))]"), &["an axis takes"]);
     one_error(&pendulum("#[guess(crank.phi = t)]"), &["a guess takes"]);
     one_error(&pendulum("#[body(w, x = crank.x)] #[angle(B: w = 0)]"), &["a held coordinate takes"]);
-    one_error(&pendulum("#[define(s = crank.x)] #[x(B: crank @ (s, 0) = 0)]"), &["the define `s` holds coordinates"]);
+    one_error(
+        &pendulum("#[define(s = crank.x)] #[x(B: crank @ (s, 0) = 0)]"),
+        &["the define `s` contains coordinates"],
+    );
     one_error(
         &pendulum("#[define(s = 2*t)] #[define(r = s + 1)] #[x(B: crank @ (r, 0) = 0)]"),
-        &["the define `r` holds `t` or inputs"],
+        &["the define `r` contains `t` or inputs"],
     );
     one_error(
         &pendulum("#[point(p = crank @ (0, 0))] #[x(B: crank @ (0, 0) = distance(p, ground @ (0, 0)))]"),
-        &["this distance holds coordinates"],
+        &["this distance contains coordinates"],
     );
     assert!(errors(&pendulum("#[define(s = 2*l)] #[x(B: crank @ (s, 0) = s*t)]")).is_empty());
     assert!(

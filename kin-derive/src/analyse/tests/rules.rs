@@ -46,12 +46,12 @@ fn nothing_is_held_and_carried() {
 fn everything_takes_part() {
     one_error("struct S;", &["`S` has no coordinates"]);
     one_error("#[body(b, x = 0, y = 0, phi = 0)] struct S;", &["everything of its body is held"]);
-    one_error(&pendulum("#[bodies(wheel)]"), &["no row touches `wheel`"]);
+    one_error(&pendulum("#[bodies(wheel)]"), &["no joint or equation contains a coordinate of `wheel`"]);
     one_error(&pendulum("#[coordinates(u)] #[define(s = u)]"), &["no row mentions `u`"]);
-    one_error(&pendulum("#[driver(B: l = t)]"), &["driver `B` mentions no coordinate"]);
+    one_error(&pendulum("#[driver(B: l = t)]"), &["driver `B` contains no free coordinate"]);
     one_error(
         &pendulum("#[body(w, phi = 1)] #[x(C: w @ (0, 0) = 0)] #[angle(B: w = 1)]"),
-        &["angle `B` mentions no coordinate"],
+        &["angle `B` contains no free coordinate"],
     );
     // Coordinates may be mentioned through a define, a named point and a held origin.
     assert!(

@@ -37,10 +37,13 @@ fn units_that_differ_in_scale_are_named_with_what_to_do() {
         struct S { #[param(0.2, unit = \"m\")] r: f64, #[param(700, unit = \"mm\")] l: f64,
             #[param(60, unit = \"deg/s\")] omega: f64 }";
     let [length, angle] = &errors(source)[..] else { panic!("{:?}", errors(source)) };
-    assert_eq!(length, "the units do not agree: this is mm, and m is wanted, the unit of `r`; divided by 1000 it is m");
+    assert_eq!(
+        length,
+        "the units do not agree: this is mm, but m, the unit of `r`, is expected here; divided by 1000 it is m"
+    );
     assert_eq!(
         angle,
-        "the units do not agree: this is deg, and what it meets is a number or rad; times pi/180 it is rad"
+        "the units do not agree: this is deg, but the other quantity is a number or rad; times pi/180 it is rad"
     );
 }
 
