@@ -6,7 +6,7 @@
 //! - `row_names_differ`: rows have a namespace of their own;
 //! - `families_have_members`: lengths and ranges are neither empty nor too large;
 //! - `indices_exist`: every index is valid for its family over the whole range;
-//! - `origins_are_acyclic`: no body is carried by itself, directly or through other bodies;
+//! - `carriers_are_acyclic`: no body is carried by itself, directly or through other bodies;
 //! - `defines_are_acyclic`: no define uses itself;
 //! - `joints_join_two_bodies`: a joint connects two different bodies;
 //! - the rules of each kind of joint: the carrier of two gears is a third body, two rolling discs have different
@@ -97,7 +97,7 @@ pub fn check_parts(mechanism: &Mechanism) -> Vec<ModelError> {
     row_names_differ(mechanism, &mut errors);
     families_have_members(mechanism, &mut errors);
     indices_exist(mechanism, &mut errors);
-    origins_are_acyclic(mechanism, &mut errors);
+    carriers_are_acyclic(mechanism, &mut errors);
     defines_are_acyclic(mechanism, &mut errors);
     axes_have_a_direction(mechanism, &mut errors);
     lengths_are_positive(mechanism, &mut errors);
@@ -131,7 +131,7 @@ fn references_resolve(mechanism: &Mechanism) -> bool {
     families_have_members(mechanism, &mut errors);
     if errors.is_empty() {
         indices_exist(mechanism, &mut errors);
-        origins_are_acyclic(mechanism, &mut errors);
+        carriers_are_acyclic(mechanism, &mut errors);
         defines_are_acyclic(mechanism, &mut errors);
     }
     errors.is_empty()
@@ -210,7 +210,7 @@ fn indices_exist(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
 }
 
 /// Rule: a chain of carried bodies ends at a body that is not carried, or at the ground.
-fn origins_are_acyclic(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
+fn carriers_are_acyclic(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
     let carriers: Vec<Vec<usize>> = mechanism.bodies.iter().map(carriers).collect();
     for circle in cycle::order(&carriers).cycles {
         let names: Vec<&str> = circle.iter().map(|&k| mechanism.bodies[k].name.as_str()).collect();

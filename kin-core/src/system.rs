@@ -94,11 +94,11 @@ fn needs_what_is_not_supplied(system: &KinematicSystem) -> Vec<ModelError> {
     if !set.graph.ids().any(|id| beyond(&id).is_some()) {
         return Vec::new();
     }
-    let rows = set.rows.iter().map(|row| (&row.name, set.joints[row.joint].origin));
+    let rows = set.rows.iter().map(|row| (&row.name, set.joints[row.joint].keyword));
     let observed = set.observables.iter().map(|observable| match observable.kind {
         ObservableKind::Define(k) => (&set.defines[k].name, set.defines[k].origin),
         ObservableKind::Condition(k) => (&set.conditions[k].name, set.conditions[k].origin),
-        ObservableKind::Joint(k, _) => (&set.joints[k].name, set.joints[k].origin),
+        ObservableKind::Joint(k, _) => (&set.joints[k].name, set.joints[k].keyword),
         ObservableKind::Pose(k, _) => (&set.bodies[k].name, Origin::default()),
         ObservableKind::Point(k, _) => (&set.points[k].name, Origin::default()),
     });

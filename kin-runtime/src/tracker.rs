@@ -145,9 +145,9 @@ impl<'m> Tracker<'m> {
             return Ok(());
         }
         let from = follower.state().instant();
-        let way = equations.way.get_or_insert_with(|| InputPath::resting(at));
-        way.lead(&from, at);
-        if way.kind == Kind::Smooth {
+        let path = equations.path.get_or_insert_with(|| InputPath::resting(at));
+        path.lead(&from, at);
+        if path.kind == Kind::Smooth {
             follower.depart_in_time();
             if follower.advance(equations, at.t, false).is_ok() {
                 return Ok(());
@@ -155,9 +155,9 @@ impl<'m> Tracker<'m> {
             // These belong to a path that was not taken.
             follower.fallbacks.clear();
         }
-        let way = equations.way.get_or_insert_with(|| InputPath::resting(at));
-        way.straighten();
-        let (still, [start, end]) = (way.is_still(), way.ends());
+        let path = equations.path.get_or_insert_with(|| InputPath::resting(at));
+        path.straighten();
+        let (still, [start, end]) = (path.is_still(), path.ends());
         if still {
             return follower.stay(equations, at);
         }

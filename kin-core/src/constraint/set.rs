@@ -106,7 +106,7 @@ pub struct JointInstance {
     /// `A` or `N[3]`.
     pub name: String,
     /// The token of the keyword.
-    pub origin: Origin,
+    pub keyword: Origin,
     /// The index of the joint's family in the mechanism, and the joint's index in the family.
     pub family: (usize, i64),
     /// The kind of joint.

@@ -93,7 +93,7 @@ fn write(
     }
     set.joints.push(JointInstance {
         name,
-        origin: joint.keyword,
+        keyword: joint.keyword,
         family,
         kind,
         frames: rows.frames,

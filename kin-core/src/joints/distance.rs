@@ -23,7 +23,7 @@ joint! {
         /// The point Q of body j.
         q: Place = OperandSlot::frame("q"),
         /// The length e.
-        length: Value = OperandSlot::required("length", OperandType::Signal).positive(),
+        length: Value = OperandSlot::option("length", OperandType::Signal).positive(),
     }
     example: "#[distance(A: crank @ (l1, 0), rocker @ (0, 0), length = l2)]"
 }

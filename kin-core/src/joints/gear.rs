@@ -26,9 +26,9 @@ joint! {
         /// The body b.
         b: BodyRef = OperandSlot::body("b"),
         /// The radii R_a and R_b.
-        radii: Radii = OperandSlot::required("radii", OperandType::Radii).measured_in(Dimension::CommonLength),
+        radii: Radii = OperandSlot::option("radii", OperandType::Radii).measured_in(Dimension::CommonLength),
         /// The body that carries both axles, by default the ground.
-        carrier: BodyRef = OperandSlot::required("carrier", OperandType::Carrier),
+        carrier: BodyRef = OperandSlot::option("carrier", OperandType::Carrier),
         /// The offset e.
         offset: Formula = OperandSlot::offset("offset", Dimension::CommonLength),
     }

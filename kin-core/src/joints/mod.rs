@@ -12,7 +12,7 @@ mod driver;
 #[cfg(test)]
 mod equidistant;
 mod fixed;
-mod free;
+mod free_equation;
 mod gear;
 mod joint;
 mod kinds;
@@ -37,7 +37,7 @@ pub use curve::{FlatFollower, OnCurve};
 pub use distance::Distance;
 pub use driver::Driver;
 pub use fixed::Fixed;
-pub use free::Constraint;
+pub use free_equation::Constraint;
 pub use gear::Gear;
 pub(crate) use joint::Reaction;
 pub use kinds::forms;

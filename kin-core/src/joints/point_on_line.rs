@@ -22,7 +22,7 @@ joint! {
         /// The point Q of body j.
         q: Place = OperandSlot::frame("q"),
         /// The direction v of the line in body i.
-        axis: Axis = OperandSlot::required("axis", OperandType::Axis),
+        axis: Axis = OperandSlot::option("axis", OperandType::Axis),
         /// The offset e.
         offset: Formula = OperandSlot::offset("offset", Dimension::Length),
     }

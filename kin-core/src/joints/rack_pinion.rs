@@ -26,11 +26,11 @@ joint! {
         /// The point Q of the rack, body j.
         q: Place = OperandSlot::point("q"),
         /// The direction v in body i.
-        axis: Axis = OperandSlot::required("axis", OperandType::Axis),
+        axis: Axis = OperandSlot::option("axis", OperandType::Axis),
         /// The pinion, whose axle is on the guide.
-        pinion: BodyRef = OperandSlot::required("pinion", OperandType::Body),
+        pinion: BodyRef = OperandSlot::option("pinion", OperandType::Body),
         /// The radius R.
-        radius: Value = OperandSlot::required("radius", OperandType::Radius),
+        radius: Value = OperandSlot::option("radius", OperandType::Radius),
         /// The offset e.
         offset: Formula = OperandSlot::offset("offset", Dimension::Length),
     }

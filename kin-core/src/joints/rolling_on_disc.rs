@@ -27,10 +27,10 @@ joint! {
         /// The point Q, the centre of the disc of body j.
         q: Place = OperandSlot::frame("q"),
         /// The radii R_i and R_j.
-        radii: Radii = OperandSlot::required("radii", OperandType::Radii),
+        radii: Radii = OperandSlot::option("radii", OperandType::Radii),
         /// The scalar coordinate ψ, the direction of d in the inertial frame.
         along: Member =
-            OperandSlot::required("along", OperandType::Scalar("`along` names a scalar coordinate, `#[coordinates(psi)]`"))
+            OperandSlot::option("along", OperandType::Scalar("`along` names a scalar coordinate, `#[coordinates(psi)]`"))
                 .measured_in(Dimension::Angle),
         /// The offset e.
         offset: Formula = OperandSlot::offset("offset", Dimension::Length).in_last_row(),

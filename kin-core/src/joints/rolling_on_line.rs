@@ -30,9 +30,9 @@ joint! {
         /// The point Q of body j, the centre of the disc.
         q: Place = OperandSlot::frame("q"),
         /// The direction v of the line in body i.
-        axis: Axis = OperandSlot::required("axis", OperandType::Axis),
+        axis: Axis = OperandSlot::option("axis", OperandType::Axis),
         /// The radius R.
-        radius: Value = OperandSlot::required("radius", OperandType::Radius),
+        radius: Value = OperandSlot::option("radius", OperandType::Radius),
         /// The offset e.
         offset: Formula = OperandSlot::offset("offset", Dimension::Length).in_last_row(),
     }

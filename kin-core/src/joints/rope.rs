@@ -21,7 +21,7 @@ joint! {
         /// The points, in their order along the rope.
         points: Vec<Place> = OperandSlot::points("points"),
         /// The length e.
-        length: Value = OperandSlot::required("length", OperandType::Signal).positive(),
+        length: Value = OperandSlot::option("length", OperandType::Signal).positive(),
     }
     example: "#[rope(N: ground @ (0, 0), hook @ (0, 0), ground @ (0.2, 0), length = l)]"
 }

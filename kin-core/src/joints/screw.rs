@@ -24,11 +24,11 @@ joint! {
         /// The point Q of the carriage, body j.
         q: Place = OperandSlot::point("q"),
         /// The direction v in body i.
-        axis: Axis = OperandSlot::required("axis", OperandType::Axis),
+        axis: Axis = OperandSlot::option("axis", OperandType::Axis),
         /// The lead p, the stroke per turn.
-        lead: Formula = OperandSlot::required("lead", OperandType::Signal),
+        lead: Formula = OperandSlot::option("lead", OperandType::Signal),
         /// The rotating body b.
-        nut: BodyRef = OperandSlot::required("nut", OperandType::Body),
+        nut: BodyRef = OperandSlot::option("nut", OperandType::Body),
         /// The offset e.
         offset: Formula = OperandSlot::offset("offset", Dimension::Length),
     }

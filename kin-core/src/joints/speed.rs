@@ -20,7 +20,7 @@ joint! {
         /// The angle α.
         angle: Formula = OperandSlot::offset("angle", Dimension::Angle),
         /// The prescribed speed f.
-        value: Formula = OperandSlot::required("value", OperandType::Signal).measured_in(Dimension::Speed),
+        value: Formula = OperandSlot::option("value", OperandType::Signal).measured_in(Dimension::Speed),
     }
     example: "#[speed(A: sleigh @ (0, 0), angle = 0, value = v)]"
 }

@@ -23,7 +23,7 @@ joint! {
         /// The point Q of body j.
         q: Place = OperandSlot::frame("q"),
         /// The direction v of the axis in body i.
-        axis: Axis = OperandSlot::required("axis", OperandType::Axis),
+        axis: Axis = OperandSlot::option("axis", OperandType::Axis),
         /// The angle c.
         angle: Formula = OperandSlot::offset("angle", Dimension::Angle).in_last_row(),
     }

@@ -17,7 +17,7 @@ load! {
         /// F.
         force: Vector = OperandSlot::operand("force", OperandType::Vector).measured_in(Dimension::Derived([1, 1, -2])),
         /// The body whose frame the components are in.
-        frame: BodyRef = OperandSlot::required("frame", OperandType::Carrier),
+        frame: BodyRef = OperandSlot::option("frame", OperandType::Carrier),
     }
     named: true,
     example: "#[force(load: coupler @ (l2, 0), (0, -f))]"

@@ -16,7 +16,7 @@ load! {
         /// C, the centre of mass.
         centre: Place = OperandSlot::frame("c"),
         /// m.
-        mass: Formula = OperandSlot::required("mass", OperandType::Constant).measured_in(Dimension::Derived([1, 0, 0])),
+        mass: Formula = OperandSlot::option("mass", OperandType::Constant).measured_in(Dimension::Derived([1, 0, 0])),
         /// J.
         inertia: Formula = OperandSlot::offset("inertia", Dimension::Derived([1, 2, 0])).taking(OperandType::Constant),
     }

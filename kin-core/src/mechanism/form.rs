@@ -191,14 +191,15 @@ impl OperandSlot {
         Self { dimension, ..Self::new("value", Written::Right, OperandType::Signal) }
     }
 
-    /// A mandatory option.
-    pub const fn required(key: &'static str, takes: OperandType) -> Self {
+    /// An option without a value of its own where it is left out. It is mandatory unless its type has a default (the
+    /// carrier of a gear or belt is the ground, if none is given).
+    pub const fn option(key: &'static str, takes: OperandType) -> Self {
         Self::new(key, Written::Option, takes)
     }
 
     /// An option that is 0 by default: a formula of parameters, t and inputs.
     pub const fn offset(key: &'static str, dimension: Dimension) -> Self {
-        Self { or_zero: true, dimension, ..Self::required(key, OperandType::Signal) }
+        Self { or_zero: true, dimension, ..Self::option(key, OperandType::Signal) }
     }
 
     /// The slot with another dimension.

@@ -1,6 +1,8 @@
 //! Reduces a block of rows to parts that must be solved together.
 //!
-//! Three eliminations that are exact in every configuration are applied in this order, as long as one applies:
+//! Three eliminations are exact in every configuration. Pivots are eliminated first, as long as there is one; the other
+//! two are applied to a block that has no closed form (see the end), the ratio before the norm. A single row in one angle
+//! is solved together with a redundant row that rotates the same vector, if there is one (`paired`):
 //!
 //! - *pivot*: a coordinate that is linear in a row with a constant coefficient (origins of pinned bodies, angles of
 //!   sliders and gears). The row determines the coordinate, which is eliminated from all other rows.

@@ -354,7 +354,9 @@ impl<'m, S: Number> Direct<'m, S> {
             let whole = lengths.fold(S::real(0.0), |sum, length| sum + length);
             return vec![("", whole - self.formula(&length.value, i))];
         }
-        panic!("rows of velocity level have tests of their own")
+        panic!(
+            "this kind has no rows here: add them, or, if they are of velocity level, do not draw the kind at random"
+        )
     }
 
     /// A formula of a curve whose variables have these values.

@@ -51,7 +51,7 @@ impl<'a> Equations<'a> {
             given: given.iter().map(|&(coordinate, start)| Given { coordinate, start, now: start }).collect(),
             start_time: at.t,
             input_function,
-            way: None,
+            path: None,
             observed: Observed::new(None, 0),
             lengths: Vec::new(),
             t: at.t,

@@ -47,8 +47,8 @@ pub(crate) struct Equations<'a> {
     given: Vec<Given>,
     start_time: f64,
     input_function: InputFunction<'a>,
-    /// The course that is followed, where its parameter is not time.
-    pub(crate) way: Option<InputPath>,
+    /// The path of the inputs where they are known only at both ends of a step.
+    pub(crate) path: Option<InputPath>,
     /// The observer of a sweep.
     pub(crate) observed: Observed<'a>,
     /// The distances that joints keep. Those that depend on time or inputs are checked at every instant.
@@ -187,7 +187,7 @@ impl<'a> Equations<'a> {
 
     /// The time at a place of the course; without a course, places are times.
     pub(crate) fn time_at(&self, s: f64) -> f64 {
-        self.way.as_ref().map_or(s, |way| way.time(s))
+        self.path.as_ref().map_or(s, |path| path.time(s))
     }
 
     /// Moves to a place of the course: inputs follow the course or their functions of time, and prescribed coordinates
@@ -195,8 +195,8 @@ impl<'a> Equations<'a> {
     pub(crate) fn move_to(&mut self, s: f64) -> Result<(), SolveError> {
         finite("t", 0, "t", s)?;
         self.set_time(self.time_at(s));
-        match (&self.way, self.input_function) {
-            (Some(way), _) => way.write(s, &mut self.inputs),
+        match (&self.path, self.input_function) {
+            (Some(path), _) => path.write(s, &mut self.inputs),
             (None, Some(function)) => function(s, &mut self.inputs),
             (None, None) => {}
         }
@@ -209,18 +209,18 @@ impl<'a> Equations<'a> {
 
     /// Calls `evaluate` so that derivatives are taken with respect to time, whatever the course is.
     pub(crate) fn by_time<R>(&mut self, evaluate: impl FnOnce(&mut Self) -> R) -> R {
-        let way = self.way.take();
+        let path = self.path.take();
         let result = evaluate(self);
-        self.way = way;
+        self.path = path;
         result
     }
 
     /// Calls `evaluate` so that derivatives are taken with respect to the inputs only, with time frozen: Φ_t is Φ_u u′,
     /// γ is −(Φ_q q′)_q q′ − 2 Φ_qu u′ q′ − (Φ_u u′)_u u′.
     pub(crate) fn by_inputs<R>(&mut self, evaluate: impl FnOnce(&mut Self) -> R) -> R {
-        let way = self.way.replace(InputPath::frozen());
+        let path = self.path.replace(InputPath::frozen());
         let result = evaluate(self);
-        self.way = way;
+        self.path = path;
         result
     }
 
@@ -246,7 +246,7 @@ impl<'a> Equations<'a> {
 
     /// True where time is frozen, so that derivatives are taken along the course of the inputs.
     pub(crate) fn is_frozen(&self) -> bool {
-        self.way.as_ref().is_some_and(|way| way.kind == Kind::Frozen)
+        self.path.as_ref().is_some_and(|path| path.kind == Kind::Frozen)
     }
 
     /// Checks that q or q̇ has the right length and is finite.

@@ -33,9 +33,9 @@ joint! {
         /// The point Q of body j, on its face.
         q: Place = OperandSlot::frame("q"),
         /// The direction v of the face in body j.
-        axis: Axis = OperandSlot::required("axis", OperandType::Axis),
+        axis: Axis = OperandSlot::option("axis", OperandType::Axis),
         /// The support function h.
-        support: Formula = OperandSlot::required("support", OperandType::Support),
+        support: Formula = OperandSlot::option("support", OperandType::Support),
     }
     example: "#[flat_follower(A: cam @ (0, 0), follower @ (0, 0), axis = (1, 0), support(theta) = r + e*cos(theta))]"
 }

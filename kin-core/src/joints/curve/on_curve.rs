@@ -16,7 +16,7 @@ joint! {
         /// The point Q of body j.
         q: Place = OperandSlot::point("q"),
         /// The curve.
-        curve: Curve = OperandSlot::required("curve", OperandType::Curve),
+        curve: Curve = OperandSlot::option("curve", OperandType::Curve),
     }
     example: "#[on_curve(A: cam @ (0, 0), follower @ (0, 0), polar(theta) = r + e*cos(theta))]"
 }
