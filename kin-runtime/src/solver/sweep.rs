@@ -22,9 +22,10 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     ///
     /// Between two instants as many steps are taken as the motion needs by its velocities and accelerations. A motion
     /// of a driver in between that does not show in these is not detected: if the driver rests at both instants, an
-    /// excursion between them causes no error, even one past a dead centre. Nor is a bump of a curve detected if the
-    /// curve is straight before it and the bump is much narrower than the motion between two instants. Choose instants
-    /// on every rise and dwell of a driver, and on every feature of a curve.
+    /// excursion between them causes no error, even one past a dead centre. Nor is a bump detected of a curve that is a
+    /// [supplied function](crate::ScalarFunction), if the curve is straight before it and the bump is much narrower than
+    /// the motion between two instants; bumps of curves that are written as formulas are. Choose instants on every rise
+    /// and dwell of a driver, and on every feature of such a curve.
     ///
     /// # Errors
     /// As [`state`](Self::state) for the first instant; then [`Singular`](SolveError::Singular) or
