@@ -84,12 +84,11 @@ pub(super) fn may_have_touched_limit(before: &[f64], after: &[f64]) -> bool {
     before.iter().zip(after).any(|(before, after)| may_dip(*before, *after))
 }
 
-/// Smallest distance of a group from its limit in the middle of a step, relative to the smaller of its distances at
-/// both ends.
+/// Smallest |w| of a group in the middle of a step, relative to the smaller one at both ends.
 const MIDDLE: f64 = 0.25;
 
 /// The first group that comes much nearer to its limit in the middle of a step than at its ends, of those that may have
-/// reached it; `middle` is w as predicted there. Groups whose mode has changed do not count: with redundant rows a
+/// reached it. The arguments are w at both ends, and as predicted in the middle. Groups whose mode has changed do not count: with redundant rows a
 /// motion may pass limits of the rows that the plan uses, and w changes its sign within the step.
 pub(super) fn first_dip(
     [before, after]: [&[f64]; 2],
@@ -97,10 +96,10 @@ pub(super) fn first_dip(
     [modes, modes_before]: [&[f64]; 2],
 ) -> Option<usize> {
     let dips = |group: usize| {
-        let stays = middle[group].abs() >= MIDDLE * before[group].min(after[group]);
+        let stays = middle[group].abs() >= MIDDLE * before[group].abs().min(after[group].abs());
         !stays
     };
-    let near = |group: &usize| may_dip(before[*group], after[*group]);
+    let near = |group: &usize| may_dip(before[*group].abs(), after[*group].abs());
     (0..modes.len()).filter(near).find(|&group| dips(group) && modes[group] == modes_before[group])
 }
 
@@ -148,8 +147,8 @@ mod tests {
     /// Group 1 is close at its start and group 2 at its end, group 0 at neither.
     #[test]
     fn a_dip_in_the_middle_counts_for_close_groups_that_keep_their_mode() {
-        let distances = [&[0.5, 0.1, 0.4][..], &[0.5, 0.3, 0.12]];
-        let of = |middle: [f64; 3], now: [f64; 3]| first_dip(distances, &middle, [&now, &[1.0, -1.0, 1.0]]);
+        let ends = [&[0.5, -0.1, 0.4][..], &[0.5, -0.3, 0.12]];
+        let of = |middle: [f64; 3], now: [f64; 3]| first_dip(ends, &middle, [&now, &[1.0, -1.0, 1.0]]);
         let kept = [1.0, -1.0, 1.0];
         assert_eq!(None, of([0.0, -0.026, 0.031], kept));
         assert_eq!([Some(1), Some(2)], [[0.5, -0.024, 0.031], [0.5, -0.2, 0.029]].map(|middle| of(middle, kept)));

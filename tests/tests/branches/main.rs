@@ -9,6 +9,7 @@ mod alone;
 mod approaches;
 mod arithmetic;
 mod bars;
+mod belted;
 mod case;
 mod chains;
 mod closure;

@@ -177,16 +177,20 @@ impl<M: Mechanism> PlanFollower<M> {
         if let Some(group) = self.uncertain(mechanism, &at, self.predicted.as_ref())? {
             return Err(Fault::Group(group));
         }
-        let distances = [self.branch.distances.as_ref(), self.distances.as_ref()];
-        if may_have_touched_limit(distances[0], distances[1]) {
+        if may_have_touched_limit(self.branch.distances.as_ref(), self.distances.as_ref()) {
             let mut middle = M::Coordinates::<f64>::filled(0.0);
             let rates = [here.q.as_ref(), here.q_dot.as_ref(), here.q_ddot.as_ref()];
             parabola(middle.as_mut(), rates, self.weights.as_ref(), 0.5 * (next - s));
-            let t = course.at(s + 0.5 * (next - s), inputs.as_mut());
-            let at = Instant { t, inputs: inputs.as_ref() };
-            let branch_values = BranchValues::<M>::at(mechanism, self.parameters.as_ref(), &at, middle.as_ref())?;
+            let (found, parameters) = (self.trial().q, self.parameters);
+            // Branch values are compared with one another, as distances of iterated groups may be several times larger.
+            let mut of = |s: f64, q: &M::Coordinates<f64>| {
+                let t = course.at(s, inputs.as_mut());
+                let at = Instant { t, inputs: inputs.as_ref() };
+                BranchValues::<M>::at(mechanism, parameters.as_ref(), &at, q.as_ref())
+            };
+            let [before, middle, after] = [of(s, &here.q)?, of(s + 0.5 * (next - s), &middle)?, of(next, &found)?];
             let modes = [self.branch.modes.as_ref(), kept.as_ref()];
-            if let Some(group) = first_dip(distances, branch_values.as_ref(), modes) {
+            if let Some(group) = first_dip([before.as_ref(), after.as_ref()], middle.as_ref(), modes) {
                 return Err(Fault::Group(group));
             }
         }
