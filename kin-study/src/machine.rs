@@ -167,7 +167,9 @@ fn starts<M: Mechanism>(mechanism: &M, study: &Study, at: &Instant<'_>) -> Resul
         let name = modes[undecided].name;
         let why =
             solved.err().map_or_else(String::new, |error| format!(", as the default dimensions do not close: {error}"));
-        return Err(wrong(format!("which closure? Write `mode = {{ {name} = \"+\" }}` in `[motion]`{why}")));
+        return Err(wrong(format!(
+            "the sign of mode {name} is not determined; write `mode = {{ {name} = \"+\" }}` in `[motion]`{why}"
+        )));
     }
     let signs: Vec<Sign> = signs.into_iter().flatten().collect();
     Ok((start, vec![named::<M>(&signs)]))

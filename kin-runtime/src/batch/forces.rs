@@ -55,8 +55,8 @@ pub(super) fn table<M: Mechanism>() -> Result<&'static ForceModel, BatchError> {
     match M::model().forces {
         None => Err(BatchError::NoForces("the mechanism has neither masses nor loads")),
         Some(model) if !model.solved => Err(BatchError::NoForces(
-            "closed forms do not solve for λ: redundant rows share the load, or there is no plan; `Solver::forces` solves \
-             for it state by state",
+            "λ has no closed form: redundant rows share the load, or there is no plan; use `Solver::forces` for \
+             each state",
         )),
         Some(model) => Ok(model),
     }

@@ -179,11 +179,11 @@ fn check(model: &'static Model) -> Result<(), BatchError> {
         return Err(BatchError::NoPlan(why));
     }
     if model.plan.watched().next().is_some() {
-        let why = "redundant rows may hold for these parameters only; `Solver::measure_sensitivities` solves all rows";
+        let why = "redundant rows may be consistent for these parameters only; use `Solver::measure_sensitivities`";
         return Err(BatchError::NoSensitivities(why));
     }
     if is_integrated(model) {
-        return Err(BatchError::NoSensitivities("rows of velocity level make the position an outcome of the motion"));
+        return Err(BatchError::NoSensitivities("with nonholonomic rows the position depends on the preceding motion"));
     }
     if model.coordinates.len() > LARGEST {
         return Err(BatchError::NoSensitivities("there are more than 160 coordinates"));

@@ -61,7 +61,7 @@ impl fmt::Display for End {
         write!(f, "ended at instant {}: ", self.instant)?;
         match &self.limit {
             Some(limit) => limit.fmt(f),
-            None => f.write_str("a number is not finite"),
+            None => f.write_str("a number is not finite, a length is negative, or the motion jumps"),
         }
     }
 }
@@ -82,7 +82,7 @@ impl fmt::Display for Moment<'_> {
 impl<S> fmt::Display for Motions<S> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let whole = self.ends().filter(Option::is_none).count();
-        write!(f, "{whole} of {} motions whole", self.count())
+        write!(f, "{whole} of {} motions complete", self.count())
     }
 }
 

@@ -241,9 +241,8 @@ pub(super) fn facts(findings: &Findings) -> Facts {
 fn add_plan(facts: &mut Facts, plan: &CrossCheck) {
     let label = "compared with full Newton";
     if plan.configurations == 0 {
-        let words =
-            ["numbers: all configurations are at limits of the plan or beyond them", "where full Newton solves"];
-        facts.add(label, "no", words);
+        let words = ["all configurations are at or beyond limits of the plan", "where full Newton solves"];
+        facts.add(label, "nothing", words);
         return;
     }
     let skipped = (plan.skipped > 0).then(|| format!("{} skipped beside or beyond limits", plan.skipped));

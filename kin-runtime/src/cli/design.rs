@@ -50,7 +50,7 @@ pub(super) struct DesignArgs {
     /// It must move through a full turn [of this driver], and keep away from dead centres by 1 % of its links
     #[arg(long, value_name = "DRIVER", num_args = 0..=1, default_missing_value = "")]
     turns: Option<String>,
-    /// Lengths of a four-bar by Grashof's rule: GROUND,CRANK,COUPLER,ROCKER
+    /// Lengths of a four-bar that must satisfy Grashof's condition: GROUND,CRANK,COUPLER,ROCKER
     #[arg(long, value_name = "LENGTHS")]
     grashof: Option<String>,
     /// Which link of --grashof is the shortest: ground, crank, coupler or rocker

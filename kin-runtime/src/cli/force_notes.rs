@@ -41,5 +41,5 @@ pub(super) fn missing_force(
                 .to_owned()
         }
     };
-    Some(format!("note: `{}` has no number at t = {}: {why}", measure.name(), rounded(state.t)))
+    Some(format!("note: `{}` has no value at t = {}: {why}", measure.name(), rounded(state.t)))
 }

@@ -15,7 +15,7 @@ use crate::measure::{column_values, columns};
 use crate::present::forces::text;
 use crate::present::number::{plain, rounded};
 
-/// What drivers supply and joints carry at one instant
+/// Efforts of drivers and reactions in joints at one instant
 #[derive(Clone, Debug, clap::Args)]
 pub(super) struct ForcesArgs {
     #[command(flatten)]

@@ -76,7 +76,7 @@ pub(super) struct ArcArgs {
         long_help = "\
 Go on through dead centres, where the driver turns back and the mechanism goes
 on into its other closure, until the motion is where it began. Rows are equally
-far apart on that way. With --to t stays between --from and --to"
+spaced along the arc. With --to t stays between --from and --to"
     )]
     along_arc: bool,
 }

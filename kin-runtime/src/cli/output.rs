@@ -104,7 +104,7 @@ pub(super) fn forms(command: &str) -> &'static [Form] {
 /// How results are written, and where to.
 #[derive(Clone, Debug, Default, clap::Args)]
 pub(super) struct OutputArgs {
-    /// The form of the result
+    /// The format of the result
     #[arg(long, value_name = "FORMAT", hide_possible_values = true)]
     format: Option<String>,
     /// Write the result to a file, which is replaced only when complete

@@ -5,7 +5,7 @@ use crate::mechanism::Mechanism;
 /// A mechanism with a default for every parameter, with which its program starts. Every such mechanism implements it.
 #[doc(hidden)]
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` is no mechanism with default parameters",
+    message = "`{Self}` is not a mechanism, or one of its parameters has no default",
     label = "its program begins with the defaults",
     note = "a mechanism is a struct under `#[mechanism]`; every field needs a default, `#[param(0.1)]`, \
             or the struct an `impl Default` of its own"

@@ -38,7 +38,7 @@ pub(super) struct SolveArgs {
     freedom: FreedomArgs,
     #[command(flatten)]
     angles: AngleArgs,
-    /// Also what drivers supply and joints carry
+    /// Also efforts of drivers and reactions in joints
     #[arg(long)]
     forces: bool,
     /// Also a proof that it is a solution, and the only one nearby

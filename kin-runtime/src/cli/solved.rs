@@ -113,9 +113,12 @@ pub(super) fn note_modes(session: &mut Session<'_>, engine: &dyn Engine, setup: 
 pub(super) fn note_start(session: &mut Session<'_>, mobility: &Mobility) {
     let free = mobility.position_degrees_of_freedom_left;
     if mobility.velocity_level_rows > 0 && free > 0 {
-        let coordinates = if free == 1 { "1 coordinate is".to_owned() } else { format!("{free} coordinates are") };
+        let values = match free {
+            1 => "the start value of 1 coordinate is".to_owned(),
+            _ => format!("the start values of {free} coordinates are"),
+        };
         session.note(&format!(
-            "note: {coordinates} where the guess puts the start (--guess): rows of velocity level determine rates only; \
+            "note: {values} taken from the guess (--guess): rows of velocity level determine rates only; \
              `sweep` integrates them from its first instant on"
         ));
     }
@@ -180,7 +183,8 @@ fn closures(engine: &dyn Engine, setup: &Setup, t: f64) -> Option<String> {
     let all = engine.assemblies(setup, t).ok()?;
     match all.found.first() {
         None if all.undecided.is_empty() => Some(format!(
-            "it is proven that it closes in no way at t = {}, whatever --guess: other dimensions (--set) or times may close",
+            "it is proven that it cannot be assembled at t = {}, whatever --guess: other dimensions (--set) or times \
+             may close",
             rounded(t)
         )),
         None => all.undecided.first().map(|left| format!("whether it closes is undecided: {left}")),

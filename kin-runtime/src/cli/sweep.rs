@@ -90,8 +90,8 @@ row is the limit itself, at which rates have no value, and rows are closer toget
 limit is met, the motion takes one turn of the driven crank, or one unit of time; a note says so.
 
 With --along-arc t is an unknown as well: at a dead centre the driver turns back, and the mechanism
-goes on into its other closure, until all bodies are where they began. The rows are equally far
-apart on that way. Dead centres, cusps of named points and branch points are told, in json under
+goes on into its other closure, until all bodies are where they began. The rows are equally spaced
+along the arc. Dead centres, cusps of named points and branch points are reported, in json under
 `arc`. Where branches cross the motion ends, as nothing says which of them is meant.
 
 Rows are written to csv and json as soon as they are computed. When a sweep fails midway the

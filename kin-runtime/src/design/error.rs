@@ -95,17 +95,23 @@ impl fmt::Display for DesignError {
             Self::UnknownParameter { parameter, parameters } => {
                 write!(f, "no parameter is named `{parameter}`; there are {}", parameters.join(", "))
             }
-            Self::NotFree { parameter } => write!(f, "`{parameter}` is not free, so that nothing can be equal to it"),
+            Self::NotFree { parameter } => {
+                write!(f, "`{parameter}` is not free, so that no parameter can be set equal to it")
+            }
             Self::Bounds { parameter, low, high } => {
-                write!(f, "the bounds of `{parameter}`, {low} and {high}, hold nothing between them")
+                write!(
+                    f,
+                    "the bounds of `{parameter}`, {low} and {high}, must be finite, and the lower one less than the \
+                     upper one"
+                )
             }
             Self::UnknownQuantity { quantity } => {
                 write!(f, "no quantity is named `{quantity}`")
             }
             Self::NoDerivatives { quantity } => write!(
                 f,
-                "a design cannot be searched for by `{quantity}`: velocity ratios, forces without a closed form, inputs and t \
-                 have no derivatives by parameters here"
+                "`{quantity}` cannot be an objective or a condition: velocity ratios, forces without a closed form, \
+                 inputs and t have no derivatives with respect to parameters here"
             ),
             Self::NoTransmission { joint, angles } if angles.is_empty() => {
                 write!(f, "`{joint}` has no transmission angle, and neither has any other joint")
@@ -123,22 +129,26 @@ impl fmt::Display for DesignError {
             Self::Nothing { what } => write!(f, "{what}"),
             Self::Inputs { inputs } => write!(
                 f,
-                "a design follows a motion that t alone drives, and this mechanism has inputs ({}); a driver that is a \
-                 function of t says how they move",
+                "a design follows a motion that t alone drives, and this mechanism has inputs ({}); prescribe them by \
+                 drivers that are functions of t",
                 inputs.join(", ")
             ),
             Self::Broken { condition, why } => {
-                write!(f, "the best design does not move through all of a period, as `{condition}` asks: {why}")
+                write!(f, "the best design does not move through all of a period, as `{condition}` requires: {why}")
             }
             Self::NotKept { rounds } => write!(
                 f,
                 "after {rounds} searches the best design still breaks a condition between the instants that the search \
-                 looks at; more instants or weaker conditions may help"
+                 evaluates; more instants or weaker conditions may help"
             ),
             Self::NoStart { drawn, why } => {
-                write!(f, "none of {drawn} random designs assembles all the way and keeps the conditions")?;
+                write!(
+                    f,
+                    "none of {drawn} random designs can be assembled during the whole motion and satisfies the \
+                     conditions"
+                )?;
                 match why {
-                    Some(why) => write!(f, "; of the last one: {why}"),
+                    Some(why) => write!(f, "; for example: {why}"),
                     None => f.write_str("; wider bounds or weaker conditions may leave some"),
                 }
             }

@@ -84,9 +84,9 @@ impl<M> fmt::Display for Designed<M> {
         match self.least {
             None => write!(f, "sum of squares {error:e}")?,
             Some(least) if least == *error => write!(f, "least {least:e}")?,
-            Some(least) => write!(f, "least {least:e} beside a sum of squares of {:e}", error - least)?,
+            Some(least) => write!(f, "least {least:e} plus a sum of squares of {:e}", error - least)?,
         }
-        write!(f, ": met by {met} of the {finished} best of {assembled} starts ({starts} asked for)")?;
+        write!(f, ": reached by {met} of the {finished} best of {assembled} starts ({starts} requested)")?;
         self.parameters.iter().try_for_each(|(name, value)| write!(f, "\n{name} = {value}"))?;
         self.modes.iter().try_for_each(|(name, sign)| write!(f, "\nmode {name}: {sign}"))?;
         self.slacks.iter().try_for_each(|slack| write!(f, "\n{slack}"))

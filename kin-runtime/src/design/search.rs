@@ -82,7 +82,7 @@ impl<M: Mechanism> Design<M> {
             return Err(DesignError::Nothing { what: "no parameter is free" });
         }
         if self.objectives.iter().all(|objective| objective.instants() == 0) {
-            return Err(DesignError::Nothing { what: "nothing is wanted of the mechanism" });
+            return Err(DesignError::Nothing { what: "the design has no objective" });
         }
         let inputs = M::model().inputs;
         if !inputs.is_empty() {

@@ -71,35 +71,36 @@ impl fmt::Display for FunctionError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Lengths { abscissae, values } => {
-                write!(f, "a table has as many abscissae as values; here are {abscissae} and {values}")
+                write!(f, "a table must have as many abscissae as values; there are {abscissae} and {values}")
             }
             Self::TooFewPoints { found, needed } => {
-                write!(f, "a spline goes through at least {needed} points; the table has {found}")
+                write!(f, "a spline must have at least {needed} points; the table has {found}")
             }
             Self::NonFinite { what: "coefficients", index } => {
                 write!(f, "the numbers of the table are too far apart: piece {index} has no finite coefficients")
             }
             Self::NonFinite { what, index } => write!(f, "{what}[{index}] is not a finite number"),
             Self::NotIncreasing { index, before, found } => {
-                write!(f, "abscissae increase; abscissa {index} is {found} and the one before it {before}")
+                write!(f, "abscissae must increase; abscissa {index} is {found} and the one before it {before}")
             }
-            Self::Empty => f.write_str("a sequence has at least one segment"),
+            Self::Empty => f.write_str("a sequence must have at least one segment"),
             Self::NonFiniteSegment { segment: None } => f.write_str("the start of the sequence is not a finite number"),
             Self::NonFiniteSegment { segment: Some(segment) } => {
                 write!(f, "segment {segment} holds a number that is not finite")
             }
             Self::Duration { segment, duration } => {
-                write!(f, "the duration of segment {segment} is {duration}; it is greater than 0")
+                write!(f, "the duration of segment {segment} is {duration}; it must be greater than 0")
             }
             Self::Jump { segment, by } => write!(
                 f,
-                "segment {segment} jumps by {by} at its start; a polynomial is the displacement from there, without a \
-                 constant term"
+                "segment {segment} jumps by {by} at its start; a polynomial is the displacement from there and must \
+                 not have a constant term"
             ),
             Self::NotPeriodic { first, last } => {
                 write!(
                     f,
-                    "a periodic function ends with the value it begins with; this one begins with {first} and ends with {last}"
+                    "a periodic function must end with the value it begins with; this one begins with {first} and ends \
+                     with {last}"
                 )
             }
         }

@@ -49,7 +49,7 @@ pub use spline::CubicSpline;
 /// assert_eq!(Gauss { width: 2.0 }.evaluate(0.0), [1.0, 0.0, -0.25]);
 /// ```
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` is no function that a mechanism can use",
+    message = "`{Self}` cannot be used as a function of a mechanism",
     label = "this type gives no value with two derivatives",
     note = "implement `kin_runtime::ScalarFunction` for it; a closure is wrapped: `FromFn<F>`"
 )]

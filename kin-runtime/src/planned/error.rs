@@ -124,7 +124,7 @@ impl fmt::Display for Limit {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { step, margin, .. } = self;
         if let Some(miss) = self.contradiction() {
-            return write!(f, "{step} missed by {miss:.1e} of the mechanism's size and motion");
+            return write!(f, "{step} violated by {miss:.1e}, relative to the size of the mechanism or of its motion");
         }
         let Some(at) = self.locks_at() else {
             let singular = step.info().singular;
@@ -157,7 +157,7 @@ impl fmt::Display for Limit {
             _ => {
                 f.write_str(", the drivers ")?;
                 listed(f, step.drivers())?;
-                f.write_str(" are at the end of what they can do together")
+                f.write_str(" are at the end of their common range")
             }
         }
     }
@@ -297,7 +297,11 @@ impl fmt::Display for PlanError {
             }
             Self::Singular { t, limit } | Self::Contradiction { t, limit } => write_at(f, *t, limit),
             Self::Undecided { t, mode } => {
-                write!(f, "at t = {t}, the start does not say which closure of {mode} is meant", t = rounded(*t))
+                write!(
+                    f,
+                    "at t = {t}, the start does not determine the mode {mode}: its branch value there is 0 or NaN",
+                    t = rounded(*t)
+                )
             }
             Self::NegativeLength { t, joint, length } => {
                 write!(
@@ -315,14 +319,15 @@ impl fmt::Display for PlanError {
             Self::TooManySteps { t, t_refused } => {
                 write!(
                     f,
-                    "too many internal steps on the way from t = {t} to t = {t_refused}; ask for instants in between",
+                    "too many internal steps on the way from t = {t} to t = {t_refused}; add instants in between",
                     t = rounded(*t),
                     t_refused = rounded(*t_refused)
                 )
             }
             Self::NonFinite { what: "margins", t, .. } => write!(
                 f,
-                "at t = {t} the plan has no solution: it divides by a dimension, or a difference of dimensions, that is 0",
+                "at t = {t} the plan has no solution: a dimension, or a difference of dimensions, by which it divides \
+                 is 0",
                 t = rounded(*t)
             ),
             Self::NonFinite { what, index, name, t } => {

@@ -42,7 +42,7 @@ pub struct InputRange {
 
 /// A value of an input with which the mechanism does not close, and the range in which it closes.
 ///
-/// It prints as `input boom_length = 9: no closure; it can be 0.62 to 1.41 here`.
+/// It prints as `input boom_length = 9: the mechanism cannot close; possible values here: 0.62 to 1.41`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct OutOfRange {
@@ -65,9 +65,9 @@ impl fmt::Display for InputRange {
         write!(f, "{} ", self.input)?;
         match (self.least.is_finite(), self.greatest.is_finite()) {
             (true, true) => write!(f, "from {} to {}", rounded(self.least), rounded(self.greatest)),
-            (true, false) => write!(f, "from {} on", rounded(self.least)),
+            (true, false) => write!(f, "at least {}", rounded(self.least)),
             (false, true) => write!(f, "up to {}", rounded(self.greatest)),
-            (false, false) => f.write_str("of any value"),
+            (false, false) => f.write_str("unlimited"),
         }
     }
 }
@@ -78,11 +78,11 @@ impl fmt::Display for OutOfRange {
         // All digits where six would make the value equal to the limit that it is beyond.
         let alike = |limit: f64| rounded(self.value).to_bits() == rounded(limit).to_bits();
         let number = |x: f64| if alike(least) || alike(greatest) { x } else { rounded(x) };
-        write!(f, "input {input} = {}: no closure; it can be ", number(self.value))?;
+        write!(f, "input {input} = {}: the mechanism cannot close; possible values here: ", number(self.value))?;
         match (least.is_finite(), greatest.is_finite()) {
-            (true, true) => write!(f, "{} to {} here", number(least), number(greatest)),
-            (true, false) => write!(f, "{} or more here", number(least)),
-            _ => write!(f, "{} or less here", number(greatest)),
+            (true, true) => write!(f, "{} to {}", number(least), number(greatest)),
+            (true, false) => write!(f, "{} or more", number(least)),
+            _ => write!(f, "{} or less", number(greatest)),
         }
     }
 }
@@ -179,7 +179,7 @@ impl<M: Mechanism> Planned<'_, M> {
     /// let tick = Instant { t: 0.001, inputs: &broken };
     /// assert!(boom.at(&tick).is_err());
     /// let why = boom.out_of_range(&tick).ok_or("no input is to blame")?;
-    /// assert_eq!(why.to_string(), "input cylinder = 9: no closure; it can be 0.4 to 1.6 here");
+    /// assert_eq!(why.to_string(), "input cylinder = 9: the mechanism cannot close; possible values here: 0.4 to 1.6");
     /// # Ok(())
     /// # }
     /// ```

@@ -20,7 +20,7 @@ pub(crate) fn text(forces: &Forces) -> String {
     let inputs: Vec<&Effort> = forces.inputs.iter().filter(|input| !is_told(input)).collect();
     for (what, title, efforts) in [
         ("driver", "Drivers: what they supply", forces.efforts.iter().collect()),
-        ("input", "Inputs: what of it enters with each", inputs),
+        ("input", "Inputs: their share of the power", inputs),
     ] {
         if efforts.is_empty() {
             continue;

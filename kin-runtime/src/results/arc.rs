@@ -151,9 +151,7 @@ pub enum ArcFault {
 impl fmt::Display for ArcFault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::VelocityLevel => {
-                f.write_str("rows of velocity level make the position an outcome of the motion before")
-            }
+            Self::VelocityLevel => f.write_str("with nonholonomic rows the position depends on the preceding motion"),
             Self::Directions { count } => write!(
                 f,
                 "the motion can begin in {count} independent directions: drivers leave it open, or branches cross there"

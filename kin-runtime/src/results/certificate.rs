@@ -114,10 +114,10 @@ impl fmt::Display for Uncertified {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Open { degrees_of_freedom: 1 } => {
-                f.write_str("a degree of freedom is open, so that no solution is alone")
+                f.write_str("a degree of freedom is open, so that no solution is isolated")
             }
             Self::Open { degrees_of_freedom } => {
-                write!(f, "{degrees_of_freedom} degrees of freedom are open, so that no solution is alone")
+                write!(f, "{degrees_of_freedom} degrees of freedom are open, so that no solution is isolated")
             }
             Self::VelocityLevel => f.write_str("rows of velocity level do not determine the position"),
             Self::Unbounded { row } => write!(
@@ -136,9 +136,9 @@ impl fmt::Display for Uncertified {
                 f,
                 "row {row} is redundant, and it cannot be proven along t that it holds; `sweep` checks it at every instant"
             ),
-            Self::Prescribed => f.write_str("coordinates are prescribed, and nothing says how they go on along t"),
+            Self::Prescribed => f.write_str("coordinates are prescribed, and their values at other t are unknown"),
             Self::TooManyModes { modes, most } => {
-                write!(f, "there are {modes} assembly modes, and the combinations of at most {most} are gone through")
+                write!(f, "there are {modes} assembly modes, and only combinations of at most {most} are examined")
             }
             Self::Malformed => f.write_str("numbers of the state are not finite, or too few or too many"),
         }

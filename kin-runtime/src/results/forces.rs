@@ -255,7 +255,7 @@ impl fmt::Display for Reaction {
             f.write_str(" undetermined, redundant rows share the load")?;
             // The numbers that follow are only one possibility.
             if self.force.is_some() || self.moment.is_some() {
-                f.write_str(", the least:")?;
+                f.write_str("; of least norm:")?;
             }
         }
         if let Some([x, y]) = self.force {

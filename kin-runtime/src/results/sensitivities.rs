@@ -101,7 +101,7 @@ impl fmt::Display for Sensitivity {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         for (k, (name, list)) in [("q", &self.q), ("q̇", &self.q_dot), ("q̈", &self.q_ddot)].into_iter().enumerate() {
             let separator = if k == 0 { "" } else { "\n" };
-            write!(f, "{separator}{name} by {}: ", self.parameter)?;
+            write!(f, "{separator}∂{name}/∂{}: ", self.parameter)?;
             numbers(f, list)?;
         }
         Ok(())

@@ -26,7 +26,7 @@ impl fmt::Display for Fallback {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match &self.limit {
             Some(limit) => write!(f, "at t = {}: {limit}", self.t),
-            None => write!(f, "at t = {}: it has no answer that fits the motion", self.t),
+            None => write!(f, "at t = {}: the plan has no solution that continues the motion", self.t),
         }
     }
 }

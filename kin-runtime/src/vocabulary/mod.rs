@@ -15,7 +15,7 @@
 //! - [`inputs`]: signals known only at run time;
 //! - [`velocity`]: knife edges, speeds and other rows of velocity level;
 //! - [`loads`]: masses, gravity, forces, couples, springs;
-//! - [`unilateral`]: inequalities that are watched along a motion;
+//! - [`unilateral`]: inequalities that are monitored during a motion;
 //! - [`units`]: units of parameters, inputs, coordinates and defines, and that they agree.
 //!
 //! These modules hold documentation only.

@@ -47,14 +47,14 @@ pub(super) enum Command {
         /// Its port; it takes the next one, too. 0 takes two that are free
         #[arg(long, value_name = "PORT", default_value_t = 0)]
         port: u16,
-        /// Threads; as many as there are processors where nobody says
+        /// Number of threads [default: number of processors]
         #[arg(long, value_name = "N")]
         threads: Option<NonZero<usize>>,
     },
     /// Run one of several parts of a study: for an array of jobs that share a directory
     ///
-    /// All jobs say the same N. With --resume a job that was killed may be started again: it goes on behind the last rows
-    /// that were written, and does nothing where all are there. Two processes never work on the same part.
+    /// All jobs use the same N. With --resume a job that was killed may be started again: it continues after the last
+    /// rows that were written, and does nothing where all are there. Two processes never work on the same part.
     Chunk {
         #[command(flatten)]
         run: RunArgs,
@@ -76,9 +76,9 @@ pub(super) enum Command {
         #[arg(long, value_name = "N")]
         of: NonZero<u64>,
     },
-    /// Ask for rows by SQL: the tables are `study` and, where there are histograms, `histogram`
+    /// Query rows by SQL: the tables are `study` and, where there are histograms, `histogram`
     Query {
-        /// The question, for example: select * from study order by swing desc limit 10
+        /// The query, for example: select * from study order by swing desc limit 10
         sql: String,
         /// The directory of the study
         #[arg(long = "in", value_name = "DIR")]
@@ -110,7 +110,7 @@ pub(super) struct RunArgs {
     /// Go on with what the directory holds already
     #[arg(long)]
     pub(super) resume: bool,
-    /// Threads; as many as there are processors where nobody says
+    /// Number of threads [default: number of processors]
     #[arg(long, value_name = "N")]
     pub(super) threads: Option<NonZero<usize>>,
 }
@@ -120,10 +120,11 @@ pub(super) struct ClusterArgs {
     /// Let the workers of this scheduler solve the rows
     #[arg(long, value_name = "HOST:PORT", conflicts_with_all = ["standalone", "threads"])]
     pub(super) cluster: Option<String>,
-    /// Let a cluster within this process solve them, to try what a study does there
+    /// Solve the rows on a cluster within this process, for a trial
     #[arg(long)]
     pub(super) standalone: bool,
-    /// Into how many tasks the work of some seconds is cut: at least as many as the cluster has cores, at most 2000 [default: 64]
+    /// Number of tasks per wave (some seconds of work): at least as many as the cluster has cores, at most 2000
+    /// [default: 64]
     #[arg(long, value_name = "N", requires = "cluster")]
     pub(super) tasks: Option<NonZero<usize>>,
 }
@@ -133,7 +134,7 @@ pub(super) struct ListenArgs {
     /// The address of the interface to listen on
     #[arg(long, value_name = "IP", default_value = "127.0.0.1")]
     pub(super) bind: IpAddr,
-    /// The name by which other machines reach this one; that address where nobody says
+    /// The name by which other machines reach this one [default: the address of --bind]
     #[arg(long, value_name = "HOST")]
     pub(super) host: Option<String>,
 }

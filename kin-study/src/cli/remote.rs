@@ -65,7 +65,7 @@ mod with {
             Standing::Waiting => eprintln!("worker waits for a scheduler at {scheduler}"),
             Standing::Joining => eprintln!("worker joins {scheduler}, threads: {threads}"),
         })?;
-        eprintln!("worker ends: it was told to, or {scheduler} has given it up");
+        eprintln!("worker ends: it was stopped, or {scheduler} counts it as lost");
         Ok(ExitCode::SUCCESS)
     }
 

@@ -96,7 +96,9 @@ where
     // Workers get the study as this text only.
     let again = Prepared::new::<M>(&Study::from_toml(&text)?)?;
     if again.identity != prepared.identity {
-        return Err(StudyError::description("this study is another one when it is written as a file and read again"));
+        return Err(StudyError::description(
+            "the study changes when it is written to a file and read again, so that workers cannot get it",
+        ));
     }
     let part = Part { rows: 0..prepared.rows, is_whole: true, resume };
     ran(cluster, (prepared, text, Function::of::<M>()?), directory, part, watch)

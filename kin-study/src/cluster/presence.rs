@@ -43,7 +43,7 @@ pub(super) enum Silence {
 }
 
 pub(super) fn something_else(scheduler: &str) -> StudyError {
-    StudyError::Cluster(format!("what answers at {scheduler} is no scheduler"))
+    StudyError::Cluster(format!("the server at {scheduler} is not a kin-study scheduler"))
 }
 
 /// Whether the scheduler at an address has workers.

@@ -95,7 +95,7 @@ impl Parts {
         match self.directory.to_string_lossy().contains(['*', '?', '[']) {
             false => Ok(()),
             true => Err(StudyError::Directory(format!(
-                "{} has one of the letters * ? [ in its name, which stand for patterns of names; choose another directory",
+                "{} contains *, ? or [, which would be read as a file pattern; choose another directory",
                 self.directory.display()
             ))),
         }

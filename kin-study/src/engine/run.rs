@@ -54,11 +54,11 @@ impl Report {
     }
 }
 
-/// `1000 rows: 800 solved, 12 of them not to the end, 788 met all conditions; 1000 in 0.5 s, 2000 rows/s`.
+/// `1000 rows: 800 solved, 12 of them ended early, 788 met all conditions; 1000 in 0.5 s, 2000 rows/s`.
 impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { done, solved, ended, passed, own, time, .. } = self;
-        write!(f, "{done} rows: {solved} solved, {ended} of them not to the end, {passed} met all conditions")?;
+        write!(f, "{done} rows: {solved} solved, {ended} of them ended early, {passed} met all conditions")?;
         let seconds = time.as_secs_f64();
         write!(f, "; {own} in {seconds:.1} s, {:.0} rows/s", *own as f64 / seconds.max(1e-9))?;
         match self.is_complete() {

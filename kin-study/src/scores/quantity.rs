@@ -38,7 +38,8 @@ impl Quantity {
         }
         match Measure::named(model, base) {
             Some(_) => Err(format!(
-                "`{base}` cannot be scored: studies have no velocity ratios, and only forces in closed form"
+                "`{base}` cannot be scored: studies have no velocity ratios, and forces only if they are computed in \
+                 closed form"
             )),
             None => Err(unknown("quantity", base, all.iter().map(|(name, ..)| name.as_str()))),
         }

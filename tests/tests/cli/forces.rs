@@ -34,10 +34,10 @@ fn what_is_not_determined_is_an_empty_cell_and_no_number() {
 fn forces_of_least_norm_are_columns_and_arrows_where_asked_for() {
     let command = "loaded sweep A.force_x drive.effort --to 0.2 --steps 2 --format csv";
     let ran = kin(command);
-    let why = "note: `A.force_x` has no number at t = 0: redundant rows share the load";
+    let why = "note: `A.force_x` has no value at t = 0: redundant rows share the load";
     assert!(ran.status == Some(0) && ran.err.contains(why), "{}", ran.err);
     let shared = kin(&format!("{command} --least-norm"));
-    assert!(shared.status == Some(0) && !shared.err.contains("no number"), "{}", shared.err);
+    assert!(shared.status == Some(0) && !shared.err.contains("no value"), "{}", shared.err);
     let of_sweep: Vec<f64> = shared.out.lines().nth(1).unwrap().split(',').map(|x| x.parse().unwrap()).collect();
     let forces = |options: &str| -> Value {
         serde_json::from_str(&kin(&format!("loaded forces --format json {options}")).out).unwrap()
@@ -48,9 +48,9 @@ fn forces_of_least_norm_are_columns_and_arrows_where_asked_for() {
     assert!(hidden["multipliers"]["drive"].is_number(), "{hidden}");
     let arrows = |options: &str| kin(&format!("loaded animate --forces --format svg --to 0.2 --steps 2 {options}"));
     let (without, with) = (arrows(""), arrows("--least-norm"));
-    assert!(without.err.contains("has no number at t = 0") && with.err.is_empty(), "{}{}", without.err, with.err);
+    assert!(without.err.contains("has no value at t = 0") && with.err.is_empty(), "{}{}", without.err, with.err);
     assert!(with.out.len() > without.out.len());
-    assert!(!kin("loaded animate --format svg --to 0.2 --steps 2").err.contains("no number"));
+    assert!(!kin("loaded animate --format svg --to 0.2 --steps 2").err.contains("no value"));
 }
 
 /// What holds an arm is a column over given motions, and `check` compares its power, too.
@@ -68,7 +68,7 @@ fn the_effort_of_a_given_coordinate_is_a_quantity() {
     let ran = kin(&format!("arm sweep E.angle upper.phi.effort {given} --to 0.5 --steps 1 --format svg"));
     assert_ne!(Some(0), ran.status, "{}", ran.out);
     let ran = kin("arm sweep upper.phi.effort --least-norm --to 0.1 --steps 1");
-    assert!(ran.err.contains("`upper.phi.effort` has no number at t = 0: at t = 0 loads act along"), "{}", ran.err);
+    assert!(ran.err.contains("`upper.phi.effort` has no value at t = 0: at t = 0 loads act along"), "{}", ran.err);
     let ran = kin("fourbar sweep crank.phi.effort");
     assert!(ran.status == Some(2) && ran.err.contains("no quantity named `crank.phi.effort`"), "{}", ran.err);
 
@@ -142,5 +142,5 @@ fn inputs_have_efforts() {
     let column = table.lines().next().unwrap().split(',').position(|name| name == "push.effort").unwrap();
     assert_eq!(table.lines().nth(1).unwrap().split(',').nth(column), Some(effort.to_string().as_str()));
     let ran = kin("loaded solve A.force_x");
-    assert!(ran.err.contains("note: `A.force_x` has no number at t = 0: redundant rows share the load"), "{}", ran.err);
+    assert!(ran.err.contains("note: `A.force_x` has no value at t = 0: redundant rows share the load"), "{}", ran.err);
 }

@@ -97,7 +97,7 @@ fn an_angle_that_turns_fully_has_no_limits_and_one_that_does_not_has_two() {
     let at = Instant { t: 0.0, inputs: &inputs };
     let range = Bars::default().solver().range_of(&at, Bars::angle).expect("it closes");
     assert_eq!([range.least, range.greatest], [f64::NEG_INFINITY, f64::INFINITY]);
-    assert_eq!(range.to_string(), "angle of any value");
+    assert_eq!(range.to_string(), "angle unlimited");
     let rocking = Bars { l1: 0.6 };
     let inputs = constant(&[0.8]);
     let range = rocking.solver().range_of(&Instant { t: 0.0, inputs: &inputs }, Bars::angle).expect("it closes");
@@ -119,11 +119,17 @@ fn a_broken_sensor_is_named_with_what_it_can_be() {
     let tick = Instant { t: 0.001, inputs: &inputs };
     assert!(planned.at(&tick).is_err());
     let why = planned.out_of_range(&tick).expect("an input is to blame");
-    assert_eq!(why.to_string(), "input boom_length = 9: no closure; it can be 0.928305 to 1.95787 here");
+    assert_eq!(
+        why.to_string(),
+        "input boom_length = 9: the mechanism cannot close; possible values here: 0.928305 to 1.95787"
+    );
     assert_eq!((why.range.input, why.value, planned.t()), ("boom_length", 9.0, 0.0));
     // The solver, which has no last good state, says the same.
     let why = excavator.solver().out_of_range(&tick).expect("an input is to blame");
-    assert_eq!(why.to_string(), "input boom_length = 9: no closure; it can be 0.928305 to 1.95787 here");
+    assert_eq!(
+        why.to_string(),
+        "input boom_length = 9: the mechanism cannot close; possible values here: 0.928305 to 1.95787"
+    );
     inputs[MeasuredExcavator::boom_length.0] = Signal::constant(1.42);
     let tick = Instant { t: 0.001, inputs: &inputs };
     assert_eq!((planned.out_of_range(&tick), excavator.solver().out_of_range(&tick)), (None, None));

@@ -62,7 +62,7 @@ fn a_check_that_compares_nothing_says_so() {
     let text = std::fs::read_to_string(&file).unwrap();
     std::fs::remove_file(&file).unwrap();
     let words = text.split_whitespace().collect::<Vec<_>>().join(" ");
-    let line = "compared with full Newton no numbers: all configurations are at limits of the plan or beyond them";
+    let line = "compared with full Newton nothing all configurations are at or beyond limits of the plan";
     assert!(words.contains(line) && words.contains("where full Newton solves"), "{text}");
     // Only the report on the closed forms has an error.
     assert_eq!(words.matches("worst error").count(), 1, "{text}");

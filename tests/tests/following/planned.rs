@@ -211,7 +211,10 @@ fn a_start_that_does_not_decide_a_mode_has_no_answer() {
             assert!(matches!(error, PlanError::NonFinite { what: "q", index: 0, name: "crank.x", .. }), "{error}");
         } else {
             assert!(matches!(error, PlanError::Undecided { t: 0.7, mode: "A-B-D" }), "{start}: {error}");
-            assert_eq!(error.to_string(), "at t = 0.7, the start does not say which closure of A-B-D is meant");
+            assert_eq!(
+                error.to_string(),
+                "at t = 0.7, the start does not determine the mode A-B-D: its branch value there is 0 or NaN"
+            );
         }
         assert_eq!(batch, None, "{start}");
     }

@@ -310,6 +310,6 @@ fn contradictions_are_seen_lane_by_lane() {
     for (end, error) in motions.ends().zip(errors) {
         let words = end.and_then(|end| end.limit).map(|limit| limit.to_string());
         assert_eq!(words.is_some(), error != 0.0, "{end:?}");
-        assert!(words.is_none_or(|words| words.starts_with("redundant row of F missed by")), "{end:?}");
+        assert!(words.is_none_or(|words| words.starts_with("redundant row of F violated by")), "{end:?}");
     }
 }

@@ -64,7 +64,8 @@ fn inputs_are_known_as_far_as_they_are_given() {
     let unknown = |order, name, known| SolveError::UnknownDerivative { t: 0.5, order, what: "input", name, known };
     let error = solver.derivatives(&state, 3).unwrap_err();
     assert_eq!(unknown(3, "lift", 2), error);
-    let said = "the derivative of order 3 at t = 0.5 needs more of the input `lift` than its value and 2 derivatives";
+    let said =
+        "the derivative of order 3 at t = 0.5 needs a derivative of the input `lift` above order 2, which is not known";
     assert_eq!(said, error.to_string());
 
     // Given the third derivative of `lift`, and with the acceleration of `pace`, v has a third derivative.
@@ -112,7 +113,8 @@ fn functions_are_known_as_far_as_they_say() {
     let error = solver.derivatives(&state, 5).unwrap_err();
     let right = SolveError::UnknownDerivative { t: 0.2, order: 3, what: "function", name: "cam", known: 2 };
     assert_eq!(right, error);
-    let said = "the derivative of order 3 at t = 0.2 needs more of the function `cam` than its value and 2 derivatives";
+    let said = "the derivative of order 3 at t = 0.2 needs a derivative of the function `cam` above order 2, which is \
+                not known";
     assert_eq!(said, error.to_string());
 }
 

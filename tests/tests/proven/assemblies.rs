@@ -240,6 +240,6 @@ fn open_degrees_of_freedom_have_no_list_of_closures() {
     };
     assert_eq!(
         error.to_string(),
-        "nothing is proven at t = 0: a degree of freedom is open, so that no solution is alone"
+        "nothing is proven at t = 0: a degree of freedom is open, so that no solution is isolated"
     );
 }

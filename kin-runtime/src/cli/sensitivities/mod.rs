@@ -36,13 +36,13 @@ pub(in crate::cli) struct SensitivitiesArgs {
     freedom: FreedomArgs,
     #[command(flatten)]
     angles: AngleArgs,
-    /// What tolerances come to: NAME=D on either side
+    /// Deviations caused by tolerances, NAME=D on either side
     #[arg(
         long,
         value_name = "NAME=D",
         long_help = "\
-What tolerances of parameters come to, NAME=D on either side: for every quantity
-the worst case and the root sum of squares, to first order"
+Deviations caused by tolerances of parameters, NAME=D on either side: for every
+quantity the worst case and the root sum of squares, to first order"
     )]
     tolerance: Vec<String>,
     #[command(flatten)]
@@ -56,7 +56,7 @@ pub(in crate::cli) const HELP: Help = Help {
         }
         vec![
             names.analysis(&format!("sensitivities --at {}", names.at), ""),
-            names.with("sensitivities --tolerance", &names.set, "what deviations come to"),
+            names.with("sensitivities --tolerance", &names.set, "deviations caused by tolerances"),
             names.with("sensitivities --steps 90 --tolerance", &names.set, "the same along the motion"),
             names.analysis("sensitivities --format json", "for another program"),
         ]

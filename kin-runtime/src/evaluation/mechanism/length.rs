@@ -16,7 +16,7 @@ impl core::fmt::Display for LengthError {
         let entries = if self.found == 1 { "entry" } else { "entries" };
         write!(f, "{} has {} {entries} and must have {}", self.what, self.found, self.expected)?;
         if self.what == "inputs" && self.found == 0 {
-            f.write_str("; inputs come with `Instant::inputs`, and along a sweep with `Solver::with_inputs`")?;
+            f.write_str("; pass inputs in `Instant::inputs`, and for sweeps by `Solver::with_inputs`")?;
         }
         Ok(())
     }

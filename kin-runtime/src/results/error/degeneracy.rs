@@ -69,12 +69,20 @@ impl fmt::Display for Degeneracy {
                      point or a cusp there, or its normal passes through the pivots of both bodies"
                 )
             }
-            Self::Radius { value } => write!(f, "a radius is {value}, so that it couples nothing"),
+            Self::Radius { value } => write!(f, "a radius is {value}, so that it couples no motion"),
             Self::OneCentre { sum } => {
-                write!(f, "the radii add up to {sum}, so that both discs have one centre, where nothing rolls")
+                write!(
+                    f,
+                    "the radii add up to {sum}: the centres of the two discs coincide, so that the line of centres is \
+                     undefined"
+                )
             }
             Self::Direction { parameter, value } => {
-                write!(f, "the curve stands still at {parameter} = {value}, so that its roller has no side to run on")
+                write!(
+                    f,
+                    "the tangent vector of the curve is 0 at {parameter} = {value}, so that the side of its roller is \
+                     undefined"
+                )
             }
             Self::Axis => f.write_str(
                 "its axis has no direction: its components cannot be normalised, being 0, too small or too large",

@@ -40,7 +40,9 @@ impl fmt::Display for Refusal {
             Self::StepTooSmall => "the internal step became too small",
             Self::TooManySteps => "too many internal steps",
             Self::Discontinuous => "a driver or an input jumps there",
-            Self::TimeTooCoarse => "t is too large: its numbers are too far apart for a step of the motion",
+            Self::TimeTooCoarse => {
+                "t is too large: neighbouring floating-point numbers are too far apart there for a step of the motion"
+            }
         })
     }
 }

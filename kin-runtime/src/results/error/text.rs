@@ -60,9 +60,8 @@ impl fmt::Display for SolveError {
             ),
             Self::UnknownDerivative { t, order, what, name, known } => write!(
                 f,
-                "the derivative of order {order} at t = {t} needs more of the {what} `{name}` than its value and \
-                 {known} {}",
-                if *known == 1 { "derivative" } else { "derivatives" },
+                "the derivative of order {order} at t = {t} needs a derivative of the {what} `{name}` above order \
+                 {known}, which is not known",
                 t = rounded(*t)
             ),
             Self::NotSmooth { t, order, row_name, joint } => write!(
@@ -77,7 +76,7 @@ impl fmt::Display for SolveError {
             Self::StepRefused { t, t_refused, reason: reason @ Refusal::TooManySteps, .. } => {
                 write!(
                     f,
-                    "{reason} on the way from t = {t} to t = {t_refused}; ask for instants in between",
+                    "{reason} on the way from t = {t} to t = {t_refused}; add instants in between",
                     t = rounded(*t),
                     t_refused = rounded(*t_refused)
                 )
@@ -94,8 +93,8 @@ impl fmt::Display for SolveError {
                 let spacing = t.abs().next_up() - t.abs();
                 write!(
                     f,
-                    "the motion cannot be followed from t = {t:e}: the next number is {spacing} away, too far for a step of \
-                     this motion; let t begin at a smaller number"
+                    "the motion cannot be followed from t = {t:e}: neighbouring floating-point numbers are {spacing} \
+                     apart there, too far for a step of this motion; let t begin at a smaller number"
                 )
             }
             Self::StepRefused { t, t_refused, row_name, joint, reason, limit } => {
@@ -114,8 +113,8 @@ impl fmt::Display for SolveError {
             ),
             Self::NotDetermined { t, open: 0, .. } => write!(
                 f,
-                "at t = {t} parameters do not determine the position: rows of velocity level make it an outcome of the \
-                 motion before",
+                "at t = {t} parameters do not determine the position: with nonholonomic rows it depends on the \
+                 preceding motion",
                 t = rounded(*t)
             ),
             Self::NotDetermined { t, open, could_be_given } => {
@@ -125,18 +124,19 @@ impl fmt::Display for SolveError {
                 if could_be_given.is_empty() {
                     Ok(())
                 } else {
-                    write!(f, "; could be given: {}", could_be_given.join(", "))
+                    write!(f, "; could be prescribed: {}", could_be_given.join(", "))
                 }
             }
             Self::NoSensitivity { t, parameter, row_name: Some(row) } => write!(
                 f,
-                "no derivative by `{parameter}` at t = {t}: the redundant rows agree only at exactly this value of \
-                 it; at any other, row `{row}` is violated",
+                "no derivative with respect to `{parameter}` at t = {t}: the redundant rows agree only at exactly \
+                 this value of it; at any other, row `{row}` is violated",
                 t = rounded(*t)
             ),
             Self::NoSensitivity { t, parameter, row_name: None } => write!(
                 f,
-                "no derivative by `{parameter}` at t = {t}: a function has none there, or none that is known",
+                "no derivative with respect to `{parameter}` at t = {t}: a function has none there, or none that \
+                 is known",
                 t = rounded(*t)
             ),
             Self::UnknownParameter { index, parameters } => {
@@ -154,7 +154,7 @@ impl fmt::Display for SolveError {
                 if could_be_given.is_empty() {
                     Ok(())
                 } else {
-                    write!(f, "; could be given: {}", could_be_given.join(", "))
+                    write!(f, "; could be prescribed: {}", could_be_given.join(", "))
                 }
             }
             Self::UnboundedForces { t, joints, limit, .. } => {

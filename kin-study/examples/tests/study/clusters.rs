@@ -161,7 +161,7 @@ fn who_is_not_there_and_who_is_another_program_is_named() {
         }
     });
     let [_, text] = run(&address);
-    assert!(text.contains(&format!("what answers at {address} is no scheduler")), "{text}");
+    assert!(text.contains(&format!("the server at {address} is not a kin-study scheduler")), "{text}");
 }
 
 #[test]
