@@ -23,14 +23,14 @@ pub(super) fn velocity_rows_are_linear(mechanism: &Mechanism, errors: &mut Vec<M
         let rates: Vec<Option<Origin>> = sides.into_iter().map(|side| walk.rate(side)).collect();
         if walk.dots == 0 {
             let message = format!(
-                "nonholonomic `{}` holds no `dot(…)`, so that it does not constrain velocities; an equation of \
+                "nonholonomic `{}` contains no `dot(…)`, so that it does not constrain velocities; an equation of \
                  positions is a `constraint`",
                 joint.name
             );
             errors.push(ModelError::new(joint.keyword, message));
         } else if rates.iter().all(Option::is_none) && errors.len() == before {
             let message = format!(
-                "no `dot(…)` in nonholonomic `{}` holds a coordinate, so that nothing can move to satisfy it",
+                "no `dot(…)` in nonholonomic `{}` contains a coordinate, so that no motion can satisfy it",
                 joint.name
             );
             errors.push(ModelError::new(joint.keyword, message));

@@ -99,7 +99,7 @@ fn how(model: &Model, step: &Step) -> String {
         StepKind::Watched => {
             let rows = watched(model, info);
             let (is, its) = if rows.len() == 1 { ("is", "its") } else { ("are", "their") };
-            format!("{} {is} redundant and not used: {its} residual is watched", rows.join(" and "))
+            format!("{} {is} redundant and not used: {its} residual is checked", rows.join(" and "))
         }
     }
 }

@@ -131,7 +131,7 @@ impl Prepared {
         for end in &scored.ends {
             match end.as_ref().map(|end| &end.limit) {
                 Some(Some(limit)) => limits.append_value(limit.step.to_string()),
-                Some(None) => limits.append_value("a number is not finite"),
+                Some(None) => limits.append_value("a number is not finite, a length is negative, or the motion jumps"),
                 None => limits.append_null(),
             }
         }

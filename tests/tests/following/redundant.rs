@@ -234,10 +234,10 @@ fn printed<M: Kinematics + Default + Sync>(arguments: &[&str]) -> String {
 #[test]
 fn info_and_check_speak_of_rows_that_are_not_used() {
     let info = printed::<Platform>(&["info"]);
-    assert!(info.contains("F.y is redundant and not used: its residual is watched"), "{info}");
+    assert!(info.contains("F.y is redundant and not used: its residual is checked"), "{info}");
     let both = printed::<TwoGuides>(&["info"]);
     assert!(
-        both.contains("upper.normal and upper.angle are redundant and not used: their residual is watched"),
+        both.contains("upper.normal and upper.angle are redundant and not used: their residual is checked"),
         "{both}"
     );
     let json: serde_json::Value = serde_json::from_str(&printed::<Platform>(&["info", "--format", "json"])).unwrap();
