@@ -75,7 +75,7 @@ fn names_are_checked_in_the_order_of_the_source() {
     let origins: Vec<u32> = errors.iter().map(|error| error.origin.0).collect();
     assert_eq!(origins, [8, 9, 103]);
     assert!(errors[1].message.contains("`crank` is a body already, and here a parameter"), "{errors:?}");
-    assert!(errors[2].message.contains("row `J0` already"), "{errors:?}");
+    assert!(errors[2].message.contains("`J0` is already used by a `revolute`"), "{errors:?}");
 }
 
 #[test]

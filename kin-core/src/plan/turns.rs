@@ -9,12 +9,13 @@
 //! Dᵢᵤ = Σⱼ (∂fᵢ/∂xⱼ)²,   Nᵢᵤ = Σₖ Σⱼ (∂²fᵢ/∂xₖ∂xⱼ)²
 //! ```
 //!
-//! Here fᵢ are the residuals of the iteration, k counts the unknowns of the kind for which w is computed, j those of a
-//! kind u (kinds are lengths, angles, and every scalar by itself), so that ρ has the unit of xₖ whatever the other
+//! Here fᵢ are the residuals of the iteration, k counts the coordinates of the kind for which w is computed, j the unknowns
+//! of a kind u (kinds are lengths, angles, and every scalar by itself), so that ρ has the unit of xₖ whatever the other
 //! units are. The gradient of fᵢ turns by about 1/ρᵢ per unit of xₖ. For a cylinder from a fixed pin ρ is of the order
 //! of its length; for a single unknown 1/ρ is |f″/f′|, so that steps become shorter towards a limit. The sum over u
 //! comprises the kinds that occur in fᵢ; if Nᵢᵤ is identically 0 for one of them, ρᵢ is infinite and the row does not
-//! count.
+//! count. Where there is a curve, coordinates that other steps of the plan give have such a factor, too: a cam that
+//! is driven turns the gradient of its contact. If a coordinate occurs in several groups, their squares are added.
 
 use super::closures::LEAST;
 use super::tree::{Block, Core, Part, SolutionMethod};
@@ -32,16 +33,16 @@ enum Unit {
     Scalar(u32),
 }
 
-/// w of all coordinates at a configuration. It is 0 for coordinates that are not iterated on, and for angles unless the
-/// group has a curve; empty where it is 0 for all coordinates.
+/// w of all coordinates at a configuration. It is 0 for coordinates that do not occur in an iteration, and for angles
+/// unless the group has a curve; empty where it is 0 for all coordinates.
 pub(super) fn turns(graph: &mut Graph, tree: &Block, coordinates: &[Coordinate]) -> Vec<ExprId> {
-    let mut found = BTreeMap::new();
-    of_block(graph, tree, coordinates, &mut found);
-    if found.is_empty() {
+    let mut squares = BTreeMap::new();
+    of_block(graph, tree, coordinates, &mut squares);
+    if squares.is_empty() {
         return Vec::new();
     }
     let zero = graph.zero();
-    let of = |(k, _): (u32, &Coordinate)| found.get(&k).copied().unwrap_or(zero);
+    let of = |(k, _): (u32, &Coordinate)| squares.get(&k).map_or(zero, |&square| graph.call(Function::Sqrt, square));
     (0..).zip(coordinates).map(of).collect()
 }
 
@@ -63,6 +64,7 @@ pub(super) fn iterates_on_curves(graph: &Graph, block: &Block) -> bool {
     })
 }
 
+/// Adds w² of the coordinates of a block.
 fn of_block(graph: &mut Graph, block: &Block, coordinates: &[Coordinate], found: &mut BTreeMap<u32, ExprId>) {
     for part in &block.parts {
         match part {
@@ -76,21 +78,25 @@ fn of_block(graph: &mut Graph, block: &Block, coordinates: &[Coordinate], found:
 fn of_core(graph: &mut Graph, core: &Core, coordinates: &[Coordinate], found: &mut BTreeMap<u32, ExprId>) {
     let SolutionMethod::Newton { residuals } = &core.method else { return };
     let curves = has_curves(graph, residuals);
-    let mut members: BTreeMap<Unit, Vec<u32>> = BTreeMap::new();
-    for &k in &core.coordinates {
-        members.entry(unit(k, &coordinates[k as usize])).or_default().push(k);
+    let jets = total_derivatives(graph, residuals);
+    let is_unknown = |k: &u32| core.coordinates.contains(k);
+    let mut known: Vec<u32> = jets.iter().flat_map(|jet| &jet.gradient).map(|(k, _)| *k).collect();
+    known.retain(|k| curves && !is_unknown(k));
+    known.sort_unstable();
+    known.dedup();
+    let mut members: BTreeMap<(bool, Unit), Vec<u32>> = BTreeMap::new();
+    for k in core.coordinates.iter().copied().chain(known) {
+        members.entry((is_unknown(&k), unit(k, &coordinates[k as usize]))).or_default().push(k);
     }
-    let mut squares: BTreeMap<Unit, ExprId> = BTreeMap::new();
-    for jet in total_derivatives(graph, residuals) {
+    let mut squares: BTreeMap<(bool, Unit), ExprId> = BTreeMap::new();
+    for jet in jets {
         let mut gradient: BTreeMap<Unit, Vec<ExprId>> = BTreeMap::new();
-        for &(k, entry) in
-            jet.gradient.iter().filter(|(k, entry)| core.coordinates.contains(k) && !graph.is_zero(*entry))
-        {
+        for &(k, entry) in jet.gradient.iter().filter(|(k, entry)| is_unknown(k) && !graph.is_zero(*entry)) {
             gradient.entry(unit(k, &coordinates[k as usize])).or_default().push(entry);
         }
         let changes: Vec<(Vec<ExprId>, Vec<Jet>)> =
             gradient.into_values().map(|entries| (entries.clone(), total_derivatives(graph, &entries))).collect();
-        for (&of, members) in members.iter().filter(|(unit, _)| **unit != Unit::Angle || curves) {
+        for (&of, members) in members.iter().filter(|((_, unit), _)| *unit != Unit::Angle || curves) {
             if let Some(share) = turn(graph, &changes, members) {
                 let sum = squares.get(&of).copied().unwrap_or_else(|| graph.zero());
                 squares.insert(of, graph.add(sum, share));
@@ -98,8 +104,10 @@ fn of_core(graph: &mut Graph, core: &Core, coordinates: &[Coordinate], found: &m
         }
     }
     for (of, square) in squares {
-        let factor = graph.call(Function::Sqrt, square);
-        found.extend(members[&of].iter().map(|&k| (k, factor)));
+        for &k in &members[&of] {
+            let sum = found.get(&k).copied().unwrap_or_else(|| graph.zero());
+            found.insert(k, graph.add(sum, square));
+        }
     }
 }
 

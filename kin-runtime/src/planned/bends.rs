@@ -23,9 +23,12 @@ use crate::workspace::Array;
 /// How often a part is halved at most.
 const HALVINGS: u32 = 20;
 
-/// The largest number of parts of the same length. Where more of them would have to be looked at, the bound says
-/// nothing, as for a function that the program supplies, which has no enclosure.
-const PARTS: usize = 16;
+/// The largest number of parts of the same length. Where more of them would have to be looked at, halving ends.
+const PARTS: usize = 64;
+
+/// If all of so many parts of a step would have to be halved, the bound says nothing, as for a function that the program
+/// supplies, which has no enclosure.
+const EVERYWHERE: usize = 16;
 
 /// The largest turn of a part that is not halved, relative to the largest rotation of a step.
 const SMALL: f64 = 2.0;
@@ -82,6 +85,9 @@ pub(crate) fn stays_in_bends(
             }
             (halves[halved], halves[halved + 1]) = (2 * part, 2 * part + 1);
             halved += 2;
+        }
+        if halved == 2 * EVERYWHERE && count == EVERYWHERE && f64::from(EVERYWHERE as u32) * width == 1.0 {
+            return Ok(true);
         }
         (parts, count, width) = (halves, halved, 0.5 * width);
     }
@@ -145,7 +151,7 @@ pub(crate) fn bends_are_followed<M: Mechanism>(
 
 #[cfg(test)]
 mod tests {
-    use super::{HALVINGS, PARTS, Span, hull, stays_in_bends};
+    use super::{EVERYWHERE, HALVINGS, Span, hull, stays_in_bends};
     use crate::mechanism::LengthError;
     use crate::planned::between::on_cubic;
     use crate::scalar::Interval;
@@ -230,6 +236,6 @@ mod tests {
         let (stays, enclosures, _) = look(|part| if part.contains(0.7) { f64::NAN } else { 0.0 }, |_| false);
         assert!(stays && enclosures <= 2 * (HALVINGS as usize + 1), "{enclosures}");
         let (stays, enclosures, places) = look(|_| f64::NAN, |_| false);
-        assert!(stays && enclosures < 2 * PARTS && places.len() < 2 * PARTS + 8, "{enclosures}");
+        assert!(stays && enclosures == 2 * EVERYWHERE - 1 && places.len() == enclosures + 7, "{enclosures}");
     }
 }

@@ -10,6 +10,7 @@ mod approaches;
 mod arithmetic;
 mod bars;
 mod belted;
+mod bumps;
 mod case;
 mod chains;
 mod closure;

@@ -6,10 +6,9 @@ use crate::draw::Draw;
 use crate::jet::Jet;
 use crate::tally::{Tally, motions};
 use crate::ways::follow;
-use kin_runtime::{Kinematics, mechanism};
+use kin_runtime::mechanism;
 use kin_tests::random::Random;
 use std::f64::consts::PI;
-use std::fmt::Debug;
 
 /// A plate that is lifted, with a slot Y = a cos X/w + b cos(k X/w + c) for a pin that slides along the ground.
 #[mechanism]
@@ -56,36 +55,12 @@ struct Arm {
     rate: f64,
 }
 
-/// x + a/(1 + ((x − c)/w)²) = m + t: straight, but for a bump of the width w at c.
-#[mechanism]
-#[body(slider, y = 0, phi = 0)]
-#[constraint(bump: slider.x + a / (1 + pow((slider.x - c) / w, 2)) = m + t)]
-#[derive(Clone, Debug)]
-struct Bump {
-    a: f64,
-    c: f64,
-    w: f64,
-    m: f64,
-}
-
-/// The same for an angle.
-#[mechanism]
-#[body(wheel, x = 0, y = 0)]
-#[constraint(bump: wheel.phi + a / (1 + pow((wheel.phi - c) / w, 2)) = m + t)]
-#[derive(Clone, Debug)]
-struct Lobe {
-    a: f64,
-    c: f64,
-    w: f64,
-    m: f64,
-}
-
 /// A function with its first two derivatives.
-type Curve = Box<dyn Fn(f64) -> [f64; 3]>;
+pub(crate) type Curve = Box<dyn Fn(f64) -> [f64; 3]>;
 
 /// The first place from `from` on, in the direction of `way`, at which f′ changes its sign; `None` within the distance
 /// `far`.
-fn fold(f: &Curve, from: f64, way: f64, far: f64) -> Option<f64> {
+pub(crate) fn fold(f: &Curve, from: f64, way: f64, far: f64) -> Option<f64> {
     let rises = f(from)[1] > 0.0;
     let step = way * far / 4000.0;
     let (mut low, mut high) = (0..4000)
@@ -99,7 +74,7 @@ fn fold(f: &Curve, from: f64, way: f64, far: f64) -> Option<f64> {
 }
 
 /// The root u of f(u) = s between two places, between which f is monotone, with its rates.
-fn root(f: &Curve, [mut low, mut high]: [f64; 2], s: Jet) -> Option<Jet> {
+pub(crate) fn root(f: &Curve, [mut low, mut high]: [f64; 2], s: Jet) -> Option<Jet> {
     let above = |u: f64| f(u)[0] > s.x;
     let at_low = above(low);
     if at_low == above(high) {
@@ -116,7 +91,7 @@ fn root(f: &Curve, [mut low, mut high]: [f64; 2], s: Jet) -> Option<Jet> {
 }
 
 /// Instants up to a time that is usually behind the dead centre at `fold`.
-fn instants(random: &mut Random, fold: Option<f64>) -> Vec<f64> {
+pub(crate) fn instants(random: &mut Random, fold: Option<f64>) -> Vec<f64> {
     let end = fold.map_or(2.0, |fold| fold * random.between(0.7, 3.0));
     let count = random.whole(1, 30);
     (0..=count).map(|k| end * k as f64 / count as f64).collect()
@@ -202,36 +177,6 @@ fn arm(random: &mut Random) -> (Case<Arm>, Vec<f64>) {
     }
 }
 
-/// A motion from a place up to the dead centre at the bump; `make` takes a, c, w and m. `None` if it ends at once.
-fn bump<M>(make: impl Fn([f64; 4]) -> M, [a, c, w]: [f64; 3], from: f64) -> Option<Case<M>> {
-    let f: Curve = Box::new(move |x: f64| {
-        let u = (x - c) / w;
-        let d = 1.0 + u * u;
-        let curvature = -2.0 * a / (d * d) + 8.0 * a * u * u / (d * d * d);
-        [x + a / d, 1.0 - 2.0 * a * u / (w * d * d), curvature / (w * w)]
-    });
-    let end = fold(&f, from, 1.0, c - from + 3.0 * w).expect("a bump with a dead centre");
-    let m = f(from)[0];
-    let dead_centre = f(end)[0] - m;
-    if f(from)[1] < 0.1 || dead_centre < 0.02 {
-        return None;
-    }
-    let branch = move |t: f64, off: f64| {
-        let s = Jet::time(t) * (1.0 + off) + m * (1.0 + off);
-        Some(vec![root(&f, [from - 1.0, end], s)?])
-    };
-    Some(Case::new(make([a, c, w, m]), branch, [vec![dead_centre], vec![]], format!("from {from}")))
-}
-
-/// A motion of random steps past the dead centre of a random bump, most of them narrow compared with the steps.
-fn follow_bump<M: Kinematics + Debug + Sync>(random: &mut Random, tally: &mut Tally, make: fn([f64; 4]) -> M) {
-    let w = 0.5 * 10.0_f64.powf(random.between(-2.0, 0.0));
-    let a = w * random.between(1.7, 6.0) * random.sign();
-    let Some(case) = bump(make, [a, random.between(0.0, 3.0), w], random.between(-1.5, -0.2)) else { return };
-    let times = instants(random, case.folds.first().copied());
-    follow(tally, &Group::new(times, vec![case]));
-}
-
 #[test]
 fn arms_on_waved_slots() {
     let (mut random, mut tally) = (Random::new(1014), Tally::default());
@@ -240,28 +185,6 @@ fn arms_on_waved_slots() {
         follow(&mut tally, &Group::new(times, vec![case]));
     }
     tally.obeys("arms");
-}
-
-/// The curve is nearly straight where the step begins and where it could end.
-#[test]
-fn bumps_behind_straight_stretches() {
-    let mut tally = Tally::default();
-    for (a, end) in [(2.0, 8.0), (2.0, 12.0), (-3.0, 8.0), (-3.0, 12.0), (1.6, 9.0), (5.0, 14.0)] {
-        let case = bump(|[a, c, w, m]| Bump { a, c, w, m }, [a, 3.0, 1.0], -3.0).expect("a long way to the bump");
-        follow(&mut tally, &Group::new(vec![0.0, end], vec![case]));
-    }
-    tally.obeys("bumps");
-}
-
-/// The bump is between the places at which a step is looked at.
-#[test]
-fn narrow_bumps() {
-    let (mut random, mut tally) = (Random::new(1016), Tally::default());
-    for _ in 0..motions(0.3) {
-        follow_bump(&mut random, &mut tally, |[a, c, w, m]| Bump { a, c, w, m });
-        follow_bump(&mut random, &mut tally, |[a, c, w, m]| Lobe { a, c, w, m });
-    }
-    tally.obeys("narrow bumps");
 }
 
 #[test]

@@ -48,7 +48,7 @@ fn expressions_say_what_would_be_right() {
         ("u.x", "`u` is a coordinate and has no components"),
         ("(u + v).x", "belongs to a body"),
         ("u.0", "after the dot"),
-        ("dot(u)", "it stands in `nonholonomic`, `force` and `torque` only"),
+        ("dot(u)", "is allowed only in `nonholonomic`, `force` and `torque`"),
         ("u.dot()", "it stands in `nonholonomic`, `force` and `torque` only"),
         ("dot(u, v)", "is written `dot(a)`"),
         ("distance(u)", "two points"),

@@ -1,0 +1,160 @@
+//! Curves that are straight or round but for a bump that is narrow compared with a step, and may be steep enough to stop the
+//! motion.
+
+use crate::case::{Case, Group};
+use crate::draw::Draw;
+use crate::jet::Jet;
+use crate::slots::{Curve, fold, instants, root};
+use crate::tally::{Tally, motions};
+use crate::ways::follow;
+use kin_runtime::{Kinematics, mechanism};
+use kin_tests::random::Random;
+use std::fmt::Debug;
+
+/// x + a/(1 + ((x − c)/w)²) = m + t: straight, but for a bump of the width w at c.
+#[mechanism]
+#[body(slider, y = 0, phi = 0)]
+#[constraint(bump: slider.x + a / (1 + pow((slider.x - c) / w, 2)) = m + t)]
+#[derive(Clone, Debug)]
+struct Bump {
+    a: f64,
+    c: f64,
+    w: f64,
+    m: f64,
+}
+
+/// The same for an angle.
+#[mechanism]
+#[body(wheel, x = 0, y = 0)]
+#[constraint(bump: wheel.phi + a / (1 + pow((wheel.phi - c) / w, 2)) = m + t)]
+#[derive(Clone, Debug)]
+struct Lobe {
+    a: f64,
+    c: f64,
+    w: f64,
+    m: f64,
+}
+
+/// An offset knife-edge follower on a cam with a lobe, or a notch, of the width w.
+#[mechanism]
+#[body(cam, x = 0, y = 0)]
+#[body(follower, x = offset, phi = 0)]
+#[on_curve(contact: cam @ (0, 0), follower @ (0, 0), polar(theta) = r + a * exp(-pow((theta - c) / w, 2)))]
+#[driver(turn: cam.phi = start + rate * t)]
+#[derive(Clone, Debug)]
+struct Cam {
+    r: f64,
+    a: f64,
+    c: f64,
+    w: f64,
+    offset: f64,
+    start: f64,
+    rate: f64,
+}
+
+/// A motion from a place up to the dead centre at the bump; `make` takes a, c, w and m. `None` if it ends at once.
+fn bump<M>(make: impl Fn([f64; 4]) -> M, [a, c, w]: [f64; 3], from: f64) -> Option<Case<M>> {
+    let f: Curve = Box::new(move |x: f64| {
+        let u = (x - c) / w;
+        let d = 1.0 + u * u;
+        let curvature = -2.0 * a / (d * d) + 8.0 * a * u * u / (d * d * d);
+        [x + a / d, 1.0 - 2.0 * a * u / (w * d * d), curvature / (w * w)]
+    });
+    let end = fold(&f, from, 1.0, c - from + 3.0 * w).expect("a bump with a dead centre");
+    let m = f(from)[0];
+    let dead_centre = f(end)[0] - m;
+    if f(from)[1] < 0.1 || dead_centre < 0.02 {
+        return None;
+    }
+    let branch = move |t: f64, off: f64| {
+        let s = Jet::time(t) * (1.0 + off) + m * (1.0 + off);
+        Some(vec![root(&f, [from - 1.0, end], s)?])
+    };
+    Some(Case::new(make([a, c, w, m]), branch, [vec![dead_centre], vec![]], format!("from {from}")))
+}
+
+/// A motion of random steps past the dead centre of a random bump, most of them narrow compared with the steps.
+fn follow_bump<M: Kinematics + Debug + Sync>(random: &mut Random, tally: &mut Tally, make: fn([f64; 4]) -> M) {
+    let w = 0.5 * 10.0_f64.powf(random.between(-2.0, 0.0));
+    let a = w * random.between(1.7, 6.0) * random.sign();
+    let Some(case) = bump(make, [a, random.between(0.0, 3.0), w], random.between(-1.5, -0.2)) else { return };
+    let times = instants(random, case.folds.first().copied());
+    follow(tally, &Group::new(times, vec![case]));
+}
+
+/// A motion over the lobe of a random cam, which ends on its flank where the flank is too steep. θ is the polar angle of
+/// the contact: the cam's angle is that of the follower's edge, atan2(y, offset), less θ.
+fn cam(random: &mut Random) -> (Case<Cam>, Vec<f64>) {
+    loop {
+        let (r, offset) = (random.between(0.5, 1.5), random.between(0.1, 0.45) * random.sign());
+        let w = 10.0_f64.powf(random.between(-2.3, -0.5));
+        let a = f64::max(w * random.between(0.3, 4.0) * random.sign(), -0.9 * (r - offset.abs()));
+        let (c, way) = (random.between(-1.0, 1.0), random.sign());
+        // y(θ) with its derivatives, from y² = r(θ)² − offset².
+        let height = move |theta: f64| {
+            let u = (theta - c) / w;
+            let lobe = a * (-u * u).exp();
+            let [r, slope, bend] = [r + lobe, -2.0 * u / w * lobe, (4.0 * u * u - 2.0) / (w * w) * lobe];
+            let y = (r * r - offset * offset).sqrt();
+            let dy = r * slope / y;
+            [y, dy, (slope * slope + r * bend - dy * dy) / y, r, slope]
+        };
+        let angle: Curve = Box::new(move |theta: f64| {
+            let [y, dy, ddy, r, slope] = height(theta);
+            let bend = offset * (ddy / (r * r) - 2.0 * dy * slope / (r * r * r));
+            [y.atan2(offset) - theta, offset * dy / (r * r) - 1.0, bend]
+        });
+        let from = c - way * random.between(0.3, 1.5);
+        let end = fold(&angle, from, way, (c - from).abs() + 1.5);
+        let start = angle(from)[0];
+        let rate = -way * random.between(0.3, 1.0);
+        let dead_centre = end.map(|end| (angle(end)[0] - start) / rate);
+        if angle(from)[1] > -0.2 || dead_centre.is_some_and(|t| t < 0.02) {
+            continue;
+        }
+        let times = instants(random, dead_centre.or(Some(0.4 / rate.abs())));
+        let mechanism = Cam { r, a, c, w, offset, start, rate };
+        let range = [from - 0.1 * way, end.unwrap_or(c + way * 1.5)];
+        let branch = move |t: f64, off: f64| {
+            let phi = Jet::time(t) * (1.0 + off) * rate + start * (1.0 + off);
+            let theta = root(&angle, range, phi)?;
+            let [y, dy, ddy, ..] = height(theta.x);
+            Some(vec![phi, Jet::new(y, dy * theta.v, ddy * theta.v * theta.v + dy * theta.a)])
+        };
+        let folds = dead_centre.into_iter().collect();
+        return (Case::new(mechanism, branch, [folds, vec![]], format!("from {from}")), times);
+    }
+}
+
+/// The curve is nearly straight where the step begins and where it could end.
+#[test]
+fn bumps_behind_straight_stretches() {
+    let mut tally = Tally::default();
+    for (a, end) in [(2.0, 8.0), (2.0, 12.0), (-3.0, 8.0), (-3.0, 12.0), (1.6, 9.0), (5.0, 14.0)] {
+        let case = bump(|[a, c, w, m]| Bump { a, c, w, m }, [a, 3.0, 1.0], -3.0).expect("a long way to the bump");
+        follow(&mut tally, &Group::new(vec![0.0, end], vec![case]));
+    }
+    tally.obeys("bumps");
+}
+
+/// The bump is between the places at which a step is looked at.
+#[test]
+fn narrow_bumps() {
+    let (mut random, mut tally) = (Random::new(1016), Tally::default());
+    for _ in 0..motions(0.3) {
+        follow_bump(&mut random, &mut tally, |[a, c, w, m]| Bump { a, c, w, m });
+        follow_bump(&mut random, &mut tally, |[a, c, w, m]| Lobe { a, c, w, m });
+    }
+    tally.obeys("narrow bumps");
+}
+
+/// The follower rests before the lobe, so that only the turn of the cam tells of it.
+#[test]
+fn followers_on_lobes() {
+    let (mut random, mut tally) = (Random::new(1017), Tally::default());
+    for _ in 0..motions(0.3) {
+        let (case, times) = cam(&mut random);
+        follow(&mut tally, &Group::new(times, vec![case]));
+    }
+    tally.obeys("lobes");
+}
