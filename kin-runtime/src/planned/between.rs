@@ -12,8 +12,9 @@ use super::lists::{BranchValues, Modes};
 use crate::mechanism::{LengthError, Mechanism};
 use crate::model::{Component, CoordinateKind, Model};
 use crate::plan::StepKind;
+use crate::scalar::Scalar;
 use crate::scalar::compare::Compare;
-use crate::signal::Instant;
+use crate::signal::{Instant, Signal};
 use crate::workspace::Array;
 
 /// Number of places between the ends of a step at which branch values are evaluated.
@@ -45,24 +46,34 @@ pub(crate) fn on_cubic<V: Compare>(to: &mut [V], [q0, v0, q1, v1]: [&[V]; 4], h:
     }
 }
 
-/// A place s of a step of the length h to the instant `at`, whose inputs are used everywhere.
-pub(crate) fn within<'a, V: Compare>(at: &Instant<'a, V>, h: f64, s: f64) -> Instant<'a, V> {
-    Instant { t: at.t - V::from_f64((1.0 - s) * h), inputs: at.inputs }
+/// The time at a place s of a step of the length h that ends at the time t.
+pub(crate) fn time_within<V: Scalar>(t: V, h: f64, s: V) -> V {
+    t - (V::from_f64(1.0) - s) * V::from_f64(h)
+}
+
+/// An input at a place s of a step, between its values at both ends.
+pub(crate) fn input_within<V: Scalar>([from, to]: [&Signal<V>; 2], s: V) -> Signal<V> {
+    Signal { value: from.value + s * (to.value - from.value), ..*to }
 }
 
 /// A measure that is negative if an iterated group comes much nearer to its limit at a place within a step than at its
-/// ends, or has another sign there. `at` is the instant of the end.
+/// ends, or has another sign there. `at` is the instant of the end, and `from` are the inputs at the start.
 #[cold]
 #[inline(never)]
 pub(crate) fn certainty_at_places<M: Mechanism, V: Compare>(
     mechanism: &M,
-    (parameters, at): (&[V], &Instant<'_, V>),
+    (parameters, from, at): (&[V], &[Signal<V>], &Instant<'_, V>),
     modes: &Modes<M, V>,
     ends: [&[V]; 4],
     h: f64,
 ) -> Result<V, LengthError> {
     let iterated = M::model().plan.modes.len();
-    let of = |s: f64, q: &[V]| BranchValues::at(mechanism, parameters, &within(at, h, s), q);
+    let of = |s: f64, q: &[V]| {
+        let s = V::from_f64(s);
+        let inputs = M::Inputs::<V>::generate(|k| input_within([&from[k], &at.inputs[k]], s));
+        let there = Instant { t: time_within(at.t, h, s), inputs: inputs.as_ref() };
+        BranchValues::at(mechanism, parameters, &there, q)
+    };
     let (first, last) = (of(0.0, ends[0])?, of(1.0, ends[2])?);
     let mut certainty = V::from_f64(1.0);
     let mut q = M::Coordinates::<V>::filled(V::from_f64(0.0));

@@ -10,7 +10,7 @@ use super::predict::{largest_turn, turned};
 use crate::mechanism::{LengthError, Mechanism};
 use crate::plan::{Depth, Solved};
 use crate::scalar::compare::all_finite;
-use crate::signal::Instant;
+use crate::signal::{Instant, Signal};
 
 impl<M: Mechanism> PlanFollower<M> {
     /// Solves by the plan in the current modes; true where the solution is valid.
@@ -57,7 +57,7 @@ impl<M: Mechanism> PlanFollower<M> {
         self.states[1 - self.accepted].margins.write_distances(&mut self.distances)
     }
 
-    /// True if in a step of the length h from `here` the gradients of iterated rows turn no farther than bodies may,
+    /// True if in a step of the length h from `here`, where the inputs are `from`, the gradients of iterated rows turn no farther than bodies may,
     /// the trial state is near its prediction by the same measure, and no iterated group comes near its limit in
     /// between.
     #[inline]
@@ -66,7 +66,7 @@ impl<M: Mechanism> PlanFollower<M> {
         mechanism: &M,
         at: &Instant<'_>,
         here: &PlanSolution<M>,
-        h: f64,
+        (from, h): (&[Signal], f64),
         control: &Control,
     ) -> Result<bool, LengthError> {
         if !self.rows_turn_alone {
@@ -87,11 +87,12 @@ impl<M: Mechanism> PlanFollower<M> {
         if !is_smooth {
             return Ok(false);
         }
-        let (known, modes) = ((self.parameters.as_ref(), at), &self.branch.modes);
+        let (parameters, modes) = (self.parameters.as_ref(), &self.branch.modes);
         if M::ROWS_CURVE {
-            return bends_are_followed(mechanism, known, modes, Span { ends, h }, control.rotation);
+            let span = Span { ends, inputs: from, h };
+            return bends_are_followed(mechanism, (parameters, at), modes, span, control.rotation);
         }
-        Ok(certainty_at_places(mechanism, known, modes, ends, h)? >= 0.0)
+        Ok(certainty_at_places(mechanism, (parameters, from, at), modes, ends, h)? >= 0.0)
     }
 
     /// True if no iterated group has changed the sign of its determinant.

@@ -49,7 +49,7 @@ fn expressions_say_what_would_be_right() {
         ("(u + v).x", "belongs to a body"),
         ("u.0", "after the dot"),
         ("dot(u)", "is allowed only in `nonholonomic`, `force` and `torque`"),
-        ("u.dot()", "it stands in `nonholonomic`, `force` and `torque` only"),
+        ("u.dot()", "is allowed only in `nonholonomic`, `force` and `torque`"),
         ("dot(u, v)", "is written `dot(a)`"),
         ("distance(u)", "two points"),
         ("u / 0", "divides by 0"),

@@ -233,7 +233,9 @@ impl<M: Mechanism> Motion<M> {
             }
             return certainty;
         }
-        let at_places = certainty_at_places(mechanism, (self.parameters.as_ref(), at), &self.modes, ends, h);
+        let from = M::Inputs::<Octet>::generate(|k| self.inputs.as_ref()[k].map(Octet::from_f64));
+        let known = (self.parameters.as_ref(), from.as_ref(), at);
+        let at_places = certainty_at_places(mechanism, known, &self.modes, ends, h);
         debug_assert!(at_places.is_ok(), "the columns have been counted");
         certainty.least(at_places.unwrap_or_else(|_| Octet::from_f64(-1.0)))
     }
@@ -250,7 +252,7 @@ impl<M: Mechanism> Motion<M> {
         let pick = |list: &[Octet]| -> M::Coordinates<f64> { Array::generate(|k| list[k].lane(lane)) };
         let (here, tried) = (self.poses(), &self.poses[1 - self.good]);
         let ends = [&here.q, &here.q_dot, &tried.q, &tried.q_dot].map(|list| pick(list.as_ref()));
-        let span = Span { ends: ends.each_ref().map(AsRef::as_ref), h };
+        let span = Span { ends: ends.each_ref().map(AsRef::as_ref), inputs: self.inputs.as_ref(), h };
         let parameters: M::Parameters<f64> = Array::generate(|k| self.parameters.as_ref()[k].lane(lane));
         let inputs = M::Inputs::<f64>::generate(|k| at.inputs[k].map(|x| x.lane(lane)));
         let at = Instant { t: at.t.lane(lane), inputs: inputs.as_ref() };

@@ -248,7 +248,9 @@ impl<M: Mechanism> PlanFollower<M> {
         let away = turned(tried.q.as_ref(), self.predicted.as_ref(), self.weights.as_ref());
         let is_expected = away <= control.correction * turn + NEGLIGIBLE;
         let here = &self.states[self.accepted];
-        if !is_expected || !self.rows_are_followed(mechanism, at, here, at.t - self.t, control)? {
+        if !is_expected
+            || !self.rows_are_followed(mechanism, at, here, (self.inputs.as_ref(), at.t - self.t), control)?
+        {
             return Ok(false);
         }
         // Where every group is out of reach of its limit, no sign can have changed: neither within the step nor between

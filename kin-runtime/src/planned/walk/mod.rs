@@ -133,9 +133,11 @@ impl<M: Mechanism> PlanFollower<M> {
         let allowed = control.correction * turn + NEGLIGIBLE;
         let judged = self.judge(mechanism, course, [s, next], inputs, (here, &modes), [allowed, turn, nearest]);
         let result = judged.and_then(|effort| {
+            let mut from = *inputs;
+            course.at(s, from.as_mut());
             let t = course.at(next, inputs.as_mut());
             let end = Instant { t, inputs: inputs.as_ref() };
-            let followed = self.rows_are_followed(mechanism, &end, here, h, control)?;
+            let followed = self.rows_are_followed(mechanism, &end, here, (from.as_ref(), h), control)?;
             if followed { Ok(effort) } else { Err(Fault::Coarse) }
         });
         if result.is_err() {

@@ -144,7 +144,7 @@ fn rotation_to(w: f64, q: &[f64; 9]) -> f64 {
 /// and returns to its start; the step is too long if the branch value there is less than a quarter of those at its ends.
 #[test]
 fn a_group_that_may_have_been_at_its_limit_within_a_step_is_looked_at_half_way() {
-    let (phi, h) = (crank_at(0.06), 1e-3);
+    let (phi, h) = (crank_at(0.06), 1e-6);
     for (share, is_far) in [(0.26, true), (0.24, false)] {
         for ([before, now], looks) in
             [([0.14, 0.14], true), ([0.9, 0.14], true), ([0.14, 0.9], true), ([0.151, 0.151], false)]

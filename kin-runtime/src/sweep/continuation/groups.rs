@@ -8,10 +8,11 @@
 use crate::analysis::by_plan;
 use crate::equations::Equations;
 use crate::planned::bends::{Span, stays_in_bends};
-use crate::planned::between::{LEAST, on_cubic, places, within};
+use crate::planned::between::{LEAST, input_within, on_cubic, places, time_within};
 use crate::planned::blurred::{blurred_group, largest_angle};
 use crate::planned::branch::{OUT_OF_REACH, certainty_of, resolves};
 use crate::scalar::{Interval, Scalar};
+use crate::signal::Signal;
 use crate::workspace::Instant;
 
 /// Size of a branch value below which rounding no longer allows a group to be assigned to either closure.
@@ -86,9 +87,12 @@ pub(super) fn stay_between(equations: &Equations<'_>, [before, found]: [&[f64]; 
     }
     let (mut q, mut groups) = (vec![0.0; equations.coordinates()], vec![0.0; before.len()]);
     let at = equations.instant();
+    let ends = span.inputs.iter().zip(at.inputs).map(|(from, to)| [from, to]);
     let mut stays_at = |s: f64| {
         on_cubic(&mut q, span.ends, span.h, s);
-        if equations.system.branches(&within(&at, span.h, s), &q, &mut groups).is_err() {
+        let inputs: Vec<_> = ends.clone().map(|ends| input_within(ends, s)).collect();
+        let there = Instant { t: time_within(at.t, span.h, s), inputs: &inputs };
+        if equations.system.branches(&there, &q, &mut groups).is_err() {
             return false;
         }
         let mut all = groups.iter().zip(before).zip(found).skip(iterated);
@@ -100,11 +104,15 @@ pub(super) fn stay_between(equations: &Equations<'_>, [before, found]: [&[f64]; 
     if !equations.system.iterates_on_curves() {
         return places().all(stays_at);
     }
-    let inputs: Vec<_> = at.inputs.iter().map(|input| input.map(Interval::from_f64)).collect();
     let buffers = [(); 2].map(|()| vec![Interval::ZERO; span.ends[0].len()]);
     let [mut box_of_part, mut turns] = buffers;
     let mut turns_over = |place: Interval, part: &[Interval], turns: &mut [Interval]| {
-        let t = Interval::from_f64(at.t) + (place - Interval::from_f64(1.0)) * Interval::from_f64(span.h);
+        let of = |ends: [&Signal; 2]| {
+            let [from, to] = ends.map(|input| input.map(Interval::from_f64));
+            input_within([&from, &to], place)
+        };
+        let inputs: Vec<_> = ends.clone().map(of).collect();
+        let t = time_within(Interval::from_f64(at.t), span.h, place);
         equations.system.turns_over(&Instant { t, inputs: &inputs }, part, turns)
     };
     let rotation = equations.options.max_rotation_per_step;

@@ -179,7 +179,8 @@ pub(super) fn settle(
     }
     equations.check("q_dot", q_dot.as_slice())?;
     let ends = [&*from.node.state.q, from.q_dot, &*state.q, q_dot.as_slice()];
-    if !is_redundant && !groups::stay_between(equations, [before, groups], Span { ends, h: s - from.s }) {
+    let span = Span { ends, inputs: &from.node.state.inputs, h: s - from.s };
+    if !is_redundant && !groups::stay_between(equations, [before, groups], span) {
         return Err(Fault::Coarse(0.5));
     }
     fill(&mut state.q_dot, q_dot.iter().copied());
