@@ -96,3 +96,36 @@ fn the_dead_centre_of_a_belted_arm_is_located() {
         assert!((located - before).abs() < 1e-7, "{located} instead of {before}: {text}");
     }
 }
+
+/// A plate that is lifted by a cam whose angle is the unknown, up to the highest place of the cam. All terms of the cam's
+/// equation vanish there together, so that its branch value is about 1 up to the limit.
+#[mechanism]
+#[body(cam, x = 0, y = 0)]
+#[body(plate, x = 0, phi = 0)]
+#[flat_follower(contact: cam @ (0, 0), plate @ (0, 0), axis = (1, 0), support(theta) = r + e*cos(theta) + a*cos(2*theta))]
+#[driver(lift: plate.y = start + 0.3*t)]
+#[derive(Clone, Debug)]
+struct Lifted {
+    r: f64,
+    e: f64,
+    a: f64,
+    start: f64,
+}
+
+#[test]
+fn the_highest_place_of_a_cam_is_located() {
+    let lifted = Lifted { r: 1.0, e: 0.2, a: 0.03, start: 1.0 + 0.2 * 1.0_f64.cos() + 0.03 * 2.0_f64.cos() };
+    let top = (1.23 - lifted.start) / 0.3;
+    let first = [1.0, -1.0].into_iter().flat_map(|side| [0.5, 1.5, 2.5].map(|shift| side * shift)).find_map(|guess| {
+        let solver = lifted.solver().with_guess(0, guess);
+        solver.state(&Instant::at(0.0)).ok().filter(|state| state.q_dot[0].abs() > 0.1)
+    });
+    let first = first.expect("it closes");
+    for end in [0.7617, 0.46, 2.0] {
+        let mut planned = Planned::new(&lifted, &Instant::at(0.0), &first.q).expect("it closes");
+        let refused = planned.at(&Instant::at(end)).expect_err("it cannot be lifted farther");
+        let located = refused.limit().and_then(|limit| limit.located).expect("the limit is located");
+        assert!((located.at - top).abs() < 1e-8, "{refused}: {top}");
+        assert!(refused.to_string().contains("contact"), "{refused}");
+    }
+}

@@ -105,7 +105,7 @@ fn largest_of(model: &Model, turns: &[f64], places: &mut dyn Iterator<Item = usi
 
 /// The size of a rate, in radians. Not inlined, because LLVM 22 crashes when it vectorises the loop around it.
 #[inline(never)]
-fn turning(model: &Model, turns: &[f64], rates: &[f64], k: usize) -> f64 {
+pub(super) fn turning(model: &Model, turns: &[f64], rates: &[f64], k: usize) -> f64 {
     let weight = if is_angle(model, k) { 1.0 } else { turns.get(k).copied().unwrap_or(0.0) };
     (weight * rates[k]).abs()
 }

@@ -5,12 +5,14 @@
 //! distance from its limit. Otherwise the step is halved. So a group whose two closures come near one another is
 //! followed in steps that resolve the bend, and a group that reaches its limit stops the walk just before it.
 
+use super::blurred::{largest_angle, turning};
 use super::branch::{first_dip, may_have_touched_limit, resolves};
 use super::follower::{Control, Fault, NEGLIGIBLE, PlanFollower, PlanSolution, most_turn};
 use super::lists::{BranchValues, Modes};
 use super::predict::{parabola, turned};
 use crate::course::Course;
 use crate::mechanism::{LengthError, Mechanism};
+use crate::plan::{PlanStep, StepKind};
 use crate::scalar::Scalar;
 use crate::signal::{Instant, Signal};
 use crate::workspace::Array;
@@ -27,6 +29,9 @@ pub(crate) struct Blocked<M: Mechanism> {
 
 /// If no step is short enough, the limit of a group is the reason if the group is nearer to it than this.
 const BESIDE: f64 = 1e-3;
+
+/// Rates grow without bound if the length of a step that they allow, relative to the rest of the course, is below this.
+const UNBOUNDED: f64 = 1e-4;
 
 impl<M: Mechanism> PlanFollower<M> {
     /// Moves along the course and solves at the instant at its end; the result is the trial state.
@@ -65,7 +70,7 @@ impl<M: Mechanism> PlanFollower<M> {
             let (next, share) = next_place([s, end], natural.min(proposed));
             let blocked = |fault| Blocked { places: [s, next], here, fault: Some(fault) };
             if next == s {
-                return Err(blocked(self.standstill()));
+                return Err(blocked(self.standstill(&here, natural / remaining.abs())));
             }
             let walked = (next - s).abs();
             match self.step(mechanism, course, [s, next], &mut inputs, (&here, nearest), control) {
@@ -83,7 +88,9 @@ impl<M: Mechanism> PlanFollower<M> {
                 }
                 Err(fault) => {
                     if 0.5 * walked < smallest {
-                        return Err(blocked(if fault == Fault::Coarse { self.standstill() } else { fault }));
+                        let is_coarse = fault == Fault::Coarse;
+                        let share = natural / remaining.abs();
+                        return Err(blocked(if is_coarse { self.standstill(&here, share) } else { fault }));
                     }
                     proposed = 0.5 * walked;
                 }
@@ -231,14 +238,33 @@ impl<M: Mechanism> PlanFollower<M> {
         Ok(good)
     }
 
-    /// The reason why no step is short enough: a group beside its limit, if there is one.
-    fn standstill(&self) -> Fault {
+    /// The reason why no step from `here` is short enough: a group beside its limit or, if `share`, the length of a step
+    /// by the rates relative to the rest of the course, is so small that rates grow without bound, the first iterated
+    /// group with such rates. (The distance of an iteration of one unknown may stay large up to its limit.)
+    fn standstill(&self, here: &PlanSolution<M>, share: f64) -> Fault {
         let distances = self.branch.distances.as_ref();
         let group = place_of_least(distances);
-        match distances.get(group) {
-            Some(distance) if *distance < BESIDE => Fault::Group(group),
-            _ => Fault::Coarse,
+        if distances.get(group).is_some_and(|distance| *distance < BESIDE) {
+            return Fault::Group(group);
         }
+        let unbounded = if share < UNBOUNDED { self.first_of_largest_rate(here) } else { None };
+        unbounded.map_or(Fault::Coarse, Fault::Group)
+    }
+
+    /// The first iterated group whose unknowns have about the largest rates of all coordinates, in radians.
+    fn first_of_largest_rate(&self, here: &PlanSolution<M>) -> Option<usize> {
+        let plan = &M::model().plan;
+        let turns = if self.rows_turn_alone { self.turns.as_ref() } else { &[] };
+        let rate = |k: usize| turning(M::model(), turns, here.q_dot.as_ref(), k);
+        let largest = largest_angle(M::model(), turns, here.q_dot.as_ref());
+        let has_it = |step: &PlanStep| match step.kind {
+            StepKind::Newton(unknowns) => {
+                step.coordinates.iter().take(unknowns).any(|&(k, _)| rate(k) >= 0.1 * largest)
+            }
+            _ => false,
+        };
+        let found = plan.orientations.iter().position(|group| plan.steps.get(group.step).is_some_and(has_it));
+        found.map(|iterated| plan.modes.len() + iterated)
     }
 
     /// The group of the trial state that is nearest to its limit.
