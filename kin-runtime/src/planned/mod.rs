@@ -13,6 +13,7 @@ mod mode;
 pub(crate) mod passed;
 pub(crate) mod predict;
 mod range;
+pub(crate) mod rates;
 mod report;
 mod step;
 mod text;

@@ -7,7 +7,7 @@ use crate::jet::Jet;
 use crate::slots::{Curve, fold, instants, root};
 use crate::tally::{Tally, motions};
 use crate::ways::follow;
-use kin_runtime::{Kinematics, mechanism};
+use kin_runtime::{Instant, Kinematics, Limit, Planned, Signal, mechanism};
 use kin_tests::random::Random;
 use std::fmt::Debug;
 
@@ -50,6 +50,20 @@ struct Cam {
     offset: f64,
     start: f64,
     rate: f64,
+}
+
+/// A pin on a straight slot with a bump that an input moves along the slot.
+#[mechanism]
+#[input(c)]
+#[body(pin, y = 0, phi = 0)]
+#[on_curve(slot: ground @ (0, 0), pin @ (0, 0), implicit(X, Y) = Y - h - r * t - m * X - a / (1 + pow((X - c) / w, 2)))]
+#[derive(Clone, Debug)]
+struct Moved {
+    m: f64,
+    a: f64,
+    w: f64,
+    h: f64,
+    r: f64,
 }
 
 /// A motion from a place up to the dead centre at the bump; `make` takes a, c, w and m. `None` if it ends at once.
@@ -157,4 +171,21 @@ fn followers_on_lobes() {
         follow(&mut tally, &Group::new(times, vec![case]));
     }
     tally.obeys("lobes");
+}
+
+/// The bump comes to the pin within a step, at whose ends it is far away on either side.
+#[test]
+fn a_bump_that_an_input_moves() {
+    let at = |t: f64| {
+        let (value, rate) = (1.2406112021080467 * t + 0.1425847086649289 * t.sin(), 0.1425847086649289 * t.cos());
+        Signal::new(0.9725894842912413 + value, 1.2406112021080467 + rate, -0.1425847086649289 * t.sin())
+    };
+    let (m, a, w, start) = (0.9043620874342012, 0.06853503679598492, 0.03384479993980678, -0.27406702031805374);
+    let h = -m * start - a / (1.0 + ((start - at(0.0).value) / w).powi(2));
+    let moved = Moved { m, a, w, h, r: 0.9946989273050311 };
+    let mut planned = Planned::new(&moved, &Instant { t: 0.0, inputs: &[at(0.0)] }, &[start]).expect("it closes");
+    planned.at(&Instant { t: -0.0402267609, inputs: &[at(-0.0402267609)] }).expect("the bump is far away");
+    let refused = planned.at(&Instant { t: -1.1442318927, inputs: &[at(-1.1442318927)] });
+    let located = refused.err().and_then(|error| error.limit().and_then(Limit::at)).expect("a limit on the way");
+    assert!((located + 0.5356).abs() < 0.05, "{located}");
 }

@@ -3,11 +3,12 @@
 use super::error::{Limit, LimitKind, Located, PlanError};
 use super::follower::PlanFollower;
 use super::lists::BranchValues;
+use super::rates::{is_angle, largest_angle, largest_of};
 use super::step::Step;
 use super::walk::Blocked;
 use crate::course::Around;
 use crate::mechanism::Mechanism;
-use crate::model::{Component, CoordinateKind, Model};
+use crate::model::Model;
 use crate::plan::{Plan, PlanStep};
 use crate::signal::Instant;
 use crate::workspace::Array;
@@ -92,27 +93,6 @@ impl<M: Mechanism> PlanFollower<M> {
             None => PlanError::NonFinite { what: "margins", index: place, name: "", t },
         }
     }
-}
-
-/// The largest rate of an angle, of a scalar, or of the turn of a row with a length; see [`blurred_group`].
-pub(crate) fn largest_angle(model: &Model, turns: &[f64], rates: &[f64]) -> f64 {
-    largest_of(model, turns, &mut (0..rates.len()), rates)
-}
-
-fn largest_of(model: &Model, turns: &[f64], places: &mut dyn Iterator<Item = usize>, rates: &[f64]) -> f64 {
-    places.map(|k| turning(model, turns, rates, k)).fold(0.0, f64::max)
-}
-
-/// The size of a rate, in radians. Not inlined, because LLVM 22 crashes when it vectorises the loop around it.
-#[inline(never)]
-pub(super) fn turning(model: &Model, turns: &[f64], rates: &[f64], k: usize) -> f64 {
-    let weight = if is_angle(model, k) { 1.0 } else { turns.get(k).copied().unwrap_or(0.0) };
-    (weight * rates[k]).abs()
-}
-
-/// True for an angle or a scalar.
-fn is_angle(model: &Model, k: usize) -> bool {
-    !matches!(model.coordinates[k].kind, CoordinateKind::Pose { component: Component::X | Component::Y, .. })
 }
 
 /// The indices of the steps of all groups, in the order of their signs.

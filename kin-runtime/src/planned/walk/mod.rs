@@ -5,11 +5,11 @@
 //! distance from its limit. Otherwise the step is halved. So a group whose two closures come near one another is
 //! followed in steps that resolve the bend, and a group that reaches its limit stops the walk just before it.
 
-use super::blurred::{largest_angle, turning};
 use super::branch::{first_dip, may_have_touched_limit, resolves};
 use super::follower::{Control, Fault, NEGLIGIBLE, PlanFollower, PlanSolution, most_turn};
 use super::lists::{BranchValues, Modes};
 use super::predict::{parabola, turned};
+use super::rates::{largest_angle, turning};
 use crate::course::Course;
 use crate::mechanism::{LengthError, Mechanism};
 use crate::plan::{PlanStep, StepKind};
