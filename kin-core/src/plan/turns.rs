@@ -145,10 +145,12 @@ fn turn(graph: &mut Graph, gradient: &[(Vec<ExprId>, Vec<Jet>)], by: &[u32]) -> 
     Some(graph.div(one, radius))
 }
 
+/// Σ |e|². Over boxes, the square of an absolute value is never negative, while the product e·e of an interval around 0 is.
 fn sum_of_squares(graph: &mut Graph, entries: &[ExprId]) -> ExprId {
     let zero = graph.zero();
     entries.iter().fold(zero, |sum, &entry| {
-        let square = graph.square(entry);
+        let size = graph.call(Function::Abs, entry);
+        let square = graph.square(size);
         graph.add(sum, square)
     })
 }

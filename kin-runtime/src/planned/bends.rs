@@ -23,11 +23,11 @@ use crate::workspace::Array;
 /// How often a part is halved at most.
 const HALVINGS: u32 = 20;
 
-/// The largest number of parts of the same length. Where more of them would have to be looked at, halving ends.
+/// The largest number of parts of the same length. If more of them would have to be looked at, the step is too long.
 const PARTS: usize = 256;
 
-/// The largest number of such parts if there is no bound even over a part as short as [`SHORTEST`], as for a function that
-/// the program supplies, which has no enclosure.
+/// The largest number of parts that are looked at if there is no bound even over a part as short as [`SHORTEST`], as for a
+/// function that the program supplies, which has no enclosure.
 const PARTS_WITHOUT_BOUND: usize = 16;
 const SHORTEST: f64 = 1e-6;
 
@@ -95,7 +95,8 @@ pub(crate) fn stays_in_bends(
                 }
             }
             if halved + 2 > most {
-                return Ok(true);
+                // A step with so many bends is too long; without a bound no step would be short enough.
+                return Ok(most < PARTS);
             }
             (halves[halved], halves[halved + 1]) = (2 * part, 2 * part + 1);
             halved += 2;
