@@ -31,8 +31,9 @@ const PARTS: usize = 256;
 const PARTS_WITHOUT_BOUND: usize = 16;
 const SHORTEST: f64 = 1e-6;
 
-/// Width of the box along a coordinate that rests, relative to the coordinate.
+/// Width of the box along a coordinate that rests, relative to the coordinate, and the least width.
 const RESTING: f64 = 1e-12;
+const LEAST_WIDTH: f64 = 1e-100;
 
 /// The largest turn of a part that is not halved, relative to the largest rotation of a step.
 const SMALL: f64 = 2.0;
@@ -67,7 +68,7 @@ pub(crate) fn stays_in_bends(
         turns_over(Interval::new(start, start + width), box_of_part, turns)?;
         let turn_by = |(turn, along): (&Interval, &Interval)| {
             // A turn without a bound counts for a coordinate that rests, too, because the curve itself may move.
-            let least = RESTING * along.magnitude() + 1e-100;
+            let least = RESTING * along.magnitude() + LEAST_WIDTH;
             turn.upper() * (along.upper() - along.lower()).max(least)
         };
         let mut all = turns.iter().zip(&*box_of_part).map(turn_by);

@@ -4,17 +4,17 @@
 //! A set for which this step is not accepted repeats it with the scalar follower, so that every set moves as it would
 //! alone.
 
+mod rows;
+
 use super::block_solution::{BlockSolution, Limits, Question, copy_lane};
 use super::end::{End, Outcome};
 use crate::mechanism::Mechanism;
 use crate::plan::{Depth, Plan};
-use crate::planned::bends::{Span, bends_are_followed};
-use crate::planned::between::{certainty_at_places, certainty_of_rates};
 use crate::planned::branch::{FAR_FROM_LIMITS, OUT_OF_REACH, certainty_of, resolves};
 use crate::planned::follower::{Control, NEGLIGIBLE, PlanFollower, rows_turn_alone};
 use crate::planned::lists::{BranchValues, Distances, Margins, Modes};
 use crate::planned::passed::CLOSE;
-use crate::planned::predict::{largest_turn, parabola, turned, weights};
+use crate::planned::predict::{parabola, turned, weights};
 use crate::planned::{Limit, PlanError, Step};
 use crate::scalar::Scalar;
 use crate::scalar::compare::Compare;
@@ -207,57 +207,6 @@ impl<M: Mechanism> Motion<M> {
             let turns = mechanism.turns_with(self.parameters.as_ref(), at, q.as_ref(), self.turns.as_mut());
             debug_assert!(turns.is_ok(), "q and turns have n numbers");
         }
-    }
-
-    /// Not negative in lanes in which a step of the length h turns the gradients of iterated rows no farther than
-    /// bodies may turn, its end is near its prediction by the same measure, and no iterated group comes near its limit
-    /// in between.
-    #[cold]
-    #[inline(never)]
-    fn certainty_of_rows(&self, mechanism: &M, at: &Instant<'_, Octet>, h: f64, control: &Control) -> Octet {
-        let (here, tried, turns) = (self.poses(), &self.poses[1 - self.good], self.turns.as_ref());
-        let turn = largest_turn([here.q_dot.as_ref(), here.q_ddot.as_ref()], turns, h);
-        let away = turned(tried.q.as_ref(), self.predicted.as_ref(), turns);
-        let allowed = Octet::from_f64(control.correction) * turn + Octet::from_f64(NEGLIGIBLE);
-        let ends = [here.q.as_ref(), here.q_dot.as_ref(), tried.q.as_ref(), tried.q_dot.as_ref()];
-        let mut certainty = (Octet::from_f64(control.rotation) - turn).least(allowed - away);
-        if h == 0.0 {
-            return certainty;
-        }
-        certainty = certainty.least(certainty_of_rates(M::model(), (ends, turns), h));
-        if M::ROWS_CURVE {
-            for lane in 0..Octet::COUNT {
-                if certainty.lane(lane) >= 0.0 && !self.bends_are_followed(mechanism, at, h, control, lane) {
-                    certainty.set(lane, -1.0);
-                }
-            }
-            return certainty;
-        }
-        let from = M::Inputs::<Octet>::generate(|k| self.inputs.as_ref()[k].map(Octet::from_f64));
-        let known = (self.parameters.as_ref(), from.as_ref(), at);
-        let at_places = certainty_at_places(mechanism, known, &self.modes, ends, h);
-        debug_assert!(at_places.is_ok(), "the columns have been counted");
-        certainty.least(at_places.unwrap_or_else(|_| Octet::from_f64(-1.0)))
-    }
-
-    /// True if no iterated group of a set comes near its limit in a bend of the rows.
-    fn bends_are_followed(
-        &self,
-        mechanism: &M,
-        at: &Instant<'_, Octet>,
-        h: f64,
-        control: &Control,
-        lane: usize,
-    ) -> bool {
-        let pick = |list: &[Octet]| -> M::Coordinates<f64> { Array::generate(|k| list[k].lane(lane)) };
-        let (here, tried) = (self.poses(), &self.poses[1 - self.good]);
-        let ends = [&here.q, &here.q_dot, &tried.q, &tried.q_dot].map(|list| pick(list.as_ref()));
-        let span = Span { ends: ends.each_ref().map(AsRef::as_ref), inputs: self.inputs.as_ref(), h };
-        let parameters: M::Parameters<f64> = Array::generate(|k| self.parameters.as_ref()[k].lane(lane));
-        let inputs = M::Inputs::<f64>::generate(|k| at.inputs[k].map(|x| x.lane(lane)));
-        let at = Instant { t: at.t.lane(lane), inputs: inputs.as_ref() };
-        let modes = Modes::lane_of(&self.modes, lane);
-        bends_are_followed(mechanism, (parameters.as_ref(), &at), &modes, span, control.rotation).unwrap_or(false)
     }
 
     /// Repeats the step of the sets for which it was not accepted, one by one.
