@@ -66,6 +66,30 @@ struct Moved {
     r: f64,
 }
 
+/// A slot with a stretch of small waves and, farther on, one narrow bump.
+#[mechanism]
+#[body(pin, y = 0, phi = 0)]
+#[body(plate, x = 0, phi = 0)]
+#[on_curve(
+    slot: plate @ (0, 0), pin @ (0, 0),
+    implicit(X, Y) = Y - m * X - a * sin(k * X + o) * exp(-pow((X - d) / g, 4)) - b * exp(-pow((X - c) / w, 2))
+)]
+#[driver(lift: plate.y = h + r * t)]
+#[derive(Clone, Debug)]
+struct Wavy {
+    m: f64,
+    a: f64,
+    k: f64,
+    o: f64,
+    d: f64,
+    g: f64,
+    b: f64,
+    c: f64,
+    w: f64,
+    h: f64,
+    r: f64,
+}
+
 /// A motion from a place up to the dead centre at the bump; `make` takes a, c, w and m. `None` if it ends at once.
 fn bump<M>(make: impl Fn([f64; 4]) -> M, [a, c, w]: [f64; 3], from: f64) -> Option<Case<M>> {
     let f: Curve = Box::new(move |x: f64| {
@@ -188,4 +212,28 @@ fn a_bump_that_an_input_moves() {
     let refused = planned.at(&Instant { t: -1.1442318927, inputs: &[at(-1.1442318927)] });
     let located = refused.err().and_then(|error| error.limit().and_then(Limit::at)).expect("a limit on the way");
     assert!((located + 0.5356).abs() < 0.05, "{located}");
+}
+
+/// A step over many waves, which are too small to stop the pin, and over the bump, which does.
+#[test]
+fn a_bump_behind_many_waves() {
+    let wavy = Wavy {
+        m: 0.6096664377607199,
+        a: 0.0019257892541771624,
+        k: 130.10623120561456,
+        o: 0.5624482731998075,
+        d: 2.8881037533010048,
+        g: 0.4110349054032253,
+        b: -0.03919244280391956,
+        c: 3.277417623028243,
+        w: 0.03670397210350562,
+        h: 0.7154132716943601,
+        r: 0.3735765126740489,
+    };
+    let start = [-1.1734503121445294, wavy.h];
+    let mut planned = Planned::new(&wavy, &Instant::at(0.0), &start).expect("it closes");
+    let times = [-1.2008129554039968, -1.2700577368998593, -3.2209006410515912, -4.32416833435503, -8.010656246695042];
+    let refused = times.into_iter().find_map(|t| planned.at(&Instant::at(t)).err()).expect("the bump stops the pin");
+    let located = refused.limit().and_then(Limit::at).expect("the limit is located");
+    assert!((located + 7.168611521890879).abs() < 1e-8, "{refused}");
 }
