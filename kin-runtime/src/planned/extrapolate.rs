@@ -10,6 +10,7 @@
 
 use super::error::LimitKind;
 use super::follower::{PlanFollower, PlanSolution};
+use super::lists::BranchValues;
 use super::predict::parabola;
 use super::walk::Blocked;
 use crate::course::Course;
@@ -22,10 +23,10 @@ use crate::workspace::Array;
 const SAMPLES: usize = 7;
 
 /// Lower bounds of w of the farthest state, which are tried in turn.
-const WIDTHS: [f64; 7] = [0.02, 0.006, 0.002, 6e-4, 2e-4, 6e-5, 2e-5];
+const WIDTHS: [f64; 9] = [0.02, 0.006, 0.002, 6e-4, 2e-4, 6e-5, 2e-5, 6e-6, 2e-6];
 
 /// The smallest w of the farthest state where the motion did not start farther away.
-const NARROWEST: f64 = 1e-5;
+const NARROWEST: f64 = 1e-6;
 
 /// Largest number of times that the distance from the limit is doubled.
 const DOUBLINGS: usize = 60;
@@ -36,6 +37,10 @@ const FLAT: f64 = 0.1;
 /// Largest change that leaving out one of the samples may cause, relative to 1 + |q_k| for a coordinate and to the
 /// interval for the place.
 const AGREEMENT: f64 = 1e-7;
+
+/// Largest branch value of an iterated group at its limit, relative to that of the nearest sample. Within a sharp corner
+/// of a curve w may seem to go to 0 before it is followed around the corner.
+const AT_LIMIT: f64 = 0.01;
 
 /// An extrapolated limit.
 pub(super) struct Found<M: Mechanism> {
@@ -60,12 +65,11 @@ impl<M: Mechanism> PlanFollower<M> {
         (group, at): (usize, f64),
         blocked: &Blocked<M>,
     ) -> Option<Found<M>> {
-        let margin = M::model().plan.margin_of_group(group)?;
         // Narrow intervals avoid the influence of other limits, wide ones that of rounding; the one with the smallest
         // error is used.
         let mut best: Option<Found<M>> = None;
         for width in WIDTHS {
-            let found = self.extrapolate_from(mechanism, course, (margin, at, width), blocked);
+            let found = self.extrapolate_from(mechanism, course, (group, at, width), blocked);
             let is_better = |found: &Found<M>| best.as_ref().is_none_or(|best| found.error < best.error);
             if let Some(found) = found.filter(is_better) {
                 best = Some(found);
@@ -79,9 +83,10 @@ impl<M: Mechanism> PlanFollower<M> {
         &mut self,
         mechanism: &M,
         course: &dyn Course,
-        (margin, at, width): (usize, f64, f64),
+        (group, at, width): (usize, f64, f64),
         blocked: &Blocked<M>,
     ) -> Option<Found<M>> {
+        let margin = M::model().plan.margin_of_group(group)?;
         // Moves away from the limit in steps that grow with the distance.
         let [start, _] = course.ends();
         let (mut s, mut from, mut w) = (blocked.places[0], blocked.here, 0.0);
@@ -120,7 +125,13 @@ impl<M: Mechanism> PlanFollower<M> {
             (*q, error) = at_limit.value(&core::array::from_fn(|sample| samples[sample].2.as_ref()[k]));
             found.error = found.error.max(error / (1.0 + samples[0].2.as_ref()[k].abs()));
         }
-        found.error.is_finite().then_some(found)
+        let is_there = group < M::model().plan.modes.len() || {
+            let mut inputs = M::Inputs::<f64>::filled(Signal::constant(0.0));
+            let at = Instant { t: course.at(place, inputs.as_mut()), inputs: inputs.as_ref() };
+            let values = BranchValues::<M>::at(mechanism, self.parameters.as_ref(), &at, found.q.as_ref()).ok()?;
+            values.as_ref()[group].abs() <= AT_LIMIT * samples[0].0
+        };
+        (is_there && found.error.is_finite()).then_some(found)
     }
 
     /// w, as the root of a margin, and the state at a place of the course that the motion has passed; the prediction

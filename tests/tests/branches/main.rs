@@ -14,6 +14,7 @@ mod bumps;
 mod case;
 mod chains;
 mod closure;
+mod corners;
 mod crossings;
 mod cylinders;
 mod draw;

@@ -129,19 +129,18 @@ pub(crate) fn blurred_group(
         let steps = plan.steps.iter().take(step).enumerate().filter(|(step, _)| !is_near(*step));
         let before = largest_of(model, turns, &mut steps.flat_map(|(_, step)| of(step)), q_dot);
         let (moves, acceleration, distance) = (own(q_dot), own(q_ddot), distances[group]);
+        let any = |of_kind: &dyn Fn(usize) -> bool| plan.steps.iter().skip(step).take(1).flat_map(of).any(of_kind);
+        let (has_angles, turns_rows) =
+            (any(&|k| is_angle(model, k)), any(&|k| turns.get(k).is_some_and(|turn| *turn > 0.0)));
         let angle = |velocity: f64| velocity * (distance / rates_of_groups[group]).abs();
         // A group may stand still while the bodies that drive it move.
         let is_still = moves <= STILL * before;
         let velocity = if is_still { before } else { moves };
-        let x = angle(velocity);
+        // Lengths alone are measured by the turn of their rows, and w, the sine of an angle of the rows, changes no faster
+        // than the rows turn. ẇ may be larger only because the size to which w is relative changes.
+        let x = if turns_rows && !has_angles { angle(velocity).max(distance) } else { angle(velocity) };
         // A group that only slides has no angle from its limit. Its w² is proportional to the distance from a fold.
-        let slides = !plan
-            .steps
-            .iter()
-            .skip(step)
-            .take(1)
-            .flat_map(of)
-            .any(|k| is_angle(model, k) || turns.get(k).is_some_and(|turn| *turn > 0.0));
+        let slides = !has_angles && !turns_rows;
         let bend = if slides { (distance * rates_of_groups[group]).abs() } else { moves * angle(moves) };
         // This criterion holds for any acceleration of the drive; without a drive, the acceleration of the group
         // decides.
