@@ -77,8 +77,12 @@ pub(crate) fn plan(model: &'static Model) -> String {
     let digits = model.plan.steps.len().to_string().len();
     for step in steps(model) {
         let info = step.info();
-        let mut words = vec![how(model, &step)];
-        words.extend(given(model, info));
+        let (how, mut words) = (how(model, &step), given(model, info));
+        match words.first_mut() {
+            // After a list of joints a comma would seem to continue it.
+            Some(first) if matches!(info.kind, StepKind::Newton(_)) => *first = format!("{how}: {first}"),
+            _ => words.insert(0, how),
+        }
         if !info.singular.is_empty() && info.singular != "never" {
             words.push(format!("singular with {}", info.singular));
         }

@@ -133,13 +133,14 @@ fn main() -> ExitCode {
         Some("limits") => run("StrokeLimits", args),
         Some("loaded") => run_from::<Loaded>(args),
         Some("redundant") => run("RedundantParallelogram", args),
+        Some("robot") => run("Robot3rrr", args),
         Some("singular") => run("SingularSliderCrank", args),
         Some("teeth") => run_from::<Teeth>(args),
         Some("underdriven") => run("UnderdrivenFivebar", args),
         Some("with_units") => run_from::<WithUnits>(args),
         _ => {
             eprintln!(
-                "error: the first argument is arm, cam, chain, wrong_cam, dead_centre, eccentric, excavator, fourbar, ends, infeasible, leg, limits, loaded, redundant, singular, teeth, underdriven or with_units"
+                "error: the first argument is arm, cam, chain, wrong_cam, dead_centre, eccentric, excavator, fourbar, ends, infeasible, leg, limits, loaded, redundant, robot, singular, teeth, underdriven or with_units"
             );
             ExitCode::from(2)
         }

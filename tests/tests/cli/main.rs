@@ -361,6 +361,11 @@ fn info_prints_the_plan_and_its_modes() {
     let given: usize = steps.iter().map(|step| step["coordinates"].as_array().map_or(0, Vec::len)).sum();
     assert_eq!(given, 9);
 
+    // A list of joints is not continued by what they give.
+    let text = good("robot info");
+    let iterated = text.lines().find(|line| line.contains(" Newton iteration of ")).expect("an iteration");
+    assert!(iterated.contains(": "), "{text}");
+
     let none = kin("underdriven info").out;
     assert!(none.contains("Solution plan\n  none: "), "{none}");
 }
