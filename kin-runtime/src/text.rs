@@ -31,6 +31,18 @@ pub(crate) fn separated<T>(
     })
 }
 
+/// An entry of a list in the words of the description: `the input \`u\``, `t`, `Φ[8] (drive)`.
+pub(crate) fn entry(f: &mut fmt::Formatter<'_>, what: &str, index: usize, name: &str) -> fmt::Result {
+    match what {
+        "t" => f.write_str("t"),
+        "inputs" if !name.is_empty() => write!(f, "the input `{name}`"),
+        "parameters" if !name.is_empty() => write!(f, "the parameter `{name}`"),
+        "observables" if !name.is_empty() => write!(f, "the value or a rate of `{name}`"),
+        _ if name.is_empty() => write!(f, "{what}[{index}]"),
+        _ => write!(f, "{what}[{index}] ({name})"),
+    }
+}
+
 /// `1 row`, `2 rows`.
 pub(crate) fn counted(f: &mut fmt::Formatter<'_>, count: usize, what: &str) -> fmt::Result {
     match (count, what) {

@@ -17,6 +17,7 @@ use crate::certificate::Uncertified;
 use crate::cross_check::{Configuration, CrossCheck, CrossCheckOptions};
 use crate::error::SolveError;
 use crate::forces::Forces;
+use crate::motion::BodyMotion;
 use crate::present::certificate::{self, Certified};
 use crate::present::number::{magnitude, rounded};
 use crate::present::text::{Facts, count};
@@ -179,7 +180,7 @@ pub(super) fn find(
     let held = !matches!(found, Err(SolveError::NotHeld { .. }));
     let no_forces = found.as_ref().err().map(ToString::to_string);
     let forces = found.ok().flatten();
-    let power = forces.as_ref().map(Forces::power_miss);
+    let power = forces.as_ref().zip(state).map(|(forces, state)| forces.power_miss_above(power_within(forces, state)));
     let pulling = forces.as_ref().map(|forces| forces.pulling().map(|contact| pulls(contact, forces)).collect());
     let pulling = pulling.unwrap_or_default();
     let balanced = power.is_none_or(|miss| miss <= CLOSURE_TOLERANCE);
@@ -190,6 +191,15 @@ pub(super) fn find(
     let passed = closed && planned && balanced && loaded && solution && cross_check.passes(CLOSED_FORM_TOLERANCE);
     let mechanism = engine.model().name;
     Ok(Findings { t, mechanism, passed, cross_check, plan, closure, power, no_forces, held, pulling, certificate })
+}
+
+/// The power that flows to and fro within the mechanism, also where its powers add up to 0: the kinetic energy times the
+/// fastest relative rate of a body.
+fn power_within(forces: &Forces, state: &State) -> f64 {
+    let largest = |of: &dyn Fn(&BodyMotion) -> f64| state.bodies.iter().map(of).fold(0.0, f64::max);
+    let turns = largest(&|body| body.phi_dot.abs());
+    let [size, speed] = [largest(&|body| body.x.hypot(body.y)), largest(&|body| body.x_dot.hypot(body.y_dot))];
+    forces.kinetic * if size > 0.0 { turns.max(speed / size) } else { turns }
 }
 
 /// The findings, line by line.

@@ -249,6 +249,19 @@ impl<'a> Equations<'a> {
         self.path.as_ref().is_some_and(|path| path.kind == Kind::Frozen)
     }
 
+    /// Writes the branch value of every group of the plan at q and the current instant, whose sign distinguishes its
+    /// closures; an empty list if there is no plan, or if coordinates are prescribed.
+    pub(crate) fn write_branch_values(&self, q: &[f64], groups: &mut Vec<f64>) {
+        groups.clear();
+        if self.given() > 0 {
+            return;
+        }
+        groups.resize(self.model.plan.signs(), 0.0);
+        if self.system.branches(&self.instant(), q, groups).is_err() {
+            groups.fill(f64::NAN);
+        }
+    }
+
     /// Checks that q or q̇ has the right length and is finite.
     pub(crate) fn check(&self, what: &'static str, q: &[f64]) -> Result<(), SolveError> {
         length(what, self.coordinates(), q.len())?;

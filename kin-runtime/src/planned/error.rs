@@ -4,7 +4,7 @@ use super::step::Step;
 use crate::mechanism::LengthError;
 use crate::model::Model;
 use crate::plan::{ModeInfo, Plan};
-use crate::text::rounded;
+use crate::text::{entry, rounded};
 use core::fmt;
 
 /// A group of a plan that is at or near its limit.
@@ -331,10 +331,7 @@ impl fmt::Display for PlanError {
                 t = rounded(*t)
             ),
             Self::NonFinite { what, index, name, t } => {
-                write!(f, "{what}[{index}]")?;
-                if !name.is_empty() {
-                    write!(f, " ({name})")?;
-                }
+                entry(f, what, *index, name)?;
                 write!(f, " is not a finite number at t = {t}", t = rounded(*t))
             }
             Self::Length(error) => error.fmt(f),

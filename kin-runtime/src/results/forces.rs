@@ -187,10 +187,16 @@ impl Forces {
     }
 
     /// The difference between the power of drivers, applied loads and dampers and the rate of the total energy,
-    /// relative to the largest of these.
+    /// relative to the largest of these. If all of them are 0, as of a balanced rotor, this is a quotient of rounding
+    /// errors.
     pub fn power_miss(&self) -> f64 {
+        self.power_miss_above(0.0)
+    }
+
+    /// As [`power_miss`](Self::power_miss), but relative to no less than `least`.
+    pub(crate) fn power_miss_above(&self, least: f64) -> f64 {
         let powers = [self.driver_power, self.applied_power, self.damper_power];
-        let largest = powers.iter().fold(self.energy_rate.abs(), |largest, power| largest.max(power.abs()));
+        let largest = powers.iter().fold(self.energy_rate.abs().max(least), |largest, power| largest.max(power.abs()));
         let miss = (self.energy_rate - powers.iter().sum::<f64>()).abs();
         if miss == 0.0 { 0.0 } else { miss / largest }
     }

@@ -68,6 +68,18 @@ struct Arm {
     a: f64,
 }
 
+/// A rotor with a counterweight, whose weights and inertia do no power at all.
+#[mechanism]
+#[body(rotor, x = 0, y = 0)]
+#[driver(drive: rotor.phi = 0.3 + 7 * t)]
+#[gravity(0, -9.81)]
+#[mass(rotor @ (0.3, 0), mass = m)]
+#[mass(rotor @ (-0.1, 0), mass = 0.3 * m / 0.1)]
+struct Balanced {
+    #[param(1.7)]
+    m: f64,
+}
+
 /// A slider-crank whose slider is driven, which has a dead centre where the links are in line.
 #[mechanism]
 #[bodies(crank, rod, slider)]
@@ -120,6 +132,7 @@ fn main() -> ExitCode {
     let name = if args.len() > 1 { args.remove(1) } else { OsString::new() };
     match name.to_str() {
         Some("arm") => run_from::<Arm>(args),
+        Some("balanced") => run_from::<Balanced>(args),
         Some("cam") => run("CamTable", args),
         Some("chain") => run("Chain10", args),
         Some("wrong_cam") => run_from::<WrongCam>(args),
@@ -140,7 +153,7 @@ fn main() -> ExitCode {
         Some("with_units") => run_from::<WithUnits>(args),
         _ => {
             eprintln!(
-                "error: the first argument is arm, cam, chain, wrong_cam, dead_centre, eccentric, excavator, fourbar, ends, infeasible, leg, limits, loaded, redundant, robot, singular, teeth, underdriven or with_units"
+                "error: the first argument is arm, balanced, cam, chain, wrong_cam, dead_centre, eccentric, excavator, fourbar, ends, infeasible, leg, limits, loaded, redundant, robot, singular, teeth, underdriven or with_units"
             );
             ExitCode::from(2)
         }

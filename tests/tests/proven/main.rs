@@ -7,6 +7,7 @@ mod choices;
 mod classes;
 mod complex_closures;
 mod elimination;
+mod lifts;
 mod ranges;
 mod residues;
 mod searched_ranges;

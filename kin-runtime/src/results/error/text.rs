@@ -2,7 +2,7 @@
 
 use super::{Refusal, SolveError};
 use crate::planned::Limit;
-use crate::text::rounded;
+use crate::text::{entry, rounded};
 use core::fmt;
 
 impl fmt::Display for SolveError {
@@ -173,10 +173,7 @@ impl fmt::Display for SolveError {
                 write!(f, "degenerate contact of joint `{joint}` at t = {t}: {what}", t = rounded(*t))
             }
             Self::NonFinite { what, index, name, t } => {
-                write!(f, "{what}[{index}]")?;
-                if !name.is_empty() {
-                    write!(f, " ({name})")?;
-                }
+                entry(f, what, *index, name)?;
                 f.write_str(" is not a finite number")?;
                 t.map_or(Ok(()), |t| write!(f, " at t = {t}", t = rounded(t)))
             }

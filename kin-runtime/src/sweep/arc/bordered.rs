@@ -18,6 +18,9 @@ const ROUNDING: f64 = 1e-7;
 /// Smallest relative pivot at which the sign of the determinant is above rounding.
 const SIGN_TRUST: f64 = 1e-13;
 
+/// Branch values up to this have no sign at the start of a curve.
+const NO_SIGN: f64 = 1e-6;
+
 /// A place on the solution curve.
 #[derive(Clone, Debug)]
 pub(super) struct Node {
@@ -29,6 +32,8 @@ pub(super) struct Node {
     pub(super) tangent: Vec<f64>,
     /// The sign of the determinant with this tangent.
     sign: Sign,
+    /// The branch value of every group of the plan; empty if the motion may pass limits of groups (with redundant rows).
+    groups: Vec<f64>,
 }
 
 /// The sign of a determinant that vanishes only where branches cross.
@@ -58,6 +63,12 @@ impl Node {
     /// The same place, with this length of the arc.
     pub(super) fn at(self, s: f64) -> Self {
         Self { s, ..self }
+    }
+
+    /// The start of a curve, where groups at their limits have no sign yet.
+    pub(super) fn start(mut self) -> Self {
+        self.groups.iter_mut().filter(|w| w.abs() <= NO_SIGN).for_each(|w| *w = f64::NAN);
+        self
     }
 
     /// The same place with the opposite direction of the curve.
@@ -150,11 +161,23 @@ impl Bordered {
         let scaled = self.scaled(&matrix);
         let rows = (last >= z.len()).then(|| independent_rows(&scaled.rows(0, last).into_owned(), z.len() - 1));
         let positive = sign(&scaled, rows.as_deref())?;
-        Some(Node { s: 0.0, z, tangent, sign: Sign { rows, positive } })
+        let mut groups = Vec::new();
+        if equations.model.plan.watched().next().is_none() {
+            equations.write_branch_values(&z[..z.len() - 1], &mut groups);
+        }
+        Some(Node { s: 0.0, z, tangent, sign: Sign { rows, positive }, groups })
     }
 
-    /// True where the determinant has the same sign at both of two neighbouring places.
+    /// True where no other branch crosses between two neighbouring places: the determinant has the same sign, and no
+    /// groups have changed theirs but the one that turns back at a dead centre. Where two groups cross their limits at
+    /// the same place, the determinant changes its sign twice.
     pub(super) fn on_one_branch(&self, equations: &mut Equations<'_>, from: &Node, to: &Node) -> bool {
+        let has_changed = |(from, to): &(&f64, &f64)| !from.is_nan() && (**from > 0.0) != (**to > 0.0);
+        let changes = from.groups.iter().zip(&to.groups).filter(has_changed).count();
+        let turns_back = (from.t_rate() > 0.0) != (to.t_rate() > 0.0);
+        if changes > usize::from(turns_back) {
+            return false;
+        }
         let same = match &from.sign.rows {
             None => Some(to.sign.positive),
             Some(rows) => {

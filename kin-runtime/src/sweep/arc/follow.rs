@@ -77,6 +77,7 @@ pub(crate) fn solution_arc(
         return refuse(ArcFault::Directions { count: 2 });
     };
     let walk = Walk { bordered: &bordered, window, angles: angles(equations, q)? };
+    let start = start.start();
     let mut leg = walk.leg(equations, start.clone())?;
     let mut first = leg.end;
     if leg.end != ArcEnd::Closed {

@@ -11,8 +11,10 @@
 //!
 //! (H. B. Keller, Numerical solution of bifurcation and nonlinear eigenvalue problems, 1977). The determinant of this
 //! matrix, with the tangent at the same place, keeps its sign along the curve and changes it where another branch
-//! crosses. If the sign differs after a step, the step is halved. If it had jumped to another branch, a shorter step
-//! finds the right one; at a crossing the steps shrink until the crossing is enclosed.
+//! crosses. Where several branches cross at one place it may change its sign twice, so the groups of the plan count one
+//! by one, too: only the group that turns back at a dead centre may change the sign of its branch value. If signs differ
+//! after a step, the step is halved. If it had jumped to another branch, a shorter step finds the right one; at a
+//! crossing the steps shrink until the crossing is enclosed.
 //!
 //! `bordered` solves this system, `follow` takes the steps, `places` finds dead centres and cusps between two of them,
 //! and `rows` gives states at equal distances.

@@ -28,19 +28,6 @@ const REGULAR: f64 = 1e3;
 const PASSING: f64 = 0.5;
 const FLAT: f64 = 1e-3;
 
-/// Writes the branch value of every group at q, whose sign distinguishes its closures; an empty list if there is no
-/// plan, or if coordinates are prescribed.
-pub(super) fn write(equations: &Equations<'_>, q: &[f64], groups: &mut Vec<f64>) {
-    groups.clear();
-    if equations.given() > 0 {
-        return;
-    }
-    groups.resize(equations.model.plan.signs(), 0.0);
-    if equations.system.branches(&equations.instant(), q, groups).is_err() {
-        groups.fill(f64::NAN);
-    }
-}
-
 /// The angles by which the gradients of the rows that the plan iterates turn per unit of every coordinate at q; empty
 /// under the same conditions.
 pub(super) fn turns(equations: &Equations<'_>, at: &Instant<'_>, q: &[f64]) -> Vec<f64> {
@@ -142,7 +129,7 @@ pub(super) fn are_blurred(
     let further = 1e-6 / largest_angle(equations.model, &turns, q_dot);
     let ahead: Vec<f64> = q.iter().zip(q_dot).map(|(q, v)| q + further * v).collect();
     let mut rates = Vec::new();
-    write(equations, &ahead, &mut rates);
+    equations.write_branch_values(&ahead, &mut rates);
     rates.iter_mut().zip(groups).for_each(|(then, now)| *then = (*then - now) / further);
     blurred_group(equations.model, [groups, &rates], &distances, [q_dot, q_ddot], &turns).is_some()
 }

@@ -57,7 +57,7 @@ pub(super) fn basis_with(equations: &Equations<'_>, state: &State, factor: Facto
     };
     let orientation = Orientation::here(equations, &factor).ok_or_else(singular)?;
     let mut groups = Vec::new();
-    groups::write(equations, &state.q, &mut groups);
+    equations.write_branch_values(&state.q, &mut groups);
     let turns = groups::turns(equations, &state.instant(), &state.q);
     Ok(Basis { orientation, factor, groups, turns })
 }

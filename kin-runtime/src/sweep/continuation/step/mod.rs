@@ -164,8 +164,8 @@ pub(super) fn settle(
     if rank != factor.rank || !orientation.keep(equations, &found, &mut oriented) {
         return Err(Fault::Jump(worst));
     }
-    groups::write(equations, predicted, predicted_groups);
-    groups::write(equations, &state.q, groups);
+    equations.write_branch_values(predicted, predicted_groups);
+    equations.write_branch_values(&state.q, groups);
     let is_redundant = equations.model.plan.watched().next().is_some();
     fill(motion, predicted.iter().zip(&from.node.state.q).map(|(a, b)| a - b));
     let turn = equations.scale.turn(motion);

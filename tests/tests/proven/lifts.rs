@@ -1,0 +1,35 @@
+//! Sweeps along the arc of scissor lifts, whose stages reach their limits all at once.
+
+use kin_runtime::{ArcEnd, ArcPlaceKind, Kinematics, Options, mechanism};
+
+/// A scissor lift of two stages. At t = 10 its arms lie flat, at t = −90 they stand upright, one on the other; each stage
+/// could go on to either side.
+#[mechanism]
+#[bodies(left[2], right[2])]
+#[body(nut, y = 0, phi = 0)]
+#[revolute(foot: ground @ (0, 0), left[0] @ (0, 0))]
+#[revolute(slide: nut @ (0, 0), right[0] @ (0, 0))]
+#[revolute(middle[i in 0..2]: left[i] @ (1, 0), right[i] @ (1, 0))]
+#[revolute(a: left[0] @ (2, 0), right[1] @ (0, 0))]
+#[revolute(b: right[0] @ (2, 0), left[1] @ (0, 0))]
+#[driver(push: nut.x = 1.8 + 0.02 * t)]
+#[guess(left[i in 0..2].phi = 0.4, right[i in 0..2].phi = 2.7)]
+struct Lift;
+
+/// The determinant changes its sign twice where two groups cross their limits together.
+#[test]
+fn an_arc_ends_where_two_groups_cross_at_once() {
+    for use_plan in [true, false] {
+        let solver = Lift.solver().with_options(Options { use_plan, ..Options::default() });
+        let swept = solver.sweep_along_arc(0.0, None, 20).expect("an arc");
+        let found = swept.arc.as_ref().expect("it went along the arc");
+        assert_eq!([ArcEnd::BranchPoint; 2], found.ends, "{found}");
+        let places: Vec<(ArcPlaceKind, f64)> = found.places.iter().map(|place| (place.kind, place.t)).collect();
+        let [(ArcPlaceKind::BranchPoint, upright), (ArcPlaceKind::BranchPoint, flat)] = places[..] else {
+            panic!("{found}")
+        };
+        assert!((upright + 90.0).abs() < 1e-4 && (flat - 10.0).abs() < 1e-4, "{found}");
+        // Within the arc the first stage stands on the side of its guess.
+        assert!(swept.states.iter().all(|state| state.q[2] > -1e-3 && state.q[2] < 1.58), "{found}");
+    }
+}
