@@ -371,6 +371,13 @@ fn info_prints_the_plan_and_its_modes() {
 }
 
 #[test]
+fn poses_of_held_bodies_are_quantities() {
+    let out = good("with_units sweep slider.y slider.phi_dot slider.x --input turn=0 --steps 1 --format csv");
+    assert!(out.lines().skip(1).all(|line| line.contains(",0,0,")), "{out}");
+    assert!(out.starts_with("t,slider.y,slider.phi_dot,slider.x"), "{out}");
+}
+
+#[test]
 fn a_mode_can_be_asked_for() {
     let q = |line: &str| numbers(&json(line)["q"]);
     let as_guessed = json("fourbar solve --format json");

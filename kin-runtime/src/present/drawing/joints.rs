@@ -56,13 +56,8 @@ fn prescribed(subject: &Subject<'_>, joint: &JointInfo, links: &mut Links, front
         front.push(upright(track, Part::Foot([0.0; 2])));
         return;
     }
-    let along = if joint.kind == JointKind::X { 1 } else { 0 };
-    let [(least, most), (low, high)] = [along, 1 - along].map(|axis| bounds(track.iter().map(|p| p[axis])));
     // If the prescribed coordinate moves, there is no rail.
-    if high - low <= 1e-6 * links.size() {
-        let beyond = slides::BEYOND * links.size();
-        let at = |s: f64| if along == 0 { [s, low] } else { [low, s] };
-        links.add(Frame::Ground, Part::Hatching { from: at(least - beyond), to: at(most + beyond) });
+    if slides::rail(&track, if joint.kind == JointKind::X { 1 } else { 0 }, links) {
         front.push(upright(track, Part::Pin([0.0; 2])));
     }
 }

@@ -6,7 +6,7 @@ use super::links::Links;
 use super::palette::Palette;
 use super::part::{Kind, Part};
 use super::subject::{Pose, Subject, distance};
-use super::{joints, outlines, paths};
+use super::{joints, outlines, paths, slides};
 use crate::model::Frame;
 
 /// A motion that can be drawn.
@@ -37,6 +37,9 @@ impl Scene {
         for (place, joint) in model.joints.iter().enumerate() {
             joints::draw(subject, joint, &mut links, &mut behind, &mut front);
             outlines::draw(subject, place, joint, &mut links);
+        }
+        for (body, info) in model.bodies.iter().enumerate() {
+            slides::held(subject, body, info, &mut links, &mut front);
         }
         let mut paths = paths::paths(subject, &mut links);
         paths.extend(subject.targets.iter().map(|&place| Part::Target(place)));

@@ -1,13 +1,15 @@
-//! Sliders: a rail on the first body or the ground, a block on the second.
+//! Sliders: a rail on the first body or the ground, a block on the second. The rail may belong to a joint, or to a body whose
+//! other coordinates are held.
 
 use super::carrier::{Carrier, upright};
 use super::links::Links;
 use super::part::{Ink, Part, Stroke};
-use super::subject::{Subject, bounds, seen_from};
-use crate::model::{Frame, JointInfo, JointKind, Role};
+use super::subject::{Subject, bounds, placed, seen_from};
+use crate::model::{BodyInfo, Frame, JointInfo, JointKind, OriginKind, Role};
+use core::f64::consts::FRAC_PI_2;
 
 /// How far a rail extends beyond the block's travel, relative to the size of the mechanism.
-pub(super) const BEYOND: f64 = 0.08;
+const BEYOND: f64 = 0.08;
 
 /// Pitch of a drawn thread, relative to the size of the mechanism.
 const PITCH: f64 = 0.045;
@@ -33,6 +35,46 @@ pub(super) fn slide(subject: &Subject<'_>, joint: &JointInfo, links: &mut Links,
     if joint.kind == JointKind::PointOnLine {
         front.push(upright(at, Part::held_by(j)));
     }
+}
+
+/// A body of which only x or only y is a coordinate slides on the ground without a joint that says so: a rail through its
+/// origin, and a block. Nothing is drawn where a joint to the ground shows the rail.
+pub(super) fn held(subject: &Subject<'_>, body: usize, info: &BodyInfo, links: &mut Links, front: &mut Vec<Carrier>) {
+    let along = match (info.coordinates, info.origin) {
+        ([Some(_), None, None], OriginKind::Free) => 0,
+        ([None, Some(_), None], OriginKind::Free) => 1,
+        _ => return,
+    };
+    let frame = Frame::Body(body);
+    let shows_rail = |joint: &JointInfo| {
+        matches!(joint.kind, JointKind::Translational | JointKind::PointOnLine | JointKind::Screw)
+            && subject.ends(joint).is_some_and(|ends| {
+                ends.iter().any(|(end, _)| *end == frame) && ends.iter().any(|(end, _)| *end == Frame::Ground)
+            })
+    };
+    if subject.model.joints.iter().any(shows_rail) {
+        return;
+    }
+    let track: Vec<[f64; 2]> = subject.instants().map(|k| placed(subject.pose(k, frame), [0.0; 2])).collect();
+    if rail(&track, along, links) {
+        links.attach(frame, [0.0; 2]);
+        let angle = if along == 0 { 0.0 } else { FRAC_PI_2 };
+        let poses = track.into_iter().map(|[x, y]| [x, y, angle]).collect();
+        // Behind the pins of joints, which lie on the block.
+        front.insert(0, Carrier::new(poses, vec![Part::Block(Ink::of(frame))]));
+    }
+}
+
+/// A rail on the ground under a track along x (0) or y (1); false if the track leaves this line.
+pub(super) fn rail(track: &[[f64; 2]], along: usize, links: &mut Links) -> bool {
+    let [(least, most), (low, high)] = [along, 1 - along].map(|axis| bounds(track.iter().map(|p| p[axis])));
+    let is_straight = high - low <= 1e-6 * links.size();
+    if is_straight {
+        let beyond = BEYOND * links.size();
+        let at = |s: f64| if along == 0 { [s, low] } else { [low, s] };
+        links.add(Frame::Ground, Part::Hatching { from: at(least - beyond), to: at(most + beyond) });
+    }
+    is_straight
 }
 
 /// A spindle, as long as the travel of its nut, and the nut. The thread is a symbol: the drawn pitch does not depend on

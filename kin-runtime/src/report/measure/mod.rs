@@ -4,6 +4,7 @@
 //! |---|---|
 //! | `t` | time |
 //! | `crank.phi`, `s` | a coordinate, the name of which is that in [`Model::coordinates`] |
+//! | `ram.y` | x, y or phi of a body that is no coordinate, because it is held or carried |
 //! | `tip.x`, `tip.y` | a named point in the inertial frame |
 //! | `boom_length` | an input |
 //! | `tip.speed` | \|ṙ\| of a named point |
@@ -19,6 +20,7 @@
 
 mod dimension;
 mod force;
+mod poses;
 mod source;
 mod value;
 mod varied;
@@ -144,6 +146,7 @@ impl Measure {
             order: 1,
             ..Self::new(format!("{}.speed", point.name), Of::Speed(k), Dimension::Length)
         };
+        all.extend(Self::held_poses(model));
         all.extend(model.points.iter().enumerate().map(speed));
         for (k, name) in model.inputs.iter().enumerate() {
             all.extend(Self::with_rates(name, Of::Input(k), Dimension::named(&model.units, name)));

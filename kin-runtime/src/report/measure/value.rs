@@ -5,7 +5,7 @@ use crate::analysis::forces::{Sharing, forces};
 use crate::equations::Equations;
 use crate::error::SolveError;
 use crate::forces::Forces;
-use crate::model::Model;
+use crate::model::{Model, Observable};
 use crate::motion::Motion;
 use crate::ratios::{observed_ratio, velocity_ratios};
 use crate::report::motion::motion;
@@ -122,9 +122,12 @@ fn effort(model: &Model, forces: &Forces, along: Along) -> Option<f64> {
     }
 }
 
-/// A define or a quantity of a joint, by its observable.
+/// A pose of a body, a define or a quantity of a joint, by its observable.
 fn of_observable(motion: &Motion, observable: usize) -> Signal {
     let model = motion.model;
+    if let Some(&Observable::Pose { body, component }) = model.observables.get(observable) {
+        return motion.bodies.get(body).map_or(Signal::UNKNOWN, |body| body.rates(component));
+    }
     let defines = model.defines.iter().zip(&motion.defines);
     let joints = model.joints.iter().zip(&motion.joints).flat_map(|(joint, rates)| joint.quantities.iter().zip(rates));
     let found = defines.chain(joints).find(|(info, _)| info.observable == observable);
