@@ -1,7 +1,7 @@
 //! How far a mechanism moves: tables for people, and records for JSON.
 
 use super::json::{Record, record};
-use super::number::rounded;
+use super::number::{Style, rounded};
 use super::table::Table;
 use super::text::section;
 use crate::model::Model;
@@ -28,17 +28,18 @@ fn record(limit: &RangeLimit, (driver, value): (Option<&str>, Option<f64>)) -> R
         interval: limit.t,
         mode: limit.name(),
         joints: limit.joints,
-        kind: kind(limit.kind),
+        kind: kind(limit),
         q: (!limit.q.is_empty()).then_some(&limit.q),
         certified: limit.proven,
     }
 }
 
-fn kind(kind: Option<LimitKind>) -> &'static str {
-    match kind {
+fn kind(limit: &RangeLimit) -> &'static str {
+    match limit.kind {
         Some(LimitKind::DeadCentre) => "dead centre",
         Some(LimitKind::BranchPoint) => "branch point",
-        None => "end of curve",
+        None if limit.proven => "limit",
+        None => "undecided",
     }
 }
 
@@ -53,9 +54,15 @@ pub(crate) fn text(model: &Model, [from, to]: [f64; 2], all: &Ranges) -> String 
         let value = |value: Option<f64>| value.map_or_else(String::new, |x| format!(" = {}", rounded(x)));
         limit.drivers.iter().map(|&(name, x)| format!("{name}{}", value(x))).collect::<Vec<_>>().join(", ")
     };
+    let enclosed = all.limits.iter().filter(|limit| limit.is_enclosed());
+    let style = Style::of(enclosed.map(|limit| limit.t.midpoint()));
+    let t = |limit: &RangeLimit| match limit.is_enclosed() {
+        true => style.write(limit.t.midpoint()),
+        false => format!("{} … {}", rounded(limit.t.lower()), rounded(limit.t.upper())),
+    };
     let limits = Table::new()
-        .numbers("t", all.limits.iter().map(|limit| limit.t.midpoint()))
-        .words("kind", all.limits.iter().map(|limit| kind(limit.kind)))
+        .right("t", all.limits.iter().map(t))
+        .words("kind", all.limits.iter().map(kind))
         .words("joints in line", all.limits.iter().map(|limit| limit.joints.join(", ")))
         .words("drivers", all.limits.iter().map(drivers))
         .words("modes", all.limits.iter().map(RangeLimit::name))

@@ -2,7 +2,7 @@
 //! single rows have been eliminated.
 
 use super::eliminated::{EliminatedAngle, dot};
-use super::enclosures::Enclosures;
+use super::enclosures::{Enclosures, everywhere};
 use super::krawczyk::Square;
 use super::reduced::Reduced;
 use crate::certificate::Uncertified;
@@ -82,7 +82,7 @@ impl<'s> ClosureEquations<'s> {
     fn determine(&mut self, region: &[Interval]) {
         let m = self.reduced.left.len();
         self.q = everywhere(region);
-        if self.evaluate(Subset::JACOBIAN).is_err() {
+        if self.evaluate_as_far(Subset::JACOBIAN).is_err() {
             return;
         }
         let gradient = |&i: &usize| self.reduced.gradient(&self.values.phi_q, i);
@@ -164,7 +164,7 @@ impl<'s> ClosureEquations<'s> {
     fn follow(&mut self) {
         self.known.fill(None);
         self.go_to(&[]);
-        let has_values = self.evaluate(Subset::PHI).is_ok();
+        let has_values = self.evaluate_as_far(Subset::PHI).is_ok();
         for (k, row, factors) in &self.determined {
             // Without values their bounds are infinite.
             let value = if has_values { self.values.phi[*row] } else { Interval::ENTIRE };
@@ -353,6 +353,20 @@ impl<'s> ClosureEquations<'s> {
         self.evaluate(subset)
     }
 
+    /// As `evaluate`, with infinite bounds where there are none: known coordinates do not depend on such rows.
+    fn evaluate_as_far(&mut self, subset: Subset) -> Result<(), Uncertified> {
+        let Self { system, reduced, square, still, q, of_rows, values, .. } = self;
+        let rows = system.evaluate(subset, q, still).map_err(|_| Uncertified::Malformed)?;
+        if subset.phi {
+            square.phi_as_far(rows.phi, q, of_rows);
+            reduced.values(of_rows, &mut values.phi);
+        }
+        if subset.phi_q {
+            square.matrix_as_far(rows.phi_q, &mut values.phi_q);
+        }
+        Ok(())
+    }
+
     /// Evaluates the equations over the box of all coordinates; lists that are not in the subset remain unchanged.
     fn evaluate(&mut self, subset: Subset) -> Result<(), Uncertified> {
         let Self { system, reduced, square, still, q, of_rows, values, .. } = self;
@@ -370,11 +384,6 @@ impl<'s> ClosureEquations<'s> {
         }
         Ok(())
     }
-}
-
-/// A very large region, over which only constants have intervals of a single number.
-fn everywhere(region: &[Interval]) -> Vec<Interval> {
-    region.iter().map(|x| x.hull(Interval::new(-1e6, 1e6))).collect()
 }
 
 /// The equations of [`Reduced`] and their derivatives with respect to t, and the entries of Φ_q from which those with

@@ -80,3 +80,8 @@ impl<M: Mechanism> Enclosures for OverBoxes<'_, M> {
         done.is_ok() && workspace.phi_q().iter().all(|entry| entry.0.is_defined())
     }
 }
+
+/// A very large region, over which only constants have intervals of a single number.
+pub(super) fn everywhere(region: &[Interval]) -> Vec<Interval> {
+    region.iter().map(|x| x.hull(Interval::new(-1e6, 1e6))).collect()
+}

@@ -4,6 +4,9 @@
 //! then no closures come together there. Along the curves of closures a box is made smaller by the interval Newton method
 //! in all directions but the one of the curve; what remains is cut in two. For a small box, the proof of the fold in it
 //! ([`Proven`]) covers a region that contains the box.
+//!
+//! Closures may also enter or leave the region through the bounds of coordinates with which the equations do not repeat.
+//! On such a bound the same search finds the places at which a closure crosses it.
 
 use super::closure_equations::{ClosureEquations, EvaluatedEquations};
 use super::contraction::Preconditioner;
@@ -36,7 +39,8 @@ pub(crate) struct Fold {
 pub(crate) struct Folds {
     /// In no order; a fold where an angle is just half a turn from its guess may occur twice.
     pub(crate) found: Vec<Fold>,
-    /// Intervals of t in which something is undecided, each with the approximate configuration there.
+    /// Intervals of t in which something is undecided or a closure may cross a bound, each with the approximate
+    /// configuration there.
     pub(crate) undecided: Vec<Fold>,
     /// The coordinates in which the search is bounded, with their intervals: all but angles with which the equations
     /// repeat after a whole turn.
@@ -65,20 +69,17 @@ pub(crate) fn folds(
     equations.closure(&middle[..places.len()], true)?;
     equations.at(middle[places.len()]);
     let turns = equations.turns(&middle[..places.len()]);
-    let bounded = places.iter().zip(turns).filter(|(_, turns)| !turns).map(|(&k, _)| (k, region[k])).collect();
-    let mut search = Search { equations, sizes, proven: Vec::new(), undecided: Vec::new() };
-    let (mut boxes, mut seen) = (vec![start], 0);
-    while let Some(now) = boxes.pop() {
-        seen += 1;
-        if seen > MOST || search.undecided.len() > UNDECIDED {
-            // What is left is reported as one box around all of it.
-            let left = boxes.drain(..).chain(search.undecided.drain(..));
-            let hull =
-                |all: Vec<Interval>, other: Vec<Interval>| all.iter().zip(other).map(|(x, y)| x.hull(y)).collect();
-            search.undecided = vec![left.fold(now, hull)];
-            break;
+    let is_bounded = |u: &usize| !turns[*u];
+    let bounded = (0..places.len()).filter(is_bounded).map(|u| (places[u], region[places[u]])).collect();
+    let mut search = Search { equations, sizes, bound: None, proven: Vec::new(), undecided: Vec::new() };
+    search.examine(start.clone());
+    for u in (0..places.len()).filter(is_bounded) {
+        for bound in [start[u].lower(), start[u].upper()] {
+            let mut on_bound = start.clone();
+            on_bound[u] = Interval::from(bound);
+            search.bound = Some(u);
+            search.examine(on_bound);
         }
-        search.look(now, &mut boxes);
     }
     Ok(Folds { bounded, ..search.finish(way) })
 }
@@ -88,11 +89,31 @@ struct Search<'s> {
     equations: ClosureEquations<'s>,
     /// The sizes of u and t, relative to which boxes are narrow.
     sizes: Vec<f64>,
+    /// The coordinate u that is at a bound; `None` for the search of folds.
+    bound: Option<usize>,
     proven: Vec<Proven>,
     undecided: Vec<Vec<Interval>>,
 }
 
 impl Search<'_> {
+    /// Examines a box and all that it is cut into.
+    fn examine(&mut self, start: Vec<Interval>) {
+        let (mut boxes, mut seen) = (vec![start], 0);
+        let before = self.undecided.len();
+        while let Some(now) = boxes.pop() {
+            seen += 1;
+            if seen > MOST || self.undecided.len() > before + UNDECIDED {
+                // What is left is reported as one box around all of it.
+                let left = boxes.drain(..).chain(self.undecided.drain(before..));
+                let hull =
+                    |all: Vec<Interval>, other: Vec<Interval>| all.iter().zip(other).map(|(x, y)| x.hull(y)).collect();
+                let hull = left.fold(now, hull);
+                return self.undecided.push(hull);
+            }
+            self.look(now, &mut boxes);
+        }
+    }
+
     fn finish(mut self, way: Interval) -> Folds {
         let mut folds = Folds::default();
         let m = self.equations.count();
@@ -130,7 +151,7 @@ impl Search<'_> {
             }
         }
         let width = self.width(&now);
-        if width < NARROW && self.is_covered(&now, width) {
+        if self.bound.is_none() && width < NARROW && self.is_covered(&now, width) {
             return;
         }
         if width < NARROWEST {
@@ -169,7 +190,7 @@ impl Search<'_> {
         self.equations.at(now[m]);
         // A box without an enclosure can still be divided.
         let EvaluatedEquations { mut f_u, f_t, .. } = match self.equations.possible_closure(&now[..m], true) {
-            Ok(Some(closure)) if !self.is_regular(&closure.f_u) => closure,
+            Ok(Some(closure)) if self.bound.is_some() || !self.is_regular(&closure.f_u) => closure,
             Ok(_) => return Shrunk::Without,
             Err(_) => return Shrunk::Unknown,
         };
@@ -185,12 +206,7 @@ impl Search<'_> {
         if f.iter().zip(&a).map(mean).any(Interval::excludes_zero) {
             return Shrunk::Without;
         }
-        // The direction of the curve, relative to the sizes.
-        let sized: Vec<Vec<Interval>> = a
-            .iter()
-            .map(|row| row.iter().zip(&self.sizes).map(|(&a, &size)| a * Interval::from(size)).collect())
-            .collect();
-        let Some(along) = null_vector(&sized).map(|v| v.iamax()) else { return Shrunk::Unknown };
+        let Some(along) = self.bound.or_else(|| self.direction(&a)) else { return Shrunk::Unknown };
         let across: Vec<usize> = (0..=m).filter(|&k| k != along).collect();
         let entries: Vec<(usize, usize)> = (0..m).flat_map(|i| (0..m).map(move |k| (i, k))).collect();
         let middle = a.iter().flat_map(|row| across.iter().map(|&k| row[k].midpoint()));
@@ -211,6 +227,13 @@ impl Search<'_> {
             }
         }
         Shrunk::To
+    }
+
+    /// Which of u and t changes most along the curve, relative to the sizes.
+    fn direction(&self, a: &[Vec<Interval>]) -> Option<usize> {
+        let sized =
+            |row: &Vec<Interval>| row.iter().zip(&self.sizes).map(|(&a, &size)| a * Interval::from(size)).collect();
+        null_vector(&a.iter().map(sized).collect::<Vec<Vec<Interval>>>()).map(|v| v.iamax())
     }
 
     /// True if f_u is regular over a box: then |I − C f_u| < 1 in the maximum norm, relative to the sizes.

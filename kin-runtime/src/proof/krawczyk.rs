@@ -106,6 +106,25 @@ impl Square {
         self.rows(values.iter().copied(), |&(k, signal)| q[k] - Interval::from(signal.value), phi)
     }
 
+    /// As [`phi`](Self::phi), with infinite bounds for rows without an enclosure.
+    pub(super) fn phi_as_far(&self, values: &[Interval], q: &[Interval], phi: &mut Vec<Interval>) {
+        phi.clear();
+        let kept = values.iter().enumerate().filter(|&(row, _)| !self.is_left_out(row));
+        phi.extend(kept.map(|(_, &value)| as_far(value)));
+        phi.extend(self.given.iter().map(|&(k, signal)| q[k] - Interval::from(signal.value)));
+    }
+
+    /// As [`matrix`](Self::matrix), with infinite bounds for entries without an enclosure.
+    pub(super) fn matrix_as_far(&self, phi_q: &[Interval], matrix: &mut Vec<Interval>) {
+        matrix.clear();
+        match &self.sources {
+            None => matrix.extend(phi_q.iter().map(|&value| as_far(value))),
+            Some(sources) => {
+                matrix.extend(sources.iter().map(|source| source.map_or(ONE, |k| as_far(phi_q[k]))));
+            }
+        }
+    }
+
     /// Writes the entries of Φ_q, in the order of `entries`.
     pub(super) fn matrix(&self, phi_q: &[Interval], matrix: &mut Vec<Interval>) -> Result<(), Uncertified> {
         matrix.clear();
@@ -306,6 +325,11 @@ impl<'s> Prover<'s> {
 /// True for a list of n finite numbers.
 fn is_list(n: usize, list: &[f64]) -> bool {
     list.len() == n && list.iter().all(|x| x.is_finite())
+}
+
+/// An enclosure, infinite where there is none.
+fn as_far(value: Interval) -> Interval {
+    if value.is_bounded() { value } else { Interval::ENTIRE }
 }
 
 /// The error of an evaluation with lists of wrong lengths.

@@ -51,7 +51,8 @@ pub struct RangeLimit {
 pub struct Ranges {
     /// The intervals of t in which it closes, mode by mode.
     pub ranges: Vec<Range>,
-    /// The limits at their ends between the two instants.
+    /// The limits at their ends between the two instants, and places at which a closure crosses a bound of `searched`,
+    /// which are not proven.
     pub limits: Vec<RangeLimit>,
     /// How many circuits there are.
     pub circuits: usize,
@@ -79,6 +80,11 @@ impl RangeLimit {
     /// The modes of the range that ends there, as the option `--mode` takes them.
     pub fn name(&self) -> String {
         named(&self.modes)
+    }
+
+    /// Whether its interval is so narrow that one number says where it is.
+    pub(crate) fn is_enclosed(&self) -> bool {
+        self.t.radius() <= ENCLOSED * (1.0 + self.t.magnitude())
     }
 }
 
@@ -109,9 +115,9 @@ impl fmt::Display for RangeLimit {
             separated(f, &self.joints, |f, joint| f.write_str(joint))?;
         }
         let Self { t, .. } = self;
-        match t.radius() > ENCLOSED * (1.0 + t.magnitude()) {
-            true => write!(f, " between t = {} and t = {}", rounded(t.lower()), rounded(t.upper()))?,
-            false => write!(f, " at t = {}", rounded(t.midpoint()))?,
+        match self.is_enclosed() {
+            true => write!(f, " at t = {}", rounded(t.midpoint()))?,
+            false => write!(f, " between t = {} and t = {}", rounded(t.lower()), rounded(t.upper()))?,
         }
         if !self.modes.is_empty() {
             write!(f, ", {}", self.name())?;

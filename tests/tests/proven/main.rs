@@ -2,6 +2,7 @@
 
 mod arcs;
 mod assemblies;
+mod bounds;
 mod certificates;
 mod choices;
 mod classes;
