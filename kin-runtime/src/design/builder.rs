@@ -61,28 +61,39 @@ impl<M: Mechanism> Design<M> {
     /// Lets a parameter vary within these bounds, in the unit of the parameter.
     ///
     /// # Errors
-    /// [`UnknownParameter`](DesignError::UnknownParameter), [`Bounds`](DesignError::Bounds).
+    /// [`UnknownParameter`](DesignError::UnknownParameter), [`Bounds`](DesignError::Bounds),
+    /// [`Twice`](DesignError::Twice).
     pub fn free(mut self, parameter: &str, bounds: RangeInclusive<f64>) -> Result<Self, DesignError> {
         let place = variables::place::<M>(parameter)?;
         let (low, high) = bounds.into_inner();
         if !(low.is_finite() && high.is_finite() && low < high) {
             return Err(DesignError::Bounds { parameter: parameter.to_owned(), low, high });
         }
-        self.free.retain(|free| free.places != [place]);
+        self.is_new(place, parameter)?;
         self.free.push(Free { places: vec![place], low, high });
         Ok(self)
+    }
+
+    /// An error if a parameter has bounds or is kept equal already.
+    fn is_new(&self, place: usize, parameter: &str) -> Result<(), DesignError> {
+        match self.free.iter().any(|free| free.places.contains(&place)) {
+            true => Err(DesignError::Twice { parameter: parameter.to_owned() }),
+            false => Ok(()),
+        }
     }
 
     /// Keeps a parameter equal to one that is free.
     ///
     /// # Errors
-    /// [`UnknownParameter`](DesignError::UnknownParameter), [`NotFree`](DesignError::NotFree).
+    /// [`UnknownParameter`](DesignError::UnknownParameter), [`NotFree`](DesignError::NotFree),
+    /// [`Twice`](DesignError::Twice).
     pub fn equal(mut self, parameter: &str, to: &str) -> Result<Self, DesignError> {
         let (place, leader) = (variables::place::<M>(parameter)?, variables::place::<M>(to)?);
-        match self.free.iter_mut().find(|free| free.places.contains(&leader)) {
-            Some(free) => free.places.push(place),
-            None => return Err(DesignError::NotFree { parameter: to.to_owned() }),
-        }
+        let Some(leader) = self.free.iter().position(|free| free.places.contains(&leader)) else {
+            return Err(DesignError::NotFree { parameter: to.to_owned() });
+        };
+        self.is_new(place, parameter)?;
+        self.free[leader].places.push(place);
         Ok(self)
     }
 

@@ -19,6 +19,11 @@ pub enum DesignError {
         /// The one that is not free.
         parameter: String,
     },
+    /// A parameter that is free or kept equal to another one already.
+    Twice {
+        /// The parameter.
+        parameter: String,
+    },
     /// Bounds with nothing between them, or bounds that are not finite.
     Bounds {
         /// The parameter.
@@ -97,6 +102,9 @@ impl fmt::Display for DesignError {
             }
             Self::NotFree { parameter } => {
                 write!(f, "`{parameter}` is not free, so that no parameter can be set equal to it")
+            }
+            Self::Twice { parameter } => {
+                write!(f, "`{parameter}` is free or kept equal to another parameter already")
             }
             Self::Bounds { parameter, low, high } => {
                 write!(

@@ -86,6 +86,19 @@ fn equal_parameters_stay_equal() {
     assert_eq!(value("r3"), value("r4"));
 }
 
+/// Bounds of its own would contradict those of the parameter that it is equal to.
+#[test]
+fn a_parameter_is_free_or_equal_to_another_once() {
+    let begin = || kin_runtime::design::Design::new(&crate::published::FourBar::default());
+    let twice = |name: &str| Some(DesignError::Twice { parameter: name.to_owned() });
+    let free = || begin().free("r3", 0.1..=0.2).unwrap().free("r4", 0.5..=0.7).unwrap();
+    assert_eq!(twice("r4"), free().equal("r4", "r3").err());
+    assert_eq!(twice("r3"), free().equal("r3", "r3").err());
+    assert_eq!(twice("r3"), free().free("r3", 0.3..=0.4).err());
+    let equal = begin().free("r3", 0.1..=0.2).unwrap().equal("r4", "r3").unwrap();
+    assert_eq!(twice("r4"), equal.free("r4", 0.5..=0.7).err());
+}
+
 #[test]
 fn a_search_stops_when_it_is_told() {
     let design = four_bar([0.1, 10.0], &["rcx", "rcy"], 10.0).unwrap().path_at("P", &timed(2)).unwrap();
