@@ -31,6 +31,7 @@ mod groups;
 mod known;
 mod margins;
 mod matching;
+mod pivot;
 mod rates;
 mod recognise;
 mod reduce;

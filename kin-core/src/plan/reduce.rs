@@ -5,7 +5,8 @@
 //! is solved together with a redundant row that rotates the same vector, if there is one (`paired`):
 //!
 //! - *pivot*: a coordinate that is linear in a row with a constant coefficient (origins of pinned bodies, angles of
-//!   sliders and gears). The row determines the coordinate, which is eliminated from all other rows.
+//!   sliders and gears). The row determines the coordinate, which is eliminated from all other rows. A row in two
+//!   unknowns whose coefficients are both parameters is left for a closed form with another row, if there is one.
 //! - *ratio*: an unknown x that is linear in two rows, f₁x + f₀ = 0 and g₁x + g₀ = 0, and appears in no other row. The
 //!   combination f₁g₀ − g₁f₀ = 0 does not contain x, and x = −(f₁f₀ + g₁g₀)/(f₁² + g₁²) (the stroke along a turning
 //!   guide).
@@ -241,65 +242,6 @@ impl Reduction<'_> {
         let PairValue::Angle { square: Some(square), .. } = value else { return None };
         self.paired.push(PairedRows { rows, difference: row, square });
         Some(Pair { rows, coordinate, value, exchanges, inner: Block::default() })
-    }
-
-    /// True if a factor is a sum or difference, which may be 0 although none of its terms is (r₁ − r₂ for equal
-    /// pulleys).
-    fn is_sum(&self, id: ExprId) -> bool {
-        match self.graph.node(id) {
-            Node::Neg(a) | Node::Opaque(a) => self.is_sum(a),
-            Node::Mul(a, b) | Node::Div(a, b) => self.is_sum(a) || self.is_sum(b),
-            Node::Add(..) | Node::Sub(..) => true,
-            _ => false,
-        }
-    }
-
-    /// The next pivot: a coefficient of ±1 is preferred to other numbers, numbers to parameters and products of
-    /// parameters, and these to sums, which may be 0; among coefficients of the same rank the row with the fewest
-    /// unknowns is taken, which keeps the loops short.
-    fn pivot(
-        &mut self,
-        rows: &[usize],
-        unknowns: &BTreeSet<u32>,
-        forms: &BTreeMap<usize, Form>,
-    ) -> Option<(usize, u32)> {
-        let mut best = None;
-        for &row in rows {
-            let form = &forms[&row];
-            let of_rest = form.rest.map_or_else(BTreeSet::new, |rest| {
-                self.unknowns(&Form { rest: Some(rest), ..Form::default() }, unknowns)
-            });
-            let width = self.unknowns(form, unknowns).len();
-            for (key, [coefficient, _]) in &form.terms {
-                let &[(coordinate, 1)] = key.powers.as_slice() else { continue };
-                let alone = key.turn.is_empty()
-                    && !of_rest.contains(&coordinate)
-                    && form.terms.keys().filter(|other| other.holds(coordinate)).count() == 1;
-                let rank = match self.graph.literal(*coefficient) {
-                    Some(value) if value.abs() == 1.0 => 0,
-                    Some(_) => 1,
-                    None if self.graph.depends(*coefficient).is_static() => 2 + u8::from(self.is_sum(*coefficient)),
-                    None => continue,
-                };
-                let score = (rank, width, row, coordinate);
-                if alone && best.is_none_or(|other| score < other) {
-                    best = Some(score);
-                }
-            }
-        }
-        best.map(|(_, _, row, coordinate)| (row, coordinate))
-    }
-
-    /// The value of a coordinate from a row in which it is linear.
-    fn solved_for(&mut self, form: &Form, coordinate: u32) -> ExprId {
-        let key = Key::power(coordinate, 1);
-        let coefficient = form.terms[&key][0];
-        let mut others = form.clone();
-        others.terms.remove(&key);
-        let nothing = BTreeSet::new();
-        let rest = Reader::new(self.graph, self.memory, &nothing).written(&others);
-        let minus = self.graph.neg(rest);
-        self.graph.div(minus, coefficient)
     }
 
     /// The two rows for which `found` holds, if exactly two do.

@@ -2,6 +2,7 @@
 
 mod batch;
 mod controller;
+mod guides;
 mod input_ranges;
 mod inputs;
 mod limits;
