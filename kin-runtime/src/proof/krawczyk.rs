@@ -192,22 +192,33 @@ impl Square {
         sizes.extend(all.map(|coordinate| if is_length(coordinate) && length > 0.0 { length } else { 1.0 }));
     }
 
-    /// An error that names the list `what` if one of its corrections is too large.
-    fn judge(&self, what: &'static str, corrections: &[Interval], sizes: &[f64], most: f64) -> Result<(), Uncertified> {
-        // False for NaN, too.
+    /// Whether all corrections of the list `what` are proven to be small.
+    ///
+    /// # Errors
+    /// If one of them is proven to be large.
+    fn judge(
+        &self,
+        what: &'static str,
+        corrections: &[Interval],
+        sizes: &[f64],
+        most: f64,
+    ) -> Result<bool, Uncertified> {
+        // Both are false for NaN, too.
         let is_small = |(correction, size): (&Interval, &f64)| correction.magnitude() <= most * size;
+        let is_large =
+            |k: &usize| corrections[*k].lower() > most * sizes[*k] || corrections[*k].upper() < -most * sizes[*k];
         if corrections.iter().zip(sizes).all(is_small) {
-            return Ok(());
+            return Ok(true);
         }
-        let relative = |k: &usize| corrections[*k].magnitude() / sizes[*k];
-        let worst = (0..sizes.len()).max_by(|a, b| relative(a).total_cmp(&relative(b)));
-        match worst {
+        let relative = |k: &usize| corrections[*k].midpoint().abs() / sizes[*k];
+        let large = (0..sizes.len()).filter(is_large).max_by(|a, b| relative(a).total_cmp(&relative(b)));
+        match large {
             Some(k) => Err(Uncertified::NotASolution {
                 what,
                 coordinate: self.model.coordinates[k].name,
                 by: corrections[k].midpoint().abs(),
             }),
-            None => Ok(()),
+            None => Ok(false),
         }
     }
 }
@@ -265,13 +276,15 @@ impl<'s> Prover<'s> {
             return Err(Uncertified::Singular { nearness: 0.0 });
         }
         inverse.times_to(rows, newton);
-        // Near a singular configuration a large correction does not show that the state is wrong.
-        square.judge("q", newton, sizes, WRONG).map_err(|wrong| {
-            match inverse.inverse_condition(&square.entries, matrix, sizes) {
-                nearness if nearness < SINGULAR => Uncertified::Singular { nearness },
-                _ => wrong,
-            }
-        })?;
+        let judged = square.judge("q", newton, sizes, WRONG);
+        if judged != Ok(true) {
+            // Near a singular configuration a large correction does not show that the state is wrong.
+            let nearness = inverse.inverse_condition(&square.entries, matrix, sizes);
+            return Err(match judged {
+                Err(wrong) if nearness >= SINGULAR => wrong,
+                _ => Uncertified::Singular { nearness },
+            });
+        }
         let mut over = |q: &[Interval], matrix: &mut Vec<Interval>| {
             let evaluated = system.evaluate(Subset::JACOBIAN, q, still).map_err(malformed)?;
             square.matrix(evaluated.phi_q, matrix)
@@ -308,13 +321,18 @@ impl<'s> Prover<'s> {
         square.rows(nu, |(_, signal)| Interval::from(signal.rate), rows)?;
         square.subtract(rows, matrix, q_dot);
         let mut rates = located.solve(inverse, rows);
-        square.judge("q̇", &rates, sizes, WRONG * (1.0 + size_of(q_dot, sizes)))?;
+        let nearness = |inverse: &Preconditioner| inverse.inverse_condition(&square.entries, matrix, sizes);
+        if !square.judge("q̇", &rates, sizes, WRONG * (1.0 + size_of(q_dot, sizes)))? {
+            return Err(Uncertified::Singular { nearness: nearness(inverse) });
+        }
         rates.iter_mut().zip(q_dot).for_each(|(d, &x)| *d = Interval::from(x) + *d);
         let over = system.evaluate(Subset::GAMMA, &located.q, &rates).map_err(malformed)?;
         square.rows(over.gamma.iter().copied(), |(_, signal)| Interval::from(signal.acceleration), rows)?;
         square.subtract(rows, matrix, q_ddot);
         let mut accelerations = located.solve(inverse, rows);
-        square.judge("q̈", &accelerations, sizes, WRONG * (1.0 + size_of(q_ddot, sizes)))?;
+        if !square.judge("q̈", &accelerations, sizes, WRONG * (1.0 + size_of(q_ddot, sizes)))? {
+            return Err(Uncertified::Singular { nearness: nearness(inverse) });
+        }
         accelerations.iter_mut().zip(q_ddot).for_each(|(d, &x)| *d = Interval::from(x) + *d);
         let unique = located.unique(q);
         let left_out = square.left_out.clone();
