@@ -8,6 +8,7 @@ use crate::analysis::singular;
 use crate::equations::Equations;
 use crate::equations::contact;
 use crate::equations::factorisation::Purpose;
+use crate::equations::residual::UNDERFLOW;
 use crate::error::SolveError;
 use crate::linear::Factorization;
 use crate::workspace::Subset;
@@ -82,5 +83,5 @@ pub(crate) fn inconsistency(
         .iter()
         .enumerate()
         .fold((0, 0.0), |best: (usize, f64), (k, r)| if r.abs() > best.1 { (k, r.abs()) } else { best });
-    (worst > equations.options.consistency_tolerance * size).then(|| (row, worst / size))
+    (worst > (equations.options.consistency_tolerance * size).max(UNDERFLOW)).then(|| (row, worst / size))
 }

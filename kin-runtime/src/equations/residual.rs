@@ -10,7 +10,7 @@
 //! ```
 //!
 //! where L is the largest arm of an angle in a row of lengths. If |Φ_t|ᵢ or |γ|ᵢ is larger than Rᵢ times the largest rate, it
-//! takes the place of this product. ε is at least the rounding error of q.
+//! takes the place of this product. ε is at least the rounding error of q, and no residual counts that has underflowed.
 
 use crate::equations::system::Parts;
 use crate::model::{Component, CoordinateKind, Level, Model};
@@ -24,6 +24,9 @@ pub(crate) struct Tolerances {
     /// δ, the tolerance of velocities and accelerations.
     pub(crate) rates: f64,
 }
+
+/// Residuals up to this are rounding: smaller numbers have fewer digits than others.
+pub(crate) const UNDERFLOW: f64 = f64::MIN_POSITIVE;
 
 /// The sums over one row of Φ_q.
 #[derive(Clone, Copy, Debug, Default)]
@@ -144,8 +147,8 @@ pub(crate) fn closed(
             residual = if phi > residual { phi } else { residual };
         }
         let (v, a) = ((row.velocity + phi_t).abs(), (row.acceleration - gamma).abs());
-        all &= v <= f64::max(size * fast, delta * phi_t.abs());
-        all &= a <= f64::max(size * faster, delta * gamma.abs());
+        all &= v <= f64::max(size * fast, delta * phi_t.abs()).max(UNDERFLOW);
+        all &= a <= f64::max(size * faster, delta * gamma.abs()).max(UNDERFLOW);
     }
     all.then_some(residual)
 }

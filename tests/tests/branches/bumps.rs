@@ -7,7 +7,7 @@ use crate::jet::Jet;
 use crate::slots::{Curve, fold, instants, root};
 use crate::tally::{Tally, motions};
 use crate::ways::follow;
-use kin_runtime::{Instant, Kinematics, Limit, Planned, Signal, mechanism};
+use kin_runtime::{Instant, Kinematics, Limit, Options, Planned, Signal, mechanism};
 use kin_tests::random::Random;
 use std::fmt::Debug;
 
@@ -64,6 +64,21 @@ struct Moved {
     w: f64,
     h: f64,
     r: f64,
+}
+
+/// An arm on a straight line with a bump that moves along it.
+#[mechanism]
+#[body(arm, x = 0, y = 0)]
+#[on_curve(line: ground @ (0, 0), arm @ (l, 0), implicit(X, Y) = Y - h - m * X - a * exp(-pow((X - c - v * t) / w, 2)))]
+#[derive(Clone, Debug)]
+struct Passed {
+    l: f64,
+    h: f64,
+    m: f64,
+    a: f64,
+    c: f64,
+    v: f64,
+    w: f64,
 }
 
 /// A slot with a stretch of small waves and, farther on, one narrow bump.
@@ -236,4 +251,20 @@ fn a_bump_behind_many_waves() {
     let refused = times.into_iter().find_map(|t| planned.at(&Instant::at(t)).err()).expect("the bump stops the pin");
     let located = refused.limit().and_then(Limit::at).expect("the limit is located");
     assert!((located + 7.168611521890879).abs() < 1e-8, "{refused}");
+}
+
+/// Rates that underflow have fewer digits than others, which is no sign of another branch.
+#[test]
+fn a_bump_that_has_moved_away() {
+    let passed = Passed { l: 1.508, h: 0.8246, m: 0.0079, a: 0.249, c: 0.7267, v: 2.937, w: 0.1 };
+    let times: Vec<f64> = (0..=600).map(|k| -5e-3 * f64::from(k)).collect();
+    for use_plan in [true, false] {
+        let options = Options { use_plan, ..Options::default() };
+        let swept = passed.solver().with_guess(0, 0.5865).with_options(options).sweep(&times);
+        let swept = swept.expect("nothing holds the arm").states;
+        let rates: Vec<f64> = swept.iter().map(|state| state.q_dot[0].abs()).collect();
+        assert!(rates.iter().any(|rate| *rate > 0.0 && *rate < f64::MIN_POSITIVE), "{rates:?}");
+        let off = passed.l * swept[600].q[0].sin() - passed.h - passed.m * passed.l * swept[600].q[0].cos();
+        assert!(off.abs() < 1e-14, "{off:e}");
+    }
 }
