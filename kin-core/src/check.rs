@@ -54,7 +54,7 @@ use scope::scopes;
 use std::collections::BTreeSet;
 
 pub(crate) use mention::meets_held;
-pub use names::{RESERVED, is_reserved};
+pub use names::{RESERVED, is_reserved, meaning_of_reserved};
 
 use condition::conditions_vary;
 use curve::{curves_depend_on_their_variables, roller_curves_have_derivatives};

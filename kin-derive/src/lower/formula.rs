@@ -83,20 +83,20 @@ impl Lowerer<'_> {
         if let Some(variable) = self.inside.variable(&name) {
             return self.curve_variable(variable, used, scope);
         }
-        if is_reserved(&name) {
-            return self.reserved(&name, used, scope);
-        }
-        let is_value: fn(Symbol) -> bool =
-            |symbol| matches!(symbol, Symbol::Parameter(_) | Symbol::Scalar(_) | Symbol::Input(_) | Symbol::Define(_));
+        // If anything else has the name of the index variable, an error has been reported, and most uses mean the index.
         if let IndexRange::Over(range) = scope.range
             && text(&range.variable) == name
-            && self.names.find(&name).is_none()
         {
             if let Some(index) = &used.index {
                 return self.refuse(index.span, format!("`{name}` is the index variable; it takes no index"));
             }
             return Some(Formula::Index(Index { scale: 1, offset: 0 }));
         }
+        if is_reserved(&name) {
+            return self.reserved(&name, used, scope);
+        }
+        let is_value: fn(Symbol) -> bool =
+            |symbol| matches!(symbol, Symbol::Parameter(_) | Symbol::Scalar(_) | Symbol::Input(_) | Symbol::Define(_));
         if self.is_variable_of_another_curve(used) || self.is_slip_of_the_curve(used) {
             return None;
         }

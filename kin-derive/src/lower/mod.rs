@@ -6,6 +6,7 @@ mod curve_scope;
 mod declare;
 mod formula;
 mod index;
+mod index_variable;
 mod lowerer;
 mod mention;
 mod names;
@@ -103,6 +104,7 @@ pub(crate) fn lower(description: Description, item: ItemStruct, report: &Report)
     };
     let (names, shapes) = lowerer.declare(&description, &mut mechanism);
     lowerer.names = names;
+    lowerer.index_variables_differ(&description.items);
     lowerer.points_and_defines(&description.items, &mut mechanism);
     lowerer.bodies(&description.items, &mut mechanism);
     lowerer.rows(&description.items, &shapes, &mut mechanism);
