@@ -3,7 +3,7 @@
 
 use crate::analyse::Broken;
 use crate::expand::{mentions, placeholder, placeholders};
-use crate::parse::{derives_default, near_param, without_ours};
+use crate::parse::{derived_default, near_param, without_ours};
 use proc_macro2::TokenStream;
 use quote::quote;
 use syn::{Attribute, Field, Ident, ItemStruct, Meta};
@@ -88,5 +88,5 @@ fn promises_default(item: TokenStream) -> bool {
         near_param(attribute) && first.is_some_and(|first| first.to_string() != "unit")
     };
     let has_default = |field: &Field| field.attrs.iter().any(gives_default);
-    !item.attrs.iter().any(derives_default) && item.fields.iter().all(has_default)
+    item.attrs.iter().find_map(derived_default).is_none() && item.fields.iter().all(has_default)
 }
