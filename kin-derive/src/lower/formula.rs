@@ -36,15 +36,22 @@ impl Lowerer<'_> {
                     return self.refuse(b.span, "this divides by 0; a divisor is never a literal 0");
                 }
                 let (left, right) = (Box::new(left?), Box::new(right?));
-                match operator {
+                let result = match operator {
                     Operator::Add => Formula::Add(left, right),
                     Operator::Sub => Formula::Sub(left, right),
                     Operator::Mul => Formula::Mul(left, right),
                     Operator::Div => Formula::Div(left, right, self.origin(b.span)),
-                }
+                };
+                self.with_value(result, expr.span)?
             }
-            ExprKind::Pow(a, n) => Formula::Pow(Box::new(self.formula(a, scope)?), *n),
-            ExprKind::Call(function, a) => Formula::Call(*function, Box::new(self.formula(a, scope)?)),
+            ExprKind::Pow(a, n) => {
+                let power = Formula::Pow(Box::new(self.formula(a, scope)?), *n);
+                self.with_value(power, expr.span)?
+            }
+            ExprKind::Call(function, a) => {
+                let call = Formula::Call(*function, Box::new(self.formula(a, scope)?));
+                self.with_value(call, expr.span)?
+            }
             ExprKind::Atan2(y, x) => {
                 let (y, x) = (self.formula(y, scope), self.formula(x, scope));
                 Formula::Atan2(Box::new(y?), Box::new(x?))

@@ -1,6 +1,7 @@
 //! [`Description`] to [`Mechanism`]: names become ids, tokens become [`Origin`]s.
 
 mod body;
+mod constant;
 mod curve;
 mod curve_scope;
 mod declare;

@@ -4,6 +4,7 @@ use super::docs::first_paragraph;
 use super::expr::{end_of_expr, expr};
 use super::fold::constant;
 use super::generics::scalar_parameter;
+use super::index::letters;
 use super::keyword::{self, Keyword};
 use super::list::{comma, end_of_part, inside, skip_part};
 use super::options::unit;
@@ -93,6 +94,7 @@ pub(super) fn field(
         }
     }
     let ident = field.ident.clone()?;
+    report.ok(letters(&ident));
     if is_function {
         let len = report.ok(function_len(&field.ty)).flatten();
         let doc = first_paragraph(&field.attrs);

@@ -62,7 +62,20 @@ pub(super) fn identifier(input: ParseStream) -> Result<Ident> {
         };
         return Err(Error::new(word.span(), message));
     }
-    input.parse().map_err(|error: Error| Error::new(error.span(), "expected a name"))
+    let name = input.parse().map_err(|error: Error| Error::new(error.span(), "expected a name"))?;
+    letters(&name).map(|()| name)
+}
+
+/// An error unless a word can be a name of Rust: the compiler passes emoji to macros as if they were names.
+pub(super) fn letters(word: &Ident) -> Result<()> {
+    let name = text(word);
+    let mut letters = name.chars();
+    let is_name = letters.next().is_some_and(|first| first == '_' || unicode_ident::is_xid_start(first))
+        && letters.all(unicode_ident::is_xid_continue);
+    if is_name {
+        return Ok(());
+    }
+    Err(Error::new(word.span(), format!("`{name}` is no name; a name is made of letters, digits and `_`")))
 }
 
 fn bracket(input: ParseStream) -> Result<Bracket> {

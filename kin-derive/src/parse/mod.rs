@@ -81,6 +81,7 @@ fn parse_struct(item: TokenStream) -> Result<ItemStruct> {
 }
 
 fn describe(item: &mut ItemStruct, flags: Flags, report: &Report) -> Option<Description> {
+    report.ok(index::letters(&item.ident));
     let mut names_missing = false;
     let mut items = Vec::new();
     let mut kept = Vec::new();
