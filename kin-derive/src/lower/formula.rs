@@ -6,7 +6,8 @@ use super::names::{Declared, Shape, Symbol};
 use super::range::IndexRange;
 use super::scope::{Allow, Scope};
 use crate::ast::{Expr, ExprKind, NameUse, Operator, text};
-use crate::suggest::{did_you_mean, is_rate, listed};
+use crate::function::{function_of_places, other_function};
+use crate::suggest::{did_you_mean, is_rate, listed, rate_of_a_component};
 use kin_core::check::is_reserved;
 use kin_core::mechanism::{BodyRef, Component, Formula, Function, Index, Member};
 use proc_macro2::Span;
@@ -77,6 +78,13 @@ impl Lowerer<'_> {
                 }
             }
             ExprKind::Apply(used, arguments) => {
+                // The arguments of a function that does not exist are bodies or points, which are no numbers.
+                if let Some(message) = function_of_places(&used.text())
+                    && self.names.find(&used.text()).is_none()
+                    && !self.names_missing
+                {
+                    return self.refuse(used.ident.span(), message);
+                }
                 // The arguments are lowered first, so that errors in them are reported, too.
                 let arguments: Vec<_> = arguments.iter().map(|argument| self.formula(argument, scope)).collect();
                 return self.supplied(used, arguments, scope);
@@ -105,6 +113,9 @@ impl Lowerer<'_> {
         let is_value: fn(Symbol) -> bool =
             |symbol| matches!(symbol, Symbol::Parameter(_) | Symbol::Scalar(_) | Symbol::Input(_) | Symbol::Define(_));
         if self.is_variable_of_another_curve(used) || self.is_slip_of_the_curve(used) {
+            return None;
+        }
+        if self.is_unnamed_index(used, scope.range) {
             return None;
         }
         let declared = self.resolve(used, "parameter, coordinate or define", is_value)?;
@@ -270,12 +281,7 @@ impl Lowerer<'_> {
         let name = text(component);
         let found = Component::ALL.into_iter().find(|c| c.name() == name);
         if found.is_none() && !self.is_completed(component) {
-            let right = match name.as_str() {
-                "x_dot" | "y_dot" | "phi_dot" | "xdot" | "ydot" | "phidot" | "dot" | "omega" => {
-                    ": a rate is written `dot(…)`, in `nonholonomic`, `force` and `torque`"
-                }
-                _ => "",
-            };
+            let right = rate_of_a_component(&name);
             let message = format!("a body has `x`, `y` and `phi`; `{body}.{name}` does not exist{right}");
             self.report.error(component.span(), message);
         }
@@ -288,7 +294,10 @@ impl Lowerer<'_> {
             "y" => Some(Component::Y),
             name => {
                 if !self.is_completed(component) {
-                    let message = format!("a point has `x` and `y`; `{name}` would belong to its body");
+                    let message = match rate_of_a_component(name) {
+                        "" => format!("a point has `x` and `y`; `{name}` would belong to its body"),
+                        rate => format!("a point has `x` and `y`; `{name}` does not exist{rate}"),
+                    };
                     self.report.error(component.span(), message);
                 }
                 None
@@ -315,6 +324,7 @@ impl Lowerer<'_> {
                 format!("`{word}` is no function; a product is written with `*`")
             }
             None if self.names_missing => return,
+            None if other_function(&word).is_some() => other_function(&word).unwrap_or_default(),
             None => {
                 let has_rates = matches!(scope.allow, Allow::Rates | Allow::Dotted);
                 let others = ["atan2", "pow", "distance"].into_iter().chain(has_rates.then_some("dot"));

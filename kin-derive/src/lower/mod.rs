@@ -14,6 +14,7 @@ mod names;
 mod place;
 mod range;
 mod row;
+mod row_names;
 mod scope;
 mod substitute;
 

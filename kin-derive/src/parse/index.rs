@@ -5,7 +5,7 @@ use super::reject::here;
 use crate::ast::{Bracket, IndexExpr, NameUse, NewName, RangeDecl, text};
 use crate::report::Report;
 use kin_core::check::MAX_MEMBERS;
-use proc_macro2::Span;
+use proc_macro2::{Span, TokenTree};
 use syn::ext::IdentExt;
 use syn::parse::ParseStream;
 use syn::{Error, Ident, LitInt, Result, Token, bracketed, token};
@@ -18,8 +18,30 @@ const MAX_NUMBER: i64 = 1_000_000;
 pub(super) fn new_name(input: ParseStream, report: &Report) -> Result<NewName> {
     let doc = inner_doc(input)?;
     let ident = identifier(input)?;
-    let bracket = input.peek(token::Bracket).then(|| report.ok(bracket(input)).unwrap_or(Bracket::Hole));
-    Ok(NewName { ident, bracket, doc })
+    let mut read = None;
+    if input.peek(token::Bracket) {
+        let word = first_word(input);
+        read = Some(report.ok(bracket(input)).unwrap_or(Bracket::Hole(word.clone())));
+        while input.peek(token::Bracket) {
+            let group: TokenTree = input.parse()?;
+            report.error(group.span(), "members of a family are counted by one index: `N[i in 0..10]`");
+            read = Some(Bracket::Hole(word.clone()));
+        }
+    }
+    Ok(NewName { ident, bracket: read, doc })
+}
+
+/// The word at the beginning of the brackets that follow.
+fn first_word(input: ParseStream) -> Option<String> {
+    let ahead = input.fork();
+    let in_brackets = |ahead: ParseStream| {
+        let content;
+        bracketed!(content in ahead);
+        let word = content.call(Ident::parse_any)?;
+        while content.parse::<TokenTree>().is_ok() {}
+        Ok(word)
+    };
+    in_brackets(&ahead).ok().map(|word| text(&word))
 }
 
 /// Parses a use of a name, or of all members of a family: `link[i in 0..10]`.
@@ -47,6 +69,9 @@ fn is_range(content: ParseStream) -> bool {
 pub(super) fn name_use(input: ParseStream) -> Result<NameUse> {
     let ident = identifier(input)?;
     let index = if input.peek(token::Bracket) { Some(index(input)?) } else { None };
+    if input.peek(token::Bracket) {
+        return Err(here(input, "a member of a family has one index: `link[3]`, `link[i + 1]`"));
+    }
     Ok(NameUse { ident, index })
 }
 
@@ -56,7 +81,8 @@ pub(super) fn identifier(input: ParseStream) -> Result<Ident> {
         let word = Ident::parse_any(input)?;
         let name = text(&word);
         let message = match name.as_str() {
-            "self" | "Self" => "names stand alone: `l1`, not `self.l1`".to_owned(),
+            "self" | "Self" if input.peek(Token![.]) => "names stand alone: `l1`, not `self.l1`".to_owned(),
+            "self" | "Self" => format!("`{name}` is a keyword of Rust and cannot be a name; choose another one"),
             "super" | "crate" | "_" => format!("expected a name, found `{name}`"),
             _ => format!("`{name}` is a keyword of Rust; as a name it is written `r#{name}`"),
         };

@@ -12,6 +12,7 @@ mod flatten;
 mod fold;
 mod forms;
 mod generics;
+mod guessed;
 mod index;
 mod keyword;
 mod list;
@@ -23,6 +24,7 @@ mod read;
 mod reject;
 mod row_name;
 mod strip;
+mod unit;
 mod written;
 
 #[cfg(test)]
@@ -85,6 +87,7 @@ fn describe(item: &mut ItemStruct, flags: Flags, report: &Report) -> Option<Desc
     let mut names_missing = false;
     let mut items = Vec::new();
     let mut kept = Vec::new();
+    let has_others = item.attrs.iter().any(guessed::derives_of_others);
     for attribute in std::mem::take(&mut item.attrs) {
         let Some(word) = attribute.path().get_ident().cloned() else {
             kept.push(attribute);
@@ -94,7 +97,9 @@ fn describe(item: &mut ItemStruct, flags: Flags, report: &Report) -> Option<Desc
         if let Some(keyword) = keyword::find(&name) {
             let complete = read(&attribute, &word, keyword, report, &mut items);
             names_missing |= keyword.declares() && !complete;
-        } else if let Some((message, declares)) = keyword::near_miss(&name) {
+        } else if let Some((message, declares)) =
+            guessed::guessed(&name).filter(|_| !has_others).or_else(|| keyword::near_miss(&name))
+        {
             report.error(word.span(), message);
             names_missing |= declares;
         } else {

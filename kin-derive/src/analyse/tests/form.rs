@@ -41,7 +41,7 @@ fn expressions_say_what_would_be_right() {
         ("powi(u, 2)", "`pow(a, n)`"),
         ("u.pow(2)", "`a.powi(n)`"),
         ("u.sinus()", "no function `sinus`"),
-        ("u.cosh()", "did you mean `cos`"),
+        ("u.cosh()", "`(exp(a) + exp(-a))/2`"),
         ("sine(u)", "did you mean `sin`"),
         ("max(u, v)", "no function `max`"),
         ("l1(u)", "a parameter, not a function"),

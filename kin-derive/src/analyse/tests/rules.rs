@@ -51,7 +51,13 @@ fn everything_takes_part() {
     one_error(&pendulum("#[driver(B: l = t)]"), &["driver `B` contains no free coordinate"]);
     one_error(
         &pendulum("#[body(w, phi = 1)] #[x(C: w @ (0, 0) = 0)] #[angle(B: w = 1)]"),
-        &["angle `B` contains no free coordinate"],
+        &[
+            "angle `B` contains no free coordinate, because `w.phi` is held by `body` already; remove `B`, or do not hold it",
+        ],
+    );
+    one_error(
+        "#[body(crank, x = 0, y = 0)] #[revolute(O: ground @ (0, 0), crank @ (0, 0))] #[driver(d: crank.phi = t)] struct S;",
+        &["because `crank.x` and `crank.y` are held by `body` already; remove `O`, or do not hold them"],
     );
     // Coordinates may be mentioned through a define, a named point and a held origin.
     assert!(
