@@ -83,9 +83,15 @@ pub(crate) fn fallback(cleaned: Option<&ItemStruct>, item: TokenStream, broken: 
 fn promises_default(item: TokenStream) -> bool {
     let Ok(item) = syn::parse2::<ItemStruct>(item) else { return false };
     let gives_default = |attribute: &Attribute| {
-        let Meta::List(list) = &attribute.meta else { return false };
-        let first = list.tokens.clone().into_iter().next();
-        near_param(attribute) && first.is_some_and(|first| first.to_string() != "unit")
+        let is_given = match &attribute.meta {
+            Meta::Path(_) => false,
+            Meta::NameValue(_) => true,
+            Meta::List(list) => {
+                let first = list.tokens.clone().into_iter().next();
+                first.is_some_and(|first| first.to_string() != "unit")
+            }
+        };
+        is_given && near_param(attribute)
     };
     let has_default = |field: &Field| field.attrs.iter().any(gives_default);
     item.attrs.iter().find_map(derived_default).is_none() && item.fields.iter().all(has_default)

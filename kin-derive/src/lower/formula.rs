@@ -81,9 +81,8 @@ impl Lowerer<'_> {
                 // The arguments of a function that does not exist are bodies or points, which are no numbers.
                 if let Some(message) = function_of_places(&used.text())
                     && self.names.find(&used.text()).is_none()
-                    && !self.names_missing
                 {
-                    return self.refuse(used.ident.span(), message);
+                    return if self.names_missing { None } else { self.refuse(used.ident.span(), message) };
                 }
                 // The arguments are lowered first, so that errors in them are reported, too.
                 let arguments: Vec<_> = arguments.iter().map(|argument| self.formula(argument, scope)).collect();

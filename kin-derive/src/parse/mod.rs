@@ -226,9 +226,10 @@ fn keeps_defaults(default: Span, fields: &[FieldDecl], report: &Report) {
     if given.is_empty() {
         return;
     }
-    let (noun, names) = (if given.len() == 1 { "default" } else { "defaults" }, given.iter().map(String::as_str));
+    let (noun, them) = if given.len() == 1 { ("default", "it") } else { ("defaults", "them") };
+    let names = given.iter().map(String::as_str);
     let right = match fields.iter().find(|field| field.default.is_none()) {
-        None => "kin implements `Default` with them".to_owned(),
+        None => format!("kin implements `Default` with {them}"),
         Some(field) => {
             format!("kin implements `Default` if every field has a default, and `{}` has none", text(&field.ident))
         }

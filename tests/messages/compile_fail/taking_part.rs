@@ -40,7 +40,7 @@ struct OnlyRow;
 #[body(crank, x = 0, y = 0)]
 #[revolute(O: ground @ (0, 0), crank @ (0, 0))]
 #[driver(turn: crank.phi = t)]
-struct Held;
+struct HeldAlready;
 
 /// A held coordinate is a cause of a redundant row.
 #[mechanism]
