@@ -52,7 +52,7 @@ pub(super) fn moves(mechanism: &Mechanism, formula: &Formula, i: i64) -> bool {
     !all.follow().is_empty()
 }
 
-/// The names of the held coordinates that the joint involves for one of these indices, in the order of the bodies.
+/// The held coordinates that the joint involves for one of these indices.
 pub(crate) fn held(mechanism: &Mechanism, joint: &Joint, indices: impl IntoIterator<Item = i64>) -> BTreeSet<Held> {
     let mut all = Mentions::new(mechanism);
     indices.into_iter().for_each(|i| all.joint(joint, i));
@@ -62,22 +62,21 @@ pub(crate) fn held(mechanism: &Mechanism, joint: &Joint, indices: impl IntoItera
             let body = mechanism.bodies.get(family)?;
             let index = body.len.map_or(String::new(), |_| format!("[{member}]"));
             let name = format!("{}{index}.{component}", body.name);
-            matches!(body.source(component), Source::Held(_)).then_some(Held(family, member, component, name))
+            matches!(body.source(component), Source::Held(_))
+                .then_some(Held { place: (family, member, component), name })
         }
         Mention::Coordinate(Coordinate::Scalar(..)) | Mention::Define(..) => None,
     });
     held.collect()
 }
 
-/// A held coordinate: the family, the member, the component and the name.
+/// A held coordinate. The order is that of the bodies.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(crate) struct Held(usize, usize, Component, String);
-
-impl Held {
+pub(crate) struct Held {
+    /// The family, the member and the component.
+    place: (usize, usize, Component),
     /// The name, such as `crank.phi` or `link[3].x`.
-    pub(crate) fn name(&self) -> &str {
-        &self.3
-    }
+    pub(crate) name: String,
 }
 
 /// How a component of the bodies of a family is determined.

@@ -1,7 +1,7 @@
 //! Rules on coordinates and rows: rows contain coordinates, and every coordinate that can vary is in a row.
 
 use super::geometry::is_within_ground;
-use super::mention::{Coordinate, Held, held, mentioned, mentioned_at};
+use super::mention::{Coordinate, held, mentioned, mentioned_at};
 use super::names::is_reserved;
 use crate::error::{ModelError, quoted};
 use crate::mechanism::{Body, Component, Mechanism};
@@ -23,7 +23,7 @@ pub(super) fn rows_contain_coordinates(mechanism: &Mechanism, errors: &mut Vec<M
                       held"
                     .to_owned(),
                 n => {
-                    let names = quoted(held.iter().map(Held::name));
+                    let names = quoted(held.iter().map(|held| held.name.as_str()));
                     let (are, them) = if n == 1 { ("is", "it") } else { ("are", "them") };
                     format!("because {names} {are} held by `body` already; remove `{name}`, or do not hold {them}")
                 }

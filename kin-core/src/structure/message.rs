@@ -106,7 +106,7 @@ fn message(
 }
 
 fn names_of(held: &BTreeSet<Held>) -> String {
-    quoted(held.iter().map(Held::name))
+    quoted(held.iter().map(|held| held.name.as_str()))
 }
 
 /// The message for rows that are redundant by themselves: their residuals depend on no coordinate.

@@ -62,6 +62,7 @@ impl Lowerer<'_> {
         }
         self.points = vec![None; points.len()];
         self.defines = vec![None; defines.len()];
+        self.constants = vec![None; defines.len()];
         let place_of = |symbol| match symbol {
             Symbol::Point(k) => points.get(k).copied(),
             Symbol::Define(k) => defines.get(k).copied(),
@@ -96,6 +97,7 @@ impl Lowerer<'_> {
                     self.reached = Class::Constant;
                     let scope = Scope { what: "a define", allow: Allow::Everything, range: &range };
                     if let Some(formula) = self.formula(&decl.value, &scope) {
+                        self.constants[*number] = self.constant(&formula);
                         mechanism.defines[*number].formula = formula;
                         self.defines[*number] = Some((mechanism.defines[*number].clone(), self.reached));
                     }

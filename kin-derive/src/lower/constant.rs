@@ -15,7 +15,7 @@ impl Lowerer<'_> {
     }
 
     /// The value of a formula of numbers, `pi` and constant defines.
-    fn constant(&self, formula: &Formula) -> Option<f64> {
+    pub(super) fn constant(&self, formula: &Formula) -> Option<f64> {
         Some(match formula {
             Formula::Number(value) => *value,
             Formula::Pi => core::f64::consts::PI,
@@ -31,7 +31,7 @@ impl Lowerer<'_> {
             Formula::Pow(a, n) => self.constant(a)?.powf(*n),
             Formula::Call(function, a) => value(*function, self.constant(a)?),
             Formula::Atan2(y, x) => self.constant(y)?.atan2(self.constant(x)?),
-            Formula::Define(member) => self.constant(&self.defines.get(member.family)?.as_ref()?.0.formula)?,
+            Formula::Define(member) => (*self.constants.get(member.family)?)?,
             Formula::Index(_)
             | Formula::Time
             | Formula::Parameter(_)

@@ -44,6 +44,8 @@ pub(super) struct Lowerer<'a> {
     pub(super) points: Vec<Option<NamedPoint>>,
     /// Defines by index, with their classes; `None` for one with errors.
     pub(super) defines: Vec<Option<(Define, Class)>>,
+    /// The values of constant defines by index, so that each is computed once.
+    pub(super) constants: Vec<Option<f64>>,
 }
 
 impl<'a> Lowerer<'a> {
@@ -61,6 +63,7 @@ impl<'a> Lowerer<'a> {
             inside: Inside::default(),
             points: Vec::new(),
             defines: Vec::new(),
+            constants: Vec::new(),
         }
     }
 

@@ -109,4 +109,9 @@ fn constants_have_values() {
     for formula in ["sqrt(0)", "pow(0, 2)", "pow(-2, 3)", "asin(1)", "sqrt(l - 5)", "sqrt(t - 5)", "atan2(0, -1)"] {
         assert!(errors(&pendulum(&format!("#[driver(B: crank.phi = t + {formula})]"))).is_empty(), "{formula}");
     }
+    // Defines that use one another are computed once each.
+    let doubled: String = (1..80).map(|k| format!("#[define(c{k} = c{0} + c{0})] ", k - 1)).collect();
+    assert!(
+        errors(&pendulum(&format!("#[define(c0 = 1)] {doubled} #[driver(B: crank.phi = sqrt(c79)*t)]"))).is_empty()
+    );
 }
