@@ -51,9 +51,11 @@ pub(crate) fn did_you_mean<'a>(name: &str, candidates: impl IntoIterator<Item = 
 pub(crate) fn rate_of_a_component(name: &str) -> &'static str {
     match name {
         "x_dot" | "y_dot" | "phi_dot" | "xdot" | "ydot" | "phidot" | "dot" | "omega" | "v" | "vx" | "vy" | "speed"
-        | "velocity" | "rate" => ": a rate is written `dot(…)`, in `nonholonomic`, `force` and `torque`",
+        | "velocity" | "rate" => {
+            ": a rate is written `dot(…)`, in `nonholonomic`, `force` and `torque`; the command line reports it as `x_dot`"
+        }
         "a" | "ax" | "ay" | "acceleration" | "x_ddot" | "y_ddot" | "phi_ddot" | "ddot" | "alpha" => {
-            ": formulas contain no accelerations, which are reported with every state"
+            ": formulas contain no accelerations; the command line reports them as `x_ddot`"
         }
         _ => "",
     }

@@ -15,7 +15,7 @@ pub(super) const FREE: BodyOrigin = BodyOrigin::Free { x: None, y: None };
 fn range_of(name: &NewName) -> IndexRange {
     match &name.bracket {
         Some(Bracket::Range(range)) => IndexRange::Over(range.clone()),
-        Some(Bracket::Hole(word)) => IndexRange::Unknown(word.clone()),
+        Some(Bracket::Hole(words)) => IndexRange::Unknown(words.clone()),
         Some(Bracket::Len(len, _)) => IndexRange::Counted(text(&name.ident), *len),
         None => IndexRange::None,
     }

@@ -154,9 +154,9 @@ impl Lowerer<'_> {
             }
             Some(Bracket::Range(range)) => {
                 self.report.error(range.span, format!("the members of a family are counted from 0: `{form}`"));
-                (Shape::Unknown, IndexRange::Unknown(Some(text(&range.variable))))
+                (Shape::Unknown, IndexRange::Unknown(vec![text(&range.variable)]))
             }
-            Some(Bracket::Hole(word)) => (Shape::Unknown, IndexRange::Unknown(word.clone())),
+            Some(Bracket::Hole(words)) => (Shape::Unknown, IndexRange::Unknown(words.clone())),
         }
     }
 
@@ -167,9 +167,9 @@ impl Lowerer<'_> {
             Some(Bracket::Range(range)) => (Shape::Family(range.start..range.end), IndexRange::Over(range.clone())),
             Some(Bracket::Len(_, span)) => {
                 self.report.error(*span, format!("a family needs an index variable with its range: `{form}`"));
-                (Shape::Unknown, IndexRange::Unknown(None))
+                (Shape::Unknown, IndexRange::Unknown(Vec::new()))
             }
-            Some(Bracket::Hole(word)) => (Shape::Unknown, IndexRange::Unknown(word.clone())),
+            Some(Bracket::Hole(words)) => (Shape::Unknown, IndexRange::Unknown(words.clone())),
         }
     }
 }

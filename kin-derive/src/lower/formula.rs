@@ -228,6 +228,14 @@ impl Lowerer<'_> {
             let message = format!("`{name}` has no components; bodies and points have");
             return self.refuse(component.span(), message);
         }
+        // The position of a joint is that of a point.
+        if matches!(text(component).as_str(), "x" | "y")
+            && !self.names_missing
+            && self.names.find(&name).is_none()
+            && let Some(message) = self.row_names.used_as(&name, "body or point", false)
+        {
+            return self.refuse(used.ident.span(), message);
+        }
         let has_components: fn(Symbol) -> bool = |symbol| matches!(symbol, Symbol::Body(_) | Symbol::Point(_));
         let declared = if is_ground { None } else { Some(self.resolve(used, "body or point", has_components)?) };
         let whole = format!("`{name}.{}` is a coordinate", text(component));

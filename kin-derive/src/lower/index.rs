@@ -69,7 +69,7 @@ impl Lowerer<'_> {
             return false;
         }
         match range {
-            IndexRange::Unknown(word) => word.as_ref() == Some(&name),
+            IndexRange::Unknown(words) => words.contains(&name),
             // A longer name is more likely a misspelt one.
             IndexRange::Counted(family, len) if name.chars().count() == 1 => {
                 self.report.error(used.ident.span(), unnamed(&name, family, *len));

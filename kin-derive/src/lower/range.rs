@@ -12,8 +12,8 @@ pub(super) enum IndexRange {
     Over(RangeDecl),
     /// The members are counted without an index variable: the name of the family and their number.
     Counted(String, usize),
-    /// The brackets could not be read; the word that may be the index variable.
-    Unknown(Option<String>),
+    /// The brackets could not be read; the words that may be index variables.
+    Unknown(Vec<String>),
 }
 
 impl IndexRange {

@@ -18,17 +18,18 @@ const MAX_NUMBER: i64 = 1_000_000;
 pub(super) fn new_name(input: ParseStream, report: &Report) -> Result<NewName> {
     let doc = inner_doc(input)?;
     let ident = identifier(input)?;
-    let mut read = None;
-    if input.peek(token::Bracket) {
-        let word = first_word(input);
-        read = Some(report.ok(bracket(input)).unwrap_or(Bracket::Hole(word.clone())));
-        while input.peek(token::Bracket) {
-            let group: TokenTree = input.parse()?;
-            report.error(group.span(), "members of a family are counted by one index: `N[i in 0..10]`");
-            read = Some(Bracket::Hole(word.clone()));
-        }
+    if !input.peek(token::Bracket) {
+        return Ok(NewName { ident, bracket: None, doc });
     }
-    Ok(NewName { ident, bracket: read, doc })
+    let mut words: Vec<String> = first_word(input).into_iter().collect();
+    let mut read = report.ok(bracket(input));
+    while input.peek(token::Bracket) {
+        words.extend(first_word(input));
+        let group: TokenTree = input.parse()?;
+        report.error(group.span(), "members of a family are counted by one index: `N[i in 0..10]`");
+        read = None;
+    }
+    Ok(NewName { ident, bracket: Some(read.unwrap_or(Bracket::Hole(words))), doc })
 }
 
 /// The word at the beginning of the brackets that follow.

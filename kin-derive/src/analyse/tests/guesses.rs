@@ -47,6 +47,7 @@ fn numbers_have_no_units() {
         ("5mm", "numbers have no units; a parameter has one, `#[param(5, unit = \"mm\")]`"),
         ("0.1kg", "`#[param(0.1, unit = \"kg\")]`"),
         ("2t", "a product is written with `*`: `2*t`"),
+        ("0x1p3", "the suffix `p3` has no meaning here"),
         ("100 N/m", "a unit belongs to a parameter"),
         ("0.1 m", "a unit belongs to a parameter"),
     ] {
@@ -92,6 +93,7 @@ fn names_of_joints_are_known() {
         ("#[driver(d: A.angle = t)]", "`A` is the name of a `revolute`, and its angle is written `crank.phi`"),
         ("#[driver(d: B = t)]", "its angle is written `rod.phi - crank.phi`"),
         ("#[driver(d: rod.phi = t)] #[define(s = d)]", "`d` is the name of a `driver`, and a formula contains"),
+        ("#[define(s = B.x)]", "a point is written `body @ (x, y)`"),
         ("#[point(p = B)]", "a point is written `body @ (x, y)`"),
         ("#[driver(d: tip.speed = t)]", "`speed` does not exist: a rate is written `dot(…)`"),
         ("#[driver(d: tip.x_dot = t)]", "a rate is written `dot(…)`"),
@@ -110,6 +112,10 @@ fn index_variables_are_named_in_brackets() {
     one_error(&arms("arm[2], x = 0.2 + 0.5*i"), &["the brackets of the family name it: `arm[i in 0..2]`"]);
     one_error(
         &pendulum("#[revolute(O[i in 0..2][j in 0..2]: crank @ (0, 0), ground @ (i, 0))]"),
+        &["counted by one index"],
+    );
+    one_error(
+        &pendulum("#[revolute(O[i in 0..2][j in 0..2]: crank @ (i, j), ground @ (0, 0))]"),
         &["counted by one index"],
     );
     for range in ["3..0", "0..n", "0..=3", "0..3 step 2"] {
