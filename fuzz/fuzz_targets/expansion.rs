@@ -17,6 +17,8 @@ mod derive;
 mod expand;
 #[path = "../../kin-derive/src/fallback.rs"]
 mod fallback;
+#[path = "../../kin-derive/src/function.rs"]
+mod function;
 #[path = "../../kin-derive/src/lower/mod.rs"]
 mod lower;
 #[path = "../../kin-derive/src/parse/mod.rs"]

@@ -53,8 +53,8 @@ use crate::mechanism::{Body, BodyOrigin, BodyRef, Mechanism, defines_in};
 use scope::scopes;
 use std::collections::BTreeSet;
 
-pub(crate) use mention::meets_held;
-pub use names::{RESERVED, is_reserved};
+pub(crate) use mention::{Held, held};
+pub use names::{RESERVED, is_reserved, meaning_of_reserved};
 
 use condition::conditions_vary;
 use curve::{curves_depend_on_their_variables, roller_curves_have_derivatives};

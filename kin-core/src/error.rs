@@ -32,3 +32,17 @@ impl fmt::Display for ModelError {
 }
 
 impl std::error::Error for ModelError {}
+
+/// The list `` `A`, `B` and `C` ``; a long one is shortened.
+pub(crate) fn quoted<'a>(names: impl ExactSizeIterator<Item = &'a str>) -> String {
+    const SHOWN: usize = 8;
+    let total = names.len();
+    let mut quoted: Vec<String> = names.take(SHOWN).map(|name| format!("`{name}`")).collect();
+    if total > SHOWN {
+        return format!("{}, … ({total} in all)", quoted.join(", "));
+    }
+    match (quoted.pop(), quoted.is_empty()) {
+        (Some(last), false) => format!("{} and {last}", quoted.join(", ")),
+        (last, _) => last.unwrap_or_default(),
+    }
+}

@@ -78,8 +78,9 @@ pub(crate) enum Bracket {
     Len(usize, Span),
     /// An index with its range: `[i in 0..10]`.
     Range(RangeDecl),
-    /// Contents that could not be read, which is reported.
-    Hole,
+    /// Contents that could not be read, which is reported, with the words at their beginnings, which may be index
+    /// variables.
+    Hole(Vec<String>),
 }
 
 /// `i in start..end`.

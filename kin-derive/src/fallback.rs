@@ -3,7 +3,7 @@
 
 use crate::analyse::Broken;
 use crate::expand::{mentions, placeholder, placeholders};
-use crate::parse::{derives_default, near_param, without_ours};
+use crate::parse::{derived_default, near_param, without_ours};
 use proc_macro2::TokenStream;
 use quote::quote;
 use syn::{Attribute, Field, Ident, ItemStruct, Meta};
@@ -83,10 +83,16 @@ pub(crate) fn fallback(cleaned: Option<&ItemStruct>, item: TokenStream, broken: 
 fn promises_default(item: TokenStream) -> bool {
     let Ok(item) = syn::parse2::<ItemStruct>(item) else { return false };
     let gives_default = |attribute: &Attribute| {
-        let Meta::List(list) = &attribute.meta else { return false };
-        let first = list.tokens.clone().into_iter().next();
-        near_param(attribute) && first.is_some_and(|first| first.to_string() != "unit")
+        let is_given = match &attribute.meta {
+            Meta::Path(_) => false,
+            Meta::NameValue(_) => true,
+            Meta::List(list) => {
+                let first = list.tokens.clone().into_iter().next();
+                first.is_some_and(|first| first.to_string() != "unit")
+            }
+        };
+        is_given && near_param(attribute)
     };
     let has_default = |field: &Field| field.attrs.iter().any(gives_default);
-    !item.attrs.iter().any(derives_default) && item.fields.iter().all(has_default)
+    item.attrs.iter().find_map(derived_default).is_none() && item.fields.iter().all(has_default)
 }

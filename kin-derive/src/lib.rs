@@ -17,6 +17,7 @@ mod derive;
 mod documentation;
 mod expand;
 mod fallback;
+mod function;
 #[cfg(test)]
 mod fuzz;
 mod lower;

@@ -47,6 +47,20 @@ pub(crate) fn did_you_mean<'a>(name: &str, candidates: impl IntoIterator<Item = 
     nearest(name, candidates).map(|best| format!("; did you mean `{best}`?")).unwrap_or_default()
 }
 
+/// The end of the message for an unknown component that is a rate; empty for other components.
+pub(crate) fn rate_of_a_component(name: &str) -> &'static str {
+    match name {
+        "x_dot" | "y_dot" | "phi_dot" | "xdot" | "ydot" | "phidot" | "dot" | "omega" | "v" | "vx" | "vy" | "speed"
+        | "velocity" | "rate" => {
+            ": a rate is written `dot(…)`, in `nonholonomic`, `force` and `torque`; the command line reports it as `x_dot`"
+        }
+        "a" | "ax" | "ay" | "acceleration" | "x_ddot" | "y_ddot" | "phi_ddot" | "ddot" | "alpha" => {
+            ": formulas contain no accelerations; the command line reports them as `x_ddot`"
+        }
+        _ => "",
+    }
+}
+
 /// True for names of rates in other languages.
 pub(crate) fn is_rate(word: &str) -> bool {
     matches!(word, "d" | "der" | "ddt" | "diff" | "deriv" | "derivative" | "rate" | "vel" | "velocity")

@@ -255,7 +255,7 @@ struct DerivedAbove {
 #[coordinates(u)]
 #[driver(drive: u = 1 + speed * t)]
 struct OwnDefault {
-    #[param(2)]
+    #[param]
     speed: f64,
 }
 

@@ -52,18 +52,31 @@ pub(super) fn moves(mechanism: &Mechanism, formula: &Formula, i: i64) -> bool {
     !all.follow().is_empty()
 }
 
-/// True if the joint involves a held coordinate for any index of its range.
-pub(crate) fn meets_held(mechanism: &Mechanism, joint: &Joint) -> bool {
-    let indices = joint.range.map_or(0..1, |range| range.indices());
+/// The held coordinates that the joint involves for one of these indices.
+pub(crate) fn held(mechanism: &Mechanism, joint: &Joint, indices: impl IntoIterator<Item = i64>) -> BTreeSet<Held> {
     let mut all = Mentions::new(mechanism);
-    indices.for_each(|i| all.joint(joint, i));
+    indices.into_iter().for_each(|i| all.joint(joint, i));
     all.close();
-    all.seen.iter().any(|mention| match *mention {
-        Mention::Coordinate(Coordinate::Pose(family, _, component)) => {
-            matches!(source(mechanism, family, component), Some(Source::Held(_)))
+    let held = all.seen.iter().filter_map(|mention| match *mention {
+        Mention::Coordinate(Coordinate::Pose(family, member, component)) => {
+            let body = mechanism.bodies.get(family)?;
+            let index = body.len.map_or(String::new(), |_| format!("[{member}]"));
+            let name = format!("{}{index}.{component}", body.name);
+            matches!(body.source(component), Source::Held(_))
+                .then_some(Held { place: (family, member, component), name })
         }
-        Mention::Coordinate(Coordinate::Scalar(..)) | Mention::Define(..) => false,
-    })
+        Mention::Coordinate(Coordinate::Scalar(..)) | Mention::Define(..) => None,
+    });
+    held.collect()
+}
+
+/// A held coordinate. The order is that of the bodies.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) struct Held {
+    /// The family, the member and the component.
+    place: (usize, usize, Component),
+    /// The name, such as `crank.phi` or `link[3].x`.
+    pub(crate) name: String,
 }
 
 /// How a component of the bodies of a family is determined.

@@ -15,6 +15,16 @@ pub fn is_reserved(name: &str) -> bool {
     RESERVED.contains(&name)
 }
 
+/// The meaning of a reserved word.
+pub fn meaning_of_reserved(name: &str) -> Option<&'static str> {
+    is_reserved(name).then_some(match name {
+        "t" => "time",
+        "pi" => "the number π",
+        "ground" => "the fixed frame",
+        _ => "a function",
+    })
+}
+
 /// All names of the shared namespace, in the order of the source.
 fn declared(mechanism: &Mechanism) -> Vec<(&str, &'static str, Origin)> {
     let mut all: Vec<(&str, &'static str, Origin)> = Vec::new();
@@ -60,13 +70,7 @@ pub(super) fn are_distinct(mechanism: &Mechanism) -> bool {
 /// Rule: no name is a reserved word.
 pub(super) fn names_are_not_reserved(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
     for (name, kind, origin) in declared(mechanism) {
-        if is_reserved(name) {
-            let meaning = match name {
-                "t" => "time",
-                "pi" => "the number π",
-                "ground" => "the fixed frame",
-                _ => "a function",
-            };
+        if let Some(meaning) = meaning_of_reserved(name) {
             let message = format!("`{name}` is {meaning} in every mechanism; {kind} needs another name");
             errors.push(ModelError::new(origin, message));
         }

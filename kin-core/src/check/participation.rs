@@ -1,12 +1,13 @@
 //! Rules on coordinates and rows: rows contain coordinates, and every coordinate that can vary is in a row.
 
 use super::geometry::is_within_ground;
-use super::mention::{Coordinate, mentioned, mentioned_at};
-use crate::error::ModelError;
+use super::mention::{Coordinate, held, mentioned, mentioned_at};
+use super::names::is_reserved;
+use crate::error::{ModelError, quoted};
 use crate::mechanism::{Body, Component, Mechanism};
 use std::collections::BTreeSet;
 
-/// Rule: every row contains a coordinate, because otherwise no motion can satisfy it.
+/// Rule: every row contains a coordinate, because otherwise it constrains nothing.
 pub(super) fn rows_contain_coordinates(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
     for joint in &mechanism.joints {
         // A joint of the ground with itself is reported by another rule.
@@ -16,10 +17,18 @@ pub(super) fn rows_contain_coordinates(mechanism: &Mechanism, errors: &mut Vec<M
         let i = joint.range.map_or(0, |range| range.start);
         if mentioned_at(mechanism, joint, i).is_empty() {
             let (keyword, name) = (joint.operands.keyword(), &joint.name);
-            let message = format!(
-                "{keyword} `{name}` contains no free coordinate, so that no motion can satisfy it; \
-                 a row needs at least one coordinate that is not held"
-            );
+            let held = held(mechanism, joint, [i]);
+            let right = match held.len() {
+                0 => "so that every motion satisfies it or none does; a row needs at least one coordinate that is not \
+                      held"
+                    .to_owned(),
+                n => {
+                    let names = quoted(held.iter().map(|held| held.name.as_str()));
+                    let (are, them) = if n == 1 { ("is", "it") } else { ("are", "them") };
+                    format!("because {names} {are} held by `body` already; remove `{name}`, or do not hold {them}")
+                }
+            };
+            let message = format!("{keyword} `{name}` contains no free coordinate, {right}");
             errors.push(ModelError::new(joint.keyword, message));
         }
     }
@@ -59,7 +68,8 @@ pub(super) fn bodies_are_in_rows(mechanism: &Mechanism, errors: &mut Vec<ModelEr
             Coordinate::Scalar(..) => None,
         })
         .collect();
-    for (family, body) in mechanism.bodies.iter().enumerate() {
+    // Uses of a reserved word do not mean the body with its name, so that this body would seem to be unused.
+    for (family, body) in mechanism.bodies.iter().enumerate().filter(|(_, body)| !is_reserved(&body.name)) {
         let members = if has_free(body) { body.len.unwrap_or(1) } else { 0 };
         let untouched = (0..members).filter(|&m| !touched.contains(&(family, m)));
         if let Some(names) = missing(&body.name, body.len, untouched.collect()) {
@@ -75,7 +85,7 @@ pub(super) fn bodies_are_in_rows(mechanism: &Mechanism, errors: &mut Vec<ModelEr
 /// Rule: some row contains every scalar coordinate.
 pub(super) fn scalars_are_in_rows(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
     let mentioned = all_mentioned(mechanism);
-    for (family, scalar) in mechanism.scalars.iter().enumerate() {
+    for (family, scalar) in mechanism.scalars.iter().enumerate().filter(|(_, scalar)| !is_reserved(&scalar.name)) {
         let unmentioned = (0..scalar.len.unwrap_or(1)).filter(|&m| !mentioned.contains(&Coordinate::Scalar(family, m)));
         if let Some(names) = missing(&scalar.name, scalar.len, unmentioned.collect()) {
             let message = format!("no row mentions {names}; use it in a row, or leave it out");

@@ -59,13 +59,18 @@ impl Assembly<'_> {
 
     /// The radius of a disc or gear, which must not be 0. A literal 0 has been rejected by a rule before.
     pub(crate) fn radius(&mut self, radius: &Value) -> ExprId {
+        let right = "a radius is positive, or negative for a disc or gear that the other runs inside of";
+        self.nonzero(radius, "this radius", right)
+    }
+
+    /// A value that must not be 0; `what` it is and what is `right` are parts of the message.
+    pub(crate) fn nonzero(&mut self, value: &Value, what: &str, right: &str) -> ExprId {
         let before = self.errors.len();
-        let value = self.formula(&radius.value);
-        if self.graph.is_zero(value) && self.errors.len() == before {
-            let right = "a radius is positive, or negative for a disc or gear that the other runs inside of";
-            self.degenerate(radius.origin, "this radius", format_args!("is 0; {right}"));
+        let formula = self.formula(&value.value);
+        if self.graph.is_zero(formula) && self.errors.len() == before {
+            self.degenerate(value.origin, what, format_args!("is 0; {right}"));
         }
-        value
+        formula
     }
 
     pub(crate) fn observe(&self, set: &mut ConstraintSet, kind: ObservableKind, value: ExprId) -> usize {

@@ -14,7 +14,7 @@ use super::joint::{JointType, Reaction, joint};
 use super::rack_pinion::{guide_does_not_turn, stroke_by_angle};
 use crate::constraint::{Assembly, JointRows};
 use crate::error::ModelError;
-use crate::mechanism::{Axis, BodyRef, Dimension, Formula, Joint, Mechanism, OperandSlot, OperandType, Place};
+use crate::mechanism::{Axis, BodyRef, Dimension, Formula, Joint, Mechanism, OperandSlot, OperandType, Place, Value};
 
 joint! {
     /// Operands of a screw.
@@ -26,7 +26,7 @@ joint! {
         /// The direction v in body i.
         axis: Axis = OperandSlot::option("axis", OperandType::Axis),
         /// The lead p, the stroke per turn.
-        lead: Formula = OperandSlot::option("lead", OperandType::Signal),
+        lead: Value = OperandSlot::option("lead", OperandType::Signal),
         /// The rotating body b.
         nut: BodyRef = OperandSlot::option("nut", OperandType::Body),
         /// The offset e.
@@ -39,7 +39,8 @@ impl JointType for Screw {
     const REACTION: Reaction = Reaction::OnSecondAndCouples;
 
     fn rows(&self, a: &mut Assembly<'_>) -> JointRows {
-        let (lead, turns) = (a.formula(&self.lead), a.graph.number(0.5 * core::f64::consts::FRAC_1_PI));
+        let lead = a.nonzero(&self.lead, "this lead", "a lead is positive, or negative where the stroke is reversed");
+        let turns = a.graph.number(0.5 * core::f64::consts::FRAC_1_PI);
         let by_radian = a.graph.mul(lead, turns);
         stroke_by_angle(a, [&self.p, &self.q], &self.axis, &self.nut, by_radian, &self.offset)
     }

@@ -1,15 +1,12 @@
 //! Errors for redundant rows: which joints repeat the same constraint, and how to correct it.
 
 use super::diagnosis::{Redundancy, Structure};
-use crate::check::meets_held;
+use crate::check::{Held, held};
 use crate::constraint::{ConstraintSet, RowMeaning};
-use crate::error::ModelError;
+use crate::error::{ModelError, quoted};
 use crate::mechanism::Mechanism;
 use crate::system::KinematicSystem;
-use std::collections::BTreeMap;
-
-/// Maximum number of names that a message lists.
-const SHOWN: usize = 8;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// An error for every declaration with redundant rows, in order of declaration.
 pub fn explain(mechanism: &Mechanism, system: &KinematicSystem, structure: &Structure) -> Vec<ModelError> {
@@ -22,28 +19,51 @@ pub fn explain(mechanism: &Mechanism, system: &KinematicSystem, structure: &Stru
         .into_iter()
         .filter_map(|(family, rows)| {
             let joint = mechanism.joints.get(family)?;
-            Some(ModelError::new(joint.origin, message(system, structure, &rows, meets_held(mechanism, joint))))
+            let held = held_in(mechanism, system, &rows);
+            Some(ModelError::new(joint.origin, message(system, structure, &rows, &held)))
         })
         .collect()
 }
 
-/// The message for one declaration; `meets_held` says whether its joint involves a held coordinate.
-fn message(system: &KinematicSystem, structure: &Structure, redundant: &[&Redundancy], meets_held: bool) -> String {
+/// The held coordinates that the redundant rows and their circuits involve.
+fn held_in(mechanism: &Mechanism, system: &KinematicSystem, redundant: &[&Redundancy]) -> BTreeSet<Held> {
+    let set = &system.set;
+    let rows = redundant.iter().flat_map(|r| r.circuit.iter().chain([&r.row]));
+    let joints: BTreeSet<usize> = rows.map(|row| set.rows[*row].joint).collect();
+    let families = joints.into_iter().map(|joint| set.joints[joint].family);
+    families
+        .filter_map(|(family, index)| Some(held(mechanism, mechanism.joints.get(family)?, [index])))
+        .flatten()
+        .collect()
+}
+
+/// The message for one declaration; `held` are the held coordinates that its rows and their circuits involve.
+fn message(
+    system: &KinematicSystem,
+    structure: &Structure,
+    redundant: &[&Redundancy],
+    held: &BTreeSet<Held>,
+) -> String {
     let set = &system.set;
     let joint_of = |row: usize| set.rows[row].joint;
     let own = distinct(redundant.iter().map(|r| joint_of(r.row)));
     let circuit = redundant.iter().flat_map(|r| &r.circuit).map(|row| joint_of(*row));
     let mut others: Vec<usize> = distinct(circuit.filter(|joint| !own.contains(joint)));
     others.sort_unstable();
-    let names = list(own.iter().map(|joint| set.joints[*joint].name.as_str()));
-    let with = list(others.iter().map(|joint| set.joints[*joint].name.as_str()));
+    let names = quoted(own.iter().map(|joint| set.joints[*joint].name.as_str()));
+    let with = quoted(others.iter().map(|joint| set.joints[*joint].name.as_str()));
     let driving = redundant.iter().all(|r| system.classes[r.row].driving);
     let (n, s, rank) = (structure.coordinates, structure.rows, structure.rank);
     let advice = advice(set, &own, redundant, driving);
     let plural = own.len() > 1;
     if redundant.iter().all(|r| r.circuit.is_empty()) {
-        return redundant_by_itself(set, &own, redundant, &advice, meets_held);
+        return redundant_by_itself(set, &own, redundant, &advice, held);
     }
+    let held = match held.len() {
+        0 => String::new(),
+        1 => format!("; the held coordinate {} counts as prescribed", names_of(held)),
+        _ => format!("; the held coordinates {} count as prescribed", names_of(held)),
+    };
     if driving {
         let (freedom, drivers) = (structure.degrees_of_freedom(), drivers(system));
         let freedom = match freedom {
@@ -69,7 +89,7 @@ fn message(system: &KinematicSystem, structure: &Structure, redundant: &[&Redund
         let unless = if by_lengths { ", if special lengths give the mechanism more degrees of freedom," } else { "" };
         return format!(
             "the mechanism has {freedom} and {rows}: {names} {said} {already}; {advice}, or{unless} write \
-             `#[mechanism(allow_redundant)]`"
+             `#[mechanism(allow_redundant)]`{held}"
         );
     }
     let rows = rows(set, &own, redundant);
@@ -81,8 +101,12 @@ fn message(system: &KinematicSystem, structure: &Structure, redundant: &[&Redund
     };
     format!(
         "{rows}{names} {said} {already}, for all dimensions: {n} coordinates, {s} rows, rank {rank}; {advice}, or \
-         write `#[mechanism(allow_redundant)]`"
+         write `#[mechanism(allow_redundant)]`{held}"
     )
+}
+
+fn names_of(held: &BTreeSet<Held>) -> String {
+    quoted(held.iter().map(|held| held.name.as_str()))
 }
 
 /// The message for rows that are redundant by themselves: their residuals depend on no coordinate.
@@ -91,9 +115,9 @@ fn redundant_by_itself(
     own: &[usize],
     redundant: &[&Redundancy],
     advice: &str,
-    meets_held: bool,
+    held: &BTreeSet<Held>,
 ) -> String {
-    let (rows, names) = (rows(set, own, redundant), list(own.iter().map(|joint| set.joints[*joint].name.as_str())));
+    let (rows, names) = (rows(set, own, redundant), quoted(own.iter().map(|joint| set.joints[*joint].name.as_str())));
     let plural = own.len() > 1;
     let residual = |row: usize| set.rows[row].velocity.map_or(set.rows[row].phi, |velocity| velocity.eta);
     let is_equation = |joint: &usize| set.joints[*joint].kind.is_free_equation();
@@ -115,14 +139,13 @@ fn redundant_by_itself(
         "{rows}{names} {constrains} nothing: {residual} on any coordinate; {advice}, or write \
          `#[mechanism(allow_redundant)]`"
     );
-    if !meets_held {
-        return said;
-    }
+    let (names, that) = match held.len() {
+        0 => return said,
+        1 => (format!("coordinate {}", names_of(held)), "that coordinate"),
+        _ => (format!("coordinates {}", names_of(held)), "one of them"),
+    };
     let it_is = if plural { "they are" } else { "it is" };
-    format!(
-        "{said}; because of a held coordinate {it_is} either always or never satisfied: leave that coordinate free \
-         instead"
-    )
+    format!("{said}; because of the held {names} {it_is} either always or never satisfied: leave {that} free instead")
 }
 
 /// `row `N.angle` of `, or nothing if all rows of the joint are redundant.
@@ -157,7 +180,7 @@ fn advice(set: &ConstraintSet, own: &[usize], redundant: &[&Redundancy], driving
     // The shorter part of the advice, a removal, comes first.
     kinds.sort_by_key(|(instead, _)| instead.is_some());
     let parts = kinds.iter().map(|(instead, joints)| {
-        let names = list(joints.iter().map(|joint| set.joints[*joint].name.as_str()));
+        let names = quoted(joints.iter().map(|joint| set.joints[*joint].name.as_str()));
         match instead {
             Some(instead) => format!("replace {names} by {instead}"),
             None => format!("remove {names}"),
@@ -201,17 +224,4 @@ fn distinct(joints: impl Iterator<Item = usize>) -> Vec<usize> {
         }
     });
     all
-}
-
-/// `` `A`, `B` and `C` ``.
-fn list<'a>(names: impl ExactSizeIterator<Item = &'a str>) -> String {
-    let total = names.len();
-    let mut quoted: Vec<String> = names.take(SHOWN).map(|name| format!("`{name}`")).collect();
-    if total > SHOWN {
-        return format!("{}, … ({total} in all)", quoted.join(", "));
-    }
-    match (quoted.pop(), quoted.is_empty()) {
-        (Some(last), false) => format!("{} and {last}", quoted.join(", ")),
-        (last, _) => last.unwrap_or_default(),
-    }
 }

@@ -346,7 +346,7 @@ impl<'m, S: Number> Direct<'m, S> {
         if let Some(Screw { p, q, axis, lead, nut, offset }) = &Screw::of(joint) {
             let turns = turn(&p.body, nut) * S::real(1.0 / core::f64::consts::TAU);
             let stroke = self.by_axis(p, q, axis, i).x;
-            return vec![("", stroke - self.formula(lead, i) * turns - self.formula(offset, i))];
+            return vec![("", stroke - self.formula(&lead.value, i) * turns - self.formula(offset, i))];
         }
         if let Some(Rope { points, length }) = &Rope::of(joint) {
             let parts = points.windows(2).map(|ends| self.point(&ends[1], i) - self.point(&ends[0], i));

@@ -330,7 +330,9 @@ impl Builder {
                 Rope { points: vec![p.clone(), between, p], length }.into()
             }
             21 => {
-                let (lead, offset, axis) = (value(), value(), self.axis());
+                // A lead that comes to 0 is an error.
+                let lead = Value { value: positive(value()), origin: AT };
+                let (offset, axis) = (value(), self.axis());
                 Screw { p, q, axis, lead, nut: self.any_body(), offset }.into()
             }
             0 | 1 => Revolute { p, q }.into(),

@@ -226,3 +226,18 @@ fn a_row_with_the_same_on_both_sides_is_told_so() {
     let family = said("#[driver(d[i in 0..2]: crank.phi = t + i)]");
     assert!(family[0].contains("`d[1]` prescribes what `d[0]` already determines"), "{family:?}");
 }
+
+/// Held coordinates are named among the causes.
+#[test]
+fn held_coordinates_are_named() {
+    let said = |item: &str| diagnosed(TokenStream::from_str(item).unwrap()).messages().concat();
+    let driven = said(
+        "#[body(a, x = 0, y = 0, phi = t)] #[bodies(b)] #[revolute(P: a @ (1, 0), b @ (0, 0))] #[driver(e: b.x = t)] struct S;",
+    );
+    assert!(driven.ends_with("; the held coordinates `a.x`, `a.y` and `a.phi` count as prescribed"), "{driven}");
+    let by_itself = said(
+        "#[body(a[2], phi = 1)] #[body(b, phi = 2)] #[x(X: a[0] @ (0, 0) = t)] \
+         #[translational(T: a[1] @ (0, 0), b @ (0, 0), axis = (1, 0))] struct S;",
+    );
+    assert!(by_itself.contains("because of the held coordinates `a[1].phi` and `b.phi` it is"), "{by_itself}");
+}

@@ -47,7 +47,7 @@ const PARTS: &str = r#"
     #[speed(V: wheel @ (0, 0), angle = feed, value = f(t))]
     #[nonholonomic(H[i in 0..3]: dot(link[i].phi) * l1 - dot(p[i].x) = i*t)]
     #[constraint(data: u = f(2*t) + f(crank.phi))]
-    #[derive(Clone, Default)]
+    #[derive(Clone)]
     #[cfg_attr(all(), derive(Debug))]
     #[doc = "A paragraph."]
 "#;

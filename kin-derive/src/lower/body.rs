@@ -15,8 +15,9 @@ pub(super) const FREE: BodyOrigin = BodyOrigin::Free { x: None, y: None };
 fn range_of(name: &NewName) -> IndexRange {
     match &name.bracket {
         Some(Bracket::Range(range)) => IndexRange::Over(range.clone()),
-        Some(Bracket::Hole) => IndexRange::Unknown,
-        Some(Bracket::Len(..)) | None => IndexRange::None,
+        Some(Bracket::Hole(words)) => IndexRange::Unknown(words.clone()),
+        Some(Bracket::Len(len, _)) => IndexRange::Counted(text(&name.ident), *len),
+        None => IndexRange::None,
     }
 }
 
@@ -61,6 +62,7 @@ impl Lowerer<'_> {
         }
         self.points = vec![None; points.len()];
         self.defines = vec![None; defines.len()];
+        self.constants = vec![None; defines.len()];
         let place_of = |symbol| match symbol {
             Symbol::Point(k) => points.get(k).copied(),
             Symbol::Define(k) => defines.get(k).copied(),
@@ -95,6 +97,7 @@ impl Lowerer<'_> {
                     self.reached = Class::Constant;
                     let scope = Scope { what: "a define", allow: Allow::Everything, range: &range };
                     if let Some(formula) = self.formula(&decl.value, &scope) {
+                        self.constants[*number] = self.constant(&formula);
                         mechanism.defines[*number].formula = formula;
                         self.defines[*number] = Some((mechanism.defines[*number].clone(), self.reached));
                     }

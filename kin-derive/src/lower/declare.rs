@@ -83,7 +83,7 @@ impl Lowerer<'_> {
     ) {
         let (ident, name) = (&decl.name.ident, text(&decl.name.ident));
         match &decl.name.bracket {
-            None | Some(Bracket::Hole) => {}
+            None | Some(Bracket::Hole(_)) => {}
             Some(Bracket::Len(_, span) | Bracket::Range(RangeDecl { span, .. })) => {
                 let message = format!(
                     "the number of functions `{name}` follows from the type of the field; write the name alone: \
@@ -145,15 +145,18 @@ impl Lowerer<'_> {
     fn length(&self, name: &NewName, form: &str) -> (Shape, IndexRange) {
         match &name.bracket {
             None => (Shape::Single, IndexRange::None),
-            Some(Bracket::Len(len, _)) => (Shape::Family(0..i64::try_from(*len).unwrap_or(0)), IndexRange::None),
+            Some(Bracket::Len(len, _)) => {
+                let range = IndexRange::Counted(text(&name.ident), *len);
+                (Shape::Family(0..i64::try_from(*len).unwrap_or(0)), range)
+            }
             Some(Bracket::Range(range)) if range.start == 0 => {
                 (Shape::Family(0..range.end), IndexRange::Over(range.clone()))
             }
             Some(Bracket::Range(range)) => {
                 self.report.error(range.span, format!("the members of a family are counted from 0: `{form}`"));
-                (Shape::Unknown, IndexRange::Unknown)
+                (Shape::Unknown, IndexRange::Unknown(vec![text(&range.variable)]))
             }
-            Some(Bracket::Hole) => (Shape::Unknown, IndexRange::Unknown),
+            Some(Bracket::Hole(words)) => (Shape::Unknown, IndexRange::Unknown(words.clone())),
         }
     }
 
@@ -164,9 +167,9 @@ impl Lowerer<'_> {
             Some(Bracket::Range(range)) => (Shape::Family(range.start..range.end), IndexRange::Over(range.clone())),
             Some(Bracket::Len(_, span)) => {
                 self.report.error(*span, format!("a family needs an index variable with its range: `{form}`"));
-                (Shape::Unknown, IndexRange::Unknown)
+                (Shape::Unknown, IndexRange::Unknown(Vec::new()))
             }
-            Some(Bracket::Hole) => (Shape::Unknown, IndexRange::Unknown),
+            Some(Bracket::Hole(words)) => (Shape::Unknown, IndexRange::Unknown(words.clone())),
         }
     }
 }

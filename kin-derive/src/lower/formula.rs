@@ -6,7 +6,8 @@ use super::names::{Declared, Shape, Symbol};
 use super::range::IndexRange;
 use super::scope::{Allow, Scope};
 use crate::ast::{Expr, ExprKind, NameUse, Operator, text};
-use crate::suggest::{did_you_mean, is_rate, listed};
+use crate::function::{function_of_places, other_function};
+use crate::suggest::{did_you_mean, is_rate, listed, rate_of_a_component};
 use kin_core::check::is_reserved;
 use kin_core::mechanism::{BodyRef, Component, Formula, Function, Index, Member};
 use proc_macro2::Span;
@@ -36,15 +37,22 @@ impl Lowerer<'_> {
                     return self.refuse(b.span, "this divides by 0; a divisor is never a literal 0");
                 }
                 let (left, right) = (Box::new(left?), Box::new(right?));
-                match operator {
+                let result = match operator {
                     Operator::Add => Formula::Add(left, right),
                     Operator::Sub => Formula::Sub(left, right),
                     Operator::Mul => Formula::Mul(left, right),
                     Operator::Div => Formula::Div(left, right, self.origin(b.span)),
-                }
+                };
+                self.with_value(result, expr.span)?
             }
-            ExprKind::Pow(a, n) => Formula::Pow(Box::new(self.formula(a, scope)?), *n),
-            ExprKind::Call(function, a) => Formula::Call(*function, Box::new(self.formula(a, scope)?)),
+            ExprKind::Pow(a, n) => {
+                let power = Formula::Pow(Box::new(self.formula(a, scope)?), *n);
+                self.with_value(power, expr.span)?
+            }
+            ExprKind::Call(function, a) => {
+                let call = Formula::Call(*function, Box::new(self.formula(a, scope)?));
+                self.with_value(call, expr.span)?
+            }
             ExprKind::Atan2(y, x) => {
                 let (y, x) = (self.formula(y, scope), self.formula(x, scope));
                 Formula::Atan2(Box::new(y?), Box::new(x?))
@@ -70,6 +78,12 @@ impl Lowerer<'_> {
                 }
             }
             ExprKind::Apply(used, arguments) => {
+                // The arguments of a function that does not exist are bodies or points, which are no numbers.
+                if let Some(message) = function_of_places(&used.text())
+                    && self.names.find(&used.text()).is_none()
+                {
+                    return if self.names_missing { None } else { self.refuse(used.ident.span(), message) };
+                }
                 // The arguments are lowered first, so that errors in them are reported, too.
                 let arguments: Vec<_> = arguments.iter().map(|argument| self.formula(argument, scope)).collect();
                 return self.supplied(used, arguments, scope);
@@ -83,21 +97,24 @@ impl Lowerer<'_> {
         if let Some(variable) = self.inside.variable(&name) {
             return self.curve_variable(variable, used, scope);
         }
-        if is_reserved(&name) {
-            return self.reserved(&name, used, scope);
-        }
-        let is_value: fn(Symbol) -> bool =
-            |symbol| matches!(symbol, Symbol::Parameter(_) | Symbol::Scalar(_) | Symbol::Input(_) | Symbol::Define(_));
+        // If anything else has the name of the index variable, an error has been reported, and most uses mean the index.
         if let IndexRange::Over(range) = scope.range
             && text(&range.variable) == name
-            && self.names.find(&name).is_none()
         {
             if let Some(index) = &used.index {
                 return self.refuse(index.span, format!("`{name}` is the index variable; it takes no index"));
             }
             return Some(Formula::Index(Index { scale: 1, offset: 0 }));
         }
+        if is_reserved(&name) {
+            return self.reserved(&name, used, scope);
+        }
+        let is_value: fn(Symbol) -> bool =
+            |symbol| matches!(symbol, Symbol::Parameter(_) | Symbol::Scalar(_) | Symbol::Input(_) | Symbol::Define(_));
         if self.is_variable_of_another_curve(used) || self.is_slip_of_the_curve(used) {
+            return None;
+        }
+        if self.is_unnamed_index(used, scope.range) {
             return None;
         }
         let declared = self.resolve(used, "parameter, coordinate or define", is_value)?;
@@ -211,6 +228,14 @@ impl Lowerer<'_> {
             let message = format!("`{name}` has no components; bodies and points have");
             return self.refuse(component.span(), message);
         }
+        // The position of a joint is that of a point.
+        if matches!(text(component).as_str(), "x" | "y")
+            && !self.names_missing
+            && self.names.find(&name).is_none()
+            && let Some(message) = self.row_names.used_as(&name, "body or point", false)
+        {
+            return self.refuse(used.ident.span(), message);
+        }
         let has_components: fn(Symbol) -> bool = |symbol| matches!(symbol, Symbol::Body(_) | Symbol::Point(_));
         let declared = if is_ground { None } else { Some(self.resolve(used, "body or point", has_components)?) };
         let whole = format!("`{name}.{}` is a coordinate", text(component));
@@ -263,12 +288,7 @@ impl Lowerer<'_> {
         let name = text(component);
         let found = Component::ALL.into_iter().find(|c| c.name() == name);
         if found.is_none() && !self.is_completed(component) {
-            let right = match name.as_str() {
-                "x_dot" | "y_dot" | "phi_dot" | "xdot" | "ydot" | "phidot" | "dot" | "omega" => {
-                    ": a rate is written `dot(…)`, in `nonholonomic`, `force` and `torque`"
-                }
-                _ => "",
-            };
+            let right = rate_of_a_component(&name);
             let message = format!("a body has `x`, `y` and `phi`; `{body}.{name}` does not exist{right}");
             self.report.error(component.span(), message);
         }
@@ -281,7 +301,10 @@ impl Lowerer<'_> {
             "y" => Some(Component::Y),
             name => {
                 if !self.is_completed(component) {
-                    let message = format!("a point has `x` and `y`; `{name}` would belong to its body");
+                    let message = match rate_of_a_component(name) {
+                        "" => format!("a point has `x` and `y`; `{name}` would belong to its body"),
+                        rate => format!("a point has `x` and `y`; `{name}` does not exist{rate}"),
+                    };
                     self.report.error(component.span(), message);
                 }
                 None
@@ -308,6 +331,7 @@ impl Lowerer<'_> {
                 format!("`{word}` is no function; a product is written with `*`")
             }
             None if self.names_missing => return,
+            None if other_function(&word).is_some() => other_function(&word).unwrap_or_default(),
             None => {
                 let has_rates = matches!(scope.allow, Allow::Rates | Allow::Dotted);
                 let others = ["atan2", "pow", "distance"].into_iter().chain(has_rates.then_some("dot"));

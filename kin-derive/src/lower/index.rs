@@ -45,7 +45,7 @@ impl Lowerer<'_> {
     ) -> Option<Index> {
         let ends = match range {
             IndexRange::Over(range) => [range.start, range.end - 1],
-            IndexRange::None | IndexRange::Unknown => [0, 0],
+            IndexRange::None | IndexRange::Counted(..) | IndexRange::Unknown(_) => [0, 0],
         };
         let at = |i: i64| index.scale.saturating_mul(i).saturating_add(index.offset);
         let Some(i) = ends.into_iter().find(|&i| !members.contains(&at(i))) else { return Some(index) };
@@ -61,12 +61,30 @@ impl Lowerer<'_> {
         self.refuse(used.span, message)
     }
 
+    /// True for an unknown name in a formula that is meant as the index variable of a family; unless the brackets of the
+    /// family have been reported, this is.
+    pub(super) fn is_unnamed_index(&self, used: &NameUse, range: &IndexRange) -> bool {
+        let name = used.text();
+        if self.names_missing || self.names.find(&name).is_some() {
+            return false;
+        }
+        match range {
+            IndexRange::Unknown(words) => words.contains(&name),
+            // A longer name is more likely a misspelt one.
+            IndexRange::Counted(family, len) if name.chars().count() == 1 => {
+                self.report.error(used.ident.span(), unnamed(&name, family, *len));
+                true
+            }
+            IndexRange::None | IndexRange::Counted(..) | IndexRange::Over(_) => false,
+        }
+    }
+
     fn index(&self, index: &IndexExpr, range: &IndexRange) -> Option<Index> {
         let constant = Some(Index::constant(index.offset));
         let Some(variable) = &index.variable else { return constant };
         let name = text(variable);
         match range {
-            IndexRange::Unknown => None,
+            IndexRange::Unknown(_) => None,
             // If the range has a single element, the variable is replaced by a number, which keeps later compositions
             // small.
             IndexRange::Over(range) if text(&range.variable) == name && range.end - range.start == 1 => {
@@ -80,7 +98,10 @@ impl Lowerer<'_> {
                 let message = format!("no index variable `{name}` here; it is called `{}`", range.variable);
                 self.refuse(variable.span(), message)
             }
-            IndexRange::None => {
+            IndexRange::Counted(family, len) if self.names.find(&name).is_none() => {
+                self.refuse(variable.span(), unnamed(&name, family, *len))
+            }
+            IndexRange::None | IndexRange::Counted(..) => {
                 let message = match self.names.find(&name) {
                     Some(found) => format!(
                         "`{name}` is {}; an index is made of integers and the index variable",
@@ -94,4 +115,11 @@ impl Lowerer<'_> {
             }
         }
     }
+}
+
+/// The message for an index variable that the brackets of the family do not name.
+pub(super) fn unnamed(variable: &str, family: &str, len: usize) -> String {
+    format!(
+        "no index variable `{variable}` here; the brackets of the family name it: `{family}[{variable} in 0..{len}]`"
+    )
 }

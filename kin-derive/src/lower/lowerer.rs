@@ -3,6 +3,7 @@
 use super::curve_scope::Inside;
 use super::mention::{Mention, MentionKind};
 use super::names::Names;
+use super::row_names::RowNames;
 use crate::ast::Description;
 use crate::report::Report;
 use kin_core::error::Origin;
@@ -27,6 +28,7 @@ pub(super) enum Class {
 pub(super) struct Lowerer<'a> {
     pub(super) report: &'a Report,
     pub(super) names: Names,
+    pub(super) row_names: RowNames,
     /// True if a declaration could not be read, so that an unknown name may be one that it declares.
     pub(super) names_missing: bool,
     pub(super) spans: Vec<Span>,
@@ -42,6 +44,8 @@ pub(super) struct Lowerer<'a> {
     pub(super) points: Vec<Option<NamedPoint>>,
     /// Defines by index, with their classes; `None` for one with errors.
     pub(super) defines: Vec<Option<(Define, Class)>>,
+    /// The values of constant defines by index, so that each is computed once.
+    pub(super) constants: Vec<Option<f64>>,
 }
 
 impl<'a> Lowerer<'a> {
@@ -49,6 +53,7 @@ impl<'a> Lowerer<'a> {
         Self {
             report,
             names: Names::default(),
+            row_names: RowNames::of(&description.items),
             names_missing: description.names_missing,
             spans: Vec::new(),
             mentions: Vec::new(),
@@ -58,6 +63,7 @@ impl<'a> Lowerer<'a> {
             inside: Inside::default(),
             points: Vec::new(),
             defines: Vec::new(),
+            constants: Vec::new(),
         }
     }
 

@@ -1,17 +1,20 @@
 //! [`Description`] to [`Mechanism`]: names become ids, tokens become [`Origin`]s.
 
 mod body;
+mod constant;
 mod curve;
 mod curve_scope;
 mod declare;
 mod formula;
 mod index;
+mod index_variable;
 mod lowerer;
 mod mention;
 mod names;
 mod place;
 mod range;
 mod row;
+mod row_names;
 mod scope;
 mod substitute;
 
@@ -103,6 +106,7 @@ pub(crate) fn lower(description: Description, item: ItemStruct, report: &Report)
     };
     let (names, shapes) = lowerer.declare(&description, &mut mechanism);
     lowerer.names = names;
+    lowerer.index_variables_differ(&description.items);
     lowerer.points_and_defines(&description.items, &mut mechanism);
     lowerer.bodies(&description.items, &mut mechanism);
     lowerer.rows(&description.items, &shapes, &mut mechanism);

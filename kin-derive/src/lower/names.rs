@@ -114,6 +114,11 @@ impl Names {
         if let Some(best) = nearest(name, fitting().chain(ground)) {
             return format!("no {what} named `{name}`; did you mean `{best}`?");
         }
+        if wanted(Symbol::Body(0))
+            && matches!(name, "world" | "base" | "frame" | "fixed" | "origin" | "earth" | "inertial")
+        {
+            return format!("no {what} named `{name}`; the fixed body is called `ground`");
+        }
         let others = self.all.iter().filter(|d| !wanted(d.symbol));
         if let Some(best) = nearest(name, others.map(|d| d.name.as_str())).and_then(|best| self.find(best)) {
             return format!("no {what} named `{name}`; there is {} `{}`", best.symbol.noun(), best.name);

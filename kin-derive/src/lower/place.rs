@@ -33,7 +33,11 @@ impl Lowerer<'_> {
             let kind = if wanted(Symbol::Parameter(0)) { MentionKind::Parameter } else { MentionKind::Body };
             self.mention(kind, &used.ident);
         } else if !self.names_missing {
-            self.report.error(used.ident.span(), self.names.unknown(&name, what, wanted));
+            // Points stand alone in operands; in formulas their coordinates are meant.
+            let is_formula = wanted(Symbol::Parameter(0)) || wanted(Symbol::Body(0)) && wanted(Symbol::Point(0));
+            let row = self.row_names.used_as(&name, what, is_formula);
+            let message = row.unwrap_or_else(|| self.names.unknown(&name, what, wanted));
+            self.report.error(used.ident.span(), message);
         }
         None
     }

@@ -10,8 +10,10 @@ pub(super) enum IndexRange {
     None,
     /// A range: `i in start..end`.
     Over(RangeDecl),
-    /// The brackets could not be read.
-    Unknown,
+    /// The members are counted without an index variable: the name of the family and their number.
+    Counted(String, usize),
+    /// The brackets could not be read; the words that may be index variables.
+    Unknown(Vec<String>),
 }
 
 impl IndexRange {
@@ -19,7 +21,7 @@ impl IndexRange {
     pub(super) fn model(&self) -> Option<Range> {
         match self {
             Self::Over(range) => Some(Range { start: range.start, end: range.end }),
-            Self::None | Self::Unknown => None,
+            Self::None | Self::Counted(..) | Self::Unknown(_) => None,
         }
     }
 }

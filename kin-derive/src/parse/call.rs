@@ -3,6 +3,7 @@
 use super::fold::constant;
 use super::reject::{RADIANS, is_angle_word};
 use crate::ast::{Expr, ExprKind, NameUse, text};
+use crate::function::other_function;
 use crate::suggest::{did_you_mean, is_rate};
 use kin_core::check::is_reserved;
 use kin_core::mechanism::Function;
@@ -98,6 +99,9 @@ fn unknown_method(name: &Ident, known: &str) -> Error {
     }
     if is_angle_word(known) {
         return Error::new(name.span(), RADIANS);
+    }
+    if let Some(message) = other_function(known) {
+        return Error::new(name.span(), message);
     }
     const OTHERS: [&str; 3] = ["atan2", "powi", "powf"];
     let methods = Function::ALL.iter().map(|f| f.name()).chain(OTHERS);

@@ -18,8 +18,8 @@ use syn::{Error, Ident, Result, Token, token};
 
 /// Parses `crank, link[10]`; false when a name could not be read.
 pub(super) fn bodies(input: ParseStream, keyword: &Ident, report: &Report, items: &mut Vec<Item>) -> bool {
-    nonempty(input, keyword, "#[bodies(crank, coupler)]", report);
-    list(input, report, |input| {
+    let any = nonempty(input, keyword, "#[bodies(crank, coupler)]", report);
+    any && list(input, report, |input| {
         let name = new_name(input, report)?;
         items.push(Item::Body(BodyDecl { name, held: Vec::new(), carried: None }));
         if input.peek(Token![=]) {
@@ -34,7 +34,7 @@ pub(super) fn bodies(input: ParseStream, keyword: &Ident, report: &Report, items
 
 /// Parses `phi1, u[3], unit = "rad"`.
 pub(super) fn coordinates(input: ParseStream, keyword: &Ident, report: &Report, items: &mut Vec<Item>) -> bool {
-    nonempty(input, keyword, "#[coordinates(phi1, phi2)]", report);
+    let any = nonempty(input, keyword, "#[coordinates(phi1, phi2)]", report);
     let (mut options, first) = (Options::of(keyword, &["unit"]), items.len());
     let complete = list(input, report, |input| {
         if options.read(input)? {
@@ -49,12 +49,12 @@ pub(super) fn coordinates(input: ParseStream, keyword: &Ident, report: &Report, 
         Ok(())
     });
     options.give(items, first);
-    complete
+    any && complete
 }
 
 /// Parses `boom_length, u[3], default = 0.3, unit = "m"`.
 pub(super) fn inputs(input: ParseStream, keyword: &Ident, report: &Report, items: &mut Vec<Item>) -> bool {
-    nonempty(input, keyword, "#[input(boom_length, stick_length)]", report);
+    let any = nonempty(input, keyword, "#[input(boom_length, stick_length)]", report);
     let (mut options, first) = (Options::of(keyword, &["default", "unit"]), items.len());
     let complete = list(input, report, |input| {
         if options.read(input)? {
@@ -73,14 +73,14 @@ pub(super) fn inputs(input: ParseStream, keyword: &Ident, report: &Report, items
         Ok(())
     });
     options.give(items, first);
-    complete
+    any && complete
 }
 
 /// Parses `tip = coupler @ (0, 0.1)`.
 pub(super) fn points(input: ParseStream, keyword: &Ident, report: &Report, items: &mut Vec<Item>) -> bool {
     const FORM: &str = "#[point(tip = coupler @ (0, 0.1))]";
-    nonempty(input, keyword, FORM, report);
-    list(input, report, |input| {
+    let any = nonempty(input, keyword, FORM, report);
+    any && list(input, report, |input| {
         let name = new_name(input, report)?;
         let place = report.ok(equals(input, FORM).and_then(|()| point(input))).unwrap_or(PointExpr::Hole);
         items.push(Item::Point(PointDecl { name, place }));
@@ -91,7 +91,7 @@ pub(super) fn points(input: ParseStream, keyword: &Ident, report: &Report, items
 /// Parses `stroke = slider.x - d1, unit = "m"`.
 pub(super) fn defines(input: ParseStream, keyword: &Ident, report: &Report, items: &mut Vec<Item>) -> bool {
     const FORM: &str = "#[define(stroke = slider.x - d1)]";
-    nonempty(input, keyword, FORM, report);
+    let any = nonempty(input, keyword, FORM, report);
     let (mut options, first) = (Options::of(keyword, &["unit"]), items.len());
     let complete = list(input, report, |input| {
         if options.read(input)? {
@@ -104,7 +104,7 @@ pub(super) fn defines(input: ParseStream, keyword: &Ident, report: &Report, item
         Ok(())
     });
     options.give(items, first);
-    complete
+    any && complete
 }
 
 /// An example of `function`.
@@ -112,8 +112,8 @@ pub(super) const FUNCTION: &str = "#[function(profile)]";
 
 /// Parses `profile, lift`; false when a name could not be read.
 pub(super) fn functions(input: ParseStream, keyword: &Ident, report: &Report, items: &mut Vec<Item>) -> bool {
-    nonempty(input, keyword, FUNCTION, report);
-    list(input, report, |input| {
+    let any = nonempty(input, keyword, FUNCTION, report);
+    any && list(input, report, |input| {
         let name = new_name(input, report)?;
         items.push(Item::Function(FunctionDecl { name }));
         if input.peek(Token![=]) {
@@ -157,16 +157,18 @@ pub(super) fn guess(input: ParseStream, keyword: &Ident, report: &Report, items:
 /// Parses `b, x = e, y = e, phi = e` or `b, origin = a @ (ex, ey)`; false when the name could not be read.
 pub(super) fn body(input: ParseStream, keyword: &Ident, report: &Report, items: &mut Vec<Item>) -> bool {
     const FORM: &str = "#[body(crank, x = 0, y = 0)]";
-    nonempty(input, keyword, FORM, report);
+    if !nonempty(input, keyword, FORM, report) {
+        return false;
+    }
     let name = match new_name(input, report) {
         Ok(name) => name,
-        Err(_) if input.is_empty() => return false,
         Err(error) => {
             report.push(error);
             return false;
         }
     };
     let mut decl = BodyDecl { name, held: Vec::new(), carried: None };
+    let mut complete = true;
     finish(end_of_part(input), input, report);
     while !input.is_empty() {
         if !is_option(input) {
@@ -174,6 +176,8 @@ pub(super) fn body(input: ParseStream, keyword: &Ident, report: &Report, items: 
                 input,
                 format!("`body` declares one body; what is given follows as `key = value`: `{FORM}`"),
             ));
+            // A further name is probably meant as a body.
+            complete &= !input.peek(Ident);
             skip_part(input);
             comma(input);
             continue;
@@ -181,7 +185,7 @@ pub(super) fn body(input: ParseStream, keyword: &Ident, report: &Report, items: 
         finish(given(input, &mut decl), input, report);
     }
     items.push(Item::Body(decl));
-    true
+    complete
 }
 
 fn given(input: ParseStream, decl: &mut BodyDecl) -> Result<()> {
@@ -238,8 +242,11 @@ fn equals(input: ParseStream, form: &str) -> Result<()> {
     Err(no_equals(input, form))
 }
 
-fn nonempty(input: ParseStream, keyword: &Ident, form: &str, report: &Report) {
+/// False for an empty attribute, which is reported.
+fn nonempty(input: ParseStream, keyword: &Ident, form: &str, report: &Report) -> bool {
     if input.is_empty() {
         report.error(keyword.span(), format!("`{keyword}` is empty; it is written `{form}`"));
+        return false;
     }
+    true
 }

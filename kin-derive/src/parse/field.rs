@@ -4,11 +4,12 @@ use super::docs::first_paragraph;
 use super::expr::{end_of_expr, expr};
 use super::fold::constant;
 use super::generics::scalar_parameter;
+use super::index::letters;
 use super::keyword::{self, Keyword};
 use super::list::{comma, end_of_part, inside, skip_part};
-use super::options::unit;
 use super::read::is_option;
 use super::reject::here;
+use super::unit::unit;
 use crate::ast::{FieldDecl, text};
 use crate::report::Report;
 use crate::suggest::did_you_mean;
@@ -93,6 +94,7 @@ pub(super) fn field(
         }
     }
     let ident = field.ident.clone()?;
+    report.ok(letters(&ident));
     if is_function {
         let len = report.ok(function_len(&field.ty)).flatten();
         let doc = first_paragraph(&field.attrs);

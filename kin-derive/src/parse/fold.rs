@@ -1,7 +1,7 @@
 //! Evaluation of constant expressions: defaults of parameters and exponents must be numbers at compile time.
 
 use crate::ast::{Expr, ExprKind, Operator};
-use kin_core::mechanism::Function;
+use crate::function;
 use syn::{Error, Result};
 
 /// The value of `expr`; an error at the first part that is not constant.
@@ -29,7 +29,7 @@ fn value(expr: &Expr, what: &str) -> Result<f64> {
             }
         }
         ExprKind::Pow(a, n) => value(a, what)?.powf(*n),
-        ExprKind::Call(function, a) => call(*function, value(a, what)?),
+        ExprKind::Call(function, a) => function::value(*function, value(a, what)?),
         ExprKind::Atan2(y, x) => value(y, what)?.atan2(value(x, what)?),
         ExprKind::Name(name) | ExprKind::Component(name, _) => {
             let message = format!("{what} is a constant made of numbers and `pi`; `{}` has no value here", name.text());
@@ -43,19 +43,4 @@ fn value(expr: &Expr, what: &str) -> Result<f64> {
             return Err(Error::new(expr.span, format!("{what} is a constant made of numbers and `pi`")));
         }
     })
-}
-
-fn call(function: Function, a: f64) -> f64 {
-    match function {
-        Function::Sin => a.sin(),
-        Function::Cos => a.cos(),
-        Function::Tan => a.tan(),
-        Function::Asin => a.asin(),
-        Function::Acos => a.acos(),
-        Function::Atan => a.atan(),
-        Function::Sqrt => a.sqrt(),
-        Function::Exp => a.exp(),
-        Function::Ln => a.ln(),
-        Function::Abs => a.abs(),
-    }
 }

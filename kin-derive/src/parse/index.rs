@@ -5,7 +5,7 @@ use super::reject::here;
 use crate::ast::{Bracket, IndexExpr, NameUse, NewName, RangeDecl, text};
 use crate::report::Report;
 use kin_core::check::MAX_MEMBERS;
-use proc_macro2::Span;
+use proc_macro2::{Span, TokenTree};
 use syn::ext::IdentExt;
 use syn::parse::ParseStream;
 use syn::{Error, Ident, LitInt, Result, Token, bracketed, token};
@@ -18,8 +18,31 @@ const MAX_NUMBER: i64 = 1_000_000;
 pub(super) fn new_name(input: ParseStream, report: &Report) -> Result<NewName> {
     let doc = inner_doc(input)?;
     let ident = identifier(input)?;
-    let bracket = input.peek(token::Bracket).then(|| report.ok(bracket(input)).unwrap_or(Bracket::Hole));
-    Ok(NewName { ident, bracket, doc })
+    if !input.peek(token::Bracket) {
+        return Ok(NewName { ident, bracket: None, doc });
+    }
+    let mut words: Vec<String> = first_word(input).into_iter().collect();
+    let mut read = report.ok(bracket(input));
+    while input.peek(token::Bracket) {
+        words.extend(first_word(input));
+        let group: TokenTree = input.parse()?;
+        report.error(group.span(), "members of a family are counted by one index: `N[i in 0..10]`");
+        read = None;
+    }
+    Ok(NewName { ident, bracket: Some(read.unwrap_or(Bracket::Hole(words))), doc })
+}
+
+/// The word at the beginning of the brackets that follow.
+fn first_word(input: ParseStream) -> Option<String> {
+    let ahead = input.fork();
+    let in_brackets = |ahead: ParseStream| {
+        let content;
+        bracketed!(content in ahead);
+        let word = content.call(Ident::parse_any)?;
+        while content.parse::<TokenTree>().is_ok() {}
+        Ok(word)
+    };
+    in_brackets(&ahead).ok().map(|word| text(&word))
 }
 
 /// Parses a use of a name, or of all members of a family: `link[i in 0..10]`.
@@ -47,6 +70,9 @@ fn is_range(content: ParseStream) -> bool {
 pub(super) fn name_use(input: ParseStream) -> Result<NameUse> {
     let ident = identifier(input)?;
     let index = if input.peek(token::Bracket) { Some(index(input)?) } else { None };
+    if input.peek(token::Bracket) {
+        return Err(here(input, "a member of a family has one index: `link[3]`, `link[i + 1]`"));
+    }
     Ok(NameUse { ident, index })
 }
 
@@ -56,13 +82,27 @@ pub(super) fn identifier(input: ParseStream) -> Result<Ident> {
         let word = Ident::parse_any(input)?;
         let name = text(&word);
         let message = match name.as_str() {
-            "self" | "Self" => "names stand alone: `l1`, not `self.l1`".to_owned(),
+            "self" | "Self" if input.peek(Token![.]) => "names stand alone: `l1`, not `self.l1`".to_owned(),
+            "self" | "Self" => format!("`{name}` is a keyword of Rust and cannot be a name; choose another one"),
             "super" | "crate" | "_" => format!("expected a name, found `{name}`"),
             _ => format!("`{name}` is a keyword of Rust; as a name it is written `r#{name}`"),
         };
         return Err(Error::new(word.span(), message));
     }
-    input.parse().map_err(|error: Error| Error::new(error.span(), "expected a name"))
+    let name = input.parse().map_err(|error: Error| Error::new(error.span(), "expected a name"))?;
+    letters(&name).map(|()| name)
+}
+
+/// An error unless a word can be a name of Rust: the compiler passes emoji to macros as if they were names.
+pub(super) fn letters(word: &Ident) -> Result<()> {
+    let name = text(word);
+    let mut letters = name.chars();
+    let is_name = letters.next().is_some_and(|first| first == '_' || unicode_ident::is_xid_start(first))
+        && letters.all(unicode_ident::is_xid_continue);
+    if is_name {
+        return Ok(());
+    }
+    Err(Error::new(word.span(), format!("`{name}` is no name; a name is made of letters, digits and `_`")))
 }
 
 fn bracket(input: ParseStream) -> Result<Bracket> {

@@ -138,9 +138,11 @@ pub(super) fn near_miss(name: &str) -> Option<(String, bool)> {
     Some((format!("no attribute `{name}` in kin; {right}"), declares))
 }
 
-/// True for `keyword` and its misspellings.
+/// True for `keyword`, its misspellings and its synonyms.
 pub(super) fn is_nearly(name: &str, keyword: &str) -> bool {
-    name == keyword || find(name).is_none() && !FOREIGN.contains(&name) && !near(name, [keyword]).is_empty()
+    name == keyword
+        || SYNONYMS.iter().any(|(word, meant)| (*word, *meant) == (name, keyword))
+        || find(name).is_none() && !FOREIGN.contains(&name) && !near(name, [keyword]).is_empty()
 }
 
 #[cfg(test)]

@@ -49,8 +49,9 @@ pub(super) fn list(input: ParseStream, report: &Report, mut part: impl FnMut(Par
     while !input.is_empty() {
         let before = report.count();
         complete &= report.ok(part(input)).is_some();
-        if report.count() == before {
-            report.ok(end_of_part(input));
+        if report.count() == before && report.ok(end_of_part(input)).is_none() && input.peek(Ident) {
+            // Only the comma is missing: another part follows.
+            continue;
         }
         skip_part(input);
         comma(input);

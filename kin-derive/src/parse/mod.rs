@@ -12,6 +12,7 @@ mod flatten;
 mod fold;
 mod forms;
 mod generics;
+mod guessed;
 mod index;
 mod keyword;
 mod list;
@@ -23,19 +24,21 @@ mod read;
 mod reject;
 mod row_name;
 mod strip;
+mod unit;
 mod written;
 
 #[cfg(test)]
 pub(crate) use keyword::vocabulary;
 pub(crate) use strip::without_ours;
 
-use crate::ast::{Description, Flags, Item, Statement, text};
+use crate::ast::{Description, FieldDecl, Flags, Item, Statement, text};
 use crate::report::Report;
+use crate::suggest::listed;
 use forms::KeywordForm;
 use keyword::Keyword;
 use list::inside;
 use parts::Parts;
-use proc_macro2::TokenStream;
+use proc_macro2::{Span, TokenStream};
 use row_name::{row_name, row_name_or_keyword};
 use syn::parse::ParseStream;
 use syn::spanned::Spanned;
@@ -80,9 +83,11 @@ fn parse_struct(item: TokenStream) -> Result<ItemStruct> {
 }
 
 fn describe(item: &mut ItemStruct, flags: Flags, report: &Report) -> Option<Description> {
+    report.ok(index::letters(&item.ident));
     let mut names_missing = false;
     let mut items = Vec::new();
     let mut kept = Vec::new();
+    let has_others = item.attrs.iter().any(guessed::derives_of_others);
     for attribute in std::mem::take(&mut item.attrs) {
         let Some(word) = attribute.path().get_ident().cloned() else {
             kept.push(attribute);
@@ -92,7 +97,9 @@ fn describe(item: &mut ItemStruct, flags: Flags, report: &Report) -> Option<Desc
         if let Some(keyword) = keyword::find(&name) {
             let complete = read(&attribute, &word, keyword, report, &mut items);
             names_missing |= keyword.declares() && !complete;
-        } else if let Some((message, declares)) = keyword::near_miss(&name) {
+        } else if let Some((message, declares)) =
+            guessed::guessed(&name).filter(|_| !has_others).or_else(|| keyword::near_miss(&name))
+        {
             report.error(word.span(), message);
             names_missing |= declares;
         } else {
@@ -107,6 +114,10 @@ fn describe(item: &mut ItemStruct, flags: Flags, report: &Report) -> Option<Desc
         })
         .collect();
     let fields = fields(item, &functions, report, &mut names_missing)?;
+    let derived = item.attrs.iter().find_map(derived_default);
+    if let Some(default) = derived {
+        keeps_defaults(default, &fields, report);
+    }
     if flags.cross_check {
         generics::testable(item, &fields, report);
     }
@@ -116,7 +127,7 @@ fn describe(item: &mut ItemStruct, flags: Flags, report: &Report) -> Option<Desc
         fields,
         flags,
         doc: docs::first_paragraph(&item.attrs),
-        derives_default: item.attrs.iter().any(derives_default),
+        derives_default: derived.is_some(),
         names_missing,
     })
 }
@@ -190,7 +201,7 @@ fn fields(
     functions: &[String],
     report: &Report,
     names_missing: &mut bool,
-) -> Option<Vec<crate::ast::FieldDecl>> {
+) -> Option<Vec<FieldDecl>> {
     let span = item.fields.span();
     let named = !matches!(item.fields, Fields::Unnamed(_));
     let types = generics::type_parameters(&item.generics);
@@ -208,12 +219,35 @@ pub(crate) fn near_param(attribute: &Attribute) -> bool {
     attribute.path().get_ident().is_some_and(|word| keyword::is_nearly(&text(word), "param"))
 }
 
-/// True for a `derive` with `Default` among its traits.
-pub(crate) fn derives_default(attribute: &Attribute) -> bool {
-    let Meta::List(list) = &attribute.meta else { return false };
+/// An error if a derived `Default` would discard the defaults of fields, because it sets all numbers to 0.
+fn keeps_defaults(default: Span, fields: &[FieldDecl], report: &Report) {
+    let given: Vec<String> =
+        fields.iter().filter(|field| field.default.is_some()).map(|field| text(&field.ident)).collect();
+    if given.is_empty() {
+        return;
+    }
+    let (noun, them) = if given.len() == 1 { ("default", "it") } else { ("defaults", "them") };
+    let names = given.iter().map(String::as_str);
+    let right = match fields.iter().find(|field| field.default.is_none()) {
+        None => format!("kin implements `Default` with {them}"),
+        Some(field) => {
+            format!("kin implements `Default` if every field has a default, and `{}` has none", text(&field.ident))
+        }
+    };
+    let message = format!(
+        "a derived `Default` sets every number to 0 and ignores the {noun} of {}; remove it: {right}",
+        listed(names, "and")
+    );
+    report.error(default, message);
+}
+
+/// The place of `Default` among the traits of a `derive`.
+pub(crate) fn derived_default(attribute: &Attribute) -> Option<Span> {
+    let Meta::List(list) = &attribute.meta else { return None };
     let paths = syn::punctuated::Punctuated::<syn::Path, Token![,]>::parse_terminated;
-    attribute.path().is_ident("derive")
-        && list
-            .parse_args_with(paths)
-            .is_ok_and(|paths| paths.iter().any(|path| path.segments.last().is_some_and(|s| s.ident == "Default")))
+    if !attribute.path().is_ident("derive") {
+        return None;
+    }
+    let traits = list.parse_args_with(paths).ok()?;
+    traits.iter().filter_map(|path| path.segments.last()).find(|s| s.ident == "Default").map(|s| s.ident.span())
 }

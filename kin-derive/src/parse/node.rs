@@ -1,7 +1,9 @@
 //! Nodes of expressions: their height limit, numbers, and long sums and products as balanced trees.
 
 use crate::ast::{Expr, ExprKind, Operator};
+use kin_core::units;
 use proc_macro2::Span;
+use quote::ToTokens;
 use syn::{Error, Lit, Result};
 
 impl Expr {
@@ -75,8 +77,7 @@ pub(super) fn number(literal: Lit) -> Result<Expr> {
         _ => return Err(Error::new(span, "expected a number, a name or a function")),
     };
     if !matches!(suffix, "" | "f64") {
-        let message = format!("the suffix `{suffix}` has no meaning here; numbers are written `40`, `0.1` or `1e-3`");
-        return Err(Error::new(span, message));
+        return Err(Error::new(span, with_suffix(&literal, digits, suffix)));
     }
     let is_zero = digits.split(['e', 'E']).next().is_none_or(|digits| !digits.contains(|c| matches!(c, '1'..='9')));
     match digits.parse::<f64>() {
@@ -85,6 +86,30 @@ pub(super) fn number(literal: Lit) -> Result<Expr> {
         }
         Ok(value) if value.is_finite() => Ok(Expr::number(value, span)),
         _ => Err(Error::new(span, "this number is too large; the largest is about 1.8e308")),
+    }
+}
+
+/// The message for a number with a suffix: a unit, a factor, or a type.
+fn with_suffix(literal: &Lit, digits: &str, suffix: &str) -> String {
+    let is_type = matches!(suffix.as_bytes(), [b'f' | b'i' | b'u', b'0'..=b'9', ..] | b"isize" | b"usize");
+    // The letters of 0x1p3 are no name.
+    let is_decimal = literal.to_token_stream().to_string().as_bytes().get(1).is_none_or(|c| !b"xob".contains(c));
+    match suffix {
+        "deg" | "degree" | "degrees" => {
+            format!("angles are in radians: {digits} degrees are written `{digits}*pi/180`")
+        }
+        "rad" | "radian" | "radians" => format!("angles are in radians, which are not written: `{digits}`"),
+        _ if units::parse(suffix).is_ok() => {
+            let said = format!("numbers have no units; a parameter has one, `#[param({digits}, unit = \"{suffix}\")]`");
+            // A single letter may also be a name.
+            let or_product =
+                if suffix.len() == 1 { format!("; a product is written `{digits}*{suffix}`") } else { String::new() };
+            said + &or_product
+        }
+        _ if is_type || !is_decimal || matches!(suffix, "e" | "E") => {
+            format!("the suffix `{suffix}` has no meaning here; numbers are written `40`, `0.1` or `1e-3`")
+        }
+        _ => format!("a product is written with `*`: `{digits}*{suffix}`"),
     }
 }
 

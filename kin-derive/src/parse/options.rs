@@ -5,9 +5,9 @@ use super::expr::{end_of_expr, expr};
 use super::fold::constant;
 use super::list::end_of_part;
 use super::reject::here;
+use super::unit::unit;
 use crate::ast::{Item, text};
-use crate::suggest::{did_you_mean, listed};
-use kin_core::units;
+use crate::suggest::{did_you_mean, listed, nearest};
 use syn::ext::IdentExt;
 use syn::parse::ParseStream;
 use syn::{Error, Ident, LitStr, Result, Token};
@@ -21,6 +21,9 @@ pub(super) struct Options<'k> {
     any: bool,
 }
 
+/// Words that are taken for an option where a name cannot have a value.
+const LIKE_OPTIONS: [&str; 9] = ["value", "initial", "init", "start", "min", "max", "units", "dimension", "label"];
+
 impl<'k> Options<'k> {
     pub(super) fn of(keyword: &'k Ident, allowed: &'static [&'static str]) -> Self {
         Self { keyword, allowed, unit: None, default: None, any: false }
@@ -31,8 +34,7 @@ impl<'k> Options<'k> {
         let ahead = input.fork();
         let key = ahead.call(Ident::parse_any).ok().filter(|_| ahead.peek(Token![=]) && !ahead.peek(Token![==]));
         let is_text = ahead.parse::<Token![=]>().is_ok() && ahead.peek(LitStr);
-        let Some(key) = key.filter(|key| is_text || text(key) != "unit" && self.allowed.contains(&text(key).as_str()))
-        else {
+        let Some(key) = key.filter(|key| self.is_option(&text(key), is_text)) else {
             return match self.any && !input.is_empty() {
                 true => Err(here(input, "options are written after all names, and apply to all of them")),
                 false => Ok(false),
@@ -54,13 +56,32 @@ impl<'k> Options<'k> {
             }
             _ => {
                 let options = listed(self.allowed.iter().copied(), "and");
-                let suggestion = did_you_mean(&name, self.allowed.iter().copied());
+                let suggestion = self.suggestion(&name);
                 let message = format!("`{keyword}` has no option `{name}`; it has {options}{suggestion}");
                 return Err(Error::new(key.span(), message));
             }
         }
         end_of_part(input)?;
         Ok(true)
+    }
+
+    fn suggestion(&self, name: &str) -> String {
+        if matches!(name, "value" | "initial" | "init" | "start") && !self.allowed.contains(&"default") {
+            return "; a start is given with `#[guess(u = 0)]`".to_owned();
+        }
+        match name {
+            "value" | "initial" | "init" | "start" => "; did you mean `default`?".to_owned(),
+            _ => did_you_mean(name, self.allowed.iter().copied()),
+        }
+    }
+
+    /// True if `key = …` is an option, or is meant as one: a define has a value of its own, other names have none.
+    fn is_option(&self, key: &str, is_text: bool) -> bool {
+        let resembles = LIKE_OPTIONS.contains(&key) || nearest(key, self.allowed.iter().copied()).is_some();
+        match self.keyword == "define" {
+            true => is_text && (key == "unit" || resembles),
+            false => self.allowed.contains(&key) || resembles,
+        }
     }
 
     /// Assigns the options to all items that the attribute has declared.
@@ -74,17 +95,4 @@ impl<'k> Options<'k> {
             }
         }
     }
-}
-
-/// Parses a known unit, such as `"m"`.
-pub(super) fn unit(input: ParseStream) -> Result<String> {
-    let unit: LitStr = input
-        .parse()
-        .map_err(|error: Error| Error::new(error.span(), "a unit is written in quotes: `unit = \"m\"`"))?;
-    units::parse(&unit.value()).map_err(|units::UnknownUnit(part)| {
-        let forms =
-            "units are written as in `m`, `mm`, `rad/s`, `m/s^2` or `N*m`; leave `unit` out for other quantities";
-        Error::new(unit.span(), format!("no unit `{part}` is known; {forms}"))
-    })?;
-    Ok(unit.value())
 }

@@ -94,6 +94,11 @@ impl<'a> Parts<'a> {
                 break;
             }
             comma(input);
+            if !input.is_empty() && !input.peek(Ident) && !is_equals(input) {
+                read = false;
+                self.report.push(here(input, format!("a value follows an `=`: `{}`", self.keyword_form.example())));
+                skip_to(input, is_equals);
+            }
         }
         if !(1..=2).contains(&self.operands.len()) {
             read = false;

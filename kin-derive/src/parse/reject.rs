@@ -1,5 +1,6 @@
 //! Errors for unexpected tokens.
 
+use crate::function::other_function;
 use core::fmt::Display;
 use proc_macro2::{Spacing, TokenStream, TokenTree};
 use syn::ext::IdentExt;
@@ -40,6 +41,11 @@ pub(super) fn after_expr(input: ParseStream) -> Error {
             ),
             (is_angle_unit(input), RADIANS),
             (
+                is_unit(input),
+                "expected an operator or a comma before this; a product is written with `*`, and a unit belongs to a \
+                 parameter: `#[param(0.1, unit = \"m\")]`",
+            ),
+            (
                 input.peek(Ident) || input.peek(syn::Lit),
                 "expected an operator or a comma before this; a product is written with `*`",
             ),
@@ -70,6 +76,7 @@ pub(super) fn keyword(input: ParseStream) -> Option<Error> {
     let word = Ident::parse_any(&input.fork()).ok()?;
     match word.to_string().as_str() {
         "true" | "false" => Some(here(input, "expected a number, a name or a function")),
+        "mod" if input.peek2(token::Paren) => other_function("mod").map(|right| here(input, right)),
         "if" | "match" | "loop" | "while" | "for" => Some(here(
             input,
             format!("an expression has no branches and no loops; a name `{word}` is written `r#{word}`"),
@@ -81,6 +88,10 @@ pub(super) fn keyword(input: ParseStream) -> Option<Error> {
 fn is_angle_unit(input: ParseStream) -> bool {
     let word = input.fork().parse::<Ident>();
     word.is_ok_and(|word| is_angle_word(&word.to_string()))
+}
+
+fn is_unit(input: ParseStream) -> bool {
+    input.fork().parse::<Ident>().is_ok_and(|word| kin_core::units::parse(&word.to_string()).is_ok())
 }
 
 /// True for names of angle units and conversions in other languages.

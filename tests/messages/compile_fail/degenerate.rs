@@ -71,6 +71,14 @@ struct Driven {
     l: f64,
 }
 
+/// Constants without a value.
+#[mechanism]
+#[bodies(crank)]
+#[define(minus = 1 - 2)]
+#[revolute(O: ground @ (0, 0), crank @ (asin(2), 0))]
+#[driver(turn: crank.phi = sqrt(minus)*t + ln(0) + pow(0, -1) + exp(1e3))]
+struct NoValue;
+
 fn main() {
     let _ = (Folded::default(), Lengths::default(), Radii::default());
 }

@@ -38,6 +38,17 @@ struct Reserved {
 #[driver(match: type = in)]
 struct Keywords;
 
+#[mechanism]
+#[body(arm[k in 0..3], x = k, y = 0)]
+#[point(tip[arm in 0..3] = arm[arm] @ (l, 0))]
+#[driver(drive[t in 0..3]: arm[t].phi = t)]
+struct IndexVariables {
+    #[param(0.1)]
+    k: f64,
+    #[param(0.1)]
+    l: f64,
+}
+
 fn main() {
     let _ = Twice { length: 0.1, stroke: 0.2 };
     let _ = (Twice::crank, Twice::tip, Twice::u);

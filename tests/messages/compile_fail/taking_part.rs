@@ -35,6 +35,21 @@ struct AllHeld;
 #[angle(B: c = t)]
 struct OnlyRow;
 
+/// Everything that a joint could move is held.
+#[mechanism]
+#[body(crank, x = 0, y = 0)]
+#[revolute(O: ground @ (0, 0), crank @ (0, 0))]
+#[driver(turn: crank.phi = t)]
+struct HeldAlready;
+
+/// A held coordinate is a cause of a redundant row.
+#[mechanism]
+#[body(crank, x = 0, y = 0, phi = t)]
+#[bodies(rod)]
+#[revolute(A: crank @ (1, 0), rod @ (0, 0))]
+#[driver(push: rod.x = t)]
+struct HeldAndDriven;
+
 fn main() {
     let _ = (Untouched, Nothing::default(), Held, AllHeld::corner);
 }

@@ -18,6 +18,10 @@ pub struct FourBar {
     pub omega: f64,
     #[parm([0.1, 0.2])]
     pub l: [f64; 2],
+    #[parameter(0.3)]
+    pub l2: f64,
+    #[param = 0.4]
+    pub l3: f64,
 }
 
 impl FourBar {

@@ -11,7 +11,6 @@ macro_rules! arm {
         #[driver(motor: arm.phi = 0.3 + t)]
         #[mass(arm @ (l, 0), mass = m)]
         #[spring(S: ground @ (0, 0), arm @ (l, 0), stiffness = k)]
-        #[derive(Default)]
         struct $name {
             #[param(0.3, unit = $length)]
             l: f64,
@@ -34,7 +33,6 @@ arm!(Grams, "m", "g", "mN/m");
 #[driver(motor: arm.phi = 0.3 + t)]
 #[mass(arm @ (l, 0), mass = 1)]
 #[spring(S: ground @ (0, 0), arm @ (l, 0), stiffness = k)]
-#[derive(Default)]
 struct ByStiffness {
     #[param(30, unit = "mm")]
     l: f64,
@@ -48,7 +46,6 @@ struct ByStiffness {
 #[revolute(O: ground @ (0, 0), arm @ (0, 0))]
 #[driver(motor: arm.phi = 0.3 + t)]
 #[mass(arm @ (l, 0), mass = 2)]
-#[derive(Default)]
 struct Unknown {
     #[param(0.3, unit = "m")]
     l: f64,

@@ -123,3 +123,33 @@ fn ranges_are_literals_that_hold_something() {
         &["contains a coordinate of `link[2]`"],
     );
 }
+
+#[test]
+fn an_index_variable_has_a_name_of_its_own() {
+    let taken = [("l", "a parameter"), ("s", "a define"), ("p", "a point"), ("link", "a body")];
+    for (name, noun) in taken {
+        let said = format!("`{name}` is {noun} already, and here an index variable, which needs another name");
+        for row in [
+            "#[angle(X[NAME in 0..2]: link[NAME] = 2*NAME)]",
+            "#[body(X[NAME in 0..2], x = NAME, y = 0)] #[angle(Y[i in 0..2]: X[i] = 1)]",
+            "#[bodies(X[NAME in 0..2])] #[angle(Y[i in 0..2]: X[i] = 1)]",
+            "#[coordinates(X[NAME in 0..2])] #[driver(Y[i in 0..2]: X[i] = t)]",
+            "#[input(X[NAME in 0..2])]",
+            "#[point(X[NAME in 0..2] = link[NAME] @ (NAME, 0))]",
+            "#[define(X[NAME in 0..2] = NAME)]",
+            "#[unilateral(X[NAME in 0..2]: link[NAME].x > NAME)]",
+            "#[mass(X[NAME in 0..2]: link[NAME] @ (NAME, 0), mass = 1)]",
+            "#[guess(link[NAME in 0..2].y = NAME)]",
+        ] {
+            one_error(&chain(&row.replace("NAME", name)), &[&said]);
+        }
+    }
+    one_error(&chain("#[angle(X[t in 0..2]: link[t] = t)]"), &["`t` is time in every mechanism; an index variable"]);
+    one_error(&chain("#[angle(X[pi in 0..2]: link[pi] = pi)]"), &["`pi` is the number π", "an index variable"]);
+    one_error(
+        &chain("#[on_curve(X[theta in 0..2]: link[0] @ (0, 0), link[theta + 1] @ (0, 0), polar(theta) = 1)]"),
+        &["`theta` is a variable of this curve; an index variable needs another name"],
+    );
+    // Rows have names of their own.
+    assert!(errors(&chain("#[angle(X[N in 0..2]: link[N] = N)]")).is_empty());
+}

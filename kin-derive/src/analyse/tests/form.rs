@@ -41,7 +41,7 @@ fn expressions_say_what_would_be_right() {
         ("powi(u, 2)", "`pow(a, n)`"),
         ("u.pow(2)", "`a.powi(n)`"),
         ("u.sinus()", "no function `sinus`"),
-        ("u.cosh()", "did you mean `cos`"),
+        ("u.cosh()", "`(exp(a) + exp(-a))/2`"),
         ("sine(u)", "did you mean `sin`"),
         ("max(u, v)", "no function `max`"),
         ("l1(u)", "a parameter, not a function"),
@@ -343,4 +343,23 @@ fn all_mistakes_come_at_once() {
         struct S { l: f64, #[param(x)] k: f64 }";
     let errors = errors(source);
     assert_eq!(errors.len(), 9, "{errors:#?}");
+}
+
+#[test]
+fn a_derived_default_does_not_discard_the_defaults_of_fields() {
+    let derived = |fields: &str| {
+        format!(
+            "#[coordinates(u)] #[driver(d: u = t)] #[derive(Clone, core::default::Default)] struct S {{ {fields} }}"
+        )
+    };
+    one_error(
+        &derived("#[param(0.1)] l: f64, #[param([1, 2])] m: [f64; 2]"),
+        &["sets every number to 0", "the defaults of `l` and `m`; remove it: kin implements `Default` with them"],
+    );
+    one_error(
+        &derived("#[param(0.1)] l: f64, m: f64"),
+        &["the default of `l`; remove it: kin implements `Default` if every field has a default, and `m` has none"],
+    );
+    assert!(good(&derived("l: f64, #[param(unit = \"m\")] m: f64")).derives_default);
+    assert!(good("#[coordinates(u)] #[driver(d: u = t)] #[derive(Default)] struct S;").derives_default);
 }

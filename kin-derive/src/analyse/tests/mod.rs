@@ -2,6 +2,7 @@
 
 mod families;
 mod form;
+mod guesses;
 mod names;
 mod rules;
 mod units;

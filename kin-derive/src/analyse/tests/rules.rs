@@ -51,7 +51,13 @@ fn everything_takes_part() {
     one_error(&pendulum("#[driver(B: l = t)]"), &["driver `B` contains no free coordinate"]);
     one_error(
         &pendulum("#[body(w, phi = 1)] #[x(C: w @ (0, 0) = 0)] #[angle(B: w = 1)]"),
-        &["angle `B` contains no free coordinate"],
+        &[
+            "angle `B` contains no free coordinate, because `w.phi` is held by `body` already; remove `B`, or do not hold it",
+        ],
+    );
+    one_error(
+        "#[body(crank, x = 0, y = 0)] #[revolute(O: ground @ (0, 0), crank @ (0, 0))] #[driver(d: crank.phi = t)] struct S;",
+        &["because `crank.x` and `crank.y` are held by `body` already; remove `O`, or do not hold them"],
     );
     // Coordinates may be mentioned through a define, a named point and a held origin.
     assert!(
@@ -79,4 +85,33 @@ fn conditions_hold_what_changes() {
     for moving in ["rim.x > 0", "distance(rim, hub) > distance(gone, hub)", "far > t", "w.phi > 0", "gone.x > 0"] {
         assert!(errors(&held(moving)).is_empty(), "{moving}");
     }
+}
+
+#[test]
+fn constants_have_values() {
+    for (constant, why) in [
+        ("sqrt(-1)", "`sqrt` takes 0 or a positive number, not -1"),
+        ("asin(2)", "`asin` takes a number from -1 to 1, not 2"),
+        ("acos(-1 - 1)", "`acos` takes a number from -1 to 1, not -2"),
+        ("ln(0)", "`ln` takes a positive number, not 0"),
+        ("ln(cos(pi))", "`ln` takes a positive number, not -1"),
+        ("pow(0, -1)", "0 to the power of -1 divides by 0"),
+        ("pow(-2, 0.5)", "-2 is negative, and its power with the exponent 0.5 is no real number"),
+        ("exp(1000)", "the value of this is too large"),
+        ("(1e300*1e300)", "the value of this is too large"),
+        ("sqrt(-s)", "`sqrt` takes 0 or a positive number, not -4"),
+    ] {
+        let define = "#[define(s = 2 + 2)]";
+        one_error(&pendulum(&format!("{define} #[driver(B: crank.phi = 3 + {constant}*t)]")), &[why]);
+    }
+    // The errors of one formula are all reported, and none twice.
+    assert_eq!(errors(&pendulum("#[driver(B: crank.phi = sqrt(sqrt(-1) + l) + ln(0)*t)]")).len(), 2);
+    for formula in ["sqrt(0)", "pow(0, 2)", "pow(-2, 3)", "asin(1)", "sqrt(l - 5)", "sqrt(t - 5)", "atan2(0, -1)"] {
+        assert!(errors(&pendulum(&format!("#[driver(B: crank.phi = t + {formula})]"))).is_empty(), "{formula}");
+    }
+    // Defines that use one another are computed once each.
+    let doubled: String = (1..80).map(|k| format!("#[define(c{k} = c{0} + c{0})] ", k - 1)).collect();
+    assert!(
+        errors(&pendulum(&format!("#[define(c0 = 1)] {doubled} #[driver(B: crank.phi = sqrt(c79)*t)]"))).is_empty()
+    );
 }

@@ -1,0 +1,74 @@
+//! The rule for constant parts of a formula: they have a value.
+
+use super::lowerer::Lowerer;
+use crate::function::value;
+use kin_core::mechanism::{Formula, Function};
+use proc_macro2::Span;
+
+impl Lowerer<'_> {
+    /// The formula, unless it is a constant without a finite value, which is reported.
+    pub(super) fn with_value(&self, formula: Formula, span: Span) -> Option<Formula> {
+        match self.constant(&formula) {
+            Some(value) if !value.is_finite() => self.refuse(span, self.why(&formula)),
+            _ => Some(formula),
+        }
+    }
+
+    /// The value of a formula of numbers, `pi` and constant defines.
+    pub(super) fn constant(&self, formula: &Formula) -> Option<f64> {
+        Some(match formula {
+            Formula::Number(value) => *value,
+            Formula::Pi => core::f64::consts::PI,
+            Formula::Neg(a) => -self.constant(a)?,
+            Formula::Add(a, b) => self.constant(a)? + self.constant(b)?,
+            Formula::Sub(a, b) => self.constant(a)? - self.constant(b)?,
+            Formula::Mul(a, b) => self.constant(a)? * self.constant(b)?,
+            Formula::Div(a, b, _) => {
+                // A division by 0 is reported at the divisor.
+                let divisor = self.constant(b).filter(|divisor| *divisor != 0.0)?;
+                self.constant(a)? / divisor
+            }
+            Formula::Pow(a, n) => self.constant(a)?.powf(*n),
+            Formula::Call(function, a) => value(*function, self.constant(a)?),
+            Formula::Atan2(y, x) => self.constant(y)?.atan2(self.constant(x)?),
+            Formula::Define(member) => (*self.constants.get(member.family)?)?,
+            Formula::Index(_)
+            | Formula::Time
+            | Formula::Parameter(_)
+            | Formula::Input(_)
+            | Formula::Pose(..)
+            | Formula::Scalar(_)
+            | Formula::PointCoordinate(..)
+            | Formula::Distance(..)
+            | Formula::Curve(_)
+            | Formula::Supplied(..)
+            | Formula::Dot(..) => return None,
+        })
+    }
+
+    /// Why a constant has no value.
+    fn why(&self, formula: &Formula) -> String {
+        let argument = |a: &Formula| self.constant(a).unwrap_or(f64::NAN);
+        let domain = match formula {
+            Formula::Call(Function::Sqrt, _) => "0 or a positive number",
+            Formula::Call(Function::Ln, _) => "a positive number",
+            Formula::Call(Function::Asin | Function::Acos, _) => "a number from -1 to 1",
+            _ => "",
+        };
+        match formula {
+            Formula::Call(function, a) if !domain.is_empty() => {
+                format!("this has no value: `{function}` takes {domain}, not {}", argument(a))
+            }
+            Formula::Pow(a, n) if argument(a) == 0.0 => {
+                format!("this has no value: 0 to the power of {n} divides by 0")
+            }
+            Formula::Pow(a, n) if argument(a) < 0.0 && n.fract() != 0.0 => {
+                format!(
+                    "this has no value: {} is negative, and its power with the exponent {n} is no real number",
+                    argument(a)
+                )
+            }
+            _ => "the value of this is too large; the largest number is about 1.8e308".to_owned(),
+        }
+    }
+}
