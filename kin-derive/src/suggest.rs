@@ -52,7 +52,7 @@ pub(crate) fn rate_of_a_component(name: &str) -> &'static str {
     match name {
         "x_dot" | "y_dot" | "phi_dot" | "xdot" | "ydot" | "phidot" | "dot" | "omega" | "v" | "vx" | "vy" | "speed"
         | "velocity" | "rate" => {
-            ": a rate is written `dot(…)`, in `nonholonomic`, `force` and `torque`; the command line reports it as `x_dot`"
+            ": a rate is written `dot(…)`, in `nonholonomic`, `force` and `torque`; the command line reports rates as `x_dot`"
         }
         "a" | "ax" | "ay" | "acceleration" | "x_ddot" | "y_ddot" | "phi_ddot" | "ddot" | "alpha" => {
             ": formulas contain no accelerations; the command line reports them as `x_ddot`"
