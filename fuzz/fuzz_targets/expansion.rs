@@ -13,6 +13,8 @@ mod analyse;
 mod ast;
 #[path = "../../kin-derive/src/derive.rs"]
 mod derive;
+#[path = "../../kin-derive/src/documentation.rs"]
+mod documentation;
 #[path = "../../kin-derive/src/expand/mod.rs"]
 mod expand;
 #[path = "../../kin-derive/src/fallback.rs"]

@@ -227,3 +227,18 @@ fn no_page_has_a_heading_twice() {
     }
     assert!(seen >= 30, "only {seen} pages");
 }
+
+/// The fuzzer compiles the modules of kin-derive, because a macro cannot be linked; it has to have all of them.
+#[test]
+fn the_fuzzer_has_all_modules() {
+    let here = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let modules = |path: PathBuf| -> BTreeSet<String> {
+        let text = std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+        let file = syn::parse_file(&text).expect("Rust");
+        let modules = file.items.into_iter().filter(|item| !is_test(attributes(item)));
+        modules
+            .filter_map(|item| if let Item::Mod(module) = item { Some(module.ident.to_string()) } else { None })
+            .collect()
+    };
+    assert_eq!(modules(here.join("src/lib.rs")), modules(here.join("../fuzz/fuzz_targets/expansion.rs")));
+}
