@@ -87,7 +87,7 @@ fn with_defaults(command: clap::Command, name: &str) -> clap::Command {
         _ => return command,
     };
     command
-        .mut_arg("to", |arg| arg.help(format!("The last instant{end}")))
+        .mut_arg("to", |arg| arg.help(format!("The last instant, or `limit`{end}")))
         .mut_arg("steps", |arg| arg.help(format!("Number of steps; N steps are N + 1 instants [default: {steps}]")))
 }
 

@@ -16,6 +16,9 @@
 //! ```text
 //! f_ut w = −¼ (γ(w) − γ(−w))        f_uu v w = −¼ (γ(v + w) − γ(v − w)) − f_ut w
 //! ```
+//!
+//! In both, v and w are multiplied by s, about the rate of the driven coordinates, so that f_uu s² and f_ut s are of the
+//! same order whatever the unit of time is.
 
 use super::closure_equations::ClosureEquations;
 use super::contraction::Preconditioner;
@@ -48,6 +51,13 @@ pub(super) struct Proven {
 /// Values F of the 2m equations and the entries of their matrix, row by row.
 type Bordered = (Vec<Interval>, Vec<Interval>);
 
+/// About the largest rate, rounded to a power of two; 1 if nothing is driven.
+fn rate_of(rates: &[Interval]) -> f64 {
+    let largest = rates.iter().fold(0.0, |most: f64, rate| most.max(rate.magnitude()));
+    // Far from overflow, so that its inverse and its square are finite.
+    if largest > 0.0 { largest.clamp(1e-60, 1e60).log2().round().exp2() } else { 1.0 }
+}
+
 /// F and its matrix over a box of u, t and v without its entry `one`.
 fn bordered(equations: &mut ClosureEquations<'_>, y: &[Interval], one: usize) -> Result<Bordered, Uncertified> {
     let m = equations.count();
@@ -57,11 +67,16 @@ fn bordered(equations: &mut ClosureEquations<'_>, y: &[Interval], one: usize) ->
     equations.at(t);
     let closure = equations.closure(u, true)?;
     let rates = equations.known_rates(u)?;
-    // −¼ (γ(w) − γ(w′)).
+    let speed = rate_of(&rates);
+    let inverse = ONE / Interval::from(speed);
+    // −¼ (γ(s w) − γ(s w′))/s.
     let mut mixed = |w: &[Interval], other: &[Interval]| -> Result<Vec<Interval>, Uncertified> {
-        let mut gamma = |w: &[Interval]| equations.gamma(&closure, (u, &rates), w);
+        let mut gamma = |w: &[Interval]| {
+            let scaled: Vec<Interval> = w.iter().map(|&w| Interval::from(speed) * w).collect();
+            equations.gamma(&closure, (u, &rates), &scaled)
+        };
         let (a, b) = (gamma(w)?, gamma(other)?);
-        Ok(a.into_iter().zip(b).map(|(a, b)| QUARTER * (b - a)).collect())
+        Ok(a.into_iter().zip(b).map(|(a, b)| inverse * (QUARTER * (b - a))).collect())
     };
     let negative = |w: &[Interval]| w.iter().map(|&w| -w).collect::<Vec<_>>();
     let along_t = mixed(&v, &negative(&v))?;
@@ -76,7 +91,8 @@ fn bordered(equations: &mut ClosureEquations<'_>, y: &[Interval], one: usize) ->
         alone[k] = ONE;
         let both = mixed(&moved(ONE), &moved(-ONE))?;
         let of_time = mixed(&alone, &negative(&alone))?;
-        along_u.push(both.into_iter().zip(of_time).map(|(both, of_time)| both - of_time).collect::<Vec<_>>());
+        let only_u = both.into_iter().zip(of_time).map(|(both, of_time)| inverse * (both - of_time));
+        along_u.push(only_u.collect::<Vec<_>>());
     }
     let product = |row: &Vec<Interval>| row.iter().zip(&v).fold(ZERO, |sum, (&a, &v)| sum + a * v);
     let values = closure.f.iter().copied().chain(closure.f_u.iter().map(product)).collect();

@@ -42,6 +42,19 @@ struct Cam;
 #[guess(beam.phi = -0.3)]
 struct Crane;
 
+/// A 3-RRR robot, one crank of which turns at the speed w.
+#[mechanism]
+#[bodies(platform, crank[3], rod[3])]
+#[revolute(motor[i in 0..3]: ground @ (0.5*cos(2*pi*i/3 - 5*pi/6), 0.5*sin(2*pi*i/3 - 5*pi/6)), crank[i] @ (0, 0))]
+#[revolute(elbow[i in 0..3]: crank[i] @ (0.3, 0), rod[i] @ (0, 0))]
+#[revolute(wrist[i in 0..3]: rod[i] @ (0.3, 0), platform @ (0.25*cos(2*pi*i/3 - 5*pi/6), 0.25*sin(2*pi*i/3 - 5*pi/6)))]
+#[driver(a: crank[0].phi = 0.9 + w * t)]
+#[driver(b: crank[1].phi = 3.1)]
+#[driver(c: crank[2].phi = -1.2)]
+struct Legs {
+    w: f64,
+}
+
 /// In how many ranges there is a closure at t, and how many closures there are.
 fn counts(mechanism: &impl Kinematics, [from, to]: [f64; 2], parts: usize) -> bool {
     let solver = mechanism.solver();
@@ -86,4 +99,13 @@ fn a_beam_on_a_rope_has_both_of_its_closures() {
     assert_eq!(2, all.found.len(), "{all}");
     let state = Crane.solver().state(&Instant::at(1.0)).expect("a state");
     assert!(all.found.iter().any(|found| (found.q[2] - state.q[2]).abs() < 1e-9), "{all}");
+}
+
+/// What moves in a microsecond has the ranges of what moves in a week.
+#[test]
+fn ranges_do_not_depend_on_the_unit_of_time() {
+    for w in [1e-6, 1e6] {
+        let all = Legs { w }.solver().ranges(&Instant::at(0.0), 0.2 / w).expect("ranges");
+        assert_eq!((all.ranges.len(), all.circuits, all.is_complete()), (6, 4, true), "w = {w}: {all}");
+    }
 }
