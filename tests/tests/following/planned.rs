@@ -43,7 +43,7 @@ fn what_is_not_a_number_is_named_and_the_last_good_state_stays() {
                 let number = &mut told[place];
                 *[&mut number.value, &mut number.rate, &mut number.acceleration][part] = bad;
                 let error = said(planned.at(&Instant { t: 0.6, inputs: &told }));
-                assert_eq!(format!("inputs[{place}] ({name}) is not a finite number at t = 0.6"), error);
+                assert_eq!(format!("the input `{name}` is not a finite number at t = 0.6"), error);
             }
         }
         assert!(said(planned.at(&Instant { t: bad, inputs: &TOLD })).starts_with("t is not a finite number"));
@@ -51,7 +51,7 @@ fn what_is_not_a_number_is_named_and_the_last_good_state_stays() {
             let mut broken = Crane::default();
             assert!(broken.set_parameter(place, bad));
             let error = Planned::new(&broken, &good, planned.q()).unwrap_err().to_string();
-            assert_eq!(format!("parameters[{place}] ({name}) is not a finite number at t = 0.5"), error);
+            assert_eq!(format!("the parameter `{name}` is not a finite number at t = 0.5"), error);
         }
     }
     assert_eq!(before, [planned.q(), planned.q_dot(), planned.q_ddot()].map(<[f64]>::to_vec));
