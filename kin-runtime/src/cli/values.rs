@@ -133,6 +133,9 @@ fn assignment(option: &str, example: &str, piece: &str) -> Result<(String, Strin
     let Some((name, value)) = piece.split_once('=') else {
         return match piece {
             "" => fault("an assignment is missing".to_owned()),
+            _ if written(option, piece).is_ok() && option == "--given" => {
+                fault(format!("`{piece}` has no name (a rate and an acceleration follow colons, NAME=0.3:{piece})"))
+            }
             _ if written(option, piece).is_ok() => {
                 fault(format!("`{piece}` has no name (arrays are set member by member, decimals have a point)"))
             }

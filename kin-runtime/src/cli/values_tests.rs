@@ -56,6 +56,9 @@ fn bad_assignments_say_what_would_be_right() {
     let members = "--set: an array is set member by member; write --set l[0]=…,l[1]=…";
     assert_eq!((bad("l=[1,2]"), bad("l = [1]")), (members.to_owned(), members.to_owned()));
     assert_eq!(bad("l1=1,l1=2"), "--set: `l1` is set twice");
+    let given =
+        "--given: `0.5` has no name (a rate and an acceleration follow colons, NAME=0.3:0.5); write --given l1=0.1";
+    assert_eq!(message(assignments("--given", "l1=0.1", &texts(&["phi=0.3,0.5"]))), given);
     let decimal = "--set: `5` has no name (arrays are set member by member, decimals have a point); write --set l1=0.1";
     assert_eq!(bad("l1=0,5"), decimal);
     // All errors are reported at once.
