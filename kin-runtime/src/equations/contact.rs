@@ -8,7 +8,7 @@
 use crate::equations::Equations;
 use crate::equations::placement::Placement;
 use crate::error::{Degeneracy, SolveError};
-use crate::model::{CoordinateKind, JointInfo, JointKind, Model, Role};
+use crate::model::{Component, CoordinateKind, JointInfo, JointKind, Model, Role};
 use crate::workspace::Instant;
 
 /// Lengths below this count as zero, since their squares underflow.
@@ -47,14 +47,28 @@ pub(crate) fn without_angle(equations: &mut Equations<'_>, q: &[f64]) -> Option<
     polar.find_map(|joint| at_centre(equations, joint, q).map(|what| degenerate(equations, joint.first_row, what)))
 }
 
-/// The first implicit curve whose row of Φ_q, evaluated last, has no entry above `tolerance` on the common scale.
+/// The first implicit curve whose row of Φ_q, evaluated last, has no entry above `tolerance` on the common scale. A row
+/// in fewer coordinates than both of the point's does not show ∇e: where it vanishes, the motion is at a dead centre.
 pub(crate) fn without_gradient(equations: &Equations<'_>, tolerance: f64) -> Option<SolveError> {
     let rows = equations.model.rows.iter().enumerate();
     let implicit = rows.filter(|(_, row)| equations.model.joints[row.joint].kind == JointKind::OnImplicitCurve);
     implicit
+        .filter(|(row, _)| shows_gradient(equations, *row))
         .map(|(row, _)| (row, equations.largest_scaled(row)))
         .find(|(_, largest)| *largest <= tolerance)
         .map(|(row, largest)| degenerate(equations, row, Degeneracy::Gradient { largest }))
+}
+
+/// True if both x and y of a body are coordinates of a row.
+fn shows_gradient(equations: &Equations<'_>, row: usize) -> bool {
+    let length = |column: usize| match equations.model.coordinates.get(column).map(|coordinate| coordinate.kind) {
+        Some(CoordinateKind::Pose { body, component: component @ (Component::X | Component::Y) }) => {
+            Some((body, component))
+        }
+        _ => None,
+    };
+    let lengths: Vec<_> = equations.row(row).filter_map(|(column, _)| length(column)).collect();
+    lengths.iter().any(|&(body, component)| component == Component::X && lengths.contains(&(body, Component::Y)))
 }
 
 fn degenerate(equations: &Equations<'_>, row: usize, what: Degeneracy) -> SolveError {

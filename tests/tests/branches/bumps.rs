@@ -7,7 +7,7 @@ use crate::jet::Jet;
 use crate::slots::{Curve, fold, instants, root};
 use crate::tally::{Tally, motions};
 use crate::ways::follow;
-use kin_runtime::{Instant, Kinematics, Limit, Options, Planned, Signal, mechanism};
+use kin_runtime::{Instant, Kinematics, Limit, Options, Planned, Signal, SolveError, mechanism};
 use kin_tests::random::Random;
 use std::fmt::Debug;
 
@@ -17,6 +17,18 @@ use std::fmt::Debug;
 #[constraint(bump: slider.x + a / (1 + pow((slider.x - c) / w, 2)) = m + t)]
 #[derive(Clone, Debug)]
 struct Bump {
+    a: f64,
+    c: f64,
+    w: f64,
+    m: f64,
+}
+
+/// The same as a curve that rises, with a pin that can only move along x.
+#[mechanism]
+#[body(pin, y = 0, phi = 0)]
+#[on_curve(track: ground @ (0, 0), pin @ (0, 0), implicit(X, Y) = Y + X + a / (1 + pow((X - c) / w, 2)) - m - t)]
+#[derive(Clone, Debug)]
+struct Track {
     a: f64,
     c: f64,
     w: f64,
@@ -266,5 +278,21 @@ fn a_bump_that_has_moved_away() {
         assert!(rates.iter().any(|rate| *rate > 0.0 && *rate < f64::MIN_POSITIVE), "{rates:?}");
         let off = passed.l * swept[600].q[0].sin() - passed.h - passed.m * passed.l * swept[600].q[0].cos();
         assert!(off.abs() < 1e-14, "{off:e}");
+    }
+}
+
+/// The row of the curve vanishes at the dead centre although its gradient does not: no contact degenerates there.
+#[test]
+fn a_pin_with_one_coordinate_has_a_dead_centre_on_a_curve() {
+    for [a, c, w] in [[2.0, 1.0, 0.5], [-0.4, 2.0, 0.1], [0.3, 0.5, 0.05]] {
+        let case = bump(|[a, c, w, m]| Track { a, c, w, m }, [a, c, w], -1.0).expect("a dead centre");
+        let end = case.folds[0];
+        for use_plan in [true, false] {
+            let options = Options { use_plan, ..Options::default() };
+            let solver = case.mechanism.solver().with_guess(0, -1.0).with_options(options);
+            let refused = solver.sweep(&[0.0, 0.5 * end, 1.5 * end]).expect_err("a dead centre").source;
+            let is_singular = matches!(refused, SolveError::Singular { .. } | SolveError::StepRefused { .. });
+            assert!(is_singular && refused.to_string().contains("track"), "{refused}");
+        }
     }
 }

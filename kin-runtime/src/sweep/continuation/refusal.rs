@@ -75,6 +75,15 @@ pub(super) fn refusal(
         let (rank, condition) = (factor.rank, factor.full_condition);
         return SolveError::Singular { t, rank, expected_rank, rows, condition, limit };
     }
+    // A row that vanishes is singular, too, although its pivot is not small relative to itself.
+    let vanishing: Vec<usize> =
+        all.iter().copied().filter(|&row| equations.largest_scaled(row) <= NEARLY_SINGULAR).collect();
+    if let Some(&first) = vanishing.first() {
+        let condition = factor.full_condition.max(1.0 / equations.largest_scaled(first));
+        let rows = vanishing.iter().map(|&row| equations.row_name(row)).collect();
+        let rank = expected_rank.saturating_sub(vanishing.len());
+        return SolveError::Singular { t, rank, expected_rank, rows, condition, limit };
+    }
     let names = |row| (equations.row_name(row), equations.joint_name(row));
     let (row_name, joint) = row.map_or(("", ""), names);
     SolveError::StepRefused { t, t_refused, row_name, joint, reason, limit }
