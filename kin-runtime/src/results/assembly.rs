@@ -9,7 +9,7 @@ use core::fmt;
 /// One way in which a mechanism closes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Assembly {
-    /// q, n numbers; angles within half a turn of the guess.
+    /// q, n numbers; angles within half a turn of the guess, unless drivers determine them.
     pub q: Vec<f64>,
     /// q̇, n numbers.
     pub q_dot: Vec<f64>,
