@@ -87,7 +87,11 @@ fn with_defaults(command: clap::Command, name: &str) -> clap::Command {
         _ => return command,
     };
     command
-        .mut_arg("to", |arg| arg.help(format!("The last instant, or `limit`{end}")))
+        .mut_arg("to", |arg| {
+            let long =
+                format!("The last instant. `limit` is the limit that the mechanism reaches.\n{}", end.trim_start());
+            arg.help(format!("The last instant{end}")).long_help(long)
+        })
         .mut_arg("steps", |arg| arg.help(format!("Number of steps; N steps are N + 1 instants [default: {steps}]")))
 }
 

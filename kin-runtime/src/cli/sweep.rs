@@ -111,8 +111,6 @@ pub(super) fn run(args: &SweepArgs, engine: &mut dyn Engine, session: &mut Sessi
     let (task, (choices, wanted)) = ledger.close(task.zip(choices.zip(wanted)))?;
     let unnamed = wanted.is_empty();
     let time = Measure::standard(model, false).into_iter().take(1);
-    // The first column is t, whether it is named or not.
-    let wanted = wanted.into_iter().filter(|measure| measure.name() != "t");
     let measures = if unnamed { Measure::standard(model, args.points) } else { time.chain(wanted).collect() };
     let motions = Motions { args, task, choices, measures, unnamed, rows: Cell::new(0) };
     let (output, watch) = (&motions.task.output, session.watch());

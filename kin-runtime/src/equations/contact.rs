@@ -61,14 +61,14 @@ pub(crate) fn without_gradient(equations: &Equations<'_>, tolerance: f64) -> Opt
 
 /// True if both x and y of a body are coordinates of a row.
 fn shows_gradient(equations: &Equations<'_>, row: usize) -> bool {
-    let length = |column: usize| match equations.model.coordinates.get(column).map(|coordinate| coordinate.kind) {
-        Some(CoordinateKind::Pose { body, component: component @ (Component::X | Component::Y) }) => {
-            Some((body, component))
+    let kind = |column: usize| equations.model.coordinates.get(column).map(|coordinate| coordinate.kind);
+    let is_y_of = |of: usize, column: usize| matches!(kind(column), Some(CoordinateKind::Pose { body, component: Component::Y }) if body == of);
+    equations.row(row).any(|(column, _)| match kind(column) {
+        Some(CoordinateKind::Pose { body, component: Component::X }) => {
+            equations.row(row).any(|(other, _)| is_y_of(body, other))
         }
-        _ => None,
-    };
-    let lengths: Vec<_> = equations.row(row).filter_map(|(column, _)| length(column)).collect();
-    lengths.iter().any(|&(body, component)| component == Component::X && lengths.contains(&(body, Component::Y)))
+        _ => false,
+    })
 }
 
 fn degenerate(equations: &Equations<'_>, row: usize, what: Degeneracy) -> SolveError {
