@@ -33,3 +33,37 @@ fn an_arc_ends_where_two_groups_cross_at_once() {
         assert!(swept.states.iter().all(|state| state.q[2] > -1e-3 && state.q[2] < 1.58), "{found}");
     }
 }
+
+/// Two arms on cylinders of the same length, which have dead centres of their own.
+#[mechanism]
+#[body(a, x = 0, y = 0)]
+#[body(b, x = 0, y = 5)]
+#[distance(first: ground @ (d1, 0), a @ (a1, 0), length = base + t)]
+#[distance(second: ground @ (d2, 5), b @ (a2, 0), length = base + t)]
+#[guess(a.phi = g1, b.phi = g2)]
+struct Twin {
+    a1: f64,
+    d1: f64,
+    a2: f64,
+    d2: f64,
+    base: f64,
+    g1: f64,
+    g2: f64,
+}
+
+#[test]
+fn a_closed_arc_from_a_dead_centre_lists_it_once() {
+    let twin = Twin {
+        a1: 0.7381396443196653,
+        d1: 1.4879941956600018,
+        a2: 0.5443761320902166,
+        d2: 1.6817326452267674,
+        base: 1.2049551895063872,
+        g1: -3.1315132468713496,
+        g2: -3.141592653589793,
+    };
+    let swept = twin.solver().sweep_along_arc(1.0211535878105968, None, 20).expect("an arc");
+    let found = swept.arc.as_ref().expect("it went along the arc");
+    // Stretched and folded.
+    assert!(found.is_closed() && found.places.len() == 2, "{found}");
+}

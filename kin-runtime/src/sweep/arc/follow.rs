@@ -80,12 +80,25 @@ pub(crate) fn solution_arc(
     let start = start.start();
     let mut leg = walk.leg(equations, start.clone())?;
     let mut first = leg.end;
-    if leg.end != ArcEnd::Closed {
+    if leg.end == ArcEnd::Closed {
+        listed_once(&mut leg);
+    } else {
         let back = walk.leg(equations, start.reversed())?;
         first = back.end;
         leg = joined(back, leg);
     }
     rows::states(equations, &bordered, leg.nodes, leg.places, [first, leg.end], steps)
+}
+
+/// Drops the last place of a closed curve if it is the first one, after a whole turn along the curve.
+fn listed_once(leg: &mut Leg) {
+    let length = leg.nodes.last().map_or(0.0, |node| node.s);
+    if let [first, .., last] = &leg.places[..]
+        && first.kind == last.kind
+        && (last.s - length - first.s).abs() <= SHORTEST
+    {
+        leg.places.pop();
+    }
 }
 
 /// Joins two legs from one start; `back` is reversed.
