@@ -60,7 +60,7 @@ fn a_closed_arc_from_a_dead_centre_lists_it_once() {
         d2: 1.6817326452267674,
         base: 1.2049551895063872,
         g1: -3.1315132468713496,
-        g2: -3.141592653589793,
+        g2: -std::f64::consts::PI,
     };
     let swept = twin.solver().sweep_along_arc(1.0211535878105968, None, 20).expect("an arc");
     let found = swept.arc.as_ref().expect("it went along the arc");
