@@ -168,6 +168,8 @@ impl<M: Mechanism> Work<M> {
         let results = measures.iter().zip(weights).filter(|(measure, weight)| **weight != 0.0 && !measure.is_held());
         let results: Option<Vec<(Recorded, f64)>> =
             results.map(|(measure, &weight)| Some((measure.varied(model, &self.varied)?, weight))).collect();
+        // If x² + y² overflows, the derivatives of its root are 0 here; the other way avoids the squares.
+        let results = results.filter(|results| results.iter().all(|(result, _)| result.value().is_finite()));
         let Some(results) = results else { return Ok(false) };
         accumulate(results, gradient);
         Ok(true)

@@ -4,4 +4,5 @@ mod batches;
 mod command;
 mod laws;
 mod machines;
+mod overflow;
 mod references;
