@@ -22,8 +22,8 @@ impl Reduction<'_> {
             let of_rest = form.rest.map_or_else(BTreeSet::new, |rest| {
                 self.unknowns(&Form { rest: Some(rest), ..Form::default() }, unknowns)
             });
-            let width = self.unknowns(form, unknowns).len();
-            let closes = self.closes_with_another(row, rows, unknowns, forms);
+            let own = self.unknowns(form, unknowns);
+            let closes = self.closes_with_another((row, &own), rows, unknowns, forms);
             for (key, [coefficient, _]) in &form.terms {
                 let &[(coordinate, 1)] = key.powers.as_slice() else { continue };
                 let alone = key.turn.is_empty()
@@ -37,7 +37,7 @@ impl Reduction<'_> {
                     }
                     None => continue,
                 };
-                let score = (rank, width, row, coordinate);
+                let score = (rank, own.len(), row, coordinate);
                 if alone && best.is_none_or(|other| score < other) {
                     best = Some(score);
                 }
@@ -46,25 +46,24 @@ impl Reduction<'_> {
         best.map(|(_, _, row, coordinate)| (row, coordinate))
     }
 
-    /// True for a row a x + b y = c that has a closed form together with another row in x and y: such a form holds for all
+    /// True for a row a x + b y = c, whose unknowns are `own`, that has a closed form together with another row in x and y: such a form holds for all
     /// a and b (the direction of a guide, given by parameters), while a pivot fails where its coefficient is 0.
     fn closes_with_another(
         &mut self,
-        row: usize,
+        (row, own): (usize, &BTreeSet<u32>),
         rows: &[usize],
         unknowns: &BTreeSet<u32>,
         forms: &BTreeMap<usize, Form>,
     ) -> bool {
-        let own = self.unknowns(&forms[&row], unknowns);
         let coefficient = |k: &u32| forms[&row].terms.get(&Key::power(*k, 1)).map(|&[coefficient, _]| coefficient);
         let is_open = |id: ExprId| self.graph.literal(id).is_none() && self.graph.depends(id).is_static();
         if own.len() != 2 || !own.iter().all(|k| coefficient(k).is_some_and(is_open)) {
             return false;
         }
-        let others = rows.iter().filter(|&&other| other != row && self.unknowns(&forms[&other], unknowns) == own);
+        let others = rows.iter().filter(|&&other| other != row && self.unknowns(&forms[&other], unknowns) == *own);
         let others: Vec<usize> = others.copied().collect();
         let mut closes =
-            |other| recognise(&mut Reader::new(self.graph, self.memory, &own), &[row, other], forms).is_some();
+            |other| recognise(&mut Reader::new(self.graph, self.memory, own), &[row, other], forms).is_some();
         others.into_iter().any(&mut closes)
     }
 

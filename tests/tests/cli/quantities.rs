@@ -79,3 +79,10 @@ fn times_in_sentences_are_rounded() {
         assert!(text.contains("t = 1.570796\n") || text.contains("t = 1.570796,"), "{command}: {text}");
     }
 }
+
+#[test]
+fn poses_of_held_bodies_are_quantities() {
+    let out = good("with_units sweep slider.y slider.phi_dot slider.x --input turn=0 --steps 1 --format csv");
+    assert!(out.lines().skip(1).all(|line| line.contains(",0,0,")), "{out}");
+    assert!(out.starts_with("t,slider.y,slider.phi_dot,slider.x"), "{out}");
+}
