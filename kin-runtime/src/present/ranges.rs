@@ -75,3 +75,30 @@ pub(crate) fn text(model: &Model, [from, to]: [f64; 2], all: &Ranges) -> String 
     let heading = format!("{} from t = {} to t = {}\n{nothing}", model.name, rounded(from), rounded(to));
     [heading, section("Ranges", &ranges), section("Limits", &limits)].concat()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::fixture::PlannedFourBar;
+    use crate::mechanism::Mechanism;
+    use crate::scalar::Interval;
+
+    fn limit(t: Interval, kind: Option<LimitKind>, proven: bool) -> RangeLimit {
+        RangeLimit { t, modes: Vec::new(), joints: Vec::new(), drivers: Vec::new(), kind, q: Vec::new(), proven }
+    }
+
+    /// A wide interval is not printed as the number in its middle, and what is not proven is no end of anything.
+    #[test]
+    fn what_is_undecided_has_its_interval() {
+        let limits = vec![
+            limit(Interval::new(70.25, 100.0), None, false),
+            limit(Interval::new(1.5, 1.5 + 1e-9), Some(LimitKind::DeadCentre), true),
+        ];
+        let all = Ranges { ranges: Vec::new(), limits, circuits: 0, searched: Vec::new() };
+        let text = text(PlannedFourBar::model(), [0.0, 100.0], &all);
+        let lines: Vec<&str> = text.lines().collect();
+        let has = |parts: [&str; 2]| lines.iter().any(|line| parts.iter().all(|part| line.contains(part)));
+        assert!(has(["70.25 … 100", "undecided"]) && has(["1.500000", "dead centre"]), "{text}");
+        assert_eq!(["undecided", "dead centre"], [0, 1].map(|k| kind(&all.limits[k])));
+    }
+}

@@ -359,3 +359,32 @@ fn malformed(_: LengthError) -> Uncertified {
 fn size_of(list: &[f64], sizes: &[f64]) -> f64 {
     list.iter().zip(sizes).fold(0.0, |most, (x, size)| most.max(x.abs() / size))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::fixture::PlannedFourBar;
+    use crate::mechanism::Mechanism;
+
+    /// A correction that may be small as well as large proves neither that a state is a solution nor that it is none.
+    #[test]
+    fn a_wide_correction_does_not_show_that_a_state_is_wrong() {
+        let square = Square::new(PlannedFourBar::model(), Vec::new(), &[]).expect("as many rows as coordinates");
+        let judged = |correction: Interval| {
+            let mut corrections = [Interval::ZERO; 9];
+            corrections[4] = correction;
+            square.judge("q̇", &corrections, &[2.0; 9], 1e-3)
+        };
+        assert_eq!(Ok(true), judged(Interval::new(-1e-3, 2e-3)));
+        assert_eq!(Ok(false), judged(Interval::new(-1.0, 1.0)));
+        assert_eq!(Ok(false), judged(Interval::ENTIRE));
+        for (bounds, by) in [([2.1e-3, 2.3e-3], 2.2e-3), ([-3.0, -1.0], 2.0)] {
+            let Err(Uncertified::NotASolution { what: "q̇", by: found, .. }) =
+                judged(Interval::new(bounds[0], bounds[1]))
+            else {
+                panic!("{bounds:?}")
+            };
+            assert!((found - by).abs() < 1e-12, "{found}");
+        }
+    }
+}
