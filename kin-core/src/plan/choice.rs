@@ -9,6 +9,7 @@
 //! angle, so no sign has to be chosen.
 
 use super::form::ReaderCache;
+use super::guides::Guides;
 use super::matching;
 use super::reduce::{PairedRows, Reduction};
 use super::tree::{Block, Part, SolutionMethod};
@@ -120,6 +121,7 @@ impl Search<'_> {
             replaced: BTreeSet::new(),
             rewritten: IdMap::default(),
             paired: Vec::new(),
+            guides: Guides::new(set),
         };
         let (mut tree, mut moves) = (Block::default(), vec![false; set.coordinates.len()]);
         for (rows, unknowns) in blocks {
@@ -130,19 +132,19 @@ impl Search<'_> {
             let rows: Vec<usize> = rows.into_iter().map(|place| used[place]).collect();
             let unknowns: BTreeSet<u32> = unknowns.into_iter().map(|k| k as u32).collect();
             let removable: Vec<usize> = rows.iter().filter_map(|row| beside.get(row)).copied().collect();
-            tree.parts.push(Part::Block(reduction.block(&rows, &unknowns, &removable)?));
+            tree.parts.push(Part::Block(reduction.with_guides(&rows, &unknowns, &removable)?));
         }
         let Reduction { source_rows, paired, .. } = reduction;
         let still = moves.iter().zip(&set.coordinates).filter(|(moves, k)| !**moves && !k.kind.is_length()).count();
         let iterated =
-            sum(&tree, &|method| if let SolutionMethod::Newton { residuals } = method { residuals.len() } else { 0 });
+            tree.sum(&|method| if let SolutionMethod::Newton { residuals } = method { residuals.len() } else { 0 });
         let two = |method: &SolutionMethod| {
             matches!(
                 method,
                 SolutionMethod::Angle { .. } | SolutionMethod::Quadratic { .. } | SolutionMethod::Circle { .. }
             )
         };
-        let closures = sum(&tree, &|method| usize::from(two(method)));
+        let closures = tree.sum(&|method| usize::from(two(method)));
         let score = Score { still, iterated, closures };
         Some(Chosen { tree, source_rows, left_out: left_out.to_vec(), paired, score })
     }
@@ -174,13 +176,4 @@ fn cost(chosen: &Option<Chosen>) -> (bool, Option<[usize; 2]>) {
 /// The tree with the better score; the first one if both scores are equal.
 fn better(first: Option<Chosen>, second: Option<Chosen>) -> Option<Chosen> {
     if score(&second) < score(&first) { second } else { first }
-}
-
-fn sum(block: &Block, of: &impl Fn(&SolutionMethod) -> usize) -> usize {
-    let part = |part: &Part| match part {
-        Part::Core(core) => of(&core.method),
-        Part::Block(block) => sum(block, of),
-        Part::Pair(pair) => sum(&pair.inner, of),
-    };
-    block.parts.iter().map(part).sum()
 }

@@ -28,6 +28,7 @@ mod expressions;
 mod form;
 mod formulas;
 mod groups;
+mod guides;
 mod known;
 mod margins;
 mod matching;

@@ -1,12 +1,49 @@
 //! The elimination of coordinates that are linear in a row with a constant coefficient.
+//!
+//! A row a x + b y + … = 0 whose coefficients of the two coordinates of an origin are parameters is that of a guide
+//! with a direction given by parameters. Either coefficient may be 0, so that a pivot would fail for some directions.
+//! Such a row is left for a closed form with another row in x and y, which holds for all directions, or in an iteration
+//! (see `with_guides`).
 
 use super::form::{Form, Key, Reader};
 use super::recognise::recognise;
 use super::reduce::Reduction;
+use super::tree::{Block, SolutionMethod};
 use crate::expr::{ExprId, Node};
 use std::collections::{BTreeMap, BTreeSet};
 
 impl Reduction<'_> {
+    /// Reduces a block of the mechanism (see [`block`](Self::block)). Rows of guides are left if this needs as many
+    /// iterations as their elimination does.
+    pub(super) fn with_guides(
+        &mut self,
+        rows: &[usize],
+        unknowns: &BTreeSet<u32>,
+        removable: &[usize],
+    ) -> Option<Block> {
+        let state = |of: &mut Self| (of.rows.clone(), of.source_rows.clone(), of.replaced.clone(), of.paired.clone());
+        let restore = |of: &mut Self, state| (of.rows, of.source_rows, of.replaced, of.paired) = state;
+        let iterations = |block: &Option<Block>| {
+            let newton = |method: &SolutionMethod| usize::from(matches!(method, SolutionMethod::Newton { .. }));
+            block.as_ref().map_or(usize::MAX, |block| block.sum(&newton))
+        };
+        let before = state(self);
+        (self.guides.left, self.guides.met) = (true, false);
+        let left = self.block(rows, unknowns, removable);
+        if !self.guides.met || iterations(&left) == 0 {
+            return left;
+        }
+        let after = state(self);
+        restore(self, before);
+        self.guides.left = false;
+        let eliminated = self.block(rows, unknowns, removable);
+        if iterations(&eliminated) < iterations(&left) {
+            return eliminated;
+        }
+        restore(self, after);
+        left
+    }
+
     /// The next pivot: a coefficient of ±1 is preferred to other numbers, numbers to parameters and products of
     /// parameters, and these to sums, which may be 0; among coefficients of the same rank the row with the fewest
     /// unknowns is taken, which keeps the loops short.
@@ -23,7 +60,9 @@ impl Reduction<'_> {
                 self.unknowns(&Form { rest: Some(rest), ..Form::default() }, unknowns)
             });
             let own = self.unknowns(form, unknowns);
-            let closes = self.closes_with_another((row, &own), rows, unknowns, forms);
+            let guides = self.is_guide(form, unknowns);
+            self.guides.met |= guides;
+            let left = guides && self.guides.left || self.closes_with_another((row, &own), rows, unknowns, forms);
             for (key, [coefficient, _]) in &form.terms {
                 let &[(coordinate, 1)] = key.powers.as_slice() else { continue };
                 let alone = key.turn.is_empty()
@@ -32,7 +71,7 @@ impl Reduction<'_> {
                 let rank = match self.graph.literal(*coefficient) {
                     Some(value) if value.abs() == 1.0 => 0,
                     Some(_) => 1,
-                    None if !closes && self.graph.depends(*coefficient).is_static() => {
+                    None if !left && self.graph.depends(*coefficient).is_static() => {
                         2 + u8::from(self.is_sum(*coefficient))
                     }
                     None => continue,
@@ -46,8 +85,24 @@ impl Reduction<'_> {
         best.map(|(_, _, row, coordinate)| (row, coordinate))
     }
 
-    /// True for a row a x + b y = c, whose unknowns are `own`, that has a closed form together with another row in x and y: such a form holds for all
-    /// a and b (the direction of a guide, given by parameters), while a pivot fails where its coefficient is 0.
+    /// True for a row a x + b y + …, where x and y are unknown coordinates of one origin and a and b are parameters.
+    fn is_guide(&self, form: &Form, unknowns: &BTreeSet<u32>) -> bool {
+        let open = |k: u32| unknowns.contains(&k) && self.coefficient(form, k).is_some_and(|id| self.is_open(id));
+        self.guides.origins.iter().any(|origin| origin.iter().all(|&k| open(k)))
+    }
+
+    /// The coefficient of a coordinate to the first power.
+    fn coefficient(&self, form: &Form, coordinate: u32) -> Option<ExprId> {
+        form.terms.get(&Key::power(coordinate, 1)).map(|&[coefficient, _]| coefficient)
+    }
+
+    /// True if a coefficient depends on parameters alone.
+    fn is_open(&self, coefficient: ExprId) -> bool {
+        self.graph.literal(coefficient).is_none() && self.graph.depends(coefficient).is_static()
+    }
+
+    /// True for a row a x + b y = c, whose unknowns are `own`, that has a closed form together with another row in x
+    /// and y.
     fn closes_with_another(
         &mut self,
         (row, own): (usize, &BTreeSet<u32>),
@@ -55,9 +110,8 @@ impl Reduction<'_> {
         unknowns: &BTreeSet<u32>,
         forms: &BTreeMap<usize, Form>,
     ) -> bool {
-        let coefficient = |k: &u32| forms[&row].terms.get(&Key::power(*k, 1)).map(|&[coefficient, _]| coefficient);
-        let is_open = |id: ExprId| self.graph.literal(id).is_none() && self.graph.depends(id).is_static();
-        if own.len() != 2 || !own.iter().all(|k| coefficient(k).is_some_and(is_open)) {
+        let is_open = |&k: &u32| self.coefficient(&forms[&row], k).is_some_and(|id| self.is_open(id));
+        if own.len() != 2 || !own.iter().all(is_open) {
             return false;
         }
         let others = rows.iter().filter(|&&other| other != row && self.unknowns(&forms[&other], unknowns) == *own);

@@ -5,8 +5,8 @@
 //! is solved together with a redundant row that rotates the same vector, if there is one (`paired`):
 //!
 //! - *pivot*: a coordinate that is linear in a row with a constant coefficient (origins of pinned bodies, angles of
-//!   sliders and gears). The row determines the coordinate, which is eliminated from all other rows. A row in two
-//!   unknowns whose coefficients are both parameters is left for a closed form with another row, if there is one.
+//!   sliders and gears). The row determines the coordinate, which is eliminated from all other rows. Rows of guides
+//!   whose direction is given by parameters are left where they can be (see `pivot`).
 //! - *ratio*: an unknown x that is linear in two rows, f₁x + f₀ = 0 and g₁x + g₀ = 0, and appears in no other row. The
 //!   combination f₁g₀ − g₁f₀ = 0 does not contain x, and x = −(f₁f₀ + g₁g₀)/(f₁² + g₁²) (the stroke along a turning
 //!   guide).
@@ -21,6 +21,7 @@
 //! iteration on its unknowns.
 
 use super::form::{Form, Key, Reader, ReaderCache};
+use super::guides::Guides;
 use super::matching::blocks;
 use super::recognise::recognise;
 use super::rewrite::{Substitution, rewrite};
@@ -43,6 +44,8 @@ pub(super) struct Reduction<'a> {
     pub(super) rewritten: IdMap<ExprId>,
     /// Pairs of a kept row and a redundant row.
     pub(super) paired: Vec<PairedRows>,
+    /// The rows of guides whose direction is given by parameters.
+    pub(super) guides: Guides,
 }
 
 /// Two rows F + A(θ)s = 0, one of them redundant, in which θ rotates the same known vector s. Together they determine θ

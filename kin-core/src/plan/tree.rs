@@ -104,6 +104,18 @@ pub(super) enum SolutionMethod {
     Newton { residuals: Vec<ExprId> },
 }
 
+impl Block {
+    /// The sum of a number over the methods of all parts.
+    pub(super) fn sum(&self, of: &impl Fn(&SolutionMethod) -> usize) -> usize {
+        let part = |part: &Part| match part {
+            Part::Core(core) => of(&core.method),
+            Part::Block(block) => block.sum(of),
+            Part::Pair(pair) => pair.inner.sum(of),
+        };
+        self.parts.iter().map(part).sum()
+    }
+}
+
 impl Key {
     /// The key of a power of a coordinate.
     pub(super) fn power(coordinate: u32, power: u8) -> Self {

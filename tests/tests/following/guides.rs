@@ -54,3 +54,57 @@ fn a_pin_lies_where_two_lines_meet() {
         assert!((found[0] - exact[0]).hypot(found[1] - exact[1]) < 1e-15, "{p} {q}: {found:?}");
     }
 }
+
+/// A rod whose ends run in two slots through the origin. No closed form: the distance of a third point is prescribed.
+#[mechanism]
+#[bodies(rod)]
+#[point_on_line(lower: ground @ (0, 0), rod @ (0, 0), axis = (cos(a), sin(a)))]
+#[point_on_line(upper: ground @ (0, 0), rod @ (1, 0), axis = (cos(b), sin(b)))]
+#[driver(pull: distance(ground @ (2, 1), rod @ (0.5, 0.2)) = 1.9 + 0.1 * sin(t))]
+#[guess(rod.x = 0.6, rod.y = 0.3, rod.phi = 0.8)]
+struct Trammel {
+    a: f64,
+    b: f64,
+}
+
+/// The pose of the rod at an angle, from the intersection of the slots with its ends.
+fn trammel([a, b]: [f64; 2], phi: f64) -> [f64; 3] {
+    // s₂ (cos b, sin b) − s₁ (cos a, sin a) = (cos φ, sin φ), solved for s₁.
+    let along = (b - phi).sin() / (a - b).sin();
+    [along * a.cos(), along * a.sin(), phi]
+}
+
+/// The distance of the third point at an angle.
+fn reach(slots: [f64; 2], phi: f64) -> f64 {
+    let [x, y, _] = trammel(slots, phi);
+    (x + 0.5 * phi.cos() - 0.2 * phi.sin() - 2.0).hypot(y + 0.5 * phi.sin() + 0.2 * phi.cos() - 1.0)
+}
+
+#[test]
+fn an_iteration_contains_guides_in_any_direction() {
+    for a in [0.0, 1e-12, 1e-9, 1e-5, std::f64::consts::PI] {
+        let rod = Trammel { a, b: 1.5 };
+        let mut planned = rod.solver().planned(&Instant::at(0.0)).expect("it closes");
+        let times: Vec<f64> = (0..40).map(|k| 0.1 * f64::from(k)).collect();
+        for &t in &times[1..34] {
+            let q = planned.at(&Instant::at(t)).expect("before the dead centre").q();
+            let off = q.iter().zip(trammel([a, 1.5], q[2])).map(|(q, exact)| (q - exact).abs()).fold(0.0, f64::max);
+            let apart = (reach([a, 1.5], q[2]) - 1.9 - 0.1 * t.sin()).abs();
+            assert!(off < 1e-13 && apart < 1e-13, "a = {a}, t = {t}: {off:e} {apart:e}");
+        }
+        // The dead centre is where the distance is smallest.
+        let phi = planned.q()[2];
+        let (mut low, mut high) = (phi - 0.5, phi + 0.5);
+        for _ in 0..200 {
+            let [left, right] = [low + (high - low) / 3.0, high - (high - low) / 3.0];
+            if reach([a, 1.5], left) < reach([a, 1.5], right) { high = right } else { low = left }
+        }
+        let end = std::f64::consts::PI - ((reach([a, 1.5], low) - 1.9) / 0.1).asin();
+        let step = planned.at(&Instant::at(3.5)).expect_err("past it");
+        let sweep = rod.solver().sweep(&times).expect_err("past it").source;
+        for located in [step.limit().map(|limit| &limit.located), sweep.limit().map(|limit| &limit.located)] {
+            let limit = located.and_then(Option::as_ref).expect("a limit with its t");
+            assert!((limit.at - end).abs() < 1e-9, "a = {a}: {} instead of {end}", limit.at);
+        }
+    }
+}
