@@ -9,7 +9,6 @@ use kin_benches::four_bar::FourBar;
 use kin_benches::paired::{Contender, compare};
 use kin_benches::placed::Placed;
 use kin_runtime::nalgebra::{Const, LU, SMatrix, SVector};
-use kin_runtime::plan::{Depth, Solved};
 use kin_runtime::series::HigherOrders;
 use kin_runtime::{Instant, Kinematics, Mechanism, Subset, Workspace};
 use std::hint::black_box;
@@ -95,47 +94,6 @@ impl<'m> Sweep<'m> {
     }
 }
 
-/// The same motion by the plan: closed forms for q, q̇, q̈, and the blocks of the plan for every linear system.
-struct Planned<'m> {
-    parameters: [f64; 7],
-    modes: [f64; 1],
-    orders: HigherOrders<'m, FourBar>,
-    q: [f64; 9],
-    q_dot: [f64; 9],
-    q_ddot: [f64; 9],
-}
-
-impl<'m> Planned<'m> {
-    fn new(four_bar: &'m FourBar, highest: usize) -> Self {
-        let start = four_bar.solver().with_guess(5, 0.9).with_guess(8, 5.0).state(&0.0.into()).expect("it closes");
-        let array = |v: &[f64]| -> [f64; 9] { v.try_into().expect("nine coordinates") };
-        let (parameters, mut modes) = (four_bar.parameters::<f64>(), [0.0]);
-        four_bar.closures_with(&parameters, &Instant::at(0.0), &start.q, &mut modes).expect("one mode");
-        Self {
-            parameters,
-            modes: modes.map(f64::signum),
-            orders: HigherOrders::new(four_bar, highest),
-            q: array(&start.q),
-            q_dot: array(&start.q_dot),
-            q_ddot: array(&start.q_ddot),
-        }
-    }
-
-    fn step(&mut self, four_bar: &FourBar, t: f64, highest: usize) {
-        let (at, start, mut margins) = (Instant::at(t), self.q, [0.0]);
-        let solved = Solved { q: &mut self.q, q_dot: &mut self.q_dot, q_ddot: &mut self.q_ddot, margins: &mut margins };
-        if highest > 2 {
-            self.orders.solve_by_plan(&at, &self.modes, &start, solved).expect("nine coordinates");
-            black_box((&margins, self.orders.derivative(highest)));
-            return;
-        }
-        four_bar
-            .solve_with(&self.parameters, &at, &self.modes, &start, Depth::Acceleration, solved)
-            .expect("nine coordinates");
-        black_box(&margins);
-    }
-}
-
 fn main() {
     let four_bar = FourBar::default();
     let dt = std::f64::consts::TAU / STEPS as f64 / four_bar.omega;
@@ -161,29 +119,35 @@ fn main() {
     ];
     compare("Higher derivatives of the 9×9 four-bar, by the same LU", STEPS, &mut contenders);
 
-    let closed_form = |highest: usize| {
-        let (four_bar, mut t) = (&four_bar, 0.0);
-        let mut planned = Placed::new(|| Planned::new(four_bar, highest));
+    let four_bar = &four_bar;
+    let solver = four_bar.solver().with_guess(5, 0.9).with_guess(8, 5.0);
+    let state = solver.state(&0.0.into()).expect("it closes");
+    let times: Vec<f64> = (0..STEPS).map(|k| k as f64 * dt).collect();
+    let states = solver.sweep(&times).expect("the crank turns").states;
+    let mut planned = solver.planned(&0.0.into()).expect("it closes");
+    let (solver, states) = (&solver, &states);
+    let all_orders = |highest: usize| {
         move || {
-            let planned = planned.carried();
-            for _ in 0..STEPS {
-                t += dt;
-                planned.step(four_bar, black_box(t), highest);
-                black_box((&planned.q, &planned.q_dot, &planned.q_ddot));
+            for state in states {
+                black_box(solver.derivatives(black_box(state), highest).expect("a regular position"));
             }
         }
     };
     let mut contenders = [
-        Contender { name: "q, q̇, q̈", work: Box::new(closed_form(2)) },
-        Contender { name: "and the third derivative", work: Box::new(closed_form(3)) },
-        Contender { name: "and all to the fourth", work: Box::new(closed_form(4)) },
-        Contender { name: "and all to the tenth", work: Box::new(closed_form(10)) },
+        Contender {
+            name: "q, q̇, q̈ by `Planned`",
+            work: Box::new(|| {
+                for &t in &times {
+                    black_box(planned.at(&Instant::at(black_box(t))).expect("the crank turns").q_ddot());
+                }
+            }),
+        },
+        Contender { name: "`derivatives` to the third order", work: Box::new(all_orders(3)) },
+        Contender { name: "`derivatives` to the fourth order", work: Box::new(all_orders(4)) },
+        Contender { name: "`derivatives` to the tenth order", work: Box::new(all_orders(10)) },
     ];
     compare("Higher derivatives of the 9×9 four-bar, by its plan", STEPS, &mut contenders);
 
-    let four_bar = &four_bar;
-    let solver = four_bar.solver().with_guess(5, 0.9).with_guess(8, 5.0);
-    let state = solver.state(&0.0.into()).expect("it closes");
     let right_hand_sides = |highest: usize| {
         let mut orders = Placed::new(|| HigherOrders::new(four_bar, highest));
         let state = state.clone();

@@ -10,6 +10,7 @@ use crate::error::SolveError;
 use crate::linear::Factorization;
 use crate::mechanism::LengthError;
 use crate::mechanism::Mechanism;
+use crate::scalar::compare::all_finite;
 use crate::solver::Solver;
 use crate::state::State;
 use crate::text::numbers;
@@ -29,12 +30,17 @@ pub struct Derivatives {
     pub further: Vec<Vec<f64>>,
     /// q, q̇, q̈, q⃛, …: n numbers for every order, in the user's unit over the unit of time to that power.
     pub q: Vec<Vec<f64>>,
-    /// True if the orders from the third on were solved by the blocks of the plan; false without a plan, and if a step
-    /// of the plan is singular at this configuration, so that Φ_q was factorised as a whole.
+    /// True if the orders from the third on were solved by the plan; false without a plan, and if a step of the plan is
+    /// singular at this configuration, so that Φ_q was factorised as a whole.
     pub by_plan: bool,
 }
 
 impl Derivatives {
+    fn new(state: &State, further: &[&[f64]], q: Vec<Vec<f64>>, by_plan: bool) -> Self {
+        let further = further.iter().map(|list| list.to_vec()).collect();
+        Self { t: state.t, inputs: state.inputs.clone(), further, q, by_plan }
+    }
+
     /// The highest order.
     pub fn order(&self) -> usize {
         self.q.len() - 1
@@ -54,9 +60,10 @@ impl Derivatives {
 impl<M: Mechanism> Solver<'_, M> {
     /// All derivatives of q up to `order` at a solved state: the third is jerk.
     ///
-    /// Every order is one more right-hand side for Φ_q q⁽ᵏ⁾ = …, with the factorisation that gives q̇ and q̈; see
-    /// [`series`](crate::series). Orders 0, 1, 2 are those of the state. The factors are those of the plan's blocks if
-    /// there is a plan that uses all rows and no block is nearly singular; otherwise Φ_q is factorised as a whole
+    /// Orders 0, 1, 2 are those of the state. Up to the tenth order a plan that uses all rows gives all orders at once:
+    /// it is a formula for q(t), which is evaluated over truncated power series. Otherwise every order is one more
+    /// right-hand side for Φ_q q⁽ᵏ⁾ = …, with the factorisation that gives q̇ and q̈; see [`series`](crate::series). The
+    /// factors are those of the plan's blocks if no block is nearly singular; otherwise Φ_q is factorised as a whole
     /// ([`Derivatives::by_plan`] shows which). If degrees of freedom are open, every order is the one of least norm, as
     /// q̇ and q̈ are.
     ///
@@ -113,6 +120,12 @@ impl<M: Mechanism> Solver<'_, M> {
         if let Some((index, _)) = finite.into_iter().find(|(_, value)| !value.is_finite()) {
             return Err(SolveError::NonFinite { what: "inputs", index, name: M::model().inputs[index], t: None });
         }
+        let known = [&state.q, &state.q_dot, &state.q_ddot];
+        let are_finite = known.iter().all(|list| list.len() == M::COORDINATES && all_finite(list));
+        if let Some(higher) = (order > 2 && are_finite).then(|| self.expanded(state, order, further)).flatten() {
+            let q = known.into_iter().cloned().chain(higher).collect();
+            return Ok(Derivatives::new(state, further, q, true));
+        }
         let mut orders = HigherOrders::new(self.mechanism, order);
         derivatives(&mut self.equations(&state.instant())?, &mut orders, state, order, further)
     }
@@ -155,8 +168,7 @@ fn derivatives(
         }
         q.push(derivative);
     }
-    let further = further.iter().map(|list| list.to_vec()).collect();
-    Ok(Derivatives { t: state.t, inputs: state.inputs.clone(), further, q, by_plan })
+    Ok(Derivatives::new(state, further, q, by_plan))
 }
 
 /// q⁽ᵏ⁾ with Φ_q q⁽ᵏ⁾ = b: by the blocks of the plan, unless Φ_q is factorised as a whole. Right-hand sides of

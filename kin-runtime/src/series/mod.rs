@@ -19,8 +19,8 @@
 //! *Solving Differential-Algebraic Equations by Taylor Series*, 2005). Coefficients are computed order by order and
 //! kept for the next run, so that one more order costs O(k) for each nonlinear operation.
 //!
-//! A plan is itself a formula for q(t). Its generated code, evaluated over [`Taylor`](crate::scalar::Taylor) series,
-//! gives all orders in one pass ([`HigherOrders::solve_by_plan`]).
+//! A plan is itself a formula for q(t). Its generated code, evaluated over series, gives all orders in one pass, which
+//! is faster (see `by_plan`).
 
 #[cfg(feature = "std")]
 mod by_plan;

@@ -37,21 +37,19 @@ use crate::workspace::{Array, Instant};
 /// ```
 #[doc(hidden)]
 pub struct HigherOrders<'m, M: Mechanism> {
-    pub(super) mechanism: &'m M,
-    pub(super) parameters: M::Parameters<f64>,
-    pub(super) inputs: Inputs,
+    mechanism: &'m M,
+    parameters: M::Parameters<f64>,
+    inputs: Inputs,
     constraints: Tape,
     velocities: Tape,
     /// q, q̇, q̈ and the higher derivatives that are known; 0 for the others.
-    pub(super) derivatives: Vec<M::Coordinates<f64>>,
+    derivatives: Vec<M::Coordinates<f64>>,
     right: M::Rows<f64>,
     factors: M::Factors<f64>,
-    /// The highest order that [`solve_by_plan`](Self::solve_by_plan) has found.
-    pub(super) solved: usize,
     missing: Option<Missing>,
     /// The order of `right`; 0 if it is not valid.
-    pub(super) order: usize,
-    pub(super) highest: usize,
+    order: usize,
+    highest: usize,
     /// Rows of velocity level.
     of_velocity: Vec<usize>,
 }
@@ -84,7 +82,6 @@ impl<'m, M: Mechanism> HigherOrders<'m, M> {
             derivatives: vec![Array::filled(0.0); room + 1],
             right: Array::filled(0.0),
             factors: Array::filled(0.0),
-            solved: 0,
             missing: None,
             order: 0,
             highest,
@@ -114,7 +111,7 @@ impl<'m, M: Mechanism> HigherOrders<'m, M> {
             self.derivatives[order] = *array(what, M::COORDINATES, known)?;
         }
         self.inputs.begin(at, further);
-        (self.order, self.missing, self.solved) = (3, None, 0);
+        (self.order, self.missing) = (3, None);
         self.write_right(0)
     }
 

@@ -83,7 +83,7 @@ impl<M: Mechanism> Solver<'_, M> {
     }
 
     /// True if the plan determines all coordinates and the geometry of the joints is not degenerate.
-    pub(super) fn goes_by_plan(&self, at: &Instant<'_>) -> bool {
+    pub(crate) fn goes_by_plan(&self, at: &Instant<'_>) -> bool {
         let model = M::model();
         let usable = self.options.use_plan && self.given.is_empty() && self.options.check().is_ok();
         usable && has_plan_for(model, at) && (!has_sizes(model) || self.is_sound(at))
@@ -98,6 +98,11 @@ impl<M: Mechanism> Solver<'_, M> {
             return false;
         }
         are_sound(model, &numbers)
+    }
+
+    /// The modes of a configuration; `None` if numbers are not finite.
+    pub(crate) fn modes_at(&self, parameters: &M::Parameters<f64>, at: &Instant<'_>, q: &[f64]) -> Option<Modes<M>> {
+        self.start_of(parameters, at, q).map(|start| start.modes)
     }
 
     /// A complete start and its modes.

@@ -2,31 +2,21 @@
 //! inputs.
 
 use kin_runtime::function::{FromFn, Polynomial};
-use kin_runtime::plan::Solved;
-use kin_runtime::series::HigherOrders;
-use kin_runtime::{Instant, Mechanism, Options, Signal, Solver, mechanism};
+use kin_runtime::{Instant, Kinematics, Mechanism, Options, Signal, SolveError, Solver, mechanism};
 use kin_tests::mechanisms::RedundantParallelogram;
 
-/// Derivatives by [`HigherOrders::solve_by_plan`], started close to a state, against those from the factorisation of
-/// Φ_q as a whole.
+/// Derivatives by the plan against those from the factorisation of Φ_q as a whole.
 fn agrees<M: Mechanism>(mechanism: &M, at: &Instant<'_>, highest: usize) {
     let options = Options { use_plan: false, ..Options::default() };
     let solver = Solver::new(mechanism).with_options(options);
     let state = solver.state(at).unwrap();
     let further = vec![&[0.0; 20][..]; M::INPUTS];
-    let expected = solver.derivatives_with(&state, highest, &further).unwrap().q;
-    let plan = &M::model().plan;
-    let (mut modes, mut margins) = (vec![0.0; plan.modes.len()], vec![0.0; plan.margins]);
-    mechanism.closures_with(mechanism.parameters::<f64>().as_ref(), at, &state.q, &mut modes).unwrap();
-    modes.iter_mut().for_each(|mode| *mode = mode.signum());
-    let start: Vec<f64> = state.q.iter().map(|q| q + 1e-3).collect();
-    let [mut q, mut q_dot, mut q_ddot] = [(); 3].map(|()| vec![0.0; M::COORDINATES]);
-    let mut orders = HigherOrders::new(mechanism, highest);
-    let solved = Solved { q: &mut q, q_dot: &mut q_dot, q_ddot: &mut q_ddot, margins: &mut margins };
-    orders.solve_by_plan(at, &modes, &start, solved).unwrap();
-    assert!(margins.iter().all(|margin| *margin > 1e-3), "{margins:?}");
-    let found = [&q[..], &q_dot, &q_ddot].into_iter().chain((3..=highest).map(|k| orders.derivative(k).unwrap()));
-    for (order, (found, expected)) in found.zip(&expected).enumerate() {
+    let expected = solver.derivatives_with(&state, highest, &further).unwrap();
+    assert!(!expected.by_plan);
+    let found = Solver::new(mechanism).derivatives_with(&state, highest, &further).unwrap();
+    let watched = M::model().plan.watched().count();
+    assert_eq!(found.by_plan, highest > 2 && watched == 0, "{}", M::model().name);
+    for (order, (found, expected)) in found.q.iter().zip(&expected.q).enumerate() {
         // A derivative is k! times a Taylor coefficient, and so is its rounding error.
         let factorial: f64 = (1..=order).map(|k| k as f64).product();
         let size = expected.iter().fold(1.0_f64.max(1e-2 * factorial), |size, value| size.max(value.abs()));
@@ -78,16 +68,14 @@ fn functions_and_inputs_have_their_orders() {
     let cam = Cam { lift: Polynomial([0.1, 0.2, -0.4, 0.3, 0.5]) };
     let inputs = [Signal::new(0.3, 0.7, -0.2)];
     let at = Instant { t: 0.5, inputs: &inputs };
-    agrees(&cam, &at, 2);
+    for highest in 2..13 {
+        agrees(&cam, &at, highest);
+    }
+    let state = cam.solver().state(&at).unwrap();
     for highest in 3..13 {
-        let mut orders = HigherOrders::new(&cam, highest);
-        let [mut q, mut q_dot, mut q_ddot] = [(); 3].map(|()| vec![0.0; 4]);
-        let mut margins = vec![0.0; Cam::<Polynomial<[f64; 5]>>::model().plan.margins];
-        let solved = Solved { q: &mut q, q_dot: &mut q_dot, q_ddot: &mut q_ddot, margins: &mut margins };
-        orders.solve_by_plan(&at, &[], &[0.0; 4], solved).unwrap();
-        assert!(q_ddot.iter().all(|value| value.is_finite()), "{q_ddot:?}");
         // The third derivative of the input is unknown.
-        assert!(orders.derivative(3).unwrap().iter().all(|value| value.is_nan()), "{highest}");
+        let error = cam.solver().derivatives(&state, highest).unwrap_err();
+        assert!(matches!(error, SolveError::UnknownDerivative { order: 3, name: "turn", .. }), "{error}");
     }
 }
 
@@ -111,10 +99,7 @@ fn functions_are_taken_as_far_as_they_are_known() {
     }
     let cam = Turned { lift: FromFn(|x: f64| [x.sin(), x.cos(), -x.sin()]) };
     agrees(&cam, &Instant::at(0.5), 2);
-    let mut orders = HigherOrders::new(&cam, 3);
-    let [mut q, mut q_dot, mut q_ddot] = [(); 3].map(|()| vec![0.0; 4]);
-    let solved = Solved { q: &mut q, q_dot: &mut q_dot, q_ddot: &mut q_ddot, margins: &mut [] };
-    orders.solve_by_plan(&Instant::at(0.5), &[], &[0.0; 4], solved).unwrap();
-    let third = orders.derivative(3).unwrap();
-    assert!(third[..3].iter().all(|value| value.is_finite()) && third[3].is_nan(), "{third:?}");
+    let state = cam.solver().state(&Instant::at(0.5)).unwrap();
+    let error = cam.solver().derivatives(&state, 3).unwrap_err();
+    assert!(matches!(error, SolveError::UnknownDerivative { order: 3, name: "lift", .. }), "{error}");
 }

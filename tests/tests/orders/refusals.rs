@@ -1,9 +1,8 @@
 //! If a derivative of some order does not exist or is not known, the error names the function, row or input.
 
 use kin_runtime::function::FromFn;
-use kin_runtime::plan::Solved;
 use kin_runtime::series::HigherOrders;
-use kin_runtime::{Instant, Kinematics, LengthError, Mechanism, Options, PlanError, Signal, SolveError, mechanism};
+use kin_runtime::{Instant, Kinematics, Mechanism, Options, Signal, SolveError, mechanism};
 
 /// A row with an absolute value whose argument is 0 at t = 1.
 #[mechanism]
@@ -187,46 +186,38 @@ struct Undriven;
 struct Slider;
 
 #[test]
-fn without_a_plan_nothing_is_solved_by_it() {
-    let n = Undriven::COORDINATES;
-    let [mut q, mut q_dot, mut q_ddot] = [(); 3].map(|()| vec![7.0; n]);
-    let mut orders = HigherOrders::new(&Undriven, 4);
-    let solved = Solved { q: &mut q, q_dot: &mut q_dot, q_ddot: &mut q_ddot, margins: &mut [] };
-    let result = orders.solve_by_plan(&Instant::at(0.0), &[], &vec![0.0; n], solved);
-    let why = Undriven::model().plan.absent.unwrap();
-    assert_eq!((Err(PlanError::NoPlan { why }), None, &vec![7.0; n]), (result, orders.derivative(3), &q));
+fn without_a_plan_no_order_is_by_it() {
+    assert!(Undriven::model().plan.absent.is_some());
+    let state = Undriven.state_at(&Instant::at(0.0)).unwrap();
+    let found = Undriven.solver().derivatives(&state, 4).unwrap();
+    assert!(!found.by_plan && found.q.iter().flatten().all(|x| x.is_finite()));
 }
 
+/// The derivatives of a state that is not the plan's are those of Φ at the given q, q̇ and q̈.
 #[test]
-fn what_the_plan_solves_leaves_nothing_of_an_earlier_instant() {
-    let state = |t: f64| Slider.state_at(&Instant::at(t)).unwrap();
-    let (before, now) = (state(0.0003), state(0.0013));
-    let plan = &Slider::model().plan;
-    let (mut modes, mut margins) = (vec![0.0; plan.modes.len()], vec![0.0; plan.margins]);
-    Slider.closures_with(&[], &now.instant(), &now.q, &mut modes).unwrap();
-    modes.iter_mut().for_each(|mode| *mode = mode.signum());
-    let [mut q, mut q_dot, mut q_ddot] = [(); 3].map(|()| vec![0.0; Slider::COORDINATES]);
-    let mut orders = HigherOrders::new(&Slider, 4);
-    assert_eq!((0, &[][..]), (orders.order(), orders.right()));
-    orders.begin(&before.instant(), &before.q, &before.q_dot, &before.q_ddot).unwrap();
-    assert_eq!((3, Slider::ROWS), (orders.order(), orders.right().len()));
-    let solved = Solved { q: &mut q, q_dot: &mut q_dot, q_ddot: &mut q_ddot, margins: &mut margins };
-    orders.solve_by_plan(&now.instant(), &modes, &now.q, solved).unwrap();
-    let third = orders.derivative(3).unwrap().to_vec();
-    assert_eq!((0, &[][..]), (orders.order(), orders.right()));
-    orders.advance(&third).unwrap();
-    assert_eq!(0, orders.order());
-    // The right-hand side of the earlier state is not used any more.
-    let mut untouched = vec![7.0; Slider::COORDINATES];
-    assert_eq!(Err(LengthError { what: "b", expected: Slider::ROWS, found: 0 }), orders.solve(&mut untouched));
-    assert_eq!(vec![7.0; Slider::COORDINATES], untouched);
-    // The factors belong to the new q.
-    assert!(orders.factorise(&now.instant()).unwrap());
-    orders.begin(&now.instant(), &now.q, &now.q_dot, &now.q_ddot).unwrap();
-    let mut found = third.clone();
-    orders.solve(&mut found).unwrap();
-    let size = third.iter().fold(0.0_f64, |size, x| size.max(x.abs()));
-    assert!(found.iter().zip(&third).all(|(a, b)| (a - b).abs() <= 1e-12 * size));
+fn orders_belong_to_the_state_that_is_given() {
+    let options = Options { use_plan: false, ..Options::default() };
+    let state = Slider.state_at(&Instant::at(0.0013)).unwrap();
+    let third = |state: &kin_runtime::State, use_plan: bool| {
+        let solver = if use_plan { Slider.solver() } else { Slider.solver().with_options(options.clone()) };
+        solver.derivatives(state, 3).unwrap().q.swap_remove(3)
+    };
+    let off = |a: &[f64], b: &[f64]| {
+        let size = b.iter().fold(0.0_f64, |size, x| size.max(x.abs()));
+        a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max) / size
+    };
+    let own = third(&state, true);
+    assert!(off(&own, &third(&state, false)) < 1e-12);
+    for change in 0..3 {
+        let mut other = state.clone();
+        match change {
+            0 => other.q[5] += 1e-5,
+            1 => other.q_dot[5] += 1.0,
+            _ => other.q_ddot[5] += 1e3,
+        }
+        let found = third(&other, true);
+        assert!(off(&found, &third(&other, false)) < 1e-12 && off(&found, &own) > 1e-7, "{change}");
+    }
 }
 
 #[test]
@@ -240,7 +231,6 @@ fn orders_beyond_the_range_of_numbers_are_an_error_of_their_own() {
     assert_eq!(170, HigherOrders::<Slider>::MOST);
     for order in [171, 172, 1000, usize::MAX] {
         refused(order);
-        assert_eq!(None, HigherOrders::new(&Slider, order).derivative(order));
     }
     // The derivatives grow as k! (ω/2)ᵏ, which exceeds the range of `f64` from this order on.
     let error = Slider.solver().derivatives(&state, 150).unwrap_err();
