@@ -110,7 +110,11 @@ impl<M: Mechanism> Solver<'_, M> {
         if !all_finite(parameters.as_ref()) || !all_finite(start) {
             return None;
         }
-        let modes = BranchValues::at(self.mechanism, parameters.as_ref(), at, start).ok()?.modes();
+        // The orientations of iterations are those of the solution.
+        let modes = match M::model().plan.modes {
+            [] => Modes::filled(1.0),
+            _ => BranchValues::at(self.mechanism, parameters.as_ref(), at, start).ok()?.modes(),
+        };
         let q = *M::Coordinates::<f64>::view(start)?;
         Some(Start { q, modes })
     }
