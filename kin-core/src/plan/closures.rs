@@ -36,7 +36,9 @@ pub(super) fn sum_of_squared_terms(graph: &mut Graph, id: ExprId, depth: usize) 
 }
 
 /// An upper estimate of the square of an expression, to judge whether the expression is nearly 0: the sum of its
-/// squared terms, in which every component of a rotated vector is estimated by the length of the vector.
+/// squared terms, in which every component of a rotated vector is estimated by the length of the vector. A difference
+/// that is divided by something counts with its own square: x − c in (x − c)/√((x − c)² + w²) is measured by the root,
+/// and not by x and c.
 pub(super) fn squared_size(graph: &mut Graph, id: ExprId, depth: usize) -> ExprId {
     if depth == 0 {
         return graph.square(id);
@@ -48,9 +50,18 @@ pub(super) fn squared_size(graph: &mut Graph, id: ExprId, depth: usize) -> ExprI
     match graph.node(id) {
         Node::Neg(a) | Node::Opaque(a) => squared_size(graph, a, depth - 1),
         Node::Add(a, b) | Node::Sub(a, b) => length(graph, [a, b]),
-        Node::Mul(a, b) => {
-            let (a, b) = (squared_size(graph, a, depth - 1), squared_size(graph, b, depth - 1));
-            graph.mul(a, b)
+        Node::Mul(..) => {
+            let mut factors = Vec::new();
+            write_factors(graph, (id, depth), &mut factors);
+            let is_quotient = factors.iter().any(|&(factor, _)| matches!(graph.node(factor), Node::Div(..)));
+            let mut product = graph.number(1.0);
+            for (factor, depth) in factors {
+                let is_sum = matches!(graph.node(factor), Node::Add(..) | Node::Sub(..));
+                let depth = if is_quotient && is_sum { 0 } else { depth };
+                let size = squared_size(graph, factor, depth);
+                product = graph.mul(product, size);
+            }
+            product
         }
         Node::RotX(r) | Node::RotY(r) => length(graph, [r.x, r.y]),
         Node::Dot(t) | Node::Cross(t) => {
@@ -58,6 +69,17 @@ pub(super) fn squared_size(graph: &mut Graph, id: ExprId, depth: usize) -> ExprI
             graph.mul(u, d)
         }
         _ => graph.square(id),
+    }
+}
+
+/// Writes the factors of a product, each with the depth that is left for it.
+fn write_factors(graph: &Graph, (id, depth): (ExprId, usize), factors: &mut Vec<(ExprId, usize)>) {
+    match graph.node(id) {
+        Node::Neg(a) | Node::Opaque(a) if depth > 0 => write_factors(graph, (a, depth - 1), factors),
+        Node::Mul(a, b) if depth > 0 => {
+            [a, b].into_iter().for_each(|factor| write_factors(graph, (factor, depth - 1), factors));
+        }
+        _ => factors.push((id, depth)),
     }
 }
 
