@@ -83,12 +83,17 @@ fn write_factors(graph: &Graph, (id, depth): (ExprId, usize), factors: &mut Vec<
     }
 }
 
-/// The margin of a divisor: its square divided by the sum of this square, the squares of `others` (the other
-/// coefficients of its rows) and `TERM_WEIGHT` times the squared terms of `parts`, which the divisor is made of. `None`
-/// if there is nothing to compare it with. A constant divisor cannot approach 0 during a motion: it is a dimension,
-/// such as the radius of a gear, and may be far smaller than the other coefficients before digits are lost; `others`
-/// are then weighted with `TERM_WEIGHT`, too.
-pub(super) fn share(graph: &mut Graph, square: ExprId, others: &[ExprId], parts: &[ExprId]) -> Option<ExprId> {
+/// What the square of a divisor is compared with: the sum of this square, the squares of `others` (the other
+/// coefficients of its rows) and `TERM_WEIGHT` times the squared terms of `parts`, which the divisor is made of. The
+/// quotient is the margin of the divisor. `None` if there is nothing to compare it with. A constant divisor cannot
+/// approach 0 during a motion: it is a dimension, such as the radius of a gear, and may be far smaller than the other
+/// coefficients before digits are lost; `others` are then weighted with `TERM_WEIGHT`, too.
+pub(super) fn whole_of_divisor(
+    graph: &mut Graph,
+    square: ExprId,
+    others: &[ExprId],
+    parts: &[ExprId],
+) -> Option<ExprId> {
     let is_term = |graph: &mut Graph, part: ExprId| sum_of_squared_terms(graph, part, 8) == graph.square(part);
     let terms = parts.iter().all(|&part| is_term(graph, part));
     if terms && others.is_empty() {
@@ -104,8 +109,16 @@ pub(super) fn share(graph: &mut Graph, square: ExprId, others: &[ExprId], parts:
         rest = graph.mul(share, rest);
     }
     let whole = graph.add(square, rest);
-    let whole = with_squared_terms(graph, whole, if terms { &[] } else { parts });
-    Some(graph.div(square, whole))
+    Some(with_squared_terms(graph, whole, if terms { &[] } else { parts }))
+}
+
+/// What the square of a divisor is compared with where there is nothing but the divisor itself: the mean of the square
+/// and of the squared size of the divisor.
+pub(super) fn whole_of_varying(graph: &mut Graph, square: ExprId, divisor: ExprId) -> ExprId {
+    let size = squared_size(graph, divisor, 8);
+    let (sum, half, least) = (graph.add(square, size), graph.number(0.5), graph.number(LEAST));
+    let mean = graph.mul(half, sum);
+    graph.add(mean, least)
 }
 
 /// The squared sine of the angle between two vectors: their squared cross product over the product of their squared

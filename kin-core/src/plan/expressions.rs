@@ -11,7 +11,7 @@ use super::known::turned;
 use super::rates::Rates;
 use super::reduce::PairedRows;
 use super::rewrite::Turned;
-use super::state::{Build, Divisor, Stage};
+use super::state::{Build, Divisor, Signed, Stage};
 use super::step::StepId;
 use super::tree::{Block, Core, Pair, PairValue, Part, Pivot, SolutionMethod};
 use crate::expr::{ExprId, Symbol, total_derivatives};
@@ -90,8 +90,8 @@ impl Build<'_> {
         }
         for &Pivot { row, coordinate, coefficient, value } in block.pivots.iter().rev() {
             let step = self.listed.giving(coordinate);
-            let coefficient = self.known_value(coefficient);
-            self.divide_by_coefficient(step, vec![row], coordinate, coefficient);
+            let known = self.known_value(coefficient);
+            self.divide_by_coefficient(step, (vec![row], coordinate), [known, coefficient]);
             let known = self.known_value(value);
             let turned = turned(&mut self.graph, &self.known.turns, &self.known.rewritten, value);
             self.record_solution(coordinate, known, Some(turned));
@@ -116,7 +116,7 @@ impl Build<'_> {
                     match vectors.map(|vectors| vectors.map(|e| self.known_value(e))) {
                         Some(vectors) if self.graph.literal(size).is_none() => {
                             let margin = closures::squared_sine(&mut self.graph, size, vectors);
-                            self.write_margin(step, margin);
+                            _ = self.write_margin(step, margin);
                         }
                         Some(_) => {}
                         None => self.divide(step, pair, size, Vec::new()),
@@ -131,7 +131,8 @@ impl Build<'_> {
     }
 
     fn divide(&mut self, step: StepId, pair: &Pair, square: ExprId, parts: Vec<ExprId>) {
-        self.divisors.push(Divisor { step, rows: pair.rows.to_vec(), unknown: pair.coordinate, square, parts });
+        let (rows, unknown) = (pair.rows.to_vec(), pair.coordinate);
+        self.divisors.push(Divisor { step, rows, unknown, square, parts, signed: None });
     }
 
     /// An angle from the cosine and sine of `turn`, a sum of integer multiples of angles; `x` and `y` are these
@@ -176,9 +177,9 @@ impl Build<'_> {
     fn core(&mut self, core: &Core) {
         let step = self.listed.giving(core.coordinates[0]);
         match &core.method {
-            SolutionMethod::Linear { matrix, constant } => {
+            SolutionMethod::Linear { matrix: given, constant } => {
                 let matrix: Vec<Vec<ExprId>> =
-                    matrix.iter().map(|row| row.iter().map(|&e| self.known_value(e)).collect()).collect();
+                    given.iter().map(|row| row.iter().map(|&e| self.known_value(e)).collect()).collect();
                 let right: Vec<ExprId> = constant.iter().map(|&e| self.known_value(e)).collect();
                 let right = right.into_iter().map(|e| self.graph.neg(e)).collect();
                 let lengths = dense::lengths(&self.system.set.coordinates, &core.coordinates);
@@ -187,9 +188,16 @@ impl Build<'_> {
                 match (matrix.as_slice(), margin) {
                     ([row], _) => {
                         let rows = self.listed.step(step).rows.iter().copied().collect();
-                        self.divide_by_coefficient(step, rows, core.coordinates[0], row[0]);
+                        let coefficients = [row[0], given[0][0]];
+                        self.divide_by_coefficient(step, (rows, core.coordinates[0]), coefficients);
                     }
-                    (_, Some(margin)) => self.write_margin(step, margin),
+                    (_, Some(margin)) => {
+                        let margin = self.write_margin(step, margin);
+                        let orientation = dense::solve(&mut self.graph, given, &[], &lengths).orientation;
+                        if let Some(value) = orientation.filter(|&value| !self.graph.depends(value).is_static()) {
+                            self.signed.push(Signed { value, step, margin });
+                        }
+                    }
                     (_, None) => {}
                 }
                 for (&k, value) in core.coordinates.iter().zip(solutions.into_iter().flatten()) {

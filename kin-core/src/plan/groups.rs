@@ -47,15 +47,7 @@ pub(super) fn name_group(set: &ConstraintSet, step: &mut Step) {
     } else if let (true, Some(letters)) = (free, step.closed_as) {
         letters.clone_into(&mut step.group);
     }
-    let names = |joints: &[usize]| {
-        let names: Vec<&str> = joints.iter().map(|&joint| set.joints[joint].name.as_str()).collect();
-        match names.as_slice() {
-            [] => String::new(),
-            [one] => (*one).to_owned(),
-            [rest @ .., last] => format!("{} and {last}", rest.join(", ")),
-        }
-    };
-    let joints = names(&step.joints);
+    let joints = names(set, &step.joints);
     let carried = bodies.iter().any(|&body| set.bodies[body].carried_by.is_some());
     step.singular = match (step.kind, step.group.as_str()) {
         (StepKind::Explicit | StepKind::Watched, _) => String::new(),
@@ -69,6 +61,23 @@ pub(super) fn name_group(set: &ConstraintSet, step: &mut Step) {
         (StepKind::Linear(n), _) => format!("determinant {n}×{n} of {joints} zero"),
         (StepKind::Newton(n), _) => format!("Jacobian {n}×{n} of {joints} singular"),
     };
+}
+
+/// Says in words when a formula is singular whose divisor is 0 for some configurations.
+pub(super) fn name_pole(set: &ConstraintSet, step: &mut Step) {
+    if step.singular.is_empty() {
+        step.singular = format!("divisor of {} zero", names(set, &step.joints));
+    }
+}
+
+/// The names of joints, as in `A, B and C`.
+fn names(set: &ConstraintSet, joints: &[usize]) -> String {
+    let names: Vec<&str> = joints.iter().map(|&joint| set.joints[joint].name.as_str()).collect();
+    match names.as_slice() {
+        [] => String::new(),
+        [one] => (*one).to_owned(),
+        [rest @ .., last] => format!("{} and {last}", rest.join(", ")),
+    }
 }
 
 /// A joint of a dyad. The pin at which another body carries an origin has no declared joint.

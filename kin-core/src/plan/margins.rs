@@ -1,29 +1,38 @@
 //! Margins of divisors and iterations, and the numbering of all margins.
 
 use super::closures;
-use super::state::{Build, Divisor, Stage};
+use super::state::{Build, Divisor, Signed, Stage};
 use super::step::StepId;
 use crate::constraint::CoordinateKind;
-use crate::expr::{ExprId, Symbol};
+use crate::expr::{ExprId, Graph, Symbol};
 use crate::mechanism::Component;
 use crate::program::Slot;
+use crate::vocabulary::Function;
 use std::collections::BTreeMap;
 
 impl Build<'_> {
-    pub(super) fn write_margin(&mut self, step: StepId, margin: ExprId) {
+    /// Writes a margin of a step; returns its index.
+    pub(super) fn write_margin(&mut self, step: StepId, margin: ExprId) -> usize {
         let place = self.listed.margin(step);
         self.write(Slot::Margin(place), margin);
+        place
     }
 
-    /// Records the coefficient of a single unknown as a divisor.
-    pub(super) fn divide_by_coefficient(&mut self, step: StepId, rows: Vec<usize>, unknown: u32, coefficient: ExprId) {
+    /// Records the coefficient of a single unknown as a divisor. `given` is the coefficient at a given q.
+    pub(super) fn divide_by_coefficient(
+        &mut self,
+        step: StepId,
+        (rows, unknown): (Vec<usize>, u32),
+        [coefficient, given]: [ExprId; 2],
+    ) {
         match self.graph.literal(coefficient) {
             None => {
                 let square = self.graph.square(coefficient);
-                self.divisors.push(Divisor { step, rows, unknown, square, parts: vec![coefficient] });
+                let signed = Some(given).filter(|&given| !self.graph.depends(given).is_static());
+                self.divisors.push(Divisor { step, rows, unknown, square, parts: vec![coefficient], signed });
             }
             // A coefficient that is identically 0: the step is always singular.
-            Some(0.0) => self.write_margin(step, coefficient),
+            Some(0.0) => _ = self.write_margin(step, coefficient),
             Some(_) => {}
         }
     }
@@ -37,15 +46,29 @@ impl Build<'_> {
             CoordinateKind::Pose(_, component) => Some(component != Component::Phi),
             CoordinateKind::Scalar => None,
         };
-        for Divisor { step, rows, unknown, square, parts } in std::mem::take(&mut self.divisors) {
+        for Divisor { step, rows, unknown, square, parts, signed } in std::mem::take(&mut self.divisors) {
             let mut others = Vec::new();
             if let Some(kind) = is_length(unknown) {
                 let entries = rows.iter().flat_map(|&row| &system.equations[row].phi_q);
                 let entries = entries.filter(|(k, _)| *k != unknown && is_length(*k) == Some(kind));
-                others = entries.map(|(_, entry)| self.known_value(*entry)).collect();
+                others = entries.map(|(_, entry)| *entry).collect();
             }
-            if let Some(margin) = closures::share(&mut self.graph, square, &others, &parts) {
-                self.write_margin(step, margin);
+            let known: Vec<ExprId> = others.iter().map(|&entry| self.known_value(entry)).collect();
+            let whole = |graph: &mut Graph, square: ExprId, others: &[ExprId], parts: &[ExprId]| {
+                let compared = closures::whole_of_divisor(graph, square, others, parts);
+                // A divisor with a sign that has nothing else to be compared with is compared with its own size.
+                compared
+                    .or_else(|| Some(closures::whole_of_varying(graph, square, signed.and(parts.first().copied())?)))
+            };
+            let Some(all) = whole(&mut self.graph, square, &known, &parts) else { continue };
+            let margin = self.graph.div(square, all);
+            let margin = self.write_margin(step, margin);
+            let Some(divisor) = signed else { continue };
+            let square = self.graph.square(divisor);
+            if let Some(all) = whole(&mut self.graph, square, &others, &[divisor]) {
+                let root = self.graph.call(Function::Sqrt, all);
+                let value = self.graph.div(divisor, root);
+                self.signed.push(Signed { value, step, margin });
             }
         }
     }

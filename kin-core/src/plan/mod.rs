@@ -69,8 +69,9 @@ pub struct SolutionPlan {
     pub steps: Vec<Step>,
     /// The assembly modes.
     pub modes: Vec<Mode>,
-    /// The groups that are solved by iteration. Near a singular configuration, in which two solutions of a group
-    /// coincide, these differ in the sign of the Jacobian determinant of the group.
+    /// The groups whose determinant has a sign that distinguishes branches: first those that are solved by iteration,
+    /// in which two solutions differ in the sign of the Jacobian determinant where they nearly coincide; then linear
+    /// systems that are singular for some configurations, where the solution goes to infinity.
     pub orientations: Vec<Mode>,
     /// Number of margins of a solution.
     pub margins: usize,
@@ -80,8 +81,8 @@ pub struct SolutionPlan {
     pub sections: Vec<(Section, Depth)>,
     /// Number of values that sections store for later sections.
     pub held: u32,
-    /// The branch values of a configuration: one entry per mode, whose sign is the mode, then one per iteration, whose
-    /// sign is its orientation.
+    /// The branch values of a configuration: one entry per mode, whose sign is the mode, then one per orientation, of
+    /// the same sign.
     pub branch_values: Program,
     /// For each of the n coordinates, the angle by which the gradients of iterated rows turn per unit of the
     /// coordinate; empty if all are 0.
@@ -159,9 +160,9 @@ fn planned(system: &KinematicSystem, rank: usize, written: bool) -> Result<(Solu
     let solution = linear.iter().map(|(_, x)| *x).collect();
     let (resolve, factors) = sections::split(&mut build.graph, linear, &regular);
     let regular = factors - regular.len()..factors;
-    let Build { mut graph, stages, listed, iterations, branch_values, iterated, .. } = build;
-    let outputs: Vec<_> =
-        branch_values.into_iter().chain(orientations).enumerate().map(|(k, id)| (Slot::Entry(k), id)).collect();
+    let Build { mut graph, stages, listed, iterations, branch_values, iterated, signed, .. } = build;
+    let values = branch_values.into_iter().chain(orientations).chain(signed.iter().map(|signed| signed.value));
+    let outputs: Vec<_> = values.enumerate().map(|(k, id)| (Slot::Entry(k), id)).collect();
     let branch_values = lower(&graph, &outputs);
     let iterates_on_curves = turns::iterates_on_curves(&graph, &tree);
     let turns = turns::turns(&mut graph, &tree, &set.coordinates);
@@ -175,8 +176,12 @@ fn planned(system: &KinematicSystem, rank: usize, written: bool) -> Result<(Solu
     };
     let sections = sections.into_iter().enumerate().map(|(place, section)| (section, depth(place))).collect();
     let formulas = before.map_or_else(Vec::new, |graph| formulas::formulas(system, graph, &listed, &tree));
-    let orientations = iterated.into_iter().map(|(_, step, margin)| listed.iteration(system, step, margin)).collect();
-    let StepList { steps, modes, margins, .. } = listed;
+    let poles: Vec<StepId> = signed.iter().map(|signed| signed.step).collect();
+    let oriented = iterated.into_iter().map(|(_, step, margin)| (step, margin));
+    let oriented = oriented.chain(signed.into_iter().map(|signed| (signed.step, signed.margin)));
+    let orientations = oriented.map(|(step, margin)| listed.oriented(system, step, margin)).collect();
+    let StepList { mut steps, modes, margins, .. } = listed;
+    poles.into_iter().for_each(|step| groups::name_pole(set, &mut steps[step.index()]));
     let plan = SolutionPlan {
         steps,
         modes,

@@ -25,6 +25,17 @@ pub(super) struct Divisor {
     pub(super) unknown: u32,
     pub(super) square: ExprId,
     pub(super) parts: Vec<ExprId>,
+    /// The divisor of a linear step at a given q, whose sign changes where the step is singular.
+    pub(super) signed: Option<ExprId>,
+}
+
+/// A linear step that is singular for some configurations.
+pub(super) struct Signed {
+    /// Its branch value, whose sign changes where it is singular.
+    pub(super) value: ExprId,
+    pub(super) step: StepId,
+    /// The index of its margin, which is the square of the branch value.
+    pub(super) margin: usize,
 }
 
 /// A redundant row, with which the solution is checked.
@@ -66,6 +77,8 @@ pub(super) struct Build<'a> {
     pub(super) pending: Vec<(usize, usize, u32)>,
     /// For every iteration: its first row, its step and the index of its margin.
     pub(super) iterated: Vec<(usize, StepId, usize)>,
+    /// The linear steps that are singular for some configurations.
+    pub(super) signed: Vec<Signed>,
     /// The divisors whose margins are still to be written.
     pub(super) divisors: Vec<Divisor>,
     /// The branch values of all closures at a given q.
@@ -91,6 +104,7 @@ impl<'a> Build<'a> {
             iterations: 0,
             pending,
             iterated: Vec::new(),
+            signed: Vec::new(),
             divisors: Vec::new(),
             branch_values,
             margins,

@@ -141,8 +141,8 @@ impl StepList {
         self.of_margins.len() - 1
     }
 
-    /// The [`Mode`] that describes a group solved by iteration; `margin` is the provisional index of its margin.
-    pub(super) fn iteration(&self, system: &KinematicSystem, step: StepId, margin: usize) -> Mode {
+    /// The [`Mode`] that describes a group whose determinant has a sign; `margin` is the provisional index of its margin.
+    pub(super) fn oriented(&self, system: &KinematicSystem, step: StepId, margin: usize) -> Mode {
         let name = self.joined(system, step);
         Mode { name, step, margin: self.places.get(margin).copied().unwrap_or(margin) }
     }

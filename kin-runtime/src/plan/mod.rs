@@ -34,8 +34,9 @@ pub struct Plan {
     pub steps: &'static [PlanStep],
     /// The assembly modes.
     pub modes: &'static [ModeInfo],
-    /// The groups that are solved by iteration. The sign of the determinant of its system distinguishes neighbouring
-    /// solutions of such a group; unlike a mode, it cannot be requested.
+    /// The groups whose determinant has a sign that distinguishes branches: those that are solved by iteration, and
+    /// linear systems that are singular for some configurations, where their solution goes to infinity. Unlike a mode,
+    /// this sign cannot be requested.
     pub orientations: &'static [ModeInfo],
     /// The number of margins of a solution.
     pub margins: usize,
@@ -64,6 +65,17 @@ pub struct PlanStep {
     pub singular: &'static str,
 }
 
+impl PlanStep {
+    fn iterates(&self) -> bool {
+        matches!(self.kind, StepKind::Newton(_))
+    }
+
+    /// True if its unknowns are the solution of a linear system.
+    pub(crate) fn is_linear(&self) -> bool {
+        matches!(self.kind, StepKind::Explicit | StepKind::Linear(_))
+    }
+}
+
 /// An assembly mode: a group that closes in two ways, which a sign distinguishes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ModeInfo {
@@ -90,7 +102,7 @@ impl Plan {
     }
 
     /// The number of signs that distinguish the branches of the motion: one for every mode, then one for every
-    /// iteration.
+    /// orientation.
     pub const fn signs(&self) -> usize {
         self.modes.len() + self.orientations.len()
     }
@@ -98,13 +110,23 @@ impl Plan {
     /// The index of the margin of a group, from the index of its sign: the root of this margin is the distance of the
     /// group from the limit at which the sign changes.
     pub(crate) fn margin_of_group(&self, group: usize) -> Option<usize> {
-        let of_iteration = || self.orientations.get(group - self.modes.len());
-        self.modes.get(group).or_else(of_iteration).map(|info| info.margin)
+        let oriented = || self.orientations.get(group - self.modes.len());
+        self.modes.get(group).or_else(oriented).map(|info| info.margin)
     }
 
     /// The index of the sign of the group to which a margin belongs; `None` for other margins.
     pub(crate) fn group_of_margin(&self, margin: usize) -> Option<usize> {
         self.modes.iter().chain(self.orientations).position(|info| info.margin == margin)
+    }
+
+    /// True if a step is solved by iteration.
+    pub(crate) fn iterates(&self) -> bool {
+        self.steps.iter().any(PlanStep::iterates)
+    }
+
+    /// True if a linear step may be singular for some configurations.
+    pub(crate) fn has_poles(&self) -> bool {
+        self.orientations.iter().any(|group| self.steps.get(group.step).is_some_and(PlanStep::is_linear))
     }
 
     /// True if there is a plan.

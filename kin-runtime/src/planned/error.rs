@@ -43,6 +43,9 @@ pub enum LimitKind {
     /// Both closures meet, and beyond the limit there are two closures again: two branches of the motion cross, and it
     /// is not determined which of them continues the motion.
     BranchPoint,
+    /// The linear system of the group is singular, and its solution goes to infinity, as the pin in two slots that become
+    /// parallel. Beyond, the solution would come back from the other side.
+    Pole,
 }
 
 /// For example `dead centre`.
@@ -51,6 +54,7 @@ impl fmt::Display for LimitKind {
         f.write_str(match self {
             Self::DeadCentre => "dead centre",
             Self::BranchPoint => "branch point",
+            Self::Pole => "solution at infinity",
         })
     }
 }
@@ -97,7 +101,7 @@ impl Limit {
 
     /// The time at which a group locks: that of the limit, unless it is the limit of a divisor.
     pub(crate) fn locks_at(&self) -> Option<f64> {
-        self.at().filter(|_| self.step.closes() || self.step.is_iterated())
+        self.at().filter(|_| self.step.closes() || self.step.is_iterated() || self.kind().is_some())
     }
 
     /// The kind of limit, where it is known.
@@ -137,7 +141,12 @@ impl fmt::Display for Limit {
         let bodies = step.bodies().count();
         listed(f, step.bodies())?;
         f.write_str(if bodies > 0 { " of " } else { "" })?;
-        let verb = if bodies > 1 { "lock" } else { "locks" };
+        let verb = match (self.kind(), bodies > 1) {
+            (Some(LimitKind::Pole), true) => "go to infinity",
+            (Some(LimitKind::Pole), false) => "goes to infinity",
+            (_, true) => "lock",
+            (_, false) => "locks",
+        };
         write!(f, "{step} {verb} at t = {}: {} (", rounded(at), step.info().singular)?;
         match self.kind() {
             Some(kind) => write!(f, "{kind})")?,

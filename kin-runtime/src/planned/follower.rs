@@ -90,6 +90,9 @@ pub(crate) struct PlanFollower<M: Mechanism> {
     pub(super) turns: M::Coordinates<f64>,
     /// See [`rows_turn_alone`].
     pub(super) rows_turn_alone: bool,
+    /// Whether a group may change the sign of its determinant although the turns of bodies do not bring it near its
+    /// limit.
+    pub(super) watches_signs: bool,
     /// q at the limit that ended the last motion, if it was located.
     pub(super) q_at_limit: Option<M::Coordinates<f64>>,
 }
@@ -150,6 +153,7 @@ impl<M: Mechanism> PlanFollower<M> {
             weights: zeros,
             turns: zeros,
             rows_turn_alone: rows_turn_alone::<M>(),
+            watches_signs: rows_turn_alone::<M>() || M::model().plan.has_poles(),
             q_at_limit: None,
         }
     }

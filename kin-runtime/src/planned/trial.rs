@@ -95,7 +95,7 @@ impl<M: Mechanism> PlanFollower<M> {
         Ok(certainty_at_places(mechanism, (parameters, from, at), modes, ends, h)? >= 0.0)
     }
 
-    /// True if no iterated group has changed the sign of its determinant.
+    /// True if no group has changed the sign of its determinant.
     #[inline]
     pub(super) fn keeps_orientations(&self, mechanism: &M, at: &Instant<'_>) -> Result<bool, LengthError> {
         let plan = &M::model().plan;
@@ -104,8 +104,8 @@ impl<M: Mechanism> PlanFollower<M> {
         }
         let q = &self.trial().q;
         let found = BranchValues::at(mechanism, self.parameters.as_ref(), at, q.as_ref())?;
-        let iterated = plan.modes.len()..plan.signs();
-        Ok(have_signs(&self.branch.modes.as_ref()[iterated.clone()], &found.as_ref()[iterated]))
+        let oriented = plan.modes.len()..plan.signs();
+        Ok(have_signs(&self.branch.modes.as_ref()[oriented.clone()], &found.as_ref()[oriented]))
     }
 
     /// True if every group agrees with its prediction; false where a group may have reached its limit and returned, and

@@ -38,6 +38,7 @@ fn kind(limit: &RangeLimit) -> &'static str {
     match limit.kind {
         Some(LimitKind::DeadCentre) => "dead centre",
         Some(LimitKind::BranchPoint) => "branch point",
+        Some(LimitKind::Pole) => "solution at infinity",
         None if limit.proven => "limit",
         None => "undecided",
     }

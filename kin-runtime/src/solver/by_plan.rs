@@ -162,7 +162,7 @@ impl<M: Mechanism> Solver<'_, M> {
         let [mut q_dot, mut q_ddot] = [M::Coordinates::<f64>::filled(0.0); 2];
         let solved = Solved { q, q_dot: q_dot.as_mut(), q_ddot: q_ddot.as_mut(), margins: margins.as_mut() };
         // Margins of iterations and of redundant rows need velocities.
-        let depth = if M::model().plan.orientations.is_empty() { Depth::Position } else { Depth::Velocity };
+        let depth = if M::model().plan.iterates() { Depth::Velocity } else { Depth::Position };
         self.mechanism.solve_with(parameters.as_ref(), at, modes, start, depth, solved).ok()
     }
 

@@ -9,6 +9,7 @@ mod limits;
 mod orientations;
 mod plan_check;
 mod planned;
+mod poles;
 mod ratios;
 mod redundant;
 mod special_dimensions;

@@ -104,7 +104,7 @@ impl<M: Mechanism> Motion<M> {
         branch_values.unwrap_or_else(|_| BranchValues::filled(Octet::default()))
     }
 
-    /// Takes the orientations of iterated groups from the trial state.
+    /// Takes the orientations from the trial state.
     fn orient(&mut self, mechanism: &M, at: &Instant<'_, Octet>) {
         let plan = &M::model().plan;
         if !plan.orientations.is_empty() {
@@ -114,7 +114,7 @@ impl<M: Mechanism> Motion<M> {
         }
     }
 
-    /// Negative in lanes in which an iterated group has another orientation than before.
+    /// Negative in lanes in which a group has another orientation than before.
     #[cold]
     #[inline(never)]
     fn kept_orientation(&self, mechanism: &M, at: &Instant<'_, Octet>) -> Octet {
@@ -150,13 +150,13 @@ impl<M: Mechanism> Motion<M> {
         let nearer = tried.margin.least(self.poses[self.good].margin);
         let reach = Octet::from_f64(OUT_OF_REACH) * turn;
         let beyond = nearer - reach * reach;
-        if !is_positive(beyond) || !plan.orientations.is_empty() {
+        if !is_positive(beyond) || plan.iterates() {
             let certain = self.certainty_of_prediction(mechanism, at, nearer.abs().sqrt(), turn);
             // If all limits are out of reach, the comparison with the prediction is not needed.
             least = least.least(certain.greatest(beyond));
-            if !plan.orientations.is_empty() {
-                least = least.least(self.kept_orientation(mechanism, at));
-            }
+        }
+        if !plan.orientations.is_empty() {
+            least = least.least(self.kept_orientation(mechanism, at));
         }
         // No group is so near to its limit that rates are inaccurate, and no number is NaN.
         let far = (nearer - Octet::from_f64(1.0)).is_within(1.0 - FAR_FROM_LIMITS);

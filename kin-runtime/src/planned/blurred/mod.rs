@@ -119,7 +119,10 @@ pub(crate) fn blurred_group(
     if let Some(group) = (0..plan.modes.len()).find(meet) {
         return Some(group);
     }
-    groups_of(plan).enumerate().filter(|(group, _)| distances[*group] < NEAR).find_map(|(group, step)| {
+    // The error of a linear system is only ε/w.
+    let is_linear = |step: usize| plan.steps.get(step).is_some_and(PlanStep::is_linear);
+    let mut near = groups_of(plan).enumerate().filter(|(group, step)| distances[*group] < NEAR && !is_linear(*step));
+    near.find_map(|(group, step)| {
         let of = |step: &'static PlanStep| step.coordinates.iter().map(|&(k, _)| k);
         let own =
             |rates: &[f64]| largest_of(model, turns, &mut plan.steps.iter().skip(step).take(1).flat_map(of), rates);

@@ -3,7 +3,10 @@
 //!
 //! The margin of a group, w², is a smooth function of the place on the course, even where w has a corner. It changes
 //! its sign at a fold, and touches 0 at a crossing. So a motion that was stopped at the limit of a group ends at a root
-//! or at a minimum of its margin.
+//! or at a minimum of its margin. The solution of a linear system goes to infinity where its determinant changes its sign
+//! (see `pole`).
+
+mod pole;
 
 use super::error::{Limit, LimitKind, Located, PlanError};
 use super::follower::{Fault, PlanFollower, PlanSolution};
@@ -102,6 +105,9 @@ impl<M: Mechanism> PlanFollower<M> {
             return (of_kind(t, Limit { step, margin, located: Some(Located { at: reached, kind: None }) }), last);
         };
         let has_two_closures = group < plan.modes.len();
+        if step.info().is_linear() {
+            return self.refusal_at_pole(mechanism, course, t, (group, step), blocked);
+        }
         // An iteration does not converge beyond a fold, so that its margin has no root: the limit is where the walk
         // stopped.
         let spot = if has_two_closures {
@@ -157,7 +163,7 @@ impl<M: Mechanism> PlanFollower<M> {
             modes,
             start.as_ref(),
             // The margins of iterations depend on velocities.
-            if plan.orientations.is_empty() { Depth::Position } else { Depth::Velocity },
+            if plan.iterates() { Depth::Velocity } else { Depth::Position },
             solved,
         );
         let margin = self.trial().margins.as_ref()[margin];

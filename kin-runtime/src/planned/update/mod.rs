@@ -176,7 +176,7 @@ impl<M: Mechanism> PlanFollower<M> {
         let PlanSolution { q, q_dot, q_ddot, .. } = &self.states[self.accepted];
         let rates = [q.as_ref(), q_dot.as_ref(), q_ddot.as_ref()];
         let turn = parabola(self.predicted.as_mut(), rates, self.weights.as_ref(), h);
-        if !M::model().plan.orientations.is_empty() {
+        if M::model().plan.iterates() {
             self.predict_unknowns(h);
         }
         turn
@@ -255,13 +255,13 @@ impl<M: Mechanism> PlanFollower<M> {
         }
         // Where every group is out of reach of its limit, no sign can have changed: neither within the step nor between
         // the solution and its prediction, which are much nearer to one another than both ends of the step. An
-        // iteration of lengths may still have found another solution, since the turns of bodies do not bound how far
-        // these move.
+        // iteration of lengths may still have found another solution, and a linear step may have passed a pole, since the
+        // turns of bodies do not bound how far lengths move.
         let nearest = self.measure();
         let least = f64::min(nearest, self.nearest);
         let far = least >= OUT_OF_REACH * turn && least >= NEAR;
         let stays = match far {
-            true => !self.rows_turn_alone || self.keeps_orientations(mechanism, at)?,
+            true => !self.watches_signs || self.keeps_orientations(mechanism, at)?,
             false => self.stays_on_its_branch(mechanism, at, resolves(least, turn))?,
         };
         if !stays {

@@ -13,6 +13,7 @@ use crate::equations::scale::Scale;
 use crate::error::{Refusal, SolveError};
 use crate::events::Watch;
 use crate::linear::Factorization;
+use crate::planned::LimitKind;
 use crate::state::State;
 use crate::trajectory::Fallback;
 use crate::workspace::{Instant, Subset};
@@ -251,8 +252,10 @@ impl Continuation {
                 let (node, Some(basis)) = (&*node, &node.basis) else { continue };
                 let rates = if moved { [&node.state.q_dot, &node.state.q_ddot] } else { [&*q_dot, &*q_ddot] };
                 let start = Start { node, basis, s: from, q_dot: rates[0], q_ddot: rates[1] };
-                if s == from {
-                    // The step is shorter than the spacing of floating-point numbers.
+                let is_pole = limit.and_then(|limit| limit.kind()) == Some(LimitKind::Pole);
+                if s == from || is_pole && equations.model.plan.watched().next().is_none() {
+                    // The step is shorter than the spacing of floating-point numbers, or the coordinates grow without
+                    // bound, so that no step is short enough.
                     return Err(refusal(equations, &start, target, Fault::Coarse(0.5), (limit, jumps)));
                 }
                 match (self.step)(equations, scratch, start, next, s, s == target) {

@@ -1,0 +1,54 @@
+//! The end of a motion at which a linear step is singular: its solution goes to infinity, or two branches cross.
+
+use super::{NO_MARGIN, Spot};
+use crate::course::Course;
+use crate::mechanism::Mechanism;
+use crate::plan::Plan;
+use crate::planned::error::{Limit, LimitKind, Located, PlanError};
+use crate::planned::follower::PlanFollower;
+use crate::planned::lists::BranchValues;
+use crate::planned::step::Step;
+use crate::planned::walk::Blocked;
+use crate::signal::{Instant, Signal};
+use crate::workspace::Array;
+
+/// How much larger than all coordinates before it a solution is that goes to infinity.
+const INFINITE: f64 = 1e5;
+
+impl<M: Mechanism> PlanFollower<M> {
+    /// The error where the determinant of a linear group changes its sign, and the place on the course at which it does.
+    pub(super) fn refusal_at_pole(
+        &mut self,
+        mechanism: &M,
+        course: &dyn Course,
+        t: f64,
+        (group, step): (usize, Step),
+        blocked: &Blocked<M>,
+    ) -> (PlanError, f64) {
+        let Spot { s, margin, .. } = Spot::beyond(blocked.places, course.ends(), &mut |s| {
+            self.signed_margin(mechanism, course, s, group, blocked)
+        });
+        let largest = |q: &[f64]| q.iter().fold(1.0, |largest: f64, x| largest.max(x.abs()));
+        let before = largest(blocked.here.q.as_ref());
+        let q = &self.trial().q;
+        let here = step.info().coordinates.iter().map(|&(k, _)| q.as_ref().get(k).copied().unwrap_or(f64::NAN));
+        let is_finite = here.fold(true, |all, x| all && x.abs() < INFINITE * before);
+        let kind = if is_finite { LimitKind::BranchPoint } else { LimitKind::Pole };
+        let mut inputs = M::Inputs::<f64>::filled(Signal::constant(0.0));
+        let at = course.at(s, inputs.as_mut());
+        let is_there = margin <= Plan::SMALLEST_MARGIN.max(NO_MARGIN);
+        let located = Some(Located { at, kind: is_there.then_some(kind) });
+        (PlanError::Limit { t, limit: Limit { step, margin, located } }, s)
+    }
+
+    /// The margin of a linear group at a place of the course, negative where its determinant has the other sign.
+    fn signed_margin(&mut self, mechanism: &M, course: &dyn Course, s: f64, group: usize, blocked: &Blocked<M>) -> f64 {
+        let Some(of_margin) = M::model().plan.margin_of_group(group) else { return -1.0 };
+        let margin = self.margin_at(mechanism, course, s, of_margin, blocked);
+        let mut inputs = M::Inputs::<f64>::filled(Signal::constant(0.0));
+        let at = Instant { t: course.at(s, inputs.as_mut()), inputs: inputs.as_ref() };
+        let found = BranchValues::at(mechanism, self.parameters.as_ref(), &at, self.trial().q.as_ref());
+        let keeps = found.is_ok_and(|found| found.as_ref()[group] * self.branch.modes.as_ref()[group] > 0.0);
+        if keeps { margin } else { -margin.abs() }
+    }
+}

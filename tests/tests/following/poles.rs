@@ -1,0 +1,160 @@
+//! Motions that end where a linear step is singular: the solution goes to infinity, and would come back from the other
+//! side.
+
+use kin_runtime::batch::{Column, Modes, Motions, Sweeps, always, sweep};
+use kin_runtime::{Instant, Kinematics, Limit, LimitKind, Options, SolveError, mechanism};
+
+/// A pin in the slot of an arm that turns about the origin, and on a line.
+#[mechanism]
+#[body(arm, x = 0, y = 0)]
+#[bodies(pin)]
+#[point_on_line(slot: arm @ (0, 0), pin @ (0, 0), axis = (1, 0))]
+#[constraint(line: pin.y = w)]
+#[relative_angle(along: arm, pin = 0.2)]
+#[driver(drive: arm.phi = start + speed * t)]
+struct Tangent {
+    w: f64,
+    start: f64,
+    speed: f64,
+}
+
+/// The same, with line and slot in directions given by parameters.
+#[mechanism]
+#[body(arm, x = 0, y = 0)]
+#[bodies(pin)]
+#[point_on_line(slot: arm @ (0, 0), pin @ (0, 0), axis = (p, q))]
+#[constraint(line: u * pin.x + v * pin.y = w)]
+#[relative_angle(along: arm, pin = 0.2)]
+#[driver(drive: arm.phi = start + speed * t)]
+struct Oblique {
+    p: f64,
+    q: f64,
+    u: f64,
+    v: f64,
+    w: f64,
+    start: f64,
+    speed: f64,
+}
+
+/// Reciprocal numbers, with a divisor that is a coordinate.
+#[mechanism]
+#[coordinates(u, v)]
+#[driver(drive: u = start + speed * t)]
+#[constraint(reciprocal: u * v = w)]
+struct Reciprocal {
+    w: f64,
+    start: f64,
+    speed: f64,
+}
+
+/// The same behind a group with two closures, so that nothing but the divisor is known.
+#[mechanism]
+#[coordinates(a, u, v)]
+#[driver(drive: a = start + speed * t)]
+#[constraint(square: (u + 3) * (u + 3) = (a + 3) * (a + 3))]
+#[constraint(reciprocal: u * v = w)]
+#[guess(u = 1)]
+struct Behind {
+    w: f64,
+    start: f64,
+    speed: f64,
+}
+
+/// Every way from 0 to beyond the pole ends at it, and passes no instant beyond it.
+fn ends_at<M: Kinematics + Sync>(mechanism: &M, pole: f64) {
+    let name = M::model().name;
+    let is = |limit: Option<&Limit>, what: &str| {
+        let limit = limit.unwrap_or_else(|| panic!("{name}, {what}: no limit"));
+        let at = limit.at().unwrap_or_else(|| panic!("{name}, {what}: {limit}"));
+        assert!((at - pole).abs() < 1e-9 && limit.kind() == Some(LimitKind::Pole), "{name}, {what}: {limit:?}");
+        assert!(limit.to_string().contains("infinity at t = "), "{limit}");
+    };
+    let solver = mechanism.solver();
+    for count in [1_u32, 3, 20, 500] {
+        // The last instant is beyond the pole, and none is nearer to it than a thousandth of a step.
+        let step = 1.4 * pole / f64::from(count) * 1.003;
+        let times: Vec<f64> = (0..=count).map(|k| step * f64::from(k)).collect();
+        let last = times.iter().take_while(|t| **t < pole).count();
+        let error = solver.sweep(&times).expect_err("a pole");
+        match (error.source.limit(), &error.source) {
+            // An instant just before the pole is singular by the condition of Φ_q.
+            (None, SolveError::Singular { t, .. }) if count == 500 => assert!((t - pole).abs() < 1e-2 * pole, "{name}"),
+            (limit, source) => {
+                is(limit, &format!("sweep in {count} steps: {source}"));
+                assert_eq!(last, error.trajectory.states.len());
+            }
+        }
+        let mut planned = solver.planned(&Instant::at(0.0)).expect("it closes");
+        let mut tracker = solver.tracker(&Instant::at(0.0)).expect("it closes");
+        for (k, &t) in times.iter().enumerate().skip(1).take(last) {
+            let at = Instant::at(t);
+            match (planned.at(&at), tracker.update(&at)) {
+                (Ok(_), Ok(_)) => assert!(k < last, "{name}: passed the pole"),
+                (Err(planned), Err(tracker)) => {
+                    assert_eq!(k, last, "{name}: {planned}");
+                    is(planned.limit(), "planned");
+                    if count < 500 {
+                        is(tracker.limit(), "tracker");
+                    }
+                }
+                (Ok(_), Err(SolveError::Singular { .. })) if count == 500 => break,
+                (planned, tracker) => {
+                    panic!("{name}, t = {t}: {:?} {:?}", planned.map(|_| ()), tracker.map(|_| ()))
+                }
+            }
+        }
+        let q = solver.state(&Instant::at(0.0)).expect("it closes").q;
+        let start: Vec<_> = q.iter().map(|q| Column::Shared(*q)).collect();
+        let parameters = mechanism.parameters::<f64>();
+        let parameters: Vec<_> = parameters.as_ref().iter().map(|p| Column::Shared(*p)).collect();
+        let sweeps =
+            Sweeps { parameters: &parameters, times: &times, inputs: &[], modes: Modes::OfStart, start: &start };
+        let mut out = Motions::new(1, Vec::new());
+        sweep(mechanism, &sweeps, &mut out, &always, |_: &mut Vec<f64>, _| ()).unwrap();
+        let end = out.ends().next().flatten().expect("a pole");
+        assert_eq!(last, end.instant, "{name}: batch");
+        is(end.limit.as_ref(), "batch");
+    }
+    // Full Newton does not pass the pole either.
+    let newton = mechanism.solver().with_options(Options { use_plan: false, ..Options::default() });
+    let times: Vec<f64> = (0..100).map(|k| 0.014 * pole * f64::from(k)).collect();
+    let error = newton.sweep(&times).expect_err("a pole").source;
+    assert!(!matches!(error, SolveError::NotAssembled { .. }), "{error}");
+}
+
+#[test]
+fn a_pin_in_a_slot_does_not_pass_infinity() {
+    let pi = std::f64::consts::PI;
+    for (w, start, speed) in [(0.5, -2.5, 3.0), (-2.0, 2.0, -0.7)] {
+        // Slot and line are parallel at a multiple of π.
+        let next = if speed > 0.0 { (start / pi).ceil() * pi } else { (start / pi).floor() * pi };
+        ends_at(&Tangent { w, start, speed }, (next - start) / speed);
+        for (line, slot) in [(0.0, 0.0), (0.3, 0.0), (0.9, -0.4)] {
+            let [(v, u), (q, p)] = [line, slot].map(f64::sin_cos);
+            // The line is normal to (u, v), the slot along (p, q).
+            let phi = line + 0.5 * pi - slot;
+            let first = if speed > 0.0 { ((start - phi) / pi).ceil() } else { ((start - phi) / pi).floor() };
+            ends_at(&Oblique { p, q, u, v, w, start, speed }, (phi + first * pi - start) / speed);
+        }
+    }
+}
+
+/// Scalars count as angles, so that no step is short enough on the way to infinity.
+#[test]
+fn reciprocals_do_not_pass_infinity() {
+    fn ends<M: Kinematics>(mechanism: &M, pole: f64) {
+        for count in [1_u32, 20] {
+            let times: Vec<f64> = (0..=count).map(|k| 1.4042 * pole / f64::from(count) * f64::from(k)).collect();
+            let last = times.iter().take_while(|t| **t < pole).count();
+            let error = mechanism.solver().sweep(&times).expect_err("a pole");
+            assert!(error.trajectory.states.len() <= last, "{}", error.source);
+            let mut planned = mechanism.solver().planned(&Instant::at(0.0)).expect("it closes");
+            let refused = times[1..=last].iter().position(|&t| planned.at(&Instant::at(t)).is_err());
+            assert!(refused.is_some(), "{count}: {:?}", planned.q());
+        }
+    }
+    for (w, start, speed) in [(2.0, 1.0, -0.3)] {
+        ends(&Reciprocal { w, start, speed }, -start / speed);
+        ends(&Behind { w, start, speed }, -start / speed);
+    }
+}
