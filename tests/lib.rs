@@ -9,7 +9,7 @@ pub mod programs;
 pub mod random;
 pub mod stencil;
 
-use kin_runtime::{Instant, Kinematics, Signal};
+use kin_runtime::{Instant, Kinematics, Mechanism, Signal};
 
 /// Fails unless the mechanism assembles at t = 0 with all inputs at 0, has no degrees of freedom left, and passes the
 /// cross-check of its closed forms.
@@ -19,6 +19,14 @@ pub fn works<M: Kinematics>(mechanism: &M) {
     assert_eq!(0, state.degrees_of_freedom_left);
     let check = mechanism.cross_check().unwrap();
     assert!(check.passes(1e-12), "{check}");
+}
+
+/// The modes of a configuration, a sign ±1 for each.
+pub fn modes<M: Mechanism>(mechanism: &M, at: &Instant<'_>, q: &[f64]) -> Vec<f64> {
+    let plan = &M::model().plan;
+    let mut branches = vec![f64::NAN; plan.signs()];
+    mechanism.branches_with(mechanism.parameters::<f64>().as_ref(), at, q, &mut branches).unwrap();
+    branches[..plan.modes.len()].iter().map(|w| w.signum()).collect()
 }
 
 /// The README, whose code is compiled as a documentation test.

@@ -33,7 +33,7 @@ impl Motion {
         let start = four_bar.state_at(&0.0.into()).expect("it closes");
         let array = |v: &[f64]| -> [f64; 9] { v.try_into().expect("nine coordinates") };
         let (parameters, mut modes) = (four_bar.parameters::<f64>(), [0.0]);
-        four_bar.closures_with(&parameters, &Instant::at(0.0), &start.q, &mut modes).expect("one mode");
+        four_bar.branches_with(&parameters, &Instant::at(0.0), &start.q, &mut modes).expect("one mode");
         let count = LoadedFourBar::model().forces.expect("it has masses").count;
         Self {
             parameters,

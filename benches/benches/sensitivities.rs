@@ -26,7 +26,7 @@ impl<'m, T: Scalar> Steps<'m, T> {
     fn new(four_bar: &'m FourBar, parameters: [T; 7]) -> Self {
         let start = four_bar.solver().with_guess(5, 0.9).with_guess(8, 5.0).state(&0.0.into()).expect("it closes");
         let (numbers, mut modes) = (four_bar.parameters::<f64>(), [0.0]);
-        four_bar.closures_with(&numbers, &Instant::at(0.0), &start.q, &mut modes).expect("one mode");
+        four_bar.branches_with(&numbers, &Instant::at(0.0), &start.q, &mut modes).expect("one mode");
         let zero = T::from_f64(0.0);
         Self {
             four_bar,

@@ -202,7 +202,7 @@ fn main() {
     let [mut newton, mut unpredicted] = [true, false].map(|predicts| Placed::new(move || newton(predicts)));
     let parameters = four_bar.parameters::<f64>();
     let mut modes = [0.0; 1];
-    four_bar.closures_with(&parameters, &Instant::at(0.0), &state.q, &mut modes).expect("one mode");
+    four_bar.branches_with(&parameters, &Instant::at(0.0), &state.q, &mut modes).expect("one mode");
     let modes = modes.map(f64::signum);
     let mut planned = Placed::new(|| (array(&state.q), [0.0; 9], [0.0; 9], [0.0; 1]));
     let [mut dyad, mut dyad_lanes] = [(); 2].map(|()| Placed::new(|| (array(&state.q), [0.0; 9], [0.0; 9])));

@@ -139,11 +139,11 @@ fn starts<M: Mechanism>(mechanism: &M, study: &Study, at: &Instant<'_>) -> Resul
     };
     let mut signs: Vec<Option<Sign>> = vec![None; modes.len()];
     if solved.is_ok() {
-        let mut closures = vec![0.0; modes.len()];
+        let mut branches = vec![0.0; M::model().plan.signs()];
         let parameters = mechanism.parameters::<f64>();
         // All lists have the lengths that the mechanism requires.
-        if mechanism.closures_with(parameters.as_ref(), at, &start, &mut closures).is_ok() {
-            signs = closures.into_iter().map(Sign::of).collect();
+        if mechanism.branches_with(parameters.as_ref(), at, &start, &mut branches).is_ok() {
+            signs = branches.into_iter().take(modes.len()).map(Sign::of).collect();
         }
     }
     let chosen: &[(String, Sign)] = match &study.modes {

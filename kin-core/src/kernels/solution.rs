@@ -93,9 +93,5 @@ pub(super) fn turns(plan: &SolutionPlan) -> Option<List> {
 
 /// The list of branch values, which give the modes of a configuration and, if there are iterations, their orientations.
 pub(super) fn branch_values(plan: &SolutionPlan) -> Option<List> {
-    let (method, name) = match plan.orientations.is_empty() {
-        true => ("closures_with", "closures"),
-        false => ("branches_with", "branches"),
-    };
-    plan.absent.is_none().then(|| List::of(method, name, Given::Position, &plan.branch_values))
+    plan.absent.is_none().then(|| List::of("branches_with", "branches", Given::Position, &plan.branch_values))
 }

@@ -34,7 +34,7 @@ pub(super) fn planned(lowered: &Lowered, kernels: &Kernels, plan: &SolutionPlan,
     };
     let (start, end) = (plan.regular.start, plan.regular.end);
     let places = quote! { const REGULAR: (usize, usize) = (#start, #end); };
-    let methods = [places, solve.methods, closures_of_branches(plan), resolve.methods];
+    let methods = [places, solve.methods, resolve.methods];
     Planned { items, methods: quote! { #(#methods)* } }
 }
 
@@ -91,22 +91,6 @@ fn solve(lowered: &Lowered, solution: &SolutionKernels, n: usize, margins: usize
     };
     let methods = method(&quote! { #[inline] }, "solve_with", &arguments, &statements);
     Planned { items, methods }
-}
-
-/// The method `closures_with` of a plan with iterations: it evaluates all branch values and copies those of the modes.
-fn closures_of_branches(plan: &SolutionPlan) -> TokenStream {
-    if plan.orientations.is_empty() {
-        return TokenStream::new();
-    }
-    let (modes, all) = (plan.modes.len(), plan.modes.len() + plan.orientations.len());
-    let statements = quote! {
-        let out: &mut __Modes<__T> = __kin::fixed_mut("closures", closures)?;
-        let mut branches = [<__T as __kin::Scalar>::from_f64(0.0); #all];
-        <Self as __kin::Mechanism>::branches_with(self, parameters, at, q, &mut branches)?;
-        out.copy_from_slice(&branches[..#modes]);
-        __kin::Ok(())
-    };
-    method(&quote! { #[inline] }, "closures_with", &quote! { q: &[__T], closures: &mut [__T], }, &statements)
 }
 
 /// The methods that factorise Φ_q and that solve for one right-hand side after another.

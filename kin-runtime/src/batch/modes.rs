@@ -12,7 +12,7 @@ pub enum Modes<'a> {
     /// [`Plan::modes`](crate::plan::Plan::modes). Of any other number only the sign is used; 0 and NaN leave the
     /// mode undecided.
     Signs(&'a [Column<'a>]),
-    /// The modes of the start, by [`Mechanism::closures_with`] at the parameters and the instant of the configuration.
+    /// The modes of the start, by [`Mechanism::branches_with`] at the parameters and the instant of the configuration.
     /// As for [`Planned`](crate::Planned), a branch value of 0 or NaN leaves the mode undecided.
     OfStart,
 }

@@ -219,7 +219,7 @@ pub enum PlanError {
         limit: Limit,
     },
     /// The configuration that should determine the modes does not determine this one: its branch value
-    /// ([`Mechanism::closures_with`](crate::Mechanism::closures_with)) is 0 or NaN there.
+    /// ([`Mechanism::branches_with`](crate::Mechanism::branches_with)) is 0 or NaN there.
     Undecided {
         /// Time.
         t: f64,

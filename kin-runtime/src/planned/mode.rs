@@ -19,7 +19,7 @@ pub enum Sign {
 }
 
 impl Sign {
-    /// The sign of a branch value ([`Mechanism::closures_with`](crate::Mechanism::closures_with)); `None` for 0 and
+    /// The sign of a branch value ([`Mechanism::branches_with`](crate::Mechanism::branches_with)); `None` for 0 and
     /// NaN.
     pub fn of(closure: f64) -> Option<Self> {
         if closure > 0.0 {

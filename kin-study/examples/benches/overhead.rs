@@ -68,7 +68,7 @@ fn by_hand(rows: u64) -> f64 {
     let start: Vec<Column<'_>> = state.q.iter().map(|number| Column::Shared(*number)).collect();
     let mut closures = [0.0];
     let parameters = four_bar.parameters::<f64>();
-    four_bar.closures_with(&parameters, &at, &state.q, &mut closures).expect("the lists fit");
+    four_bar.branches_with(&parameters, &at, &state.q, &mut closures).expect("the lists fit");
     let piece = |piece: u64| {
         let sets = PIECE.min(rows - piece * PIECE) as usize;
         let mut random = piece.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1;

@@ -70,14 +70,12 @@ impl Drawn {
         let at = |k: usize| Instant { t: t[k], inputs: &inputs[k] };
         let assembled = mechanism.solver().assemble(&at(0)).unwrap();
         let mut planned = Planned::new(&mechanism, &at(0), &assembled).unwrap();
-        let parameters = mechanism.parameters::<f64>();
         let (mut start, mut modes) = (vec![vec![]; M::COORDINATES], vec![vec![]; M::model().plan.modes.len()]);
         for k in 0..COUNT {
             let q = planned.at(&at(k)).unwrap().q();
-            let mut closures = vec![0.0; modes.len()];
-            mechanism.closures_with(parameters.as_ref(), &at(k), q, &mut closures).unwrap();
+            let signs = kin_tests::modes(&mechanism, &at(k), q);
             start.iter_mut().zip(q).for_each(|(list, q)| list.push(*q));
-            modes.iter_mut().zip(closures).for_each(|(list, mode)| list.push(mode.signum()));
+            modes.iter_mut().zip(signs).for_each(|(list, sign)| list.push(sign));
         }
         let column = |of: fn(&Signal) -> f64, u: usize| inputs.iter().map(|list| of(&list[u])).collect();
         let columns = (0..M::INPUTS)

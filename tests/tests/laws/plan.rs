@@ -6,6 +6,7 @@ use kin_runtime::plan::{Depth, Solved};
 use kin_runtime::{Kinematics, Options, Planned, Solver};
 use kin_tests::compare::{Differences, largest};
 use kin_tests::mechanisms::write_signals;
+use kin_tests::modes;
 
 /// A solver by full Newton, without the plan.
 pub(crate) fn newton<M: Kinematics>(mechanism: &M) -> Solver<'_, M> {
@@ -45,10 +46,7 @@ pub(crate) fn plans_equal_newton<M: Kinematics + Default>(from: f64, to: f64) {
     }
     let (mut differences, mut compared) = (Differences::new(), 0);
     for state in &newton(&mechanism).sweep(&grid(from, to, 12)).unwrap() {
-        let mut modes = vec![f64::NAN; plan.modes.len()];
-        let parameters = mechanism.parameters::<f64>();
-        mechanism.closures_with(parameters.as_ref(), &state.instant(), &state.q, &mut modes).unwrap();
-        modes.iter_mut().for_each(|w| *w = w.signum());
+        let modes = modes(&mechanism, &state.instant(), &state.q);
         let start: Vec<f64> = state.q.iter().enumerate().map(|(k, q)| q + 1e-3 * (k as f64).sin()).collect();
         let found = by_plan(&mechanism, &state.instant(), &modes, &start);
         let margin = found.margins.iter().copied().fold(1.0, f64::min);

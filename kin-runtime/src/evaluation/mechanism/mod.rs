@@ -147,22 +147,9 @@ pub trait Mechanism: Sized {
         Ok(())
     }
 
-    /// Writes the branch value w of every mode of the plan, −1 ≤ w ≤ 1: its sign is the mode of the configuration q,
-    /// and its size measures the distance between the two closures, 0 where they meet.
-    /// # Errors
-    /// When an argument has the wrong length.
-    fn closures_with<T: Scalar>(
-        &self,
-        parameters: &[T],
-        at: &Instant<'_, T>,
-        q: &[T],
-        closures: &mut [T],
-    ) -> Result<(), LengthError> {
-        Ok(())
-    }
-
-    /// Writes the branch values of all groups of the plan at the configuration q: the numbers of
-    /// [`closures_with`](Self::closures_with), followed by a number for every group that is solved by iteration
+    /// Writes the branch values of all groups of the plan at the configuration q. First come those of the modes,
+    /// −1 ≤ w ≤ 1: the sign of w is the mode of the configuration, and its size measures the distance between the two
+    /// closures, 0 where they meet. A number follows for every group that is solved by iteration
     /// ([`Plan::orientations`](crate::plan::Plan::orientations)), the normalised determinant of the group's system.
     /// # Errors
     /// When an argument has the wrong length.
@@ -173,7 +160,7 @@ pub trait Mechanism: Sized {
         q: &[T],
         branches: &mut [T],
     ) -> Result<(), LengthError> {
-        self.closures_with(parameters, at, q, branches)
+        Ok(())
     }
 
     /// Writes how far the gradients of iterated rows turn with each coordinate, in radians per unit of the coordinate.

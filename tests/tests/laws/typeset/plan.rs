@@ -7,6 +7,7 @@ use crate::motion::grid;
 use crate::plan::{by_plan, newton};
 use kin_core::notation::{Name, Notation};
 use kin_runtime::{Kinematics, State};
+use kin_tests::modes;
 use std::collections::HashMap;
 use std::f64::consts::TAU;
 
@@ -21,10 +22,7 @@ pub(crate) fn typeset_solutions_are_the_analysis<M: Kinematics + Default>(from: 
     }
     let mut compared = 0;
     for state in &newton(&mechanism).sweep(&grid(from, to, 5)).unwrap() {
-        let mut modes = vec![f64::NAN; plan.modes.len()];
-        let parameters = mechanism.parameters::<f64>();
-        mechanism.closures_with(parameters.as_ref(), &state.instant(), &state.q, &mut modes).unwrap();
-        modes.iter_mut().for_each(|w| *w = w.signum());
+        let modes = modes(&mechanism, &state.instant(), &state.q);
         let found = by_plan(&mechanism, &state.instant(), &modes, &state.q);
         let margin = found.margins.iter().copied().fold(1.0, f64::min);
         if margin < 1e-4 {
