@@ -259,3 +259,27 @@ fn families() {
     expected.extend([pads[3], pads[1]]);
     assert_near(&solved(&Families::default(), t), &expected);
 }
+
+/// A coordinate with the name of the rate of another one.
+#[mechanism]
+#[coordinates(u, u_dot)]
+#[body(weight, x = 1, y = 2, phi = 3)]
+#[constraint(first: u = 5 * t)]
+#[constraint(second: u_dot = 7)]
+struct NamedLikeARate;
+
+#[test]
+fn columns_of_a_trajectory() {
+    let mut trajectory = NamedLikeARate.kinematic_analysis(&[0.0, 1.0]).unwrap();
+    assert_eq!(Some(vec![7.0; 2]), trajectory.column("u_dot"), "the coordinate, not the rate of u");
+    assert_eq!(Some(vec![0.0; 2]), trajectory.column("u_ddot"));
+    assert_eq!(Some(vec![2.0; 2]), trajectory.column("weight.y"));
+    assert_eq!((Some(vec![0.0, 1.0]), None), (trajectory.column("t"), trajectory.column("weight")));
+    // A state that was constructed by hand.
+    trajectory.states[1].q.clear();
+    trajectory.states[1].bodies.clear();
+    for (name, first) in [("u", 0.0), ("weight.y", 2.0)] {
+        let column = trajectory.column(name).unwrap();
+        assert!(column[0] == first && column[1].is_nan(), "{name}: {column:?}");
+    }
+}

@@ -2,10 +2,8 @@
 
 use super::arc::SolutionArc;
 use super::event::{Event, Unwatched};
-use crate::model::{Component, ConditionInfo, Model};
-use crate::motion::PointMotion;
+use crate::model::{ConditionInfo, Model};
 use crate::planned::Limit;
-use crate::signal::Signal;
 use crate::state::State;
 use crate::text::counted;
 use core::fmt;
@@ -97,78 +95,6 @@ impl Trajectory {
     /// The conditions that were violated at the first instant.
     pub fn violated_at_start(&self) -> impl Iterator<Item = &'static ConditionInfo> {
         self.violated_at_start.iter().filter_map(|&k| self.model.conditions.get(k))
-    }
-
-    /// Names of all columns: `t`, then every coordinate with its rate and acceleration.
-    pub fn column_names(&self) -> Vec<String> {
-        let mut names = vec!["t".to_owned()];
-        for coordinate in self.model.coordinates {
-            for suffix in ["", "_dot", "_ddot"] {
-                names.push(format!("{}{suffix}", coordinate.name));
-            }
-        }
-        names
-    }
-
-    /// One quantity over all states: `t`, a coordinate (`crank.phi`), x, y or φ of a body (held and carried ones, too),
-    /// or x or y of a named point (`tip.x`); also its rate (`crank.phi_dot`) and its acceleration (`crank.phi_ddot`). A
-    /// quantity that itself has such a name takes precedence over a rate.
-    pub fn column(&self, name: &str) -> Option<Vec<f64>> {
-        let rates = |quantity: fn(Signal) -> f64, name: &str| {
-            let of = quantity_named(self.model, name)?;
-            Some(self.states.iter().map(|state| quantity(of.rates(state))).collect())
-        };
-        rates(|r| r.value, name)
-            .or_else(|| rates(|r| r.acceleration, name.strip_suffix("_ddot")?))
-            .or_else(|| rates(|r| r.rate, name.strip_suffix("_dot")?))
-            .or_else(|| (name == "t").then(|| self.states.iter().map(|s| s.t).collect()))
-    }
-}
-
-/// What the name of a column without `_dot` and `_ddot` refers to.
-enum Named {
-    Coordinate(usize),
-    Body(usize, Component),
-    Point(usize, Component),
-}
-
-fn quantity_named(model: &Model, name: &str) -> Option<Named> {
-    if let Some(place) = model.coordinate(name) {
-        return Some(Named::Coordinate(place));
-    }
-    let (owner, component) = name.rsplit_once('.')?;
-    let component = match component {
-        "x" => Component::X,
-        "y" => Component::Y,
-        "phi" => Component::Phi,
-        _ => return None,
-    };
-    if let Some(place) = model.bodies.iter().position(|body| body.name == owner) {
-        return Some(Named::Body(place, component));
-    }
-    let place = model.points.iter().position(|point| point.name == owner)?;
-    (component != Component::Phi).then_some(Named::Point(place, component))
-}
-
-impl Named {
-    /// Its value and rates; NaN if a state that was constructed by hand has no such entry.
-    fn rates(&self, state: &State) -> Signal {
-        let at = |list: &[f64], place: usize| list.get(place).copied().unwrap_or(f64::NAN);
-        match *self {
-            Self::Coordinate(k) => {
-                Signal { value: at(&state.q, k), rate: at(&state.q_dot, k), acceleration: at(&state.q_ddot, k) }
-            }
-            Self::Body(k, component) => state.bodies.get(k).map_or(Signal::UNKNOWN, |body| body.rates(component)),
-            Self::Point(k, component) => {
-                let axis = usize::from(component == Component::Y);
-                let of = |point: &PointMotion| Signal {
-                    value: point.r[axis],
-                    rate: point.v[axis],
-                    acceleration: point.a[axis],
-                };
-                state.points.get(k).map_or(Signal::UNKNOWN, of)
-            }
-        }
     }
 }
 

@@ -6,11 +6,12 @@ use crate::equations::Equations;
 use crate::error::SolveError;
 use crate::forces::Forces;
 use crate::model::{Model, Observable};
-use crate::motion::Motion;
+use crate::motion::{BodyMotion, Motion, PointMotion};
 use crate::ratios::{observed_ratio, velocity_ratios};
 use crate::report::motion::motion;
 use crate::signal::Signal;
 use crate::state::State;
+use crate::trajectory::Trajectory;
 use crate::transmission::angles;
 
 impl Measure {
@@ -34,21 +35,41 @@ impl Measure {
         }
     }
 
-    /// Its value, if it is an entry of the state.
+    /// Its value, if it is an entry of the state; NaN if a state that was constructed by hand has no such entry.
     pub(crate) fn of_state(&self, state: &State) -> Option<f64> {
         if self.per.is_some() {
             return None;
         }
         match self.of {
             Of::Time => Some(state.t),
-            Of::Coordinate(place) => Some(of_order(state.rates(place), self.order)),
-            Of::Point(place, axis) => {
-                state.points.get(place).map(|point| [point.r, point.v, point.a][self.order][axis])
+            Of::Coordinate(place) => {
+                let list = [&state.q, &state.q_dot, &state.q_ddot][self.order];
+                Some(list.get(place).copied().unwrap_or(f64::NAN))
             }
-            Of::Speed(place) => state.points.get(place).map(|point| point.v[0].hypot(point.v[1])),
+            Of::Point(place, axis) => {
+                let of = |point: &PointMotion| [point.r, point.v, point.a][self.order][axis];
+                Some(state.points.get(place).map_or(f64::NAN, of))
+            }
+            Of::Speed(place) => Some(state.points.get(place).map_or(f64::NAN, |point| point.v[0].hypot(point.v[1]))),
             Of::Input(place) => Some(state.inputs.get(place).map_or(f64::NAN, |input| of_order(*input, self.order))),
             Of::Observable(_) | Of::Force(..) | Of::Effort(_) | Of::Transmission(_) => None,
         }
+    }
+}
+
+impl Trajectory {
+    /// One quantity over all states, by its name ([`Measure`]): `t`, a coordinate (`crank.phi`), x, y or φ of a body
+    /// (held and carried ones, too), x, y or the speed of a named point (`tip.x`), or an input; also its rate
+    /// (`crank.phi_dot`) and its acceleration (`crank.phi_ddot`). A quantity that itself has such a name takes
+    /// precedence over a rate. `None` for other names, and for quantities that a state does not contain.
+    pub fn column(&self, name: &str) -> Option<Vec<f64>> {
+        let named = Measure::all(self.model).into_iter().filter(|measure| measure.name == name);
+        let measure = named.min_by_key(|measure| measure.order)?;
+        let value = |state: &State| match measure.of {
+            Of::Observable(row) => Some(of_order(of_pose(self.model, &state.bodies, row)?, measure.order)),
+            _ => measure.of_state(state),
+        };
+        self.states.iter().map(value).collect()
     }
 }
 
@@ -125,13 +146,19 @@ fn effort(model: &Model, forces: &Forces, along: Along) -> Option<f64> {
 /// A pose of a body, a define or a quantity of a joint, by its observable.
 fn of_observable(motion: &Motion, observable: usize) -> Signal {
     let model = motion.model;
-    if let Some(&Observable::Pose { body, component }) = model.observables.get(observable) {
-        return motion.bodies.get(body).map_or(Signal::UNKNOWN, |body| body.rates(component));
+    if let Some(rates) = of_pose(model, &motion.bodies, observable) {
+        return rates;
     }
     let defines = model.defines.iter().zip(&motion.defines);
     let joints = model.joints.iter().zip(&motion.joints).flat_map(|(joint, rates)| joint.quantities.iter().zip(rates));
     let found = defines.chain(joints).find(|(info, _)| info.observable == observable);
     found.map_or(Signal::UNKNOWN, |(_, rates)| *rates)
+}
+
+/// A component of the pose of a body, if this is what the observable is.
+fn of_pose(model: &Model, bodies: &[BodyMotion], observable: usize) -> Option<Signal> {
+    let Some(&Observable::Pose { body, component }) = model.observables.get(observable) else { return None };
+    Some(bodies.get(body).map_or(Signal::UNKNOWN, |body| body.rates(component)))
 }
 
 /// The ratios of all driving rows and inputs.
