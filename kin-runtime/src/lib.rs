@@ -18,7 +18,6 @@ pub mod planned;
 #[doc(hidden)]
 pub mod private;
 pub mod scalar;
-pub mod series;
 #[doc(hidden)]
 pub mod tables;
 mod text;
@@ -52,6 +51,8 @@ mod results;
 mod sensitivity;
 #[cfg(all(feature = "serde", feature = "std"))]
 mod serial;
+#[cfg(feature = "std")]
+pub mod series;
 #[cfg(feature = "std")]
 pub mod solver;
 #[cfg(feature = "std")]
@@ -92,7 +93,6 @@ pub use crate::{
     mechanism::{LengthError, Mechanism, Observations, Workspace},
     planned::{InputRange, Limit, LimitKind, Located, ModeKey, OutOfRange, PlanError, Planned, Sign},
     scalar::Scalar,
-    series::PowerSeries,
     signal::{Instant, Signal},
     workspace::{Array, Evaluation, Subset},
 };

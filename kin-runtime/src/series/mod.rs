@@ -22,29 +22,13 @@
 //! A plan is itself a formula for q(t). Its generated code, evaluated over series, gives all orders in one pass, which
 //! is faster (see `by_plan`).
 
-#[cfg(feature = "std")]
 mod by_plan;
-#[cfg(feature = "std")]
 mod derivatives;
-#[cfg(feature = "std")]
 mod inputs;
-#[cfg(feature = "std")]
 mod motion;
-#[cfg(feature = "std")]
 mod orders;
-#[cfg(feature = "std")]
 mod tape;
 
-use crate::mechanism::Mechanism;
-#[cfg(feature = "std")]
 pub use derivatives::Derivatives;
-#[cfg(feature = "std")]
 pub use motion::MotionDerivatives;
-#[cfg(feature = "std")]
 pub use orders::HigherOrders;
-
-/// A mechanism whose motion can be expanded in powers of time. Every mechanism implements it.
-#[doc(hidden)]
-pub trait PowerSeries: Mechanism {}
-
-impl<M: Mechanism> PowerSeries for M {}

@@ -2,7 +2,7 @@
 //! another.
 
 use kin_runtime::plan::{Plan, StepKind};
-use kin_runtime::series::{HigherOrders, PowerSeries};
+use kin_runtime::series::HigherOrders;
 use kin_runtime::{Instant, Kinematics, Options, PlanError, Planned, Trajectory, cli, mechanism};
 use kin_tests::mechanisms::RedundantParallelogram;
 
@@ -100,7 +100,7 @@ fn off(a: &[f64], b: &[f64]) -> f64 {
 }
 
 /// The plan, which has no iteration, finds the same as Newton's method on all rows; `watched` are the rows it watches.
-fn agrees<M: Kinematics + PowerSeries + Default>(watched: &[&str]) {
+fn agrees<M: Kinematics + Default>(watched: &[&str]) {
     let (mechanism, plan) = (M::default(), &M::model().plan);
     let name = M::model().name;
     let found: Vec<&str> = plan.watched().map(|row| M::model().rows[row].name).collect();

@@ -2,13 +2,13 @@
 
 use crate::motion::swept;
 use kin_runtime::model::{Level, Model};
-use kin_runtime::{Derivatives, Kinematics, MotionDerivatives, Options, PowerSeries, SolveError, State};
+use kin_runtime::{Derivatives, Kinematics, Mechanism, MotionDerivatives, Options, SolveError, State};
 use kin_tests::compare::{Differences, largest};
 use kin_tests::mechanisms::signals;
 use kin_tests::stencil::Stencil;
 
 /// The third and fourth derivatives of the inputs, by differences of their accelerations.
-fn further<M: PowerSeries>(t: f64) -> Vec<[f64; 2]> {
+fn further<M: Mechanism>(t: f64) -> Vec<[f64; 2]> {
     let h = 1e-2;
     let samples: Vec<_> = (-3..=3).map(|k| signals::<M>(t + f64::from(k) * h)).collect();
     (0..M::INPUTS)
@@ -23,7 +23,7 @@ fn further<M: PowerSeries>(t: f64) -> Vec<[f64; 2]> {
 
 /// All derivatives up to the fourth; `None` where those of a supplied function are unknown, which must be the error
 /// reported.
-fn to_the_fourth<M: PowerSeries>(mechanism: &M, state: &State) -> Option<Derivatives> {
+fn to_the_fourth<M: Mechanism>(mechanism: &M, state: &State) -> Option<Derivatives> {
     let further = further::<M>(state.t);
     let further: Vec<&[f64]> = further.iter().map(|list| &list[..]).collect();
     match mechanism.solver().derivatives_with(state, 4, &further) {
@@ -37,7 +37,7 @@ fn to_the_fourth<M: PowerSeries>(mechanism: &M, state: &State) -> Option<Derivat
 }
 
 /// The third and fourth derivatives of q are the first and second derivatives of q̈.
-pub(crate) fn third_and_fourth_are_derivatives<M: Kinematics + PowerSeries + Default>(from: f64, to: f64) {
+pub(crate) fn third_and_fourth_are_derivatives<M: Kinematics + Default>(from: f64, to: f64) {
     let mechanism = M::default();
     let mut differences = Differences::new();
     for stencil in Stencil::several(from, to).map(Stencil::halved) {
@@ -66,7 +66,7 @@ const HIGHEST: usize = 10;
 /// Taylor's formula with all orders gives the neighbouring positions found by position analysis, and every order agrees
 /// with that from a factorisation of the whole Φ_q. The unit of time is the step at which the highest orders are as
 /// small as 1e-9 of the coordinates.
-pub(crate) fn series_reach_the_motion<M: Kinematics + PowerSeries + Default>(from: f64, to: f64) {
+pub(crate) fn series_reach_the_motion<M: Kinematics + Default>(from: f64, to: f64) {
     let model = M::model();
     let known = M::INPUTS == 0 && model.functions.is_empty();
     if !known || model.rows.iter().any(|row| row.level == Level::Velocity) {
@@ -132,7 +132,7 @@ fn reported(model: &Model, motion: &MotionDerivatives) -> Vec<(String, Vec<f64>)
 
 /// The reported quantities agree with the motion up to the second order, and their third and fourth derivatives are the
 /// derivatives of the second.
-pub(crate) fn reported_orders_are_derivatives<M: Kinematics + PowerSeries + Default>(from: f64, to: f64) {
+pub(crate) fn reported_orders_are_derivatives<M: Kinematics + Default>(from: f64, to: f64) {
     if M::model().observables.is_empty() {
         return;
     }
@@ -164,7 +164,7 @@ pub(crate) fn reported_orders_are_derivatives<M: Kinematics + PowerSeries + Defa
 }
 
 /// Up to the second order, the reported quantities are those of the motion.
-pub(crate) fn low_orders_are_the_motion<M: Kinematics + PowerSeries + Default>(from: f64, to: f64) {
+pub(crate) fn low_orders_are_the_motion<M: Kinematics + Default>(from: f64, to: f64) {
     let mechanism = M::default();
     let solver = mechanism.solver();
     for state in &swept(&mechanism, &[from, 0.5 * (from + to)]) {

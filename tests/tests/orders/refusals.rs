@@ -24,7 +24,7 @@ struct Branch;
 struct Pole;
 
 /// The error of order 3 at t = 1, for a state with arbitrary q, q̇, q̈.
-fn refused<M: Kinematics + kin_runtime::PowerSeries>(mechanism: &M) -> SolveError {
+fn refused<M: Kinematics>(mechanism: &M) -> SolveError {
     let mut state = mechanism.state_at(&1.5.into()).unwrap();
     state.t = 1.0;
     state.q = vec![0.0; M::COORDINATES];

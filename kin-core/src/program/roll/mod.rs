@@ -34,11 +34,6 @@ pub struct Worth {
     pub saved: usize,
 }
 
-impl Worth {
-    /// Thresholds that accept any repetition.
-    pub const ANYTHING: Self = Self { members: 2, saved: 1 };
-}
-
 impl Default for Worth {
     /// Below these thresholds straight code compiles as fast and runs faster.
     fn default() -> Self {
