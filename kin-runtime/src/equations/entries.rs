@@ -1,6 +1,7 @@
 //! The entries of Φ_q as evaluated last, in their own units and on the common scale.
 
 use super::Equations;
+use crate::linear::scale_columns;
 use nalgebra::DMatrix;
 
 impl Equations<'_> {
@@ -39,10 +40,6 @@ impl Equations<'_> {
 
     /// The given rows of Φ_q as a dense matrix, rows and columns on the common scale.
     pub(crate) fn scaled(&self, rows: &[usize]) -> DMatrix<f64> {
-        let mut matrix = self.scaled_rows(rows);
-        for (mut column, &scale) in matrix.column_iter_mut().zip(&self.scale.columns) {
-            column *= scale;
-        }
-        matrix
+        scale_columns(self.scaled_rows(rows), &self.scale.columns)
     }
 }

@@ -92,7 +92,7 @@ impl Factorization {
     /// The rows of `a` are on the common scale; `columns` is D.
     pub(crate) fn quick(a: &DMatrix<f64>, columns: &[f64], tolerance: f64) -> Self {
         if a.is_square() && !a.is_empty() {
-            let lu = LU::new(scaled(a, columns));
+            let lu = LU::new(scale_columns(a.clone(), columns));
             let (smallest, largest) = smallest_and_largest(lu.u().diagonal().as_slice());
             if smallest > LU_TRUST * largest {
                 let condition = largest / smallest;
@@ -117,7 +117,7 @@ impl Factorization {
 
     /// Pivots below `tolerance` times the larger of `unit` and the largest pivot count as zero.
     fn orthogonal(a: &DMatrix<f64>, columns: &[f64], tolerance: f64, unit: f64) -> Self {
-        let qr = ColPivQR::new(scaled(a, columns));
+        let qr = ColPivQR::new(scale_columns(a.clone(), columns));
         let r = qr.r();
         let pivots: Vec<f64> = (0..r.nrows().min(r.ncols())).map(|k| r[(k, k)].abs()).collect();
         let (_, largest) = smallest_and_largest(&pivots);
@@ -128,7 +128,9 @@ impl Factorization {
         let ratio = |large: f64, small: f64| if pivots.is_empty() { 1.0 } else { large / small };
         let condition = match rank {
             0 => 1.0,
-            _ if rank == a.nrows() && rank == a.ncols() => one_norm(&scaled(a, columns)) * inverse_of_qr(&qr, &r),
+            _ if rank == a.nrows() && rank == a.ncols() => {
+                one_norm(&scale_columns(a.clone(), columns)) * inverse_of_qr(&qr, &r)
+            }
             _ => ratio(largest, counted),
         };
         let full_condition = ratio(largest.max(unit), smallest);
@@ -180,13 +182,12 @@ impl Factorization {
     }
 }
 
-/// A D.
-fn scaled(a: &DMatrix<f64>, columns: &[f64]) -> DMatrix<f64> {
-    let mut matrix = a.clone();
-    for (mut column, &d) in matrix.column_iter_mut().zip(columns) {
+/// A D, where D is the diagonal matrix of the factors of the columns.
+pub(crate) fn scale_columns(mut a: DMatrix<f64>, columns: &[f64]) -> DMatrix<f64> {
+    for (mut column, &d) in a.column_iter_mut().zip(columns) {
         column *= d;
     }
-    matrix
+    a
 }
 
 /// ‖A‖₁.

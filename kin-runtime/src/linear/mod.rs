@@ -7,7 +7,7 @@ mod rows;
 mod sign;
 mod sparse;
 
-pub(crate) use factor::Factorization;
+pub(crate) use factor::{Factorization, scale_columns};
 pub(crate) use null_space::null_space;
 pub(crate) use rows::{Dependency, dependencies, independent_rows};
 pub(crate) use sign::positive_determinant;

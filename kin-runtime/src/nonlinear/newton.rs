@@ -12,7 +12,7 @@
 //! tolerance *and* no longer decreases, so that a double root at the end of a range of motion is as accurate as
 //! rounding allows.
 
-use crate::linear::Factorization;
+use crate::linear::{Factorization, scale_columns};
 use nalgebra::{Cholesky, DMatrix, DVector};
 
 /// Residual rows r with their Jacobian J; rows are on a common scale, columns in their own units.
@@ -165,7 +165,7 @@ pub(crate) fn rounding(far: f64) -> f64 {
 }
 
 /// The row and the size of the largest entry.
-fn largest(residual: &DVector<f64>) -> (usize, f64) {
+pub(crate) fn largest(residual: &DVector<f64>) -> (usize, f64) {
     residual.iter().enumerate().fold((0, 0.0), |best, (k, r)| if r.abs() > best.1 { (k, r.abs()) } else { best })
 }
 
@@ -191,10 +191,7 @@ struct Levenberg {
 
 impl Levenberg {
     fn new(jacobian: &DMatrix<f64>, residual: &DVector<f64>, columns: &[f64]) -> Self {
-        let mut scaled = jacobian.clone();
-        for (mut column, &d) in scaled.column_iter_mut().zip(columns) {
-            column *= d;
-        }
+        let scaled = scale_columns(jacobian.clone(), columns);
         let normal = scaled.tr_mul(&scaled);
         let gradient = scaled.tr_mul(residual);
         let damping = 1e-6 * normal.diagonal().amax().max(f64::MIN_POSITIVE);

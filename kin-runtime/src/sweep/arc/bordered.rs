@@ -3,7 +3,7 @@
 
 use crate::equations::Equations;
 use crate::error::SolveError;
-use crate::linear::{Factorization, independent_rows, null_space, positive_determinant};
+use crate::linear::{Factorization, independent_rows, null_space, positive_determinant, scale_columns};
 use crate::workspace::Subset;
 use nalgebra::{DMatrix, DVector};
 
@@ -112,7 +112,7 @@ impl Bordered {
     /// The independent directions in which (q, t) can go, of length 1.
     pub(super) fn directions(&self, equations: &mut Equations<'_>, z: &[f64]) -> Result<Vec<Vec<f64>>, SolveError> {
         let border = vec![0.0; z.len()];
-        let matrix = self.scaled(&self.matrix(equations, z, &border)?);
+        let matrix = scale_columns(self.matrix(equations, z, &border)?, &self.columns);
         let rows = matrix.nrows() - 1;
         let basis = null_space(&matrix.rows(0, rows).into_owned(), equations.options.rank_tolerance);
         Ok(basis.column_iter().map(|y| y.iter().zip(&self.columns).map(|(y, d)| y * d).collect()).collect())
@@ -121,7 +121,7 @@ impl Bordered {
     /// True where the rows of [Φ_q Φ_t] lose rank within this tolerance.
     pub(super) fn is_singular(&self, equations: &mut Equations<'_>, z: &[f64], tolerance: f64) -> bool {
         let border = vec![0.0; z.len()];
-        let matrix = self.matrix(equations, z, &border).map(|matrix| self.scaled(&matrix));
+        let matrix = self.matrix(equations, z, &border).map(|matrix| scale_columns(matrix, &self.columns));
         matrix.is_ok_and(|matrix| {
             let rows = matrix.nrows() - 1;
             null_space(&matrix.rows(0, rows).into_owned(), tolerance).ncols() > 1
@@ -158,7 +158,7 @@ impl Bordered {
         }
         let tangent: Vec<f64> = tangent.iter().map(|x| x / length).collect();
         self.write_border(&mut matrix, &tangent);
-        let scaled = self.scaled(&matrix);
+        let scaled = scale_columns(matrix, &self.columns);
         let rows = (last >= z.len()).then(|| independent_rows(&scaled.rows(0, last).into_owned(), z.len() - 1));
         let positive = sign(&scaled, rows.as_deref())?;
         let mut groups = Vec::new();
@@ -182,7 +182,7 @@ impl Bordered {
             None => Some(to.sign.positive),
             Some(rows) => {
                 let matrix = self.matrix(equations, &to.z, &to.tangent).ok();
-                matrix.and_then(|matrix| sign(&self.scaled(&matrix), Some(rows)))
+                matrix.and_then(|matrix| sign(&scale_columns(matrix, &self.columns), Some(rows)))
             }
         };
         same == Some(from.sign.positive)
@@ -239,15 +239,6 @@ impl Bordered {
         for (k, (x, d)) in direction.iter().zip(&self.columns).enumerate() {
             matrix[(last, k)] = x / d / d;
         }
-    }
-
-    /// The matrix with columns on the common scale, too.
-    fn scaled(&self, matrix: &DMatrix<f64>) -> DMatrix<f64> {
-        let mut scaled = matrix.clone();
-        for (mut column, &d) in scaled.column_iter_mut().zip(&self.columns) {
-            column *= d;
-        }
-        scaled
     }
 }
 

@@ -9,7 +9,7 @@ use crate::equations::contact;
 use crate::equations::factorisation::Purpose;
 use crate::error::SolveError;
 use crate::linear::Factorization;
-use crate::nonlinear::newton::rounding;
+use crate::nonlinear::newton::{largest, rounding};
 use crate::planned::bends::Span;
 use crate::state::State;
 use crate::workspace::Subset;
@@ -240,7 +240,7 @@ pub(super) fn correct(
         equations.evaluate(Subset::POSITION, q, None)?;
         let phi = DVector::from_iterator(rows.len(), rows.iter().map(|&r| equations.phi[r] * equations.scale.rows[r]));
         if iterations == 1 {
-            worst = rows.get(phi.iamax_or_zero()).copied().unwrap_or(0);
+            worst = rows.get(largest(&phi).0).copied().unwrap_or(0);
         }
         let tolerance = 0.1 * equations.options.rank_tolerance;
         let sparse = if all { equations.factorise_sparse(Purpose::Solutions, memory.take()) } else { None };
@@ -280,17 +280,6 @@ fn expected(equations: &Equations<'_>, change: &mut Vec<f64>, from: &Start<'_>, 
     // A large acceleration does not widen the tolerance: near a singular configuration it may be large or dominated by
     // rounding.
     change <= VELOCITY * size || h.abs() * size <= INSTANTANEOUS
-}
-
-/// An `iamax` (index of the entry of largest absolute value) that gives 0 for an empty vector.
-trait LargestEntry {
-    fn iamax_or_zero(&self) -> usize;
-}
-
-impl LargestEntry for DVector<f64> {
-    fn iamax_or_zero(&self) -> usize {
-        if self.is_empty() { 0 } else { self.iamax() }
-    }
 }
 
 #[cfg(test)]
