@@ -18,7 +18,7 @@ use crate::equations::Equations;
 use crate::equations::scale::Scale;
 use crate::error::SolveError;
 use crate::linear::{Dependency, Factorization, dependencies, null_space};
-use crate::model::{Component, CoordinateKind, Level};
+use crate::model::Level;
 use crate::workspace::Subset;
 use core::fmt;
 use nalgebra::{ColPivQR, DMatrix};
@@ -263,11 +263,7 @@ fn choose(equations: &Equations<'_>, passive: &[usize], rank: usize) -> (Vec<usi
         if driving.iter().any(|&row| equations.entry(row, k) != 0.0) {
             weight *= DRIVEN;
         }
-        let length = matches!(
-            equations.model.coordinates[k].kind,
-            CoordinateKind::Pose { component: Component::X | Component::Y, .. }
-        );
-        if !length {
+        if !equations.model.coordinates[k].kind.is_length() {
             weight *= ANGLE;
         }
         matrix.column_mut(k).scale_mut(weight);

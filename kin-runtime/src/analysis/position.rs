@@ -10,7 +10,6 @@ use crate::equations::Equations;
 use crate::equations::scale::Scale;
 use crate::error::SolveError;
 use crate::linear::Factorization;
-use crate::model::{Component, CoordinateKind};
 use crate::nonlinear::newton::Outcome;
 use crate::text::numbers;
 use crate::workspace::Subset;
@@ -51,8 +50,7 @@ pub(crate) fn position(equations: &mut Equations<'_>, start: &[f64]) -> Result<P
 
 /// The coordinates that are x or y of a body.
 fn origins(equations: &Equations<'_>) -> Vec<usize> {
-    let is_origin = |kind| matches!(kind, CoordinateKind::Pose { component: Component::X | Component::Y, .. });
-    (0..equations.coordinates()).filter(|&k| is_origin(equations.model.coordinates[k].kind)).collect()
+    (0..equations.coordinates()).filter(|&k| equations.model.coordinates[k].kind.is_length()).collect()
 }
 
 /// Closes all rows of position level.

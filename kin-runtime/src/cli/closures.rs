@@ -4,7 +4,7 @@ use super::engine::{Engine, Setup};
 use super::failure::Failure;
 use super::solved::analysis;
 use crate::assembly::{Assemblies, Assembly};
-use crate::model::{Component, CoordinateKind, Model};
+use crate::model::Model;
 use crate::plan::StepKind;
 use crate::planned::Sign;
 use crate::present::number::rounded;
@@ -135,8 +135,7 @@ fn mode_name(model: &Model, own: &[Sign], signs: &[Sign]) -> String {
 /// Whether configurations are the same, apart from whole turns of bodies.
 fn is_same(model: &Model, a: &[f64], b: &[f64]) -> bool {
     a.iter().zip(b).zip(model.coordinates).all(|((a, b), coordinate)| {
-        let is_angle = matches!(coordinate.kind, CoordinateKind::Pose { component: Component::Phi, .. });
-        let turns = if is_angle { ((a - b) / TAU).round() * TAU } else { 0.0 };
+        let turns = if coordinate.kind.is_angle() { ((a - b) / TAU).round() * TAU } else { 0.0 };
         (a - b - turns).abs() <= SAME * (1.0 + a.abs())
     })
 }

@@ -4,7 +4,7 @@ use super::engine::Engine;
 use super::paint;
 use super::trial::{Trial, quoted};
 use crate::measure::Measure;
-use crate::model::{Component, CoordinateKind, Level, Model};
+use crate::model::{Level, Model};
 use crate::present::number::{plain, rounded};
 
 /// Width of the help in columns.
@@ -151,10 +151,9 @@ fn undriven(model: &Model) -> Option<&'static str> {
             entries.next().is_some_and(|(_, column)| *column == place) && entries.next().is_none()
         })
     };
-    let angle = |kind| matches!(kind, CoordinateKind::Pose { component: Component::Phi, .. });
     let mut free = model.coordinates.iter().enumerate().filter(|(place, _)| !simply_driven(*place)).rev();
     let last = free.clone().next();
-    free.find(|(_, c)| angle(c.kind)).or(last).map(|(_, c)| c.name).or(model.coordinates.first().map(|c| c.name))
+    free.find(|(_, c)| c.kind.is_angle()).or(last).map(|(_, c)| c.name).or(model.coordinates.first().map(|c| c.name))
 }
 
 /// `tip.x tip.x/drive`, or the same of a coordinate that no driver prescribes directly.

@@ -2,7 +2,6 @@
 
 use super::engine::{Engine, Setup};
 use super::solved::driven_state;
-use crate::model::{Component, CoordinateKind};
 use std::f64::consts::TAU;
 
 /// The default end of a motion that begins at `from`: after one turn of the slowest crank that is driven at constant
@@ -31,10 +30,7 @@ pub(super) fn speed(engine: &dyn Engine, setup: &Setup, from: f64) -> Option<f64
 fn slowest(engine: &dyn Engine, setup: &Setup, from: f64, counts: &dyn Fn(&str) -> bool) -> Option<f64> {
     let model = engine.model();
     let (state, _) = driven_state(engine, setup, from, true).ok()?;
-    let angle = |column: usize| {
-        let kind = model.coordinates.get(column).map(|coordinate| coordinate.kind);
-        matches!(kind, Some(CoordinateKind::Pose { component: Component::Phi, .. } | CoordinateKind::Scalar))
-    };
+    let angle = |column: usize| model.coordinates.get(column).is_some_and(|coordinate| !coordinate.kind.is_length());
     let driven =
         model.rows.iter().enumerate().filter(|(_, row)| row.driving || row.rheonomic).filter_map(|(place, row)| {
             model.joints.get(row.joint).filter(|joint| counts(joint.name))?;

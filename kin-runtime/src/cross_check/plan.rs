@@ -8,7 +8,6 @@ use super::configuration::{Configuration, CrossCheckOptions, central_inputs, ran
 use super::result::CrossCheck;
 use crate::equations::system::System;
 use crate::error::SolveError;
-use crate::model::{Component, CoordinateKind};
 use crate::observer::{Observed, Observer};
 use crate::plan::{Depth, Solved};
 use crate::planned::PlanError;
@@ -108,9 +107,8 @@ fn rows(
     let largest = |x: &[f64]| x.iter().fold(0.0_f64, |most, v| most.max(v.abs()));
     // The terms of γ are coefficients times two rates, one of which belongs to an angle or a scalar. Where these terms
     // cancel and all accelerations vanish, the rounding error still has the size of the terms.
-    let is_length = |kind| matches!(kind, CoordinateKind::Pose { component: Component::X | Component::Y, .. });
     let turning = (model.coordinates.iter().zip(q_dot))
-        .filter(|(coordinate, _)| !is_length(coordinate.kind))
+        .filter(|(coordinate, _)| !coordinate.kind.is_length())
         .fold(0.0_f64, |most, (_, rate)| most.max(rate.abs()));
     let sizes = [largest(q), largest(q_dot), largest(q_ddot).max(turning * largest(q_dot))];
     let mut sums = [parts.phi, parts.phi_t, parts.gamma].map(<[f64]>::to_vec);

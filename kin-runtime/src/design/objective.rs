@@ -4,7 +4,7 @@
 use super::error::DesignError;
 use crate::measure::{Measure, Needs};
 use crate::mechanism::Mechanism;
-use crate::model::{Component, CoordinateKind, Model};
+use crate::model::Model;
 use crate::results::varied::{Number, Varied};
 use core::f64::consts::TAU;
 use core::fmt;
@@ -41,8 +41,7 @@ impl Quantity {
             if !measure.has_derivatives() {
                 return Err(DesignError::NoDerivatives { quantity: name.to_owned() });
             }
-            let is_angle = |kind| matches!(kind, CoordinateKind::Pose { component: Component::Phi, .. });
-            let angle = model.coordinates.iter().any(|info| info.name == name && is_angle(info.kind));
+            let angle = model.coordinates.iter().any(|info| info.name == name && info.kind.is_angle());
             return Ok(if angle { Self::Angle(measure) } else { Self::Named(measure) });
         }
         let pose = name.rsplit_once('.').and_then(|(body, component)| {

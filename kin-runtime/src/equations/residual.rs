@@ -13,7 +13,7 @@
 //! takes the place of this product. ε is at least the rounding error of q, and no residual counts that has underflowed.
 
 use crate::equations::system::Parts;
-use crate::model::{Component, CoordinateKind, Level, Model};
+use crate::model::{Level, Model};
 use crate::nonlinear::newton::rounding;
 
 /// Relative tolerances of the residuals.
@@ -44,8 +44,7 @@ pub(crate) struct Row {
 /// Writes 1 for every coordinate that is x or y of a body, and 0 for the others.
 pub(crate) fn write_lengths(model: &Model, lengths: &mut [f64]) {
     for (length, coordinate) in lengths.iter_mut().zip(model.coordinates) {
-        let is_length = matches!(coordinate.kind, CoordinateKind::Pose { component: Component::X | Component::Y, .. });
-        *length = f64::from(u8::from(is_length));
+        *length = f64::from(u8::from(coordinate.kind.is_length()));
     }
 }
 

@@ -39,6 +39,19 @@ pub enum CoordinateKind {
     Scalar,
 }
 
+impl CoordinateKind {
+    /// True for x and y of a body. A scalar coordinate counts as neither a length nor an angle, because it need not
+    /// have a unit.
+    pub(crate) fn is_length(self) -> bool {
+        matches!(self, Self::Pose { component: Component::X | Component::Y, .. })
+    }
+
+    /// True for the angle φ of a body.
+    pub(crate) fn is_angle(self) -> bool {
+        matches!(self, Self::Pose { component: Component::Phi, .. })
+    }
+}
+
 /// A generalized coordinate: one entry of q.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CoordinateInfo {

@@ -7,7 +7,6 @@
 use super::branch::Branch;
 use super::lists::{Distances, Margins, Modes};
 use crate::mechanism::Mechanism;
-use crate::model::{Component, CoordinateKind};
 use crate::plan::{PlanStep, StepKind};
 use crate::signal::{Instant, Signal};
 use crate::workspace::Array;
@@ -122,10 +121,7 @@ pub(crate) enum Fault {
 /// contains a curve.
 pub(crate) fn rows_turn_alone<M: Mechanism>() -> bool {
     let model = M::model();
-    let is_angle = |k: usize| {
-        let kind = model.coordinates.get(k).map(|coordinate| coordinate.kind);
-        matches!(kind, Some(CoordinateKind::Pose { component: Component::Phi, .. }))
-    };
+    let is_angle = |k: usize| model.coordinates.get(k).is_some_and(|coordinate| coordinate.kind.is_angle());
     let iterates_others = |step: &PlanStep| match step.kind {
         StepKind::Newton(unknowns) => step.coordinates.iter().take(unknowns).any(|&(k, _)| !is_angle(k)),
         _ => false,

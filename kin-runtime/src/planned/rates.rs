@@ -1,6 +1,6 @@
 //! The sizes of rates in radians, which compare coordinates of different units.
 
-use crate::model::{Component, CoordinateKind, Model};
+use crate::model::Model;
 
 /// The largest rate of an angle, of a scalar, or of the turn of a row with a length, in radians. `turns` are the turns of
 /// rows per unit of every coordinate, or empty.
@@ -22,5 +22,5 @@ pub(super) fn turning(model: &Model, turns: &[f64], rates: &[f64], k: usize) -> 
 
 /// True for an angle or a scalar.
 pub(super) fn is_angle(model: &Model, k: usize) -> bool {
-    !matches!(model.coordinates[k].kind, CoordinateKind::Pose { component: Component::X | Component::Y, .. })
+    !model.coordinates[k].kind.is_length()
 }

@@ -5,7 +5,7 @@ use super::enclosures::Enclosures;
 use super::located::{Located, Trial};
 use crate::certificate::{Certificate, Uncertified};
 use crate::mechanism::LengthError;
-use crate::model::{Component, CoordinateInfo, CoordinateKind, JointKind, Level, Model};
+use crate::model::{CoordinateInfo, JointKind, Level, Model};
 use crate::scalar::Interval;
 use crate::workspace::{Signal, Subset};
 use std::borrow::Cow;
@@ -96,9 +96,7 @@ impl Square {
             Some(self.model.joints.get(row.joint)?.kind == JointKind::Revolute)
         };
         let mut rows = self.entries.iter().enumerate().filter(|(_, (_, of))| *of == column);
-        let kind = self.model.coordinates[column].kind;
-        matches!(kind, CoordinateKind::Pose { component: Component::Phi, .. })
-            && rows.all(|(entry, _)| of(entry) == Some(true))
+        self.model.coordinates[column].kind.is_angle() && rows.all(|(entry, _)| of(entry) == Some(true))
     }
 
     /// Writes Φ, prescribed coordinates included.
@@ -182,9 +180,7 @@ impl Square {
 
     /// Writes the scale of every coordinate: a radian, or the size of the mechanism.
     fn sizes(&self, q: &[f64], sizes: &mut Vec<f64>) {
-        let is_length = |coordinate: &CoordinateInfo| {
-            matches!(coordinate.kind, CoordinateKind::Pose { component: Component::X | Component::Y, .. })
-        };
+        let is_length = |coordinate: &CoordinateInfo| coordinate.kind.is_length();
         let all = self.model.coordinates.iter();
         let lengths = all.clone().zip(q).filter(|(coordinate, _)| is_length(coordinate));
         let length = lengths.fold(0.0, |most: f64, (_, x)| most.max(x.abs()));

@@ -10,7 +10,7 @@ use crate::certificate::{Certificate, Uncertified};
 use crate::equations::scale::Scale;
 use crate::error::SolveError;
 use crate::mechanism::Mechanism;
-use crate::model::{Component, CoordinateKind, Model};
+use crate::model::Model;
 use crate::modes::modes;
 use crate::plan::{Depth, Plan, Solved, StepKind};
 use crate::planned::Sign;
@@ -188,12 +188,12 @@ impl dyn AnySolver + '_ {
 
 /// True for a coordinate that is a length: the x or y of a body.
 pub(super) fn is_length(model: &Model, k: usize) -> bool {
-    matches!(model.coordinates[k].kind, CoordinateKind::Pose { component: Component::X | Component::Y, .. })
+    model.coordinates[k].kind.is_length()
 }
 
 /// True for the angle of a body.
 pub(super) fn is_angle(model: &Model, k: usize) -> bool {
-    matches!(model.coordinates[k].kind, CoordinateKind::Pose { component: Component::Phi, .. })
+    model.coordinates[k].kind.is_angle()
 }
 
 /// The names of angles, with intervals of half a turn on both sides of their guesses.

@@ -17,7 +17,7 @@ use crate::forces::{Effort, Forces, Load};
 use crate::linear::Factorization;
 use crate::mobility::mobility;
 use crate::model::forces::TOTALS;
-use crate::model::{Component, CoordinateKind, ForceModel, LoadInfo, Model};
+use crate::model::{ForceModel, LoadInfo, Model};
 use crate::state::State;
 use crate::workspace::Subset;
 pub(crate) use collected::collected;
@@ -107,10 +107,8 @@ fn by_plan(equations: &mut Equations<'_>, info: &ForceModel, state: &State) -> R
         rest[column] -= entry * lambda[row];
     }
     let coordinates = equations.model.coordinates;
-    let is_length =
-        |k: usize| matches!(coordinates[k].kind, CoordinateKind::Pose { component: Component::X | Component::Y, .. });
     let largest = |list: &[f64], of_lengths: bool| {
-        let own = list.iter().enumerate().filter(|(k, _)| is_length(*k) == of_lengths);
+        let own = list.iter().enumerate().filter(|(k, _)| coordinates[*k].kind.is_length() == of_lengths);
         own.fold(0.0, |largest: f64, (_, x)| if x.is_nan() { f64::INFINITY } else { largest.max(x.abs()) })
     };
     let closes = [true, false].into_iter().all(|kind| largest(&rest, kind) <= LEFT_OVER * largest(&r, kind));

@@ -38,7 +38,7 @@ impl Scale {
         let mut typical: Vec<(usize, usize, f64)> =
             entries.iter().zip(&mut sizes).map(|(&(i, j), size)| (i, j, median_of_samples(size))).collect();
         typical.extend(equations.entries().skip(entries.len()).map(|((row, column), _)| (row, column, 1.0)));
-        let angles = (0..n).filter(|&k| is_angle(equations.model.coordinates[k].kind)).collect();
+        let angles = (0..n).filter(|&k| equations.model.coordinates[k].kind.is_angle()).collect();
         let mut scale = Self { length, angles, is_known: true, ..Self::unit(s, n) };
         scale.start(equations, &typical);
         scale.raise_angles(&mut typical);
@@ -51,7 +51,7 @@ impl Scale {
     /// Divides lengths by the typical length, and every row by its largest entry: the result is independent of units.
     fn start(&mut self, equations: &Equations<'_>, entries: &[(usize, usize, f64)]) {
         for (column, info) in self.columns.iter_mut().zip(equations.model.coordinates) {
-            if matches!(info.kind, CoordinateKind::Pose { component: Component::X | Component::Y, .. }) {
+            if info.kind.is_length() {
                 *column = self.length;
             }
         }
@@ -116,7 +116,7 @@ impl Scale {
             (!scales.is_empty()).then(|| median_of_nonzero(&mut scales))
         };
         let poses = |kind| matches!(kind, CoordinateKind::Pose { .. });
-        let factor = match (of(is_angle), of(poses), of(|_| true)) {
+        let factor = match (of(CoordinateKind::is_angle), of(poses), of(|_| true)) {
             (Some(angle), _, _) => angle,
             (None, Some(pose), _) => pose / self.length,
             // In a mechanism in millimetres, scalars that are angles have larger entries than those that are lengths.
@@ -128,11 +128,6 @@ impl Scale {
             self.rows.iter_mut().for_each(|s| *s *= factor);
         }
     }
-}
-
-/// True for the coordinate φ of a body.
-fn is_angle(kind: CoordinateKind) -> bool {
-    matches!(kind, CoordinateKind::Pose { component: Component::Phi, .. })
 }
 
 /// A typical distance of joints from the origins of their bodies: of moving bodies, or else of the ground, or else the
