@@ -141,7 +141,7 @@ fn search(option: &str, kind: Kind, name: &str, names: &[&str], elsewhere: Optio
     } else {
         // The whole list is printed, because no other output has it.
         let all = listed.iter().map(|name| (*name).to_owned());
-        text.push_str(wrapped(&lead, all, 96).trim_end());
+        text.push_str(wrapped(&lead, all, ",", 96).trim_end());
         text.push_str("\n  with their rates NAME_dot and accelerations NAME_ddot; paths of points and of bodies");
     }
     Err(Failure::option(option, text))
@@ -171,7 +171,7 @@ pub(super) fn listing(lead: &str, names: &[&str]) -> String {
     let shown = names.iter().take(LISTED).map(|n| (*n).to_owned());
     let rest = names.len().saturating_sub(LISTED);
     let more = (rest > 0).then(|| format!("… and {rest} more (`info --format json` has them all)"));
-    wrapped(lead, shown.chain(more), 96).trim_end().to_owned()
+    wrapped(lead, shown.chain(more), ",", 96).trim_end().to_owned()
 }
 
 /// The most similar name, when one is similar enough to be what was meant.

@@ -71,7 +71,7 @@ fn mode_names(model: &Model, step: &PlanStep) -> Vec<&'static str> {
 pub(crate) fn plan(model: &'static Model) -> String {
     let mut out = "\nSolution plan\n".to_owned();
     if let Some(why) = model.plan.absent {
-        out.push_str(&wrapped("  none: ", [why, "full Newton on all coordinates"], COLUMNS));
+        out.push_str(&wrapped("  none: ", [why, "full Newton on all coordinates"], ",", COLUMNS));
         return out;
     }
     let digits = model.plan.steps.len().to_string().len();
@@ -86,7 +86,7 @@ pub(crate) fn plan(model: &'static Model) -> String {
         if !info.singular.is_empty() && info.singular != "never" {
             words.push(format!("singular with {}", info.singular));
         }
-        out.push_str(&wrapped(&format!("  {:>digits$}  ", step.place() + 1), words, COLUMNS));
+        out.push_str(&wrapped(&format!("  {:>digits$}  ", step.place() + 1), words, ",", COLUMNS));
     }
     out
 }

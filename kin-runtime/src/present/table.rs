@@ -104,9 +104,14 @@ pub(crate) fn width(text: &str) -> usize {
     text.chars().filter(|c| !('\u{300}'..='\u{36f}').contains(c)).count()
 }
 
-/// Words separated by commas, broken into lines of at most `columns` columns, the first after `lead`, the others
-/// indented as far.
-pub(crate) fn wrapped<S: AsRef<str>>(lead: &str, words: impl IntoIterator<Item = S>, columns: usize) -> String {
+/// Words with a comma, or nothing, after each but the last, broken into lines of at most `columns` columns, the first
+/// after `lead`, the others indented as far.
+pub(crate) fn wrapped<S: AsRef<str>>(
+    lead: &str,
+    words: impl IntoIterator<Item = S>,
+    comma: &str,
+    columns: usize,
+) -> String {
     let indent = width(lead);
     let mut out = lead.to_owned();
     let mut at = indent;
@@ -115,13 +120,12 @@ pub(crate) fn wrapped<S: AsRef<str>>(lead: &str, words: impl IntoIterator<Item =
         let word = word.as_ref();
         if first {
             first = false;
-        } else if at + width(word) + 3 > columns {
-            out.push_str(",\n");
-            out.push_str(&" ".repeat(indent));
+        } else if at + comma.len() + 1 + width(word) + comma.len() > columns {
+            out.push_str(&format!("{comma}\n{}", " ".repeat(indent)));
             at = indent;
         } else {
-            out.push_str(", ");
-            at += 2;
+            out.push_str(&format!("{comma} "));
+            at += comma.len() + 1;
         }
         out.push_str(word);
         at += width(word);
@@ -151,7 +155,7 @@ mod tests {
 
     #[test]
     fn long_lists_are_broken_under_their_lead() {
-        let text = wrapped("  w  ", ["alpha", "beta", "gamma"], 18);
+        let text = wrapped("  w  ", ["alpha", "beta", "gamma"], ",", 18);
         assert_eq!(text, "  w  alpha, beta,\n     gamma\n");
     }
 }

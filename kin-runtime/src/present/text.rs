@@ -43,7 +43,7 @@ impl Facts {
         for (name, number, words) in &self.0 {
             let pad = " ".repeat(label.saturating_sub(width(name)));
             let gap = " ".repeat(value.saturating_sub(width(number)));
-            let line = wrapped(&format!("  {name}{pad}  {gap}{number}  "), words, COLUMNS);
+            let line = wrapped(&format!("  {name}{pad}  {gap}{number}  "), words, ",", COLUMNS);
             out.push_str(line.trim_end());
             out.push('\n');
         }
@@ -53,23 +53,8 @@ impl Facts {
 
 /// Name and description.
 pub(crate) fn title(model: &Model) -> String {
-    let doc = model.doc.split_whitespace().collect::<Vec<_>>();
-    let mut out = format!("{}\n", model.name);
-    let mut line = String::new();
-    for word in doc {
-        if !line.is_empty() && width(&line) + width(word) + 3 > COLUMNS {
-            out.push_str(&format!("  {line}\n"));
-            line.clear();
-        }
-        if !line.is_empty() {
-            line.push(' ');
-        }
-        line.push_str(word);
-    }
-    if !line.is_empty() {
-        out.push_str(&format!("  {line}\n"));
-    }
-    out
+    let doc = wrapped("  ", model.doc.split_whitespace(), "", COLUMNS);
+    format!("{}\n{}", model.name, if doc.trim().is_empty() { "" } else { &doc })
 }
 
 /// `1 row`, `2 rows`.
