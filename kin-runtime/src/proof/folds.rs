@@ -13,6 +13,7 @@ use super::contraction::Preconditioner;
 use super::enclosures::Enclosures;
 use super::fold::{Proven, null_vector, prove};
 use super::krawczyk::Square;
+use super::newton_step::{NewtonStep, Shrunk};
 use crate::certificate::Uncertified;
 use crate::scalar::Interval;
 
@@ -25,8 +26,6 @@ const NARROW: f64 = 0.003;
 const NARROWEST: f64 = 1e-8;
 /// How far from the middle of a box its fold may be found, relative to its width.
 const REACH: f64 = 4.0;
-/// After a step that leaves less than this share of a box, another step is taken.
-const WORTHWHILE: f64 = 0.7;
 
 /// A fold: q over the intervals of the proof, and t.
 pub(crate) struct Fold {
@@ -71,7 +70,8 @@ pub(crate) fn folds(
     let turns = equations.turns(&middle[..places.len()]);
     let is_bounded = |u: &usize| !turns[*u];
     let bounded = (0..places.len()).filter(is_bounded).map(|u| (places[u], region[places[u]])).collect();
-    let mut search = Search { equations, sizes, bound: None, proven: Vec::new(), undecided: Vec::new() };
+    let step = NewtonStep::new(places.len(), sizes, NARROWEST);
+    let mut search = Search { equations, step, bound: None, proven: Vec::new(), undecided: Vec::new() };
     search.examine(start.clone());
     for u in (0..places.len()).filter(is_bounded) {
         for bound in [start[u].lower(), start[u].upper()] {
@@ -87,8 +87,8 @@ pub(crate) fn folds(
 /// The state of a search.
 struct Search<'s> {
     equations: ClosureEquations<'s>,
-    /// The sizes of u and t, relative to which boxes are narrow.
-    sizes: Vec<f64>,
+    /// With the sizes of u and t.
+    step: NewtonStep,
     /// The coordinate u that is at a bound; `None` for the search of folds.
     bound: Option<usize>,
     proven: Vec<Proven>,
@@ -133,39 +133,24 @@ impl Search<'_> {
         folds
     }
 
-    /// The largest width of a box relative to the sizes.
-    fn width(&self, all: &[Interval]) -> f64 {
-        all.iter().zip(&self.sizes).fold(0.0, |most, (x, size)| ((x.upper() - x.lower()) / size).max(most))
-    }
-
     /// Examines a box: it has no fold, is divided, has a proven fold, or stays undecided.
     fn look(&mut self, mut now: Vec<Interval>, boxes: &mut Vec<Vec<Interval>>) {
         let mut smear = Vec::new();
         loop {
-            let before = self.width(&now);
             match self.shrink(&mut now, &mut smear) {
-                Shrunk::Without => return,
-                Shrunk::Unknown => break,
-                Shrunk::To if self.width(&now) > WORTHWHILE * before || self.width(&now) < NARROWEST => break,
-                Shrunk::To => {}
+                Shrunk::Empty => return,
+                Shrunk::Further => {}
+                Shrunk::Enough => break,
             }
         }
-        let width = self.width(&now);
+        let width = self.step.width(&now);
         if self.bound.is_none() && width < NARROW && self.is_covered(&now, width) {
             return;
         }
         if width < NARROWEST {
             return self.undecided.push(now);
         }
-        let weight = |k: usize| smear.get(k).copied().unwrap_or(1.0) * (now[k].upper() - now[k].lower());
-        // A coordinate that hardly changes the equations is cut, too, once all others are narrow.
-        let wide = (0..now.len()).filter(|&k| now[k].upper() - now[k].lower() >= NARROWEST * self.sizes[k]);
-        let Some(cut) = wide.max_by(|&a, &b| weight(a).total_cmp(&weight(b))) else { return };
-        let middle = now[cut].midpoint();
-        let (mut lower, mut upper) = (now.clone(), now);
-        lower[cut] = Interval::new(lower[cut].lower(), middle);
-        upper[cut] = Interval::new(middle, upper[cut].upper());
-        boxes.extend([lower, upper]);
+        boxes.extend(self.step.halves(now, &smear).into_iter().flatten());
     }
 
     /// True if a proven fold is the only singular place that the box can contain.
@@ -174,7 +159,7 @@ impl Search<'_> {
             return true;
         }
         let near: Vec<f64> = now.iter().map(|x| x.midpoint()).collect();
-        let Some(proven) = prove(&mut self.equations, &near, REACH * width, &self.sizes) else { return false };
+        let Some(proven) = prove(&mut self.equations, &near, REACH * width, &self.step.sizes) else { return false };
         let is_covered = proven.covers(&mut self.equations, now);
         let same = |other: &Proven| other.place.iter().zip(&proven.place).all(|(a, b)| a.intersection(*b).is_some());
         if !self.proven.iter().any(same) {
@@ -191,49 +176,17 @@ impl Search<'_> {
         // A box without an enclosure can still be divided.
         let EvaluatedEquations { mut f_u, f_t, .. } = match self.equations.possible_closure(&now[..m], true) {
             Ok(Some(closure)) if self.bound.is_some() || !self.is_regular(&closure.f_u) => closure,
-            Ok(_) => return Shrunk::Without,
-            Err(_) => return Shrunk::Unknown,
+            Ok(_) => return Shrunk::Empty,
+            Err(_) => return Shrunk::Enough,
         };
         f_u.iter_mut().zip(f_t).for_each(|(row, by_t)| row.push(by_t));
         let a = f_u;
         *smear = (0..=m).map(|k| a.iter().map(|row| row[k].magnitude()).sum()).collect();
         let centre: Vec<Interval> = now.iter().map(|x| Interval::from(x.midpoint())).collect();
         self.equations.at(centre[m]);
-        let Ok(f) = self.equations.values(&centre[..m]) else { return Shrunk::Unknown };
-        let away: Vec<Interval> = now.iter().zip(&centre).map(|(&x, &c)| x - c).collect();
-        let sum = |terms: &mut dyn Iterator<Item = Interval>| terms.fold(Interval::from(0.0), |sum, term| sum + term);
-        let mean = |(&f, row): (&Interval, &Vec<Interval>)| f + sum(&mut row.iter().zip(&away).map(|(&a, &x)| a * x));
-        if f.iter().zip(&a).map(mean).any(Interval::excludes_zero) {
-            return Shrunk::Without;
-        }
-        let Some(along) = self.bound.or_else(|| self.direction(&a)) else { return Shrunk::Unknown };
-        let across: Vec<usize> = (0..=m).filter(|&k| k != along).collect();
-        let entries: Vec<(usize, usize)> = (0..m).flat_map(|i| (0..m).map(move |k| (i, k))).collect();
-        let middle = a.iter().flat_map(|row| across.iter().map(|&k| row[k].midpoint()));
-        let Some(mut inverse) = Preconditioner::new(m, &entries, middle) else { return Shrunk::Unknown };
-        let f = inverse.times(&f);
-        let columns: Vec<Vec<Interval>> =
-            (0..=m).map(|k| inverse.times(&a.iter().map(|row| row[k]).collect::<Vec<_>>())).collect();
-        for (i, &place) in across.iter().enumerate() {
-            if columns[place][i].contains(0.0) {
-                continue;
-            }
-            let others = &mut (0..=m).filter(|&k| k != place).map(|k| columns[k][i] * (now[k] - centre[k]));
-            let newton = centre[place] - (f[i] + sum(others)) / columns[place][i];
-            match now[place].intersection(newton) {
-                Some(smaller) => now[place] = smaller,
-                None if newton.is_defined() => return Shrunk::Without,
-                None => {}
-            }
-        }
-        Shrunk::To
-    }
-
-    /// Which of u and t changes most along the curve, relative to the sizes.
-    fn direction(&self, a: &[Vec<Interval>]) -> Option<usize> {
-        let sized =
-            |row: &Vec<Interval>| row.iter().zip(&self.sizes).map(|(&a, &size)| a * Interval::from(size)).collect();
-        null_vector(&a.iter().map(sized).collect::<Vec<Vec<Interval>>>()).map(|v| v.iamax())
+        let Ok(f) = self.equations.values(&centre[..m]) else { return Shrunk::Enough };
+        let bound = self.bound;
+        self.step.step(now, [&centre, &f], &a, |sizes| bound.or_else(|| direction(sizes, &a)))
     }
 
     /// True if f_u is regular over a box: then |I − C f_u| < 1 in the maximum norm, relative to the sizes.
@@ -243,18 +196,14 @@ impl Search<'_> {
         let values: Vec<Interval> = f_u.iter().flatten().copied().collect();
         let middle = values.iter().map(|a| a.midpoint());
         let Some(mut inverse) = Preconditioner::new(m, &entries, middle) else { return false };
-        let (sizes, mut rest) = (&self.sizes[..m], vec![0.0; m]);
+        let (sizes, mut rest) = (&self.step.sizes[..m], vec![0.0; m]);
         inverse.rest(&entries, &values, sizes, &mut rest);
         rest.iter().zip(sizes).all(|(rest, size)| (rest / size).next_up() < 1.0)
     }
 }
 
-/// The result of a step on a box.
-enum Shrunk {
-    /// There is no fold in it.
-    Without,
-    /// The step gives no information.
-    Unknown,
-    /// It was intersected with the enclosure of the step.
-    To,
+/// Which of u and t changes most along the curve, relative to the sizes.
+fn direction(sizes: &[f64], a: &[Vec<Interval>]) -> Option<usize> {
+    let sized = |row: &Vec<Interval>| row.iter().zip(sizes).map(|(&a, &size)| a * Interval::from(size)).collect();
+    null_vector(&a.iter().map(sized).collect::<Vec<Vec<Interval>>>()).map(|v| v.iamax())
 }

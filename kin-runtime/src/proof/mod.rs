@@ -22,6 +22,7 @@ mod fold;
 mod folds;
 mod krawczyk;
 mod located;
+mod newton_step;
 mod reduced;
 mod scan;
 mod search;

@@ -6,9 +6,9 @@
 //! certificate of the solution in it proves that there is no other in a region that contains the box.
 
 use super::closure_equations::{ClosureEquations, EvaluatedEquations};
-use super::contraction::Preconditioner;
 use super::enclosures::Enclosures;
 use super::krawczyk::Square;
+use super::newton_step::{NewtonStep, Shrunk};
 use crate::certificate::{Certificate, Uncertified};
 use crate::scalar::Interval;
 
@@ -19,8 +19,6 @@ const UNDECIDED: usize = 1000;
 const NARROW: f64 = 1e-6;
 /// Boxes narrower than this are not divided any further.
 const NARROWEST: f64 = 1e-11;
-/// After a step that leaves less than this share of a box, another step is taken.
-const WORTHWHILE: f64 = 0.7;
 
 /// q, q̇, q̈ and the certificate of a solution.
 pub(crate) type Certified = ([Vec<f64>; 3], Certificate);
@@ -53,11 +51,7 @@ pub(crate) fn search(
     let start: Vec<Interval> = places.iter().map(|&k| region[k]).collect();
     let searched = places.into_iter().zip(start.iter().copied()).collect();
     let count = equations.count();
-    let entries = (0..count).flat_map(|i| (0..count).map(move |k| (i, k))).collect();
-    let inverse = Preconditioner::with_room(count);
-    let exchanges = Vec::with_capacity(count);
-    let [newton, columns, column] = [count, count * count, count].map(|length| vec![Interval::ZERO; length]);
-    let mut search = Search { equations, entries, inverse, exchanges, newton, columns, column };
+    let mut search = Search { equations, step: NewtonStep::new(count, vec![1.0; count], NARROWEST) };
     let mut outcome = Outcome { searched, ..Outcome::default() };
     let (mut boxes, mut seen) = (vec![start], 0);
     while let Some(now) = boxes.pop() {
@@ -76,14 +70,7 @@ pub(crate) fn search(
 /// The state of a search.
 struct Search<'s> {
     equations: ClosureEquations<'s>,
-    /// (row, column) of all derivatives of the equations.
-    entries: Vec<(usize, usize)>,
-    /// Buffers.
-    inverse: Preconditioner,
-    exchanges: Vec<usize>,
-    newton: Vec<Interval>,
-    columns: Vec<Interval>,
-    column: Vec<Interval>,
+    step: NewtonStep,
 }
 
 impl Search<'_> {
@@ -97,30 +84,20 @@ impl Search<'_> {
     ) {
         let mut smear = Vec::new();
         loop {
-            let before = width(&now);
             match self.shrink(&mut now, &mut smear) {
                 Shrunk::Empty => return,
-                Shrunk::Unknown => break,
-                Shrunk::To if width(&now) > WORTHWHILE * before || width(&now) < NARROWEST => break,
-                Shrunk::To => {}
+                Shrunk::Further => {}
+                Shrunk::Enough => break,
             }
         }
-        if width(&now) < NARROW {
+        if self.step.width(&now) < NARROW {
             match self.solution(&now, outcome, prove) {
                 true => return,
-                false if width(&now) < NARROWEST => return outcome.undecided.push(now),
+                false if self.step.width(&now) < NARROWEST => return outcome.undecided.push(now),
                 false => {}
             }
         }
-        let weight = |k: usize| smear.get(k).copied().unwrap_or(1.0) * (now[k].upper() - now[k].lower());
-        // A coordinate that hardly changes the equations is cut, too, once all others are narrow.
-        let wide = (0..now.len()).filter(|&k| now[k].upper() - now[k].lower() >= NARROWEST);
-        let Some(cut) = wide.max_by(|&a, &b| weight(a).total_cmp(&weight(b))) else { return };
-        let middle = now[cut].midpoint();
-        let (mut lower, mut upper) = (now.clone(), now);
-        lower[cut] = Interval::new(lower[cut].lower(), middle);
-        upper[cut] = Interval::new(middle, upper[cut].upper());
-        boxes.extend([lower, upper]);
+        boxes.extend(self.step.halves(now, &smear).into_iter().flatten());
     }
 
     /// One step of the interval Newton method; writes the sums of the sizes of the derivatives with respect to every
@@ -130,43 +107,14 @@ impl Search<'_> {
         let EvaluatedEquations { f_u: a, .. } = match self.equations.possible_closure(now, false) {
             Ok(Some(closure)) => closure,
             Ok(None) => return Shrunk::Empty,
-            Err(_) => return Shrunk::Unknown,
+            Err(_) => return Shrunk::Enough,
         };
         let count = self.equations.count();
         smear.clear();
         smear.extend((0..count).map(|k| a.iter().map(|row| row[k].magnitude()).sum::<f64>()));
         let centre: Vec<Interval> = now.iter().map(|x| Interval::from(x.midpoint())).collect();
-        let Ok(f) = self.equations.values(&centre) else { return Shrunk::Unknown };
-        let away: Vec<Interval> = now.iter().zip(&centre).map(|(&x, &c)| x - c).collect();
-        let sum = |terms: &mut dyn Iterator<Item = Interval>| terms.fold(Interval::from(0.0), |sum, term| sum + term);
-        let mean = |(&f, row): (&Interval, &Vec<Interval>)| f + sum(&mut row.iter().zip(&away).map(|(&a, &x)| a * x));
-        if f.iter().zip(&a).map(mean).any(Interval::excludes_zero) {
-            return Shrunk::Empty;
-        }
-        let Self { inverse, entries, exchanges, newton, columns, column, .. } = self;
-        if !inverse.set(entries, a.iter().flatten().map(|a| a.midpoint()), exchanges) {
-            return Shrunk::Unknown;
-        }
-        inverse.times_to(&f, newton);
-        for (k, product) in columns.chunks_exact_mut(count.max(1)).enumerate() {
-            column.clear();
-            column.extend(a.iter().map(|row| row[k]));
-            inverse.times_to(column, product);
-        }
-        for i in 0..count {
-            let of = |k: usize| columns[k * count + i];
-            if of(i).contains(0.0) {
-                continue;
-            }
-            let others = &mut (0..count).filter(|&k| k != i).map(|k| of(k) * (now[k] - centre[k]));
-            let newton = centre[i] - (newton[i] + sum(others)) / of(i);
-            match now[i].intersection(newton) {
-                Some(smaller) => now[i] = smaller,
-                None if newton.is_defined() => return Shrunk::Empty,
-                None => {}
-            }
-        }
-        Shrunk::To
+        let Ok(f) = self.equations.values(&centre) else { return Shrunk::Enough };
+        self.step.step(now, [&centre, &f], &a, |_| None)
     }
 
     /// True if the box contains exactly one solution, which has a certificate.
@@ -197,19 +145,4 @@ impl Search<'_> {
         }
         alone
     }
-}
-
-/// The result of a step on a box.
-enum Shrunk {
-    /// There is no solution in it.
-    Empty,
-    /// The step gives no information.
-    Unknown,
-    /// It was intersected with the enclosure of the step.
-    To,
-}
-
-/// The largest width.
-fn width(all: &[Interval]) -> f64 {
-    all.iter().fold(0.0, |most, x| (x.upper() - x.lower()).max(most))
 }
