@@ -73,35 +73,16 @@ pub(crate) trait System {
         start: &[f64],
         depth: Depth,
         solved: Solved<'_, f64>,
-    ) -> Result<(), LengthError> {
-        // The default is for mechanisms without a plan.
-        let _ = (at, modes, start, depth, solved);
-        Ok(())
-    }
+    ) -> Result<(), LengthError>;
     /// Writes the branch value of every group of the plan at q, whose sign distinguishes the branches.
-    fn branches(&self, at: &Instant<'_>, q: &[f64], branch_values: &mut [f64]) -> Result<(), LengthError> {
-        let _ = (at, q, branch_values);
-        Ok(())
-    }
+    fn branches(&self, at: &Instant<'_>, q: &[f64], branch_values: &mut [f64]) -> Result<(), LengthError>;
     /// Writes for every coordinate how far the gradients of iterated rows turn with it, in radians per unit.
-    fn turns(&self, at: &Instant<'_>, q: &[f64], turns: &mut [f64]) -> Result<(), LengthError> {
-        let _ = (at, q, turns);
-        Ok(())
-    }
+    fn turns(&self, at: &Instant<'_>, q: &[f64], turns: &mut [f64]) -> Result<(), LengthError>;
     /// Whether the plan iterates on rows with curves.
-    fn iterates_on_curves(&self) -> bool {
-        false
-    }
+    fn iterates_on_curves(&self) -> bool;
     /// Writes enclosures of the [`turns`](Self::turns) over a box; nothing where no rows with curves are iterated on.
-    fn turns_over(
-        &self,
-        at: &Instant<'_, Interval>,
-        q: &[Interval],
-        turns: &mut [Interval],
-    ) -> Result<(), LengthError> {
-        let _ = (at, q, turns);
-        Ok(())
-    }
+    fn turns_over(&self, at: &Instant<'_, Interval>, q: &[Interval], turns: &mut [Interval])
+    -> Result<(), LengthError>;
     /// The local points, axes and values of joints.
     fn geometry(&self, at: &Instant<'_>) -> Result<Vec<f64>, LengthError> {
         let mut numbers = vec![0.0; self.model().geometry];
@@ -111,15 +92,9 @@ pub(crate) trait System {
     /// Writes the local points, axes and values of joints, [`Model::geometry`] numbers.
     fn write_geometry(&self, at: &Instant<'_>, numbers: &mut [f64]) -> Result<(), LengthError>;
     /// Writes r = Q − M q̈ at a solved state.
-    fn generalized_forces(&self, at: &Instant<'_>, state: &State, generalized: &mut [f64]) -> Result<(), LengthError> {
-        let _ = (at, state, generalized);
-        Ok(())
-    }
+    fn generalized_forces(&self, at: &Instant<'_>, state: &State, generalized: &mut [f64]) -> Result<(), LengthError>;
     /// Writes what loads exert on bodies at a state.
-    fn loads(&self, at: &Instant<'_>, state: &State, loads: &mut [f64]) -> Result<(), LengthError> {
-        let _ = (at, state, loads);
-        Ok(())
-    }
+    fn loads(&self, at: &Instant<'_>, state: &State, loads: &mut [f64]) -> Result<(), LengthError>;
     /// Writes the numbers of all forces at a solved state; `multipliers` is λ where the closed forms do not compute it.
     fn forces(
         &self,
@@ -127,15 +102,9 @@ pub(crate) trait System {
         state: &State,
         multipliers: &[f64],
         forces: &mut [f64],
-    ) -> Result<(), LengthError> {
-        let _ = (at, state, multipliers, forces);
-        Ok(())
-    }
+    ) -> Result<(), LengthError>;
     /// Places the follower of the plan at an instant, in the assembly modes of q.
-    fn follow_from(&mut self, at: &Instant<'_>, q: &[f64]) -> Result<(), PlanError> {
-        let _ = (at, q);
-        Err(PlanError::NoPlan { why: self.model().plan.absent.unwrap_or("nothing is followed") })
-    }
+    fn follow_from(&mut self, at: &Instant<'_>, q: &[f64]) -> Result<(), PlanError>;
     /// Moves the follower of the plan to another instant on its branch and writes q, q̇ and q̈ into the state; the inputs
     /// may be given as functions of time.
     fn follow(
@@ -144,15 +113,9 @@ pub(crate) trait System {
         inputs: InputFunction<'_>,
         control: &Control,
         state: &mut State,
-    ) -> Result<Followed, PlanError> {
-        let _ = (inputs, control, state);
-        self.follow_from(at, &[])?;
-        Err(PlanError::NoPlan { why: "nothing is followed" })
-    }
+    ) -> Result<Followed, PlanError>;
     /// q at the limit that ended the last [`follow`](Self::follow), where the limit was located.
-    fn q_at_limit(&self) -> Option<&[f64]> {
-        None
-    }
+    fn q_at_limit(&self) -> Option<&[f64]>;
     /// Writes the solution that [`follow`](Self::follow) would find at an instant, without moving the follower.
     fn peek(
         &mut self,
@@ -160,9 +123,7 @@ pub(crate) trait System {
         inputs: InputFunction<'_>,
         control: &Control,
         state: &mut State,
-    ) -> Result<(), PlanError> {
-        self.follow(at, inputs, control, state).map(|_| ())
-    }
+    ) -> Result<(), PlanError>;
 }
 
 /// What the follower of the plan reports of a solution besides its numbers.

@@ -1,18 +1,15 @@
-//! Tests of the parts of event location that need no mechanism.
+//! Tests of the parts of event location.
 
 use super::sample::Sample;
 use super::shape::{Shape, doubt, is_known, shape};
 use super::watch::Watch;
 use crate::equations::Equations;
-use crate::equations::system::{Parts, System};
-use crate::evaluation::curve::CurvePoint;
-use crate::fixture::{driver, model};
-use crate::mechanism::LengthError;
-use crate::model::{ConditionInfo, Model, Observable, Pattern};
+use crate::equations::system::Evaluator;
+use crate::fixture::Approaching;
 use crate::nonlinear::root::{Value, bracket, tolerance};
 use crate::options::Options;
 use crate::state::State;
-use crate::workspace::{Instant, Subset};
+use crate::workspace::Instant;
 
 /// The bracket of a root of `f`, which returns a value and a derivative, and the number of evaluations.
 fn located(f: impl Fn(f64) -> (f64, f64), lo: f64, hi: f64) -> ([Value; 2], usize) {
@@ -154,69 +151,19 @@ fn the_side_at_the_limit_is_where_the_motion_goes() {
     assert!(sample(0.0, 1e-3, -9.0, 0.0).side_after(1.0), "not there yet");
 }
 
-/// A system with x = t and the condition x < limit.
-struct Line {
-    limit: f64,
-    phi: [f64; 1],
-    g: [f64; 1],
-}
-
-impl System for Line {
-    fn model(&self) -> &'static Model {
-        let entries: &[(usize, usize)] = &[(0, 0)];
-        let condition = ConditionInfo { name: "limit", text: "x < limit", observable: 0, rheonomic: false };
-        Box::leak(Box::new(Model {
-            observables: &[Observable::Condition(0)],
-            observable_pattern: Pattern { rows: 1, entries, constants: &[] },
-            conditions: Vec::leak(vec![condition]),
-            ..model("Line", &[], &["x"], &[driver("drive")], &[])
-        }))
-    }
-
-    fn parameters(&self) -> &[f64] {
-        &[]
-    }
-
-    fn evaluate(&mut self, _: Subset, at: &Instant<'_>, q: &[f64], _: &[f64]) -> Result<(), LengthError> {
-        self.phi = [q[0] - at.t];
-        Ok(())
-    }
-
-    fn constraints(&self) -> Parts<'_> {
-        Parts { phi: &self.phi, phi_q: &[1.0], phi_t: &[-1.0], gamma: &[0.0] }
-    }
-
-    fn observe(&mut self, _: &Instant<'_>, q: &[f64], _: &[f64]) -> Result<(), LengthError> {
-        self.g = [self.limit - q[0]];
-        Ok(())
-    }
-
-    fn observables(&self) -> Parts<'_> {
-        Parts { phi: &self.g, phi_q: &[-1.0], phi_t: &[0.0], gamma: &[0.0] }
-    }
-
-    fn curve(&self, _: &Instant<'_>, _: usize, _: f64) -> Option<CurvePoint> {
-        None
-    }
-
-    fn write_geometry(&self, _: &Instant<'_>, _: &mut [f64]) -> Result<(), LengthError> {
-        Ok(())
-    }
-}
-
-/// Watches x < `limit` from t = 0 to 1, where only the first `solved` intermediate states can be solved. Returns the t
+/// Watches the condition of [`Approaching`] from t = 0 to 1, where only the first `solved` intermediate states can be solved. Returns the t
 /// of the event, its uncertainty, and the number of intermediate states requested.
 fn watched(limit: f64, solved: usize) -> (f64, f64, usize) {
-    let system = Box::new(Line { limit, phi: [0.0], g: [0.0] });
+    let system = Box::new(Evaluator::<_, Approaching>::new(Approaching { limit }));
     let mut equations = Equations::new(system, Options::default(), &[], None, &Instant::at(0.0)).unwrap();
     let model = equations.model;
     let state = |t: f64| State {
         model,
         t,
         inputs: Vec::new(),
-        q: vec![t],
-        q_dot: vec![1.0],
-        q_ddot: vec![0.0],
+        q: vec![limit - t, 0.0, 0.0],
+        q_dot: vec![-1.0, 0.0, 0.0],
+        q_ddot: vec![0.0; 3],
         bodies: Vec::new(),
         points: Vec::new(),
         residual: 0.0,
