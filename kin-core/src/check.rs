@@ -53,7 +53,7 @@ use crate::mechanism::{Body, BodyOrigin, BodyRef, Mechanism, defines_in};
 use scope::scopes;
 use std::collections::BTreeSet;
 
-pub(crate) use mention::{Held, held};
+pub(crate) use mention::{HeldCoordinate, held};
 pub use names::{RESERVED, is_reserved, meaning_of_reserved};
 
 use condition::conditions_vary;

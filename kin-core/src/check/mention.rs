@@ -53,7 +53,11 @@ pub(super) fn moves(mechanism: &Mechanism, formula: &Formula, i: i64) -> bool {
 }
 
 /// The held coordinates that the joint involves for one of these indices.
-pub(crate) fn held(mechanism: &Mechanism, joint: &Joint, indices: impl IntoIterator<Item = i64>) -> BTreeSet<Held> {
+pub(crate) fn held(
+    mechanism: &Mechanism,
+    joint: &Joint,
+    indices: impl IntoIterator<Item = i64>,
+) -> BTreeSet<HeldCoordinate> {
     let mut all = Mentions::new(mechanism);
     indices.into_iter().for_each(|i| all.joint(joint, i));
     all.close();
@@ -63,7 +67,7 @@ pub(crate) fn held(mechanism: &Mechanism, joint: &Joint, indices: impl IntoItera
             let index = body.len.map_or(String::new(), |_| format!("[{member}]"));
             let name = format!("{}{index}.{component}", body.name);
             matches!(body.source(component), Source::Held(_))
-                .then_some(Held { place: (family, member, component), name })
+                .then_some(HeldCoordinate { place: (family, member, component), name })
         }
         Mention::Coordinate(Coordinate::Scalar(..)) | Mention::Define(..) => None,
     });
@@ -72,7 +76,7 @@ pub(crate) fn held(mechanism: &Mechanism, joint: &Joint, indices: impl IntoItera
 
 /// A held coordinate. The order is that of the bodies.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(crate) struct Held {
+pub(crate) struct HeldCoordinate {
     /// The family, the member and the component.
     place: (usize, usize, Component),
     /// The name, such as `crank.phi` or `link[3].x`.

@@ -1,7 +1,7 @@
 //! Errors for redundant rows: which joints repeat the same constraint, and how to correct it.
 
 use super::diagnosis::{Redundancy, Structure};
-use crate::check::{Held, held};
+use crate::check::{HeldCoordinate, held};
 use crate::constraint::{ConstraintSet, RowMeaning};
 use crate::error::{ModelError, quoted};
 use crate::mechanism::Mechanism;
@@ -26,7 +26,7 @@ pub fn explain(mechanism: &Mechanism, system: &KinematicSystem, structure: &Stru
 }
 
 /// The held coordinates that the redundant rows and their circuits involve.
-fn held_in(mechanism: &Mechanism, system: &KinematicSystem, redundant: &[&Redundancy]) -> BTreeSet<Held> {
+fn held_in(mechanism: &Mechanism, system: &KinematicSystem, redundant: &[&Redundancy]) -> BTreeSet<HeldCoordinate> {
     let set = &system.set;
     let rows = redundant.iter().flat_map(|r| r.circuit.iter().chain([&r.row]));
     let joints: BTreeSet<usize> = rows.map(|row| set.rows[*row].joint).collect();
@@ -42,7 +42,7 @@ fn message(
     system: &KinematicSystem,
     structure: &Structure,
     redundant: &[&Redundancy],
-    held: &BTreeSet<Held>,
+    held: &BTreeSet<HeldCoordinate>,
 ) -> String {
     let set = &system.set;
     let joint_of = |row: usize| set.rows[row].joint;
@@ -105,7 +105,7 @@ fn message(
     )
 }
 
-fn names_of(held: &BTreeSet<Held>) -> String {
+fn names_of(held: &BTreeSet<HeldCoordinate>) -> String {
     quoted(held.iter().map(|held| held.name.as_str()))
 }
 
@@ -115,7 +115,7 @@ fn redundant_by_itself(
     own: &[usize],
     redundant: &[&Redundancy],
     advice: &str,
-    held: &BTreeSet<Held>,
+    held: &BTreeSet<HeldCoordinate>,
 ) -> String {
     let (rows, names) = (rows(set, own, redundant), quoted(own.iter().map(|joint| set.joints[*joint].name.as_str())));
     let plural = own.len() > 1;

@@ -88,12 +88,13 @@ use follower::{Control, PlanFollower};
 /// ```
 #[derive(Clone)]
 pub struct Planned<'m, M: Mechanism> {
-    mechanism: Held<'m, M>,
+    mechanism: MaybeOwned<'m, M>,
     follower: PlanFollower<M>,
 }
 
+/// A mechanism that is borrowed or owned.
 #[derive(Clone, Copy)]
-enum Held<'m, M> {
+enum MaybeOwned<'m, M> {
     Borrowed(&'m M),
     Owned(M),
 }
@@ -106,7 +107,7 @@ impl<'m, M: Mechanism> Planned<'m, M> {
     /// [`PlanError`]: there is no plan, it has no solution at this instant in these modes, or q does not determine the
     /// modes ([`PlanError::Undecided`]).
     pub fn new(mechanism: &'m M, at: &Instant<'_>, q: &[f64]) -> Result<Self, PlanError> {
-        Self::begin(Held::Borrowed(mechanism), at, q)
+        Self::begin(MaybeOwned::Borrowed(mechanism), at, q)
     }
 
     /// As [`new`](Self::new), but takes ownership of the mechanism, so that a controller can store the result.
@@ -114,10 +115,10 @@ impl<'m, M: Mechanism> Planned<'m, M> {
     /// # Errors
     /// As [`new`](Self::new).
     pub fn owned(mechanism: M, at: &Instant<'_>, q: &[f64]) -> Result<Planned<'static, M>, PlanError> {
-        Planned::begin(Held::Owned(mechanism), at, q)
+        Planned::begin(MaybeOwned::Owned(mechanism), at, q)
     }
 
-    fn begin(mechanism: Held<'m, M>, at: &Instant<'_>, q: &[f64]) -> Result<Self, PlanError> {
+    fn begin(mechanism: MaybeOwned<'m, M>, at: &Instant<'_>, q: &[f64]) -> Result<Self, PlanError> {
         let follower = PlanFollower::new(mechanism.get(), at, q)?;
         Ok(Self { mechanism, follower })
     }
@@ -266,7 +267,7 @@ impl<'m, M: Mechanism> Planned<'m, M> {
     }
 }
 
-impl<M> Held<'_, M> {
+impl<M> MaybeOwned<'_, M> {
     #[inline]
     const fn get(&self) -> &M {
         match self {

@@ -6,7 +6,7 @@
 use super::error::{Limit, PlanError};
 use super::follower::{Control, PlanFollower};
 use super::walk::natural_step;
-use super::{Held, Planned};
+use super::{MaybeOwned, Planned};
 use crate::course::Course;
 use crate::mechanism::{LengthError, Mechanism};
 use crate::model::Input;
@@ -197,7 +197,7 @@ impl<M: Mechanism> Planned<'_, M> {
             let mut others = M::Inputs::<f64>::filled(Signal::constant(0.0));
             others.as_mut().iter_mut().zip(at.inputs).for_each(|(to, u)| *to = Signal::constant(u.value));
             *others.as_mut().get_mut(k)? = Signal::constant(held.value);
-            let mut moved = Planned { mechanism: Held::Borrowed(mechanism), follower: self.follower };
+            let mut moved = Planned { mechanism: MaybeOwned::Borrowed(mechanism), follower: self.follower };
             let instant = Instant { t: moved.t(), inputs: others.as_ref() };
             // If the mechanism does not close with the new values of the others either, these keep their old values.
             let _ = moved.at(&instant);
