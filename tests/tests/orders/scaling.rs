@@ -2,9 +2,7 @@
 
 use allocation_counter::measure;
 use kin_runtime::series::HigherOrders;
-use kin_runtime::{
-    Instant, Kinematics, LengthError, Mechanism, Options, PowerSeries, SolveError, Solver, State, mechanism,
-};
+use kin_runtime::{Instant, Kinematics, LengthError, Mechanism, Options, SolveError, Solver, State, mechanism};
 use kin_tests::mechanisms::{AndrewsPins, Excavator, PlanetaryBasic, SleighKnifeEdge};
 
 /// A four-bar whose crank turns at the constant rate `omega`.
