@@ -275,6 +275,7 @@ fn columns_of_a_trajectory() {
     assert_eq!(Some(vec![0.0; 2]), trajectory.column("u_ddot"));
     assert_eq!(Some(vec![2.0; 2]), trajectory.column("weight.y"));
     assert_eq!((Some(vec![0.0, 1.0]), None), (trajectory.column("t"), trajectory.column("weight")));
+    assert!(trajectory.column_names().iter().all(|name| trajectory.column(name).is_some()));
     // A state that was constructed by hand.
     trajectory.states[1].q.clear();
     trajectory.states[1].bodies.clear();

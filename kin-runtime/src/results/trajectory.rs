@@ -92,6 +92,13 @@ impl Trajectory {
         self.states.last()
     }
 
+    /// Names of columns for [`column`](Self::column): `t`, then every coordinate with its rate and acceleration.
+    pub fn column_names(&self) -> Vec<String> {
+        let of = |name: &str| ["", "_dot", "_ddot"].map(|suffix| format!("{name}{suffix}"));
+        let coordinates = self.model.coordinates.iter().flat_map(|coordinate| of(coordinate.name));
+        core::iter::once("t".to_owned()).chain(coordinates).collect()
+    }
+
     /// The conditions that were violated at the first instant.
     pub fn violated_at_start(&self) -> impl Iterator<Item = &'static ConditionInfo> {
         self.violated_at_start.iter().filter_map(|&k| self.model.conditions.get(k))
