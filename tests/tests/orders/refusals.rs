@@ -199,7 +199,7 @@ fn orders_belong_to_the_state_that_is_given() {
     let options = Options { use_plan: false, ..Options::default() };
     let state = Slider.state_at(&Instant::at(0.0013)).unwrap();
     let third = |state: &kin_runtime::State, use_plan: bool| {
-        let solver = if use_plan { Slider.solver() } else { Slider.solver().with_options(options.clone()) };
+        let solver = if use_plan { Slider.solver() } else { Slider.solver().with_options(options) };
         solver.derivatives(state, 3).unwrap().q.swap_remove(3)
     };
     let off = |a: &[f64], b: &[f64]| {

@@ -31,8 +31,8 @@ impl<M: Mechanism> PlanFollower<M> {
         let largest = |q: &[f64]| q.iter().fold(1.0, |largest: f64, x| largest.max(x.abs()));
         let before = largest(blocked.here.q.as_ref());
         let q = &self.trial().q;
-        let here = step.info().coordinates.iter().map(|&(k, _)| q.as_ref().get(k).copied().unwrap_or(f64::NAN));
-        let is_finite = here.fold(true, |all, x| all && x.abs() < INFINITE * before);
+        let stays = |&(k, _): &(usize, usize)| q.as_ref().get(k).is_some_and(|x| x.abs() < INFINITE * before);
+        let is_finite = step.info().coordinates.iter().all(stays);
         let kind = if is_finite { LimitKind::BranchPoint } else { LimitKind::Pole };
         let mut inputs = M::Inputs::<f64>::filled(Signal::constant(0.0));
         let at = course.at(s, inputs.as_mut());
