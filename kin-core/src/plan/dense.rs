@@ -1,6 +1,7 @@
 //! Small linear systems M x = b as expressions: Cramer's rule for two or three unknowns, elimination in a fixed order
 //! for more.
 
+use super::closures::LEAST;
 use crate::constraint::Coordinate;
 use crate::expr::{ExprId, Graph};
 use crate::vocabulary::Function;
@@ -17,7 +18,7 @@ pub(super) struct Solved {
 }
 
 /// Solves M x = b for every b, with a margin that is 0 where M is singular. Up to three unknowns the margin is (det
-/// M)² over the product of the squared norms of the rows. For n > 3 it is n/Σ 1/sᵢ², where sᵢ is the size of pivot i
+/// M)² over the product of the squared norms of the rows, unless M is constant (see `margin_of_constants`). For n > 3 it is n/Σ 1/sᵢ², where sᵢ is the size of pivot i
 /// relative to its row of M: the harmonic mean of sᵢ², which is of the order of the smallest sᵢ² for any n. A single
 /// unknown has no margin.
 ///
@@ -90,6 +91,11 @@ fn cramer(graph: &mut Graph, matrix: &[Vec<ExprId>], rights: &[Vec<ExprId>], len
             (0..n).map(along).collect()
         })
         .collect();
+    if graph.depends(det).is_static() {
+        let margin = margin_of_constants(graph, matrix, det);
+        let orientation = Some(signed_root(graph, det, margin));
+        return Solved { solutions, margin: Some(margin), orientation };
+    }
     let mut product = one;
     let unit = squared_length(graph, matrix, lengths);
     for row in matrix {
@@ -112,6 +118,25 @@ fn cramer(graph: &mut Graph, matrix: &[Vec<ExprId>], rights: &[Vec<ExprId>], len
     let margin = graph.div(square, product);
     let orientation = Some(signed_root(graph, det, margin));
     Solved { solutions, margin: Some(margin), orientation }
+}
+
+/// The margin of a matrix of constants, two or three rows: (det M)²/(n! Σ p²) over the products p of which det M is the
+/// sum. It does not depend on the units of rows and columns, and is 0 where the products cancel.
+fn margin_of_constants(graph: &mut Graph, matrix: &[Vec<ExprId>], det: ExprId) -> ExprId {
+    let n = matrix.len();
+    let orders: &[&[usize]] = match n {
+        2 => &[&[0, 1], &[1, 0]],
+        _ => &[&[0, 1, 2], &[1, 2, 0], &[2, 0, 1], &[0, 2, 1], &[1, 0, 2], &[2, 1, 0]],
+    };
+    let mut squares = graph.number(LEAST);
+    for order in orders {
+        let factors = order.iter().enumerate().map(|(i, &j)| matrix[i][j]);
+        let product = factors.reduce(|a, b| graph.mul(a, b)).map_or(det, |product| graph.square(product));
+        squares = graph.add(squares, product);
+    }
+    let (count, square) = (graph.number(orders.len() as f64), graph.square(det));
+    let whole = graph.mul(count, squares);
+    graph.div(square, whole)
 }
 
 /// √margin with the sign of another expression.

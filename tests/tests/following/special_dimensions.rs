@@ -102,3 +102,38 @@ fn a_slider_may_start_beside_its_dead_centre() {
     let limit = error.source.limit().and_then(|limit| limit.at()).unwrap();
     assert!((limit + 1.50269e-5).abs() < 1e-9, "{limit:?}");
 }
+
+/// A linear system of scalars with constant coefficients.
+#[mechanism]
+#[coordinates(x, y, z)]
+#[constraint(first: p * x + q * y = 0.1 + t)]
+#[constraint(second: u * x + v * z = 0.2)]
+#[constraint(third: w * y + s * z + x = 0.3 * t)]
+struct Scalars {
+    p: f64,
+    q: f64,
+    u: f64,
+    v: f64,
+    w: f64,
+    s: f64,
+}
+
+/// Scalars of very different units: constant coefficients are small without being nearly singular.
+#[test]
+fn linear_systems_hold_in_any_units() {
+    for y_unit in [1e-12, 1e-9, 1e-3, 1.0, 1e6, 1e12] {
+        for z_unit in [1e-9, 1.0, 1e9] {
+            let [p, q, u, v, w, s] = [1.0, 0.4 * y_unit, 0.3, -0.7 * z_unit, 0.9 * y_unit, 0.5 * z_unit];
+            let scalars = Scalars { p, q, u, v, w, s };
+            let mut planned = scalars.solver().planned(&Instant::at(0.0)).expect("it is regular");
+            let t = 0.7;
+            let found = planned.at(&Instant::at(t)).expect("it is regular").q();
+            let [x, y, z] = [found[0], found[1] * y_unit, found[2] * z_unit];
+            let rows = [x + 0.4 * y - 0.1 - t, 0.3 * x - 0.7 * z - 0.2, 0.9 * y + 0.5 * z + x - 0.3 * t];
+            assert!(rows.iter().all(|row| row.abs() < 1e-14), "{y_unit} {z_unit}: {rows:?}");
+        }
+    }
+    // Two rows that say the same.
+    let [p, q, u, v, w, s] = [1.0, 0.5, 0.0, 1.0, 0.5, 0.0];
+    assert!(Scalars { p, q, u, v, w, s }.solver().planned(&Instant::at(0.0)).is_err());
+}
