@@ -317,3 +317,29 @@ fn redundant_rows_are_not_passed_over() {
     let none = Cranks { third: 0.31 }.solver().assemblies(&Instant::at(0.0)).unwrap();
     assert!(none.is_complete() && none.found.is_empty(), "{none:?}");
 }
+
+/// A carriage, held by two dyads: the first closes up to t = 2, the second from 0.1 to 0.9.
+#[mechanism]
+#[body(carriage, x = t, y = 0, phi = 0)]
+#[bodies(a, b, c, d)]
+#[revolute(A: ground @ (0, 0), a @ (0, 0))]
+#[revolute(B: a @ (1, 0), b @ (0, 0))]
+#[revolute(C: b @ (1, 0), carriage @ (0, 0))]
+#[revolute(D: ground @ (0, 0), c @ (0, 0))]
+#[revolute(E: c @ (0.5, 0), d @ (0, 0))]
+#[revolute(F: d @ (0.4, 0), carriage @ (0, 0))]
+struct Both;
+
+/// Where a group comes to its limit while another closes on neither side, no motion ends.
+#[test]
+fn limits_where_nothing_closes_are_none() {
+    for (from, to) in [(0.5, 3.0), (3.0, 0.5), (0.01, 2.5)] {
+        let all = Both.solver().ranges(&Instant::at(from), to).unwrap();
+        assert!(all.is_complete(), "{all}");
+        let ends = if from == 0.01 { &[0.1, 0.9][..] } else { &[0.9] };
+        let is_end = |limit: &kin_runtime::RangeLimit| ends.iter().any(|end| limit.t.contains(*end));
+        // Two modes of each group, and one limit of the second group for each.
+        assert_eq!((4, 4 * ends.len()), (all.ranges.len(), all.limits.len()), "{all}");
+        assert!(all.limits.iter().all(|limit| is_end(limit) && limit.joints == ["D", "E", "F"]), "{all}");
+    }
+}

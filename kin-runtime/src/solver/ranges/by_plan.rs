@@ -53,10 +53,12 @@ impl dyn AnySolver + '_ {
     pub(in crate::solver) fn look(&self, way: [f64; 2], start: &Instant<'_>, signs: &[f64], guess: &[f64]) -> Seen {
         let Some([_, margins]) = self.enclosed(way, start, signs, guess) else { return Seen::Unknown(0) };
         let first = margins.iter().position(|margin| margin.lower() <= Plan::SMALLEST_MARGIN || !margin.is_defined());
-        match first {
-            None => Seen::Closed,
-            Some(margin) if margins[margin].upper() < 0.0 => Seen::Open(margin),
-            Some(margin) => Seen::Unknown(margin),
+        // The margin of a later group encloses its values wherever the groups before it close.
+        let open = margins.iter().position(|margin| margin.is_defined() && margin.upper() < 0.0);
+        match (first, open) {
+            (None, _) => Seen::Closed,
+            (Some(_), Some(margin)) => Seen::Open(margin),
+            (Some(margin), None) => Seen::Unknown(margin),
         }
     }
 
