@@ -134,7 +134,8 @@ fn margin_of_constants(graph: &mut Graph, matrix: &[Vec<ExprId>], det: ExprId) -
         let product = factors.reduce(|a, b| graph.mul(a, b)).map_or(det, |product| graph.square(product));
         squares = graph.add(squares, product);
     }
-    let (count, square) = (graph.number(orders.len() as f64), graph.square(det));
+    // Slightly more than n!, so that the margin does not exceed 1 after rounding.
+    let (count, square) = (graph.number(orders.len() as f64 * (1.0 + 1e-14)), graph.square(det));
     let whole = graph.mul(count, squares);
     graph.div(square, whole)
 }
