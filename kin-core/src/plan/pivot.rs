@@ -14,7 +14,8 @@ use std::collections::{BTreeMap, BTreeSet};
 
 impl Reduction<'_> {
     /// Reduces a block of the mechanism (see [`block`](Self::block)). Rows of guides are left if this needs as many
-    /// iterations as their elimination does.
+    /// iterations as their elimination does, none of them on more than three unknowns: larger systems are eliminated in
+    /// a fixed order, which divides by one component of a guide, too.
     pub(super) fn with_guides(
         &mut self,
         rows: &[usize],
@@ -23,10 +24,14 @@ impl Reduction<'_> {
     ) -> Option<Block> {
         let state = |of: &mut Self| (of.rows.clone(), of.source_rows.clone(), of.replaced.clone(), of.paired.clone());
         let restore = |of: &mut Self, state| (of.rows, of.source_rows, of.replaced, of.paired) = state;
-        let iterations = |block: &Option<Block>| {
-            let newton = |method: &SolutionMethod| usize::from(matches!(method, SolutionMethod::Newton { .. }));
-            block.as_ref().map_or(usize::MAX, |block| block.sum(&newton))
+        let count = |block: &Option<Block>, is: &dyn Fn(usize) -> bool| {
+            let counts = |method: &SolutionMethod| match method {
+                SolutionMethod::Newton { residuals } => usize::from(is(residuals.len())),
+                _ => 0,
+            };
+            block.as_ref().map_or(usize::MAX, |block| block.sum(&counts))
         };
+        let iterations = |block: &Option<Block>| count(block, &|_| true);
         let before = state(self);
         (self.guides.left, self.guides.met) = (true, false);
         let left = self.block(rows, unknowns, removable);
@@ -37,7 +42,7 @@ impl Reduction<'_> {
         restore(self, before);
         self.guides.left = false;
         let eliminated = self.block(rows, unknowns, removable);
-        if iterations(&eliminated) < iterations(&left) {
+        if iterations(&eliminated) < iterations(&left) || count(&left, &|unknowns| unknowns > 3) > 0 {
             return eliminated;
         }
         restore(self, after);

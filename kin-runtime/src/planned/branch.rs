@@ -84,7 +84,8 @@ pub(super) fn may_have_touched_limit(before: &[f64], after: &[f64]) -> bool {
     before.iter().zip(after).any(|(before, after)| may_dip(*before, *after))
 }
 
-/// Smallest |w| of a group in the middle of a step, relative to the smaller one at both ends.
+/// Smallest w of a group in the middle of a step, with the sign that it has at the start, relative to the smaller |w| at
+/// both ends.
 const MIDDLE: f64 = 0.25;
 
 /// The first group that comes much nearer to its limit in the middle of a step than at its ends, of those that may have
@@ -96,7 +97,8 @@ pub(super) fn first_dip(
     [modes, modes_before]: [&[f64]; 2],
 ) -> Option<usize> {
     let dips = |group: usize| {
-        let stays = middle[group].abs() >= MIDDLE * before[group].abs().min(after[group].abs());
+        let kept = if before[group] < 0.0 { -middle[group] } else { middle[group] };
+        let stays = kept >= MIDDLE * before[group].abs().min(after[group].abs());
         !stays
     };
     let near = |group: &usize| may_dip(before[*group].abs(), after[*group].abs());

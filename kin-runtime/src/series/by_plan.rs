@@ -2,7 +2,7 @@
 
 use super::inputs::{Inputs, factorial};
 use crate::mechanism::Mechanism;
-use crate::plan::{Depth, Plan, Solved};
+use crate::plan::{Depth, Solved};
 use crate::scalar::{Scalar, Taylor};
 use crate::solver::Solver;
 use crate::state::State;
@@ -11,6 +11,10 @@ use crate::workspace::{Array, Instant};
 /// Largest number of coefficients of all coordinates together for which the series are on the stack: a plan computes
 /// about twenty values for each of them.
 const LARGEST: usize = 1500;
+
+/// Smallest power of a margin, with the order as exponent, for which rounding errors of all orders stay below 1e-10: the
+/// error of order k is about ε margin^(−k/2).
+const ACCURATE: f64 = 1e-12;
 
 /// How far the plan's q, q̇ and q̈ may be from those of the state, relative to the largest number of each.
 const SAME: f64 = 1e-8;
@@ -63,7 +67,11 @@ impl<M: Mechanism> Solver<'_, M> {
         };
         let (parameters, signs) = (mechanism.parameters::<Taylor<N>>(), &series_of_signs.as_ref()[..signs.len()]);
         mechanism.solve_with(parameters.as_ref(), &at, signs, start.as_ref(), Depth::Position, solved).ok()?;
-        let is_regular = |margin: &Taylor<N>| margin.coefficients()[0] > Plan::SMALLEST_MARGIN;
+        // Every order divides by the root of a margin once more.
+        let is_regular = |margin: &Taylor<N>| {
+            let margin = margin.coefficients()[0];
+            margin > 0.0 && margin.powf(order as f64) >= ACCURATE
+        };
         if !margins.as_ref()[..M::model().plan.margins].iter().all(is_regular) {
             return None;
         }

@@ -12,8 +12,13 @@ use crate::planned::walk::Blocked;
 use crate::signal::{Instant, Signal};
 use crate::workspace::Array;
 
-/// How much larger than all coordinates before it a solution is that goes to infinity.
-const INFINITE: f64 = 1e5;
+/// How much larger than before a solution is that goes to infinity; it is inversely proportional to the determinant,
+/// which at the limit is 0 but for rounding.
+const INFINITE: f64 = 1e3;
+
+/// Smallest size of a solution before its limit, relative to the largest coordinate, that the size at the limit is
+/// compared with.
+const SMALL: f64 = 1e-3;
 
 impl<M: Mechanism> PlanFollower<M> {
     /// The error where the determinant of a linear group changes its sign, and the place on the course at which it does.
@@ -28,11 +33,13 @@ impl<M: Mechanism> PlanFollower<M> {
         let Spot { s, margin, .. } = Spot::beyond(blocked.places, course.ends(), &mut |s| {
             self.signed_margin(mechanism, course, s, group, blocked)
         });
-        let largest = |q: &[f64]| q.iter().fold(1.0, |largest: f64, x| largest.max(x.abs()));
-        let before = largest(blocked.here.q.as_ref());
-        let q = &self.trial().q;
-        let stays = |&(k, _): &(usize, usize)| q.as_ref().get(k).is_some_and(|x| x.abs() < INFINITE * before);
-        let is_finite = step.info().coordinates.iter().all(stays);
+        let own = step.info().coordinates;
+        let here = blocked.here.q.as_ref();
+        let larger = |largest: f64, x: &f64| largest.max(x.abs());
+        let all = here.iter().fold(0.0, larger);
+        let before = own.iter().filter_map(|&(k, _)| here.get(k)).fold(SMALL * all, larger);
+        let q = self.trial().q.as_ref();
+        let is_finite = own.iter().all(|&(k, _)| q.get(k).is_some_and(|x| x.abs() < INFINITE * before));
         let kind = if is_finite { LimitKind::BranchPoint } else { LimitKind::Pole };
         let mut inputs = M::Inputs::<f64>::filled(Signal::constant(0.0));
         let at = course.at(s, inputs.as_mut());
