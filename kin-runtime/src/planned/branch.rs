@@ -154,7 +154,9 @@ mod tests {
         let kept = [1.0, -1.0, 1.0];
         assert_eq!(None, of([0.0, -0.026, 0.031], kept));
         assert_eq!([Some(1), Some(2)], [[0.5, -0.024, 0.031], [0.5, -0.2, 0.029]].map(|middle| of(middle, kept)));
-        assert_eq!(Some(2), of([0.5, 0.2, f64::NAN], kept));
+        assert_eq!(Some(2), of([0.5, -0.2, f64::NAN], kept));
+        // The other sign in the middle.
+        assert_eq!(Some(1), of([0.5, 0.2, 0.2], kept));
         assert_eq!([None, Some(2)], [0.031, 0.029].map(|middle| of([0.5, 0.0, middle], [1.0, 1.0, 1.0])));
     }
 }

@@ -1,6 +1,6 @@
 //! Guides whose direction is given by parameters: the plan solves them in every direction.
 
-use kin_runtime::{Instant, Kinematics, mechanism};
+use kin_runtime::{Instant, Kinematics, Options, mechanism};
 
 /// A slider-crank whose rod is a distance and whose guide is tilted.
 #[mechanism]
@@ -105,6 +105,37 @@ fn an_iteration_contains_guides_in_any_direction() {
         for located in [step.limit().map(|limit| &limit.located), sweep.limit().map(|limit| &limit.located)] {
             let limit = located.and_then(Option::as_ref).expect("a limit with its t");
             assert!((limit.at - end).abs() < 1e-9, "a = {a}: {} instead of {end}", limit.at);
+        }
+    }
+}
+
+/// Three sliders on guides, coupled by three distances: six unknowns.
+#[mechanism]
+#[bodies(s1, s2, s3)]
+#[translational(g1: ground @ (0, 0), s1 @ (0, 0), axis = (cos(a), sin(a)))]
+#[translational(g2: ground @ (1, 0), s2 @ (0, 0), axis = (cos(b), sin(b)))]
+#[translational(g3: ground @ (0, 1), s3 @ (0, 0), axis = (cos(c), sin(c)))]
+#[distance(d12: s1 @ (0, 0), s2 @ (0, 0), length = 1)]
+#[distance(d23: s2 @ (0, 0), s3 @ (0, 0), length = 1)]
+#[driver(d: distance(s3 @ (0, 0), s1 @ (0, 0)) = 1 + 0.1 * sin(t))]
+struct Sliders {
+    a: f64,
+    b: f64,
+    c: f64,
+}
+
+/// Larger iterations divide by one component of the direction; where it is 0, full Newton goes on.
+#[test]
+fn larger_iterations_go_on_where_a_guide_is_along_an_axis() {
+    let times: Vec<f64> = (0..=20).map(|k| 0.05 * f64::from(k)).collect();
+    for a in [0.0, 1e-14, 1e-9, std::f64::consts::PI, std::f64::consts::FRAC_PI_2, 0.3] {
+        let sliders = Sliders { a, b: 1.2, c: -0.4 };
+        let swept = sliders.solver().sweep(&times).unwrap_or_else(|error| panic!("a = {a}: {}", error.source));
+        let newton = sliders.solver().with_options(Options { use_plan: false, ..Options::default() });
+        let expected = newton.sweep(&times).expect("it is regular");
+        for (found, expected) in swept.iter().zip(expected.iter()) {
+            let off = found.q.iter().zip(&expected.q).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+            assert!(off < 1e-9, "a = {a}, t = {}: {off:e}", found.t);
         }
     }
 }

@@ -158,3 +158,38 @@ fn reciprocals_do_not_pass_infinity() {
         ends(&Behind { w, start, speed }, -start / speed);
     }
 }
+
+/// A slot that swings past the line's direction and back: two poles, 2 acos(1 + p/b)/w apart.
+#[mechanism]
+#[body(arm, x = 0, y = 0)]
+#[body(pin, phi = 0)]
+#[point_on_line(slot: arm @ (0, 0), pin @ (0, 0), axis = (1, 0))]
+#[point_on_line(line: ground @ (0, 0.3), pin @ (0, 0), axis = (1, 0))]
+#[driver(drive: arm.phi = p + b * (1 - cos(t)))]
+struct Swing {
+    p: f64,
+    b: f64,
+}
+
+#[test]
+fn two_poles_within_a_step_are_seen() {
+    let (mut passed, mut all) = (0, 0);
+    for p in [-1e-3, -3e-3, -1e-2, -3e-2, -5e-2] {
+        for b in [0.2, 0.5, 0.9] {
+            let swing = Swing { p, b };
+            let pole = -(1.0 + p / b).acos();
+            for count in [2_u32, 5, 10, 30, 100] {
+                let times: Vec<f64> = (0..=count).map(|k| -1.0 + 2.3 / f64::from(count) * f64::from(k)).collect();
+                all += 1;
+                match swing.solver().sweep(&times) {
+                    Ok(_) => passed += 1,
+                    Err(error) => {
+                        let at = error.source.limit().and_then(Limit::at);
+                        assert!(at.is_some_and(|at| (at - pole).abs() < 1e-6), "{p} {b} {count}: {}", error.source);
+                    }
+                }
+            }
+        }
+    }
+    assert_eq!((0, 75), (passed, all));
+}
