@@ -153,10 +153,9 @@ fn reciprocals_do_not_pass_infinity() {
             assert!(refused.is_some(), "{count}: {:?}", planned.q());
         }
     }
-    for (w, start, speed) in [(2.0, 1.0, -0.3)] {
-        ends(&Reciprocal { w, start, speed }, -start / speed);
-        ends(&Behind { w, start, speed }, -start / speed);
-    }
+    let (w, start, speed) = (2.0, 1.0, -0.3);
+    ends(&Reciprocal { w, start, speed }, -start / speed);
+    ends(&Behind { w, start, speed }, -start / speed);
 }
 
 /// A slot that swings past the line's direction and back: two poles, 2 acos(1 + p/b)/w apart.
