@@ -18,9 +18,9 @@ pub(super) struct Solved {
 }
 
 /// Solves M x = b for every b, with a margin that is 0 where M is singular. Up to three unknowns the margin is (det
-/// M)² over the product of the squared norms of the rows, unless M is constant (see `margin_of_constants`). For n > 3 it is n/Σ 1/sᵢ², where sᵢ is the size of pivot i
-/// relative to its row of M: the harmonic mean of sᵢ², which is of the order of the smallest sᵢ² for any n. A single
-/// unknown has no margin.
+/// M)² over the product of the squared norms of the rows, unless M is constant (see `margin_of_constants`). For n > 3 it
+/// is n/Σ 1/sᵢ², where sᵢ is the size of pivot i relative to its row of M: the harmonic mean of sᵢ², which is of the
+/// order of the smallest sᵢ² for any n. A single unknown has no margin.
 ///
 /// `lengths` says which unknowns are lengths. If the matrix has columns of lengths and others (of angles or scalars),
 /// the columns of lengths are scaled by a length taken from the rows that contain both kinds, so that the margin does
@@ -123,8 +123,7 @@ fn cramer(graph: &mut Graph, matrix: &[Vec<ExprId>], rights: &[Vec<ExprId>], len
 /// The margin of a matrix of constants, two or three rows: (det M)²/(n! Σ p²) over the products p of which det M is the
 /// sum. It does not depend on the units of rows and columns, and is 0 where the products cancel.
 fn margin_of_constants(graph: &mut Graph, matrix: &[Vec<ExprId>], det: ExprId) -> ExprId {
-    let n = matrix.len();
-    let orders: &[&[usize]] = match n {
+    let orders: &[&[usize]] = match matrix.len() {
         2 => &[&[0, 1], &[1, 0]],
         _ => &[&[0, 1, 2], &[1, 2, 0], &[2, 0, 1], &[0, 2, 1], &[1, 0, 2], &[2, 1, 0]],
     };

@@ -2,19 +2,19 @@
 
 use crate::constraint::ConstraintSet;
 
-/// The rows of guides whose direction is given by parameters.
+/// How a reduction treats the rows of guides whose direction is given by parameters.
 #[derive(Debug, Default)]
 pub(super) struct Guides {
     /// The coordinates x and y of every origin that has both.
     pub(super) origins: Vec<[u32; 2]>,
-    /// Whether such rows are no pivots.
+    /// Whether the current reduction leaves such rows, and does not use them as pivots.
     pub(super) left: bool,
-    /// Whether such a row was met.
+    /// Whether the current reduction has met such a row.
     pub(super) met: bool,
 }
 
 impl Guides {
-    /// The guides of a mechanism, whose rows are left.
+    /// For the bodies of a mechanism; rows of guides are left.
     pub(super) fn new(set: &ConstraintSet) -> Self {
         let origins = set.bodies.iter().filter_map(|body| Some([body.coordinates[0]?, body.coordinates[1]?]));
         Self { origins: origins.collect(), left: true, met: false }

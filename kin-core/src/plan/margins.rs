@@ -4,7 +4,7 @@ use super::closures;
 use super::state::{Build, Divisor, Signed, Stage};
 use super::step::StepId;
 use crate::constraint::CoordinateKind;
-use crate::expr::{ExprId, Graph, Symbol};
+use crate::expr::{ExprId, Symbol};
 use crate::mechanism::Component;
 use crate::program::Slot;
 use crate::vocabulary::Function;
@@ -54,22 +54,22 @@ impl Build<'_> {
                 others = entries.map(|(_, entry)| *entry).collect();
             }
             let known: Vec<ExprId> = others.iter().map(|&entry| self.known_value(entry)).collect();
-            let whole = |graph: &mut Graph, square: ExprId, others: &[ExprId], parts: &[ExprId]| {
-                let compared = closures::whole_of_divisor(graph, square, others, parts);
+            let whole = match (closures::whole_of_divisor(&mut self.graph, square, &known, &parts), signed, &parts[..])
+            {
+                (Some(whole), ..) => whole,
                 // A divisor with a sign that has nothing else to be compared with is compared with its own size.
-                compared
-                    .or_else(|| Some(closures::whole_of_varying(graph, square, signed.and(parts.first().copied())?)))
+                (None, Some(_), &[part]) => closures::whole_of_varying(&mut self.graph, square, part),
+                (None, ..) => continue,
             };
-            let Some(all) = whole(&mut self.graph, square, &known, &parts) else { continue };
-            let margin = self.graph.div(square, all);
+            let margin = self.graph.div(square, whole);
             let margin = self.write_margin(step, margin);
             let Some(divisor) = signed else { continue };
             let square = self.graph.square(divisor);
-            if let Some(all) = whole(&mut self.graph, square, &others, &[divisor]) {
-                let root = self.graph.call(Function::Sqrt, all);
-                let value = self.graph.div(divisor, root);
-                self.signed.push(Signed { value, step, margin });
-            }
+            let whole = closures::whole_of_divisor(&mut self.graph, square, &others, &[divisor])
+                .unwrap_or_else(|| closures::whole_of_varying(&mut self.graph, square, divisor));
+            let root = self.graph.call(Function::Sqrt, whole);
+            let value = self.graph.div(divisor, root);
+            self.signed.push(Signed { value, step, margin });
         }
     }
 

@@ -56,7 +56,7 @@ macro_rules! list {
 
 list! {
     /// The signs of all groups, ±1: first the modes of those that close in two ways, then the orientations of those
-    /// that are solved by iteration. NaN for an undecided sign, so that everything that depends on it is NaN, too.
+    /// whose determinant has a sign. NaN for an undecided sign, so that everything that depends on it is NaN, too.
     Modes in Coordinates, as many as |plan| plan.signs()
 }
 

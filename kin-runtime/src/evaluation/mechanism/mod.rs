@@ -149,8 +149,9 @@ pub trait Mechanism: Sized {
 
     /// Writes the branch values of all groups of the plan at the configuration q. First come those of the modes,
     /// −1 ≤ w ≤ 1: the sign of w is the mode of the configuration, and its size measures the distance between the two
-    /// closures, 0 where they meet. A number follows for every group that is solved by iteration
-    /// ([`Plan::orientations`](crate::plan::Plan::orientations)), the normalised determinant of the group's system.
+    /// closures, 0 where they meet. A number follows for every group of
+    /// [`Plan::orientations`](crate::plan::Plan::orientations), the normalised determinant of the group's system.
+    ///
     /// # Errors
     /// When an argument has the wrong length.
     fn branches_with<T: Scalar>(
