@@ -1,6 +1,7 @@
 //! Guides whose direction is given by parameters: the plan solves them in every direction.
 
-use kin_runtime::{Instant, Kinematics, Options, mechanism};
+use kin_runtime::{Instant, Kinematics, Options, Solver, mechanism};
+use kin_tests::random::Random;
 
 /// A slider-crank whose rod is a distance and whose guide is tilted.
 #[mechanism]
@@ -109,33 +110,56 @@ fn an_iteration_contains_guides_in_any_direction() {
     }
 }
 
-/// Three sliders on guides, coupled by three distances: six unknowns.
+/// A coupler between two sliders, whose travels along their guides are coupled: an iteration on more than three
+/// unknowns.
 #[mechanism]
-#[bodies(s1, s2, s3)]
-#[translational(g1: ground @ (0, 0), s1 @ (0, 0), axis = (cos(a), sin(a)))]
-#[translational(g2: ground @ (1, 0), s2 @ (0, 0), axis = (cos(b), sin(b)))]
-#[translational(g3: ground @ (0, 1), s3 @ (0, 0), axis = (cos(c), sin(c)))]
-#[distance(d12: s1 @ (0, 0), s2 @ (0, 0), length = 1)]
-#[distance(d23: s2 @ (0, 0), s3 @ (0, 0), length = 1)]
-#[driver(d: distance(s3 @ (0, 0), s1 @ (0, 0)) = 1 + 0.1 * sin(t))]
-struct Sliders {
+#[bodies(coupler, first, second)]
+#[translational(g1: ground @ (0, 0), first @ (0, 0), axis = (cos(a), sin(a)))]
+#[translational(g2: ground @ (1, 0.2), second @ (0, 0), axis = (cos(b), sin(b)))]
+#[distance(d1: first @ (0, 0.1), coupler @ (0, 0), length = l1)]
+#[distance(d2: second @ (0, 0), coupler @ (0.6, 0), length = l2)]
+#[distance(d3: ground @ (0.5, 1.5), coupler @ (0.3, 0.4), length = l3)]
+#[constraint(travels: first.x * cos(a) + first.y * sin(a) + k * (second.x * cos(b) + second.y * sin(b)) = h + 0.2 * t)]
+#[driver(pull: distance(ground @ (-1, 1), coupler @ (0.1, 0.1)) = l4 + 0.1 * sin(t))]
+struct Coupled {
     a: f64,
     b: f64,
-    c: f64,
+    l1: f64,
+    l2: f64,
+    l3: f64,
+    l4: f64,
+    k: f64,
+    h: f64,
 }
 
-/// Larger iterations divide by one component of the direction; where it is exactly 0, full Newton goes on.
+/// The plan eliminates the row of a guide there, and full Newton goes on where it divides by 0.
 #[test]
 fn larger_iterations_go_on_where_a_guide_is_along_an_axis() {
-    let times: Vec<f64> = (0..=20).map(|k| 0.05 * f64::from(k)).collect();
-    for a in [0.0, std::f64::consts::FRAC_PI_2, 0.3] {
-        let sliders = Sliders { a, b: 1.2, c: -0.4 };
-        let swept = sliders.solver().sweep(&times).unwrap_or_else(|error| panic!("a = {a}: {}", error.source));
-        let newton = sliders.solver().with_options(Options { use_plan: false, ..Options::default() });
-        let expected = newton.sweep(&times).expect("it is regular");
-        for (found, expected) in swept.iter().zip(expected.iter()) {
-            let off = found.q.iter().zip(&expected.q).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
-            assert!(off < 1e-9, "a = {a}, t = {}: {off:e}", found.t);
+    let times: Vec<f64> = (0..=20).map(|k| 0.02 * f64::from(k)).collect();
+    for a in [1e-14, 1e-9, std::f64::consts::PI] {
+        let (mut random, mut regular) = (Random::new(8), 0);
+        for _ in 0..100 {
+            let [b, k, h] = [3.0, 1.0, 0.5].map(|most| random.between(-most, most));
+            let [l1, l2, l3, l4] = [0.5, 0.5, 0.5, 0.8].map(|least| random.between(least, least + 0.9));
+            let coupled = Coupled { a, b, l1, l2, l3, l4, k, h };
+            let newton = coupled.solver().with_options(Options { use_plan: false, ..Options::default() });
+            let Ok(start) = newton.state(&Instant::at(0.0)) else { continue };
+            let (newton, own) = (start_at(newton, &start.q), start_at(coupled.solver(), &start.q));
+            let Ok(expected) = newton.sweep(&times) else { continue };
+            if expected.iter().any(|state| newton.condition(state).is_ok_and(|condition| condition > 1e3)) {
+                continue;
+            }
+            let swept = own.sweep(&times).unwrap_or_else(|error| panic!("{a} {b} {k} {h}: {}", error.source));
+            let off = |(a, b): (&f64, &f64)| (a - b).abs();
+            let pairs = swept.iter().zip(expected.iter()).flat_map(|(found, other)| found.q.iter().zip(&other.q));
+            assert!(pairs.map(off).fold(0.0, f64::max) < 1e-9, "{a} {b} {k} {h}");
+            regular += 1;
         }
+        assert!(regular > 8, "{a}: {regular}");
     }
+}
+
+/// The solver with this configuration as its guess.
+fn start_at<'m>(solver: Solver<'m, Coupled>, q: &[f64]) -> Solver<'m, Coupled> {
+    q.iter().enumerate().fold(solver, |solver, (k, q)| solver.with_guess(k, *q))
 }
