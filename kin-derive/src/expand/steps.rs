@@ -14,10 +14,12 @@ pub(super) fn table(plan: &SolutionPlan, writer: Writer) -> TokenStream {
     }
     let steps = steps(plan, writer);
     let [modes, orientations] = [&plan.modes, &plan.orientations].map(|list| modes(list, writer));
+    let iterations = plan.steps.iter().filter(|step| matches!(step.kind, StepKind::Newton(_))).count();
     let margins = plan.margins;
     quote! {
         __kin::Plan {
-            steps: #steps, modes: #modes, orientations: #orientations, margins: #margins, absent: __kin::None,
+            steps: #steps, modes: #modes, orientations: #orientations, iterations: #iterations,
+            margins: #margins, absent: __kin::None,
         }
     }
 }

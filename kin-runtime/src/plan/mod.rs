@@ -38,6 +38,8 @@ pub struct Plan {
     /// linear systems that are singular for some configurations, where their solution goes to infinity. Unlike a mode,
     /// this sign cannot be requested.
     pub orientations: &'static [ModeInfo],
+    /// The number of groups that are solved by iteration; they come first in `orientations`.
+    pub iterations: usize,
     /// The number of margins of a solution.
     pub margins: usize,
     /// The reason why there is no plan.
@@ -66,10 +68,6 @@ pub struct PlanStep {
 }
 
 impl PlanStep {
-    fn iterates(&self) -> bool {
-        matches!(self.kind, StepKind::Newton(_))
-    }
-
     /// True if its unknowns are the solution of a linear system.
     pub(crate) fn is_linear(&self) -> bool {
         matches!(self.kind, StepKind::Explicit | StepKind::Linear(_))
@@ -98,7 +96,7 @@ impl Plan {
 
     /// No plan, with the reason.
     pub const fn absent(why: &'static str) -> Self {
-        Self { steps: &[], modes: &[], orientations: &[], margins: 0, absent: Some(why) }
+        Self { steps: &[], modes: &[], orientations: &[], iterations: 0, margins: 0, absent: Some(why) }
     }
 
     /// The number of signs that distinguish the branches of the motion: one for every mode, then one for every
@@ -120,13 +118,13 @@ impl Plan {
     }
 
     /// True if a step is solved by iteration.
-    pub(crate) fn iterates(&self) -> bool {
-        self.steps.iter().any(PlanStep::iterates)
+    pub(crate) const fn iterates(&self) -> bool {
+        self.iterations > 0
     }
 
     /// True if a linear step may be singular for some configurations.
-    pub(crate) fn has_poles(&self) -> bool {
-        self.orientations.iter().any(|group| self.steps.get(group.step).is_some_and(PlanStep::is_linear))
+    pub(crate) const fn has_poles(&self) -> bool {
+        self.orientations.len() > self.iterations
     }
 
     /// True if there is a plan.

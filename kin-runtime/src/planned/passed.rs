@@ -129,6 +129,7 @@ mod tests {
             steps: &[step(StepKind::Closure, (0, 2)), step(StepKind::Watched, (2, 4))],
             modes: &[],
             orientations: &[],
+            iterations: 0,
             margins: 4,
             absent: None,
         };
