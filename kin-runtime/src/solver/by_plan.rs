@@ -32,9 +32,23 @@ struct Start<M: Mechanism> {
 }
 
 impl<M: Mechanism> Solver<'_, M> {
-    /// The state near a complete start, or the one that the guesses lead to; `None` if the general path must be used.
-    pub(crate) fn state_by_plan(&self, at: &Instant<'_>, start: Option<&[f64]>) -> Option<State> {
-        let (parameters, start) = self.planned_start(at, start)?;
+    /// The state that the guesses lead to; `None` if the general path must be used.
+    pub(crate) fn state_by_plan(&self, at: &Instant<'_>) -> Option<State> {
+        if !self.goes_by_plan(at) {
+            return None;
+        }
+        let parameters = self.mechanism.parameters::<f64>();
+        let start = self.start_of_guess(&parameters, at)?;
+        self.state_of(&parameters, at, &start)
+    }
+
+    /// The state near a complete start; `None` if the general path must be used.
+    pub(crate) fn state_near(&self, at: &Instant<'_>, start: &[f64]) -> Option<State> {
+        if !self.goes_by_plan(at) {
+            return None;
+        }
+        let parameters = self.mechanism.parameters::<f64>();
+        let start = self.start_of(&parameters, at, start)?;
         self.state_of(&parameters, at, &start)
     }
 
@@ -42,31 +56,30 @@ impl<M: Mechanism> Solver<'_, M> {
     /// none if the general path must be used.
     #[cfg(feature = "design")]
     pub(crate) fn follower(&self, at: &Instant<'_>) -> Option<Result<PlanFollower<M>, PlanError>> {
-        let (parameters, Start { q, modes }) = self.planned_start(at, None)?;
-        Some(PlanFollower::begin(self.mechanism, parameters, at, q.as_ref(), modes))
-    }
-
-    /// The position near a complete start, or the one that the guesses lead to; `None` if the general path must be used.
-    pub(crate) fn position_by_plan(&self, at: &Instant<'_>, start: Option<&[f64]>) -> Option<Position> {
-        let (parameters, start) = self.planned_start(at, start)?;
-        self.position_of(&parameters, at, &start)
-    }
-
-    /// The parameters, and a complete start with its modes or the one that the guesses determine; `None` if the general
-    /// path must be used.
-    fn planned_start(&self, at: &Instant<'_>, start: Option<&[f64]>) -> Option<(M::Parameters<f64>, Start<M>)> {
         if !self.goes_by_plan(at) {
             return None;
         }
         let parameters = self.mechanism.parameters::<f64>();
-        if !all_finite(parameters.as_ref()) {
+        let Start { q, modes } = self.start_of_guess(&parameters, at)?;
+        Some(PlanFollower::begin(self.mechanism, parameters, at, q.as_ref(), modes))
+    }
+
+    /// The position that the guesses lead to; `None` if the general path must be used.
+    pub(crate) fn position_by_plan(&self, at: &Instant<'_>) -> Option<Position> {
+        if !self.goes_by_plan(at) {
             return None;
         }
-        let start = match start {
-            Some(start) => self.start_of(&parameters, at, start)?,
-            None => self.start_of_guess(&parameters, at)?,
-        };
-        Some((parameters, start))
+        let parameters = self.mechanism.parameters::<f64>();
+        self.position_of(&parameters, at, &self.start_of_guess(&parameters, at)?)
+    }
+
+    /// The position near a complete start; `None` if the general path must be used.
+    pub(crate) fn position_near(&self, at: &Instant<'_>, start: &[f64]) -> Option<Position> {
+        if !self.goes_by_plan(at) {
+            return None;
+        }
+        let parameters = self.mechanism.parameters::<f64>();
+        self.position_of(&parameters, at, &self.start_of(&parameters, at, start)?)
     }
 
     /// True if the plan determines all coordinates and the geometry of the joints is not degenerate.
@@ -94,7 +107,7 @@ impl<M: Mechanism> Solver<'_, M> {
 
     /// A complete start and its modes.
     fn start_of(&self, parameters: &M::Parameters<f64>, at: &Instant<'_>, start: &[f64]) -> Option<Start<M>> {
-        if !all_finite(start) {
+        if !all_finite(parameters.as_ref()) || !all_finite(start) {
             return None;
         }
         // The orientations of iterations are those of the solution.
@@ -109,6 +122,9 @@ impl<M: Mechanism> Solver<'_, M> {
     /// The start that the guesses determine.
     fn start_of_guess(&self, parameters: &M::Parameters<f64>, at: &Instant<'_>) -> Option<Start<M>> {
         let guess = self.guessed(parameters)?;
+        if !all_finite(parameters.as_ref()) {
+            return None;
+        }
         let mut start = guess;
         write_zeros(start.as_mut());
         let (mut modes, mut q) = (Modes::<M>::filled(1.0), start);

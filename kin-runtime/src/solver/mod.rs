@@ -87,7 +87,7 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     /// [`Length`](SolveError::Length) for arguments and parameters, here and in every other analysis.
     pub fn assemble(&self, at: &Instant<'_>) -> Result<Vec<f64>, SolveError> {
         let wanted = self.wanted()?;
-        match self.position_by_plan(at, None) {
+        match self.position_by_plan(at) {
             Some(position) => Ok(position.q),
             None => Ok(assemble_in(&mut self.equations(at)?, &wanted)?.q),
         }
@@ -119,7 +119,7 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     /// # Errors
     /// As [`assemble`](Self::assemble).
     pub fn position(&self, at: &Instant<'_>, start: &[f64]) -> Result<Position, SolveError> {
-        match self.position_by_plan(at, Some(start)) {
+        match self.position_near(at, start) {
             Some(position) => Ok(position),
             None => position(&mut self.equations(at)?, start),
         }
@@ -148,7 +148,7 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     /// # Errors
     /// As [`assemble`](Self::assemble), [`velocity`](Self::velocity) and [`acceleration`](Self::acceleration).
     pub fn state(&self, at: &Instant<'_>) -> Result<State, SolveError> {
-        if let Some(state) = self.state_by_plan(at, None) {
+        if let Some(state) = self.state_by_plan(at) {
             return Ok(state);
         }
         let wanted = self.wanted()?;
@@ -166,7 +166,7 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     /// # Errors
     /// As [`state`](Self::state).
     pub fn state_from(&self, at: &Instant<'_>, start: &[f64]) -> Result<State, SolveError> {
-        if let Some(state) = self.state_by_plan(at, Some(start)) {
+        if let Some(state) = self.state_near(at, start) {
             return Ok(state);
         }
         let equations = &mut self.equations(at)?;

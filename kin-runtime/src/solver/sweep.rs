@@ -103,7 +103,11 @@ impl<'m, M: Mechanism> Solver<'m, M> {
         let inputs = inputs_at(self.inputs, t, M::INPUTS);
         let at = Instant { t, inputs: &inputs };
         let mut equations = self.equations(&at)?;
-        let first = match self.state_by_plan(&at, start) {
+        let by_plan = match start {
+            Some(start) => self.state_near(&at, start),
+            None => self.state_by_plan(&at),
+        };
+        let first = match by_plan {
             Some(state) => (state, None),
             None => {
                 let position = match start {
