@@ -68,9 +68,10 @@ impl<M: Mechanism> Solver<'_, M> {
         let (parameters, signs) = (mechanism.parameters::<Taylor<N>>(), &series_of_signs.as_ref()[..signs.len()]);
         mechanism.solve_with(parameters.as_ref(), &at, signs, start.as_ref(), Depth::Position, solved).ok()?;
         // Every order divides by the root of a margin once more.
+        let power = i32::try_from(order).unwrap_or(i32::MAX);
         let is_regular = |margin: &Taylor<N>| {
             let margin = margin.coefficients()[0];
-            margin > 0.0 && margin.powf(order as f64) >= ACCURATE
+            margin > 0.0 && margin.powi(power) >= ACCURATE
         };
         if !margins.as_ref()[..M::model().plan.margins].iter().all(is_regular) {
             return None;
