@@ -137,14 +137,14 @@ impl Search<'_> {
         let Reduction { source_rows, paired, .. } = reduction;
         let still = moves.iter().zip(&set.coordinates).filter(|(moves, k)| !**moves && !k.kind.is_length()).count();
         let iterated =
-            tree.sum(&|method| if let SolutionMethod::Newton { residuals } = method { residuals.len() } else { 0 });
+            tree.sum(&|core| if let SolutionMethod::Newton { residuals } = &core.method { residuals.len() } else { 0 });
         let two = |method: &SolutionMethod| {
             matches!(
                 method,
                 SolutionMethod::Angle { .. } | SolutionMethod::Quadratic { .. } | SolutionMethod::Circle { .. }
             )
         };
-        let closures = tree.sum(&|method| usize::from(two(method)));
+        let closures = tree.sum(&|core| usize::from(two(&core.method)));
         let score = Score { still, iterated, closures };
         Some(Chosen { tree, source_rows, left_out: left_out.to_vec(), paired, score })
     }

@@ -1,7 +1,8 @@
-//! Small linear systems M x = b as expressions: Cramer's rule for two or three unknowns, elimination in a fixed order
-//! for more.
+//! Small linear systems M x = b as expressions: Cramer's rule, which has no pivots that could be 0, as long as it
+//! takes few products (see [`minors`]), and elimination in a fixed order otherwise.
 
 use super::closures::LEAST;
+use super::minors::{self, Minors};
 use crate::constraint::Coordinate;
 use crate::expr::{ExprId, Graph};
 use crate::vocabulary::Function;
@@ -17,9 +18,9 @@ pub(super) struct Solved {
     pub(super) orientation: Option<ExprId>,
 }
 
-/// Solves M x = b for every b, with a margin that is 0 where M is singular. Up to three unknowns the margin is (det
-/// M)² over the product of the squared norms of the rows, unless M is constant (see `margin_of_constants`). For n > 3 it
-/// is n/Σ 1/sᵢ², where sᵢ is the size of pivot i relative to its row of M: the harmonic mean of sᵢ², which is of the
+/// Solves M x = b for every b, with a margin that is 0 where M is singular. By Cramer's rule the margin is (det M)²
+/// over the product of the squared norms of the rows, unless M is constant (see `margin_of_constants`). By elimination
+/// it is n/Σ 1/sᵢ², where sᵢ is the size of pivot i relative to its row of M: the harmonic mean of sᵢ², which is of the
 /// order of the smallest sᵢ² for any n. A single unknown has no margin.
 ///
 /// `lengths` says which unknowns are lengths. If the matrix has columns of lengths and others (of angles or scalars),
@@ -34,9 +35,15 @@ pub(super) fn solve(graph: &mut Graph, matrix: &[Vec<ExprId>], rights: &[Vec<Exp
             let inverse = graph.whole(inverse);
             alone(rights.iter().map(|b| vec![graph.mul(b[0], inverse)]).collect())
         }
-        2 | 3 => cramer(graph, matrix, rights, lengths),
+        _ if has_few_minors(graph, matrix) => cramer(graph, matrix, rights, lengths),
         _ => eliminate(graph, matrix, rights, lengths),
     }
+}
+
+/// Whether a matrix is solved by Cramer's rule.
+fn has_few_minors(graph: &Graph, matrix: &[Vec<ExprId>]) -> bool {
+    let filled = matrix.iter().map(|row| row.iter().map(|&entry| !graph.is_zero(entry)).collect());
+    minors::are_few(&filled.collect::<Vec<_>>())
 }
 
 /// For each of the given coordinates, whether it is a length.
@@ -75,22 +82,16 @@ fn squared_length(graph: &mut Graph, matrix: &[Vec<ExprId>], lengths: &[bool]) -
 }
 
 fn cramer(graph: &mut Graph, matrix: &[Vec<ExprId>], rights: &[Vec<ExprId>], lengths: &[bool]) -> Solved {
-    let n = matrix.len();
-    let cofactors: Vec<Vec<ExprId>> = (0..n).map(|i| (0..n).map(|j| cofactor(graph, matrix, i, j)).collect()).collect();
-    let det = sum(graph, (0..n).map(|j| (matrix[0][j], cofactors[0][j])));
+    let mut minors = Minors::new(matrix, graph);
+    let det = minors.determinant(graph);
     let one = graph.number(1.0);
     let inverse = graph.div(one, det);
     let inverse = graph.whole(inverse);
-    let solutions = rights
-        .iter()
-        .map(|b| {
-            let along = |j: usize| {
-                let top = sum(graph, (0..n).map(|i| (b[i], cofactors[i][j])));
-                graph.mul(top, inverse)
-            };
-            (0..n).map(along).collect()
-        })
-        .collect();
+    let mut solution = |b: &Vec<ExprId>| {
+        let tops = minors.replaced(graph, b);
+        tops.into_iter().map(|top| graph.mul(top, inverse)).collect()
+    };
+    let solutions = rights.iter().map(&mut solution).collect();
     if graph.depends(det).is_static() {
         let margin = margin_of_constants(graph, matrix, det);
         let orientation = Some(signed_root(graph, det, margin));
@@ -120,21 +121,16 @@ fn cramer(graph: &mut Graph, matrix: &[Vec<ExprId>], rights: &[Vec<ExprId>], len
     Solved { solutions, margin: Some(margin), orientation }
 }
 
-/// The margin of a matrix of constants, two or three rows: (det M)²/(n! Σ p²) over the products p of which det M is the
-/// sum. It does not depend on the units of rows and columns, and is 0 where the products cancel.
+/// The margin of a matrix of constants: (det M)²/(n! Σ p²) over the products p of which det M is the sum. It does not
+/// depend on the units of rows and columns, and is 0 where the products cancel.
 fn margin_of_constants(graph: &mut Graph, matrix: &[Vec<ExprId>], det: ExprId) -> ExprId {
-    let orders: &[&[usize]] = match matrix.len() {
-        2 => &[&[0, 1], &[1, 0]],
-        _ => &[&[0, 1, 2], &[1, 2, 0], &[2, 0, 1], &[0, 2, 1], &[1, 0, 2], &[2, 1, 0]],
-    };
-    let mut squares = graph.number(LEAST);
-    for order in orders {
-        let factors = order.iter().enumerate().map(|(i, &j)| matrix[i][j]);
-        let product = factors.reduce(|a, b| graph.mul(a, b)).map_or(det, |product| graph.square(product));
-        squares = graph.add(squares, product);
-    }
+    let rows = matrix.iter().map(|row| row.iter().map(|&entry| graph.square(entry)).collect());
+    let rows: Vec<Vec<ExprId>> = rows.collect();
+    let (products, least) = (minors::permanent(graph, &rows), graph.number(LEAST));
+    let squares = graph.add(least, products);
     // Slightly more than n!, so that the margin does not exceed 1 after rounding.
-    let (count, square) = (graph.number(orders.len() as f64 * (1.0 + 1e-14)), graph.square(det));
+    let count: f64 = (1..=matrix.len()).map(|k| k as f64).product();
+    let (count, square) = (graph.number(count * (1.0 + 1e-14)), graph.square(det));
     let whole = graph.mul(count, squares);
     graph.div(square, whole)
 }
@@ -143,18 +139,6 @@ fn margin_of_constants(graph: &mut Graph, matrix: &[Vec<ExprId>], det: ExprId) -
 fn signed_root(graph: &mut Graph, signed: ExprId, margin: ExprId) -> ExprId {
     let (sign, root) = (graph.sign(signed), graph.call(Function::Sqrt, margin));
     graph.mul(sign, root)
-}
-
-/// The cofactor of entry (i, j) of M, for two or three rows.
-fn cofactor(graph: &mut Graph, matrix: &[Vec<ExprId>], i: usize, j: usize) -> ExprId {
-    let rest = |without: usize| (0..matrix.len()).filter(move |k| *k != without).collect::<Vec<_>>();
-    let (rows, columns) = (rest(i), rest(j));
-    let minor = match (rows.as_slice(), columns.as_slice()) {
-        (&[r], &[c]) => matrix[r][c],
-        (&[r, s], &[c, d]) => graph.plain_cross([matrix[r][c], matrix[r][d]], [matrix[s][c], matrix[s][d]]),
-        _ => graph.zero(),
-    };
-    if (i + j).is_multiple_of(2) { minor } else { graph.neg(minor) }
 }
 
 fn sum(graph: &mut Graph, products: impl Iterator<Item = (ExprId, ExprId)>) -> ExprId {

@@ -32,6 +32,7 @@ mod guides;
 mod known;
 mod margins;
 mod matching;
+mod minors;
 mod pivot;
 mod rates;
 mod recognise;

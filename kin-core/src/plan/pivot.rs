@@ -6,16 +6,17 @@
 //! (see `with_guides`).
 
 use super::form::{Form, Key, Reader};
+use super::minors;
 use super::recognise::recognise;
 use super::reduce::Reduction;
-use super::tree::{Block, SolutionMethod};
+use super::tree::{Block, Core, SolutionMethod};
 use crate::expr::{ExprId, Node};
 use std::collections::{BTreeMap, BTreeSet};
 
 impl Reduction<'_> {
     /// Reduces a block of the mechanism (see [`block`](Self::block)). Rows of guides are left if this needs as many
-    /// iterations as their elimination does, none of them on more than three unknowns: larger systems are eliminated in
-    /// a fixed order, which divides by one component of a guide, too.
+    /// iterations as their elimination does, none of them too large for Cramer's rule: such systems are eliminated in a
+    /// fixed order, which divides by one component of a guide, too.
     pub(super) fn with_guides(
         &mut self,
         rows: &[usize],
@@ -24,14 +25,10 @@ impl Reduction<'_> {
     ) -> Option<Block> {
         let state = |of: &mut Self| (of.rows.clone(), of.source_rows.clone(), of.replaced.clone(), of.paired.clone());
         let restore = |of: &mut Self, state| (of.rows, of.source_rows, of.replaced, of.paired) = state;
-        let count = |block: &Option<Block>, is: &dyn Fn(usize) -> bool| {
-            let counts = |method: &SolutionMethod| match method {
-                SolutionMethod::Newton { residuals } => usize::from(is(residuals.len())),
-                _ => 0,
-            };
-            block.as_ref().map_or(usize::MAX, |block| block.sum(&counts))
+        let iterations = |block: &Option<Block>| {
+            let own = |core: &Core| usize::from(matches!(core.method, SolutionMethod::Newton { .. }));
+            block.as_ref().map_or(usize::MAX, |block| block.sum(&own))
         };
-        let iterations = |block: &Option<Block>| count(block, &|_| true);
         let before = state(self);
         (self.guides.left, self.guides.met) = (true, false);
         let left = self.block(rows, unknowns, removable);
@@ -42,11 +39,22 @@ impl Reduction<'_> {
         restore(self, before);
         self.guides.left = false;
         let eliminated = self.block(rows, unknowns, removable);
-        if iterations(&eliminated) < iterations(&left) || count(&left, &|unknowns| unknowns > 3) > 0 {
+        let too_large = |core: &Core| usize::from(self.is_too_large(core));
+        let is_too_large = left.as_ref().is_none_or(|block| block.sum(&too_large) > 0);
+        if iterations(&eliminated) < iterations(&left) || is_too_large {
             return eliminated;
         }
         restore(self, after);
         left
+    }
+
+    /// True for an iteration that is too large for Cramer's rule.
+    fn is_too_large(&self, core: &Core) -> bool {
+        let SolutionMethod::Newton { residuals } = &core.method else { return false };
+        let all = core.coordinates.iter().copied().collect();
+        let held = residuals.iter().map(|&rest| self.unknowns(&Form { rest: Some(rest), ..Form::default() }, &all));
+        let filled = held.map(|held| core.coordinates.iter().map(|k| held.contains(k)).collect());
+        !minors::are_few(&filled.collect::<Vec<_>>())
     }
 
     /// The next pivot: a coefficient of ±1 is preferred to other numbers, numbers to parameters and products of

@@ -105,10 +105,10 @@ pub(super) enum SolutionMethod {
 }
 
 impl Block {
-    /// The sum of a number over the methods of all parts.
-    pub(super) fn sum(&self, of: &impl Fn(&SolutionMethod) -> usize) -> usize {
+    /// The sum of a number over all cores.
+    pub(super) fn sum(&self, of: &impl Fn(&Core) -> usize) -> usize {
         let part = |part: &Part| match part {
-            Part::Core(core) => of(&core.method),
+            Part::Core(core) => of(core),
             Part::Block(block) => block.sum(of),
             Part::Pair(pair) => pair.inner.sum(of),
         };

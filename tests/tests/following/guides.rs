@@ -132,15 +132,16 @@ struct Coupled {
     h: f64,
 }
 
-/// The plan eliminates the row of a guide there, and full Newton goes on where it divides by 0.
 #[test]
-fn larger_iterations_go_on_where_a_guide_is_along_an_axis() {
+fn larger_iterations_are_solved_in_every_direction_of_a_guide() {
     let times: Vec<f64> = (0..=20).map(|k| 0.02 * f64::from(k)).collect();
-    for a in [1e-14, 1e-9, std::f64::consts::PI] {
+    let angles = [0.0, 1e-14, 1e-9, 1e-5, 1e-3, std::f64::consts::FRAC_PI_2, std::f64::consts::PI];
+    for (special, a_is_special) in angles.iter().flat_map(|&angle| [(angle, true), (angle, false)]) {
         let (mut random, mut regular) = (Random::new(8), 0);
-        for _ in 0..100 {
-            let [b, k, h] = [3.0, 1.0, 0.5].map(|most| random.between(-most, most));
+        for _ in 0..25 {
+            let [other, k, h] = [3.0, 1.0, 0.5].map(|most| random.between(-most, most));
             let [l1, l2, l3, l4] = [0.5, 0.5, 0.5, 0.8].map(|least| random.between(least, least + 0.9));
+            let (a, b) = if a_is_special { (special, other) } else { (other, special) };
             let coupled = Coupled { a, b, l1, l2, l3, l4, k, h };
             let newton = coupled.solver().with_options(Options { use_plan: false, ..Options::default() });
             let Ok(start) = newton.state(&Instant::at(0.0)) else { continue };
@@ -150,12 +151,16 @@ fn larger_iterations_go_on_where_a_guide_is_along_an_axis() {
                 continue;
             }
             let swept = own.sweep(&times).unwrap_or_else(|error| panic!("{a} {b} {k} {h}: {}", error.source));
+            let mut planned = own.planned(&Instant::at(0.0)).expect("the plan begins there, too");
+            let last = planned.at(&Instant::at(times[20])).expect("the plan follows").q();
             let off = |(a, b): (&f64, &f64)| (a - b).abs();
+            let end = expected.iter().last().expect("21 states");
+            assert!(last.iter().zip(&end.q).map(off).fold(0.0, f64::max) < 1e-9, "{a} {b} {k} {h}");
             let pairs = swept.iter().zip(expected.iter()).flat_map(|(found, other)| found.q.iter().zip(&other.q));
             assert!(pairs.map(off).fold(0.0, f64::max) < 1e-9, "{a} {b} {k} {h}");
             regular += 1;
         }
-        assert!(regular > 8, "{a}: {regular}");
+        assert!(regular > 1, "{special} {a_is_special}: {regular}");
     }
 }
 
