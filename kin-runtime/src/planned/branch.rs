@@ -84,13 +84,14 @@ pub(super) fn may_have_touched_limit(before: &[f64], after: &[f64]) -> bool {
     before.iter().zip(after).any(|(before, after)| may_dip(*before, *after))
 }
 
-/// Smallest w of a group in the middle of a step, with the sign that it has at the start, relative to the smaller |w| at
-/// both ends.
-const MIDDLE: f64 = 0.25;
+/// Smallest w of a group within a step, with the sign that it has at the start, relative to the smaller |w| at both
+/// ends.
+const WITHIN: f64 = 0.25;
 
-/// The first group that comes much nearer to its limit in the middle of a step than at its ends, of those that may have
-/// reached it. The arguments are w at both ends, and as predicted in the middle. Groups whose mode has changed do not count: with redundant rows a
-/// motion may pass limits of the rows that the plan uses, and w changes its sign within the step.
+/// The first group that comes much nearer to its limit within a step than at its ends, of those that may have reached
+/// it. The arguments are w at both ends, and as predicted in the middle; between them w is the parabola through the
+/// three, so that a w that touches 0 is found at any place of the step. Groups whose mode has changed do not count: with
+/// redundant rows a motion may pass limits of the rows that the plan uses, and w changes its sign within the step.
 pub(super) fn first_dip(
     [before, after]: [&[f64]; 2],
     middle: &[f64],
@@ -98,11 +99,24 @@ pub(super) fn first_dip(
 ) -> Option<usize> {
     let dips = |group: usize| {
         let kept = if before[group] < 0.0 { -middle[group] } else { middle[group] };
-        let stays = kept >= MIDDLE * before[group].abs().min(after[group].abs());
+        let ends = [before[group].abs(), after[group].abs()];
+        let stays = least_of_parabola(ends, kept) >= WITHIN * ends[0].min(ends[1]);
         !stays
     };
     let near = |group: &usize| may_dip(before[*group].abs(), after[*group].abs());
     (0..modes.len()).filter(near).find(|&group| dips(group) && modes[group] == modes_before[group])
+}
+
+/// The least value between two places of the parabola with these values at them and in the middle; NaN if one of them is.
+fn least_of_parabola([before, after]: [f64; 2], middle: f64) -> f64 {
+    let (slope, bend) = (0.5 * (after - before), 0.5 * (before + after) - middle);
+    if slope.abs() < 2.0 * bend {
+        middle - 0.25 * slope * slope / bend
+    } else if middle.is_nan() {
+        middle
+    } else {
+        before.min(after)
+    }
 }
 
 #[cfg(test)]
@@ -146,17 +160,34 @@ mod tests {
         assert_eq!([Some(0), Some(1), Some(2)], [[-0.5, 0.5, 0.5], [0.5, -0.2, 0.5], [0.5, -0.5, f64::NAN]].map(of));
     }
 
+    #[test]
+    fn the_least_of_a_parabola_is_at_its_vertex_or_at_an_end() {
+        let of = |a: f64, b: f64, c: f64| [-1.0, 1.0, 0.0].map(|x: f64| a + x * (b + x * c));
+        for (a, b, c, least) in [
+            (0.3, 0.0, 0.2, 0.3),
+            (0.3, 0.2, 0.4, 0.275),
+            (0.3, -0.2, 0.4, 0.275),
+            (0.3, 0.2, 0.09, 0.19),
+            (0.3, -0.2, 0.09, 0.19),
+            (0.5, 0.1, -0.2, 0.2),
+        ] {
+            let [before, after, middle] = of(a, b, c);
+            assert!((least_of_parabola([before, after], middle) - least).abs() < 1e-15, "{a} {b} {c}");
+        }
+        assert!(least_of_parabola([0.1, 0.2], f64::NAN).is_nan());
+    }
+
     /// Group 1 is close at its start and group 2 at its end, group 0 at neither.
     #[test]
-    fn a_dip_in_the_middle_counts_for_close_groups_that_keep_their_mode() {
+    fn a_dip_within_a_step_counts_for_close_groups_that_keep_their_mode() {
         let ends = [&[0.5, -0.1, 0.4][..], &[0.5, -0.3, 0.12]];
         let of = |middle: [f64; 3], now: [f64; 3]| first_dip(ends, &middle, [&now, &[1.0, -1.0, 1.0]]);
         let kept = [1.0, -1.0, 1.0];
-        assert_eq!(None, of([0.0, -0.026, 0.031], kept));
-        assert_eq!([Some(1), Some(2)], [[0.5, -0.024, 0.031], [0.5, -0.2, 0.029]].map(|middle| of(middle, kept)));
+        assert_eq!(None, of([0.0, -0.041, 0.055], kept));
+        assert_eq!([Some(1), Some(2)], [[0.5, -0.040, 0.055], [0.5, -0.2, 0.053]].map(|middle| of(middle, kept)));
         assert_eq!(Some(2), of([0.5, -0.2, f64::NAN], kept));
         // The other sign in the middle.
         assert_eq!(Some(1), of([0.5, 0.2, 0.2], kept));
-        assert_eq!([None, Some(2)], [0.031, 0.029].map(|middle| of([0.5, 0.0, middle], [1.0, 1.0, 1.0])));
+        assert_eq!([None, Some(2)], [0.055, 0.053].map(|middle| of([0.5, 0.0, middle], [1.0, 1.0, 1.0])));
     }
 }

@@ -3,6 +3,7 @@
 
 use kin_runtime::batch::{Column, Modes, Motions, Sweeps, always, sweep};
 use kin_runtime::{Instant, Kinematics, Limit, LimitKind, Options, SolveError, mechanism};
+use kin_tests::random::Random;
 
 /// A pin in the slot of an arm that turns about the origin, and on a line.
 #[mechanism]
@@ -192,4 +193,33 @@ fn two_poles_within_a_step_are_seen() {
         }
     }
     assert!(passed <= 1 && all == 75, "{passed} of {all}");
+}
+
+/// The same with p = 0: the divisor touches 0 without a change of its sign, and the pin comes back from the side to
+/// which it has left.
+#[test]
+fn poles_that_a_determinant_only_touches_are_not_passed() {
+    let mut random = Random::new(3);
+    for count in [2_u32, 3, 5, 10, 30, 100, 300] {
+        for _ in 0..20 {
+            let b = random.between(0.1, 1.5) * if random.between(0.0, 1.0) < 0.5 { -1.0 } else { 1.0 };
+            let swing = Swing { p: 0.0, b };
+            let (first, last) = (random.between(-1.5, -0.5), random.between(0.3, 1.5));
+            let times: Vec<f64> =
+                (0..=count).map(|k| first + (last - first) * f64::from(k) / f64::from(count)).collect();
+            let error = swing.solver().sweep(&times).expect_err("infinity is on the way");
+            match (error.source.limit(), &error.source) {
+                (Some(limit), _) => {
+                    let at = limit.at().unwrap_or_else(|| panic!("{b} {count}: {limit}"));
+                    assert!(at.abs() < 1e-5 && limit.kind() == Some(LimitKind::Pole), "{b} {count}: {limit}, {at}");
+                }
+                // An instant just before the pole is singular by the condition of Φ_q.
+                (None, source) => assert!(matches!(source, SolveError::Singular { .. }), "{b} {count}: {source}"),
+            }
+            let mut planned = swing.solver().planned(&Instant::at(times[0])).expect("it closes");
+            let ended = times[1..].iter().position(|&t| planned.at(&Instant::at(t)).is_err());
+            let place = ended.map(|k| times[k + 1]);
+            assert!(place.is_some_and(|t| t >= -1e-2 && t - (last - first) / f64::from(count) < 1e-5), "{b} {count}");
+        }
+    }
 }
