@@ -20,8 +20,8 @@ const ACCURATE: f64 = 1e-12;
 const SAME: f64 = 1e-8;
 
 impl<M: Mechanism> Solver<'_, M> {
-    /// The derivatives of q from the third to `order`, which is at least 3, at a state: the plan is evaluated over
-    /// [`Taylor`] series, whose coefficients give all orders.
+    /// The derivatives of q up to `order`, which is at least 3, at a state: the plan is evaluated over [`Taylor`] series,
+    /// whose coefficients give all orders. Those up to the second are the state's own.
     ///
     /// `None` if they must be computed order by order: without a plan, for redundant rows, whose higher derivatives the
     /// plan does not check, near singular configurations, at a q that is no solution of the plan, above the tenth
@@ -83,7 +83,9 @@ impl<M: Mechanism> Solver<'_, M> {
                 return None;
             }
         }
-        let all = (3..=order).map(|k| derivative(k).collect::<Vec<f64>>());
-        Some(all.collect()).filter(|all: &Vec<Vec<f64>>| all.iter().flatten().all(|x| x.is_finite()))
+        let mut all = Vec::with_capacity(order + 1);
+        all.extend([&state.q, &state.q_dot, &state.q_ddot].map(Vec::clone));
+        all.extend((3..=order).map(|k| derivative(k).collect::<Vec<f64>>()));
+        Some(all).filter(|all| all[3..].iter().flatten().all(|x| x.is_finite()))
     }
 }

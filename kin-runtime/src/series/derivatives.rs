@@ -122,8 +122,7 @@ impl<M: Mechanism> Solver<'_, M> {
         }
         let known = [&state.q, &state.q_dot, &state.q_ddot];
         let are_finite = known.iter().all(|list| list.len() == M::COORDINATES && all_finite(list));
-        if let Some(higher) = (order > 2 && are_finite).then(|| self.expanded(state, order, further)).flatten() {
-            let q = known.into_iter().cloned().chain(higher).collect();
+        if let Some(q) = (order > 2 && are_finite).then(|| self.expanded(state, order, further)).flatten() {
             return Ok(Derivatives::new(state, further, q, true));
         }
         let mut orders = HigherOrders::new(self.mechanism, order);
