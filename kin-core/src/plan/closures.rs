@@ -40,15 +40,36 @@ pub(super) fn sum_of_squared_terms(graph: &mut Graph, id: ExprId, depth: usize) 
 /// that is divided by something counts with its own square: x − c in (x − c)/√((x − c)² + w²) is measured by the root,
 /// and not by x and c.
 pub(super) fn squared_size(graph: &mut Graph, id: ExprId, depth: usize) -> ExprId {
+    sized(graph, (id, depth), false)
+}
+
+/// [`squared_size`], in which the positions in a sum count together: x − c + l cos φ is measured by x − c and l cos φ, so
+/// that it does not matter how far from the origin a mechanism is.
+pub(super) fn squared_size_anywhere(graph: &mut Graph, id: ExprId, depth: usize) -> ExprId {
+    sized(graph, (id, depth), true)
+}
+
+fn sized(graph: &mut Graph, (id, depth): (ExprId, usize), anywhere: bool) -> ExprId {
     if depth == 0 {
         return graph.square(id);
     }
     let length = |graph: &mut Graph, [x, y]: [ExprId; 2]| {
-        let (x, y) = (squared_size(graph, x, depth - 1), squared_size(graph, y, depth - 1));
+        let (x, y) = (sized(graph, (x, depth - 1), anywhere), sized(graph, (y, depth - 1), anywhere));
         graph.add(x, y)
     };
     match graph.node(id) {
-        Node::Neg(a) | Node::Opaque(a) => squared_size(graph, a, depth - 1),
+        Node::Neg(a) | Node::Opaque(a) => sized(graph, (a, depth - 1), anywhere),
+        Node::Add(..) | Node::Sub(..) if anywhere => {
+            let (mut position, mut others) = (None, Vec::new());
+            write_terms(graph, (id, depth, false), &mut position, &mut others);
+            let position = position.unwrap_or_else(|| graph.zero());
+            let mut size = graph.square(position);
+            for (term, depth) in others {
+                let term = sized(graph, (term, depth), anywhere);
+                size = graph.add(size, term);
+            }
+            size
+        }
         Node::Add(a, b) | Node::Sub(a, b) => length(graph, [a, b]),
         Node::Mul(..) => {
             let mut factors = Vec::new();
@@ -58,7 +79,7 @@ pub(super) fn squared_size(graph: &mut Graph, id: ExprId, depth: usize) -> ExprI
             for (factor, depth) in factors {
                 let is_sum = matches!(graph.node(factor), Node::Add(..) | Node::Sub(..));
                 let depth = if is_quotient && is_sum { 0 } else { depth };
-                let size = squared_size(graph, factor, depth);
+                let size = sized(graph, (factor, depth), anywhere);
                 product = graph.mul(product, size);
             }
             product
@@ -69,6 +90,37 @@ pub(super) fn squared_size(graph: &mut Graph, id: ExprId, depth: usize) -> ExprI
             graph.mul(u, d)
         }
         _ => graph.square(id),
+    }
+}
+
+/// True for a coordinate, as it is in Φ or as the result of an iteration.
+const fn is_position(node: Node) -> bool {
+    matches!(node, Node::Symbol(Symbol::Coordinate(_) | Symbol::Unknown(_)))
+}
+
+/// Adds up the positions of a sum, which are coordinates and what does not move, and writes its other terms, each with
+/// the depth that is left for it. `negative` says that the sum is subtracted.
+fn write_terms(
+    graph: &mut Graph,
+    (id, depth, negative): (ExprId, usize, bool),
+    position: &mut Option<ExprId>,
+    others: &mut Vec<(ExprId, usize)>,
+) {
+    match graph.node(id) {
+        Node::Opaque(a) if depth > 0 => write_terms(graph, (a, depth - 1, negative), position, others),
+        Node::Neg(a) if depth > 0 => write_terms(graph, (a, depth - 1, !negative), position, others),
+        Node::Add(a, b) if depth > 0 => {
+            [a, b].into_iter().for_each(|term| write_terms(graph, (term, depth - 1, negative), position, others));
+        }
+        Node::Sub(a, b) if depth > 0 => {
+            write_terms(graph, (a, depth - 1, negative), position, others);
+            write_terms(graph, (b, depth - 1, !negative), position, others);
+        }
+        node if is_position(node) || graph.depends(id).is_static() => {
+            let term = if negative { graph.neg(id) } else { id };
+            *position = Some(position.map_or(term, |sum| graph.add(sum, term)));
+        }
+        _ => others.push((id, depth)),
     }
 }
 

@@ -18,9 +18,10 @@ pub(super) struct Solved {
     pub(super) orientation: Option<ExprId>,
 }
 
-/// Solves M x = b for every b, with a margin that is 0 where M is singular. By Cramer's rule the margin is (det M)²
-/// over the product of the squared norms of the rows, unless M is constant (see `margin_of_constants`). By elimination
-/// it is n/Σ 1/sᵢ², where sᵢ is the size of pivot i relative to its row of M: the harmonic mean of sᵢ², which is of the
+/// Solves M x = b for every b, with a margin that is 0 where M is singular. For two and three unknowns the margin is
+/// (det M)² over the product of the squared norms of the rows, for more it is the inverse of the mean of the squared
+/// norms of the columns of M⁻¹, where the rows of M have the norm 1; for two unknowns both are the same. The margin of a
+/// constant M is that of `margin_of_constants`. By elimination it is n/Σ 1/sᵢ², where sᵢ is the size of pivot i relative to its row of M: the harmonic mean of sᵢ², which is of the
 /// order of the smallest sᵢ² for any n. A single unknown has no margin.
 ///
 /// `lengths` says which unknowns are lengths. If the matrix has columns of lengths and others (of angles or scalars),
@@ -35,9 +36,113 @@ pub(super) fn solve(graph: &mut Graph, matrix: &[Vec<ExprId>], rights: &[Vec<Exp
             let inverse = graph.whole(inverse);
             alone(rights.iter().map(|b| vec![graph.mul(b[0], inverse)]).collect())
         }
-        _ if has_few_minors(graph, matrix) => cramer(graph, matrix, rights, lengths),
+        2 | 3 => cramer(graph, matrix, rights, lengths),
+        _ if has_few_minors(graph, matrix) => invert(graph, matrix, rights, lengths),
         _ => eliminate(graph, matrix, rights, lengths),
     }
+}
+
+/// [`solve`] without a margin: the product of the adjugate and one right-hand side takes more operations than Cramer's
+/// rule.
+pub(super) fn solution(graph: &mut Graph, matrix: &[Vec<ExprId>], right: &[ExprId], lengths: &[bool]) -> Vec<ExprId> {
+    if matrix.len() < 4 || !has_few_minors(graph, matrix) {
+        return solve(graph, matrix, &[right.to_vec()], lengths).solutions.into_iter().flatten().collect();
+    }
+    let unit = squared_length(graph, matrix, lengths);
+    let Scaled { rows, factors, .. } = scaled_rows(graph, matrix, lengths, unit);
+    let right: Vec<ExprId> = right.iter().zip(&factors).map(|(&b, &factor)| graph.mul(factor, b)).collect();
+    let mut minors = Minors::new(&rows, graph);
+    let (det, one) = (minors.determinant(graph), graph.number(1.0));
+    let inverse = graph.div(one, det);
+    let inverse = graph.whole(inverse);
+    minors.replaced(graph, &right).into_iter().map(|top| graph.mul(top, inverse)).collect()
+}
+
+/// Rows multiplied by factors.
+struct Scaled {
+    rows: Vec<Vec<ExprId>>,
+    factors: Vec<ExprId>,
+    /// The squared norms of the rows after that.
+    norms: Vec<ExprId>,
+}
+
+/// The rows of a matrix divided by their norms, so that minors do not leave the range of small floating-point numbers.
+/// Rows of numbers stay as they are.
+fn scaled_rows(graph: &mut Graph, matrix: &[Vec<ExprId>], lengths: &[bool], unit: Option<ExprId>) -> Scaled {
+    let (one, least) = (graph.number(1.0), graph.number(LEAST));
+    let mut scaled = Scaled { rows: Vec::new(), factors: Vec::new(), norms: Vec::new() };
+    for row in matrix {
+        let norm = squared_norm(graph, row, lengths, unit);
+        let (factor, norm) = if row.iter().all(|&entry| graph.literal(entry).is_some()) {
+            (one, norm)
+        } else {
+            let norm = graph.add(norm, least);
+            let root = graph.call(Function::Sqrt, norm);
+            let inverse = graph.div(one, root);
+            (graph.whole(inverse), one)
+        };
+        scaled.rows.push(row.iter().map(|&entry| graph.mul(factor, entry)).collect());
+        scaled.factors.push(factor);
+        scaled.norms.push(norm);
+    }
+    scaled
+}
+
+/// The squared norm of a row, in which the columns of lengths are scaled.
+fn squared_norm(graph: &mut Graph, row: &[ExprId], lengths: &[bool], unit: Option<ExprId>) -> ExprId {
+    let mut norm = graph.zero();
+    for (&entry, is_length) in row.iter().zip(lengths) {
+        let mut square = graph.square(entry);
+        if let (Some(unit), true) = (unit, is_length) {
+            square = graph.mul(unit, square);
+        }
+        norm = graph.add(norm, square);
+    }
+    norm
+}
+
+/// Solves by the adjugate, from which the margin is computed, too.
+fn invert(graph: &mut Graph, matrix: &[Vec<ExprId>], rights: &[Vec<ExprId>], lengths: &[bool]) -> Solved {
+    let unit = squared_length(graph, matrix, lengths);
+    let Scaled { rows, factors, norms } = scaled_rows(graph, matrix, lengths, unit);
+    let mut minors = Minors::new(&rows, graph);
+    let (det, adjugate) = (minors.determinant(graph), minors.adjugate(graph));
+    let one = graph.number(1.0);
+    let inverse = graph.div(one, det);
+    let inverse = graph.whole(inverse);
+    let solution = |b: &Vec<ExprId>| {
+        let b: Vec<ExprId> = b.iter().zip(&factors).map(|(&b, &factor)| graph.mul(factor, b)).collect();
+        let tops = adjugate.iter().map(|row| {
+            let top = sum(graph, row.iter().copied().zip(b.iter().copied()));
+            graph.mul(top, inverse)
+        });
+        tops.collect()
+    };
+    let solutions = rights.iter().map(solution).collect();
+    let margin = if graph.depends(det).is_static() {
+        margin_of_constants(graph, &rows, det)
+    } else {
+        // The squared norms of the columns of adj M; in those of M⁻¹ the rows of lengths are divided by the unit.
+        let mut norms_of_columns = graph.number(LEAST);
+        for (row, is_length) in adjugate.iter().zip(lengths) {
+            let mut squares = graph.zero();
+            for (&entry, &norm) in row.iter().zip(&norms) {
+                let square = graph.square(entry);
+                let square = graph.mul(norm, square);
+                squares = graph.add(squares, square);
+            }
+            if let (Some(unit), true) = (unit, is_length) {
+                squares = graph.div(squares, unit);
+            }
+            norms_of_columns = graph.add(norms_of_columns, squares);
+        }
+        // Slightly less than n, so that the margin does not exceed 1 after rounding.
+        let (count, square) = (graph.number(matrix.len() as f64 * (1.0 - 1e-14)), graph.square(det));
+        let top = graph.mul(count, square);
+        graph.div(top, norms_of_columns)
+    };
+    let orientation = Some(signed_root(graph, det, margin));
+    Solved { solutions, margin: Some(margin), orientation }
 }
 
 /// Whether a matrix is solved by Cramer's rule.
@@ -100,14 +205,7 @@ fn cramer(graph: &mut Graph, matrix: &[Vec<ExprId>], rights: &[Vec<ExprId>], len
     let mut product = one;
     let unit = squared_length(graph, matrix, lengths);
     for row in matrix {
-        let mut norm = graph.zero();
-        for (&entry, is_length) in row.iter().zip(lengths) {
-            let mut square = graph.square(entry);
-            if let (Some(unit), true) = (unit, is_length) {
-                square = graph.mul(unit, square);
-            }
-            norm = graph.add(norm, square);
-        }
+        let norm = squared_norm(graph, row, lengths, unit);
         product = graph.mul(product, norm);
     }
     let mut square = graph.square(det);

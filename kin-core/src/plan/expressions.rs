@@ -265,9 +265,8 @@ impl Build<'_> {
             matrix.push(row.into_iter().map(|e| self.known_value(e)).collect::<Vec<_>>());
         }
         let lengths = dense::lengths(&self.system.set.coordinates, &core.coordinates);
-        let corrections = dense::solve(&mut self.graph, &matrix, &[right], &lengths).solutions;
+        let corrections = dense::solution(&mut self.graph, &matrix, &right, &lengths);
         let (unknowns, converged) = (core.coordinates.clone(), self.iterations);
-        let corrections = corrections.into_iter().flatten().collect();
         self.stages.push(Stage::Newton { unknowns, corrections, converged });
         self.stages.push(Stage::Closed(written));
         self.iterations += 1;

@@ -8,34 +8,51 @@ use std::collections::{BTreeMap, BTreeSet};
 /// Largest number of products that a solution may take; six unknowns of which every row contains all take 434.
 const MOST_PRODUCTS: usize = 500;
 
-/// True if a system whose rows contain the given unknowns is solved with few products. A minor is 0 unless its rows can
-/// be matched with its columns.
+/// Largest number of unknowns for which an order of the rows is searched.
+const MOST_UNKNOWNS: usize = 12;
+
+/// True if a system whose rows contain the given unknowns is solved with few products.
 pub(super) fn are_few(filled: &[Vec<bool>]) -> bool {
+    order_of_rows(filled).is_some()
+}
+
+/// An order of the rows in which there are few minors; `None` if a solution takes too many products. A minor is 0 unless
+/// its rows can be matched with its columns. The next row is always the one that leads to the fewest minors.
+fn order_of_rows(filled: &[Vec<bool>]) -> Option<Vec<usize>> {
     let n = filled.len();
-    if n > 31 {
-        return false;
+    if n > MOST_UNKNOWNS {
+        return None;
     }
+    // Every row also contains the column of the right-hand side.
     let columns = |row: &Vec<bool>| (0..n).filter(|&j| row[j]).map(|j| 1 << j).chain([1 << n]).collect();
-    let mut rows: Vec<Vec<u32>> = filled.iter().map(columns).collect();
-    rows.sort_by_key(Vec::len);
+    let rows: Vec<Vec<u32>> = filled.iter().map(columns).collect();
+    let (mut order, mut left): (Vec<usize>, Vec<usize>) = (Vec::new(), (0..n).collect());
     let (mut minors, mut products) = (BTreeSet::from([0]), 0);
-    for row in rows {
-        let pairs = minors
-            .iter()
-            .flat_map(|minor| row.iter().filter(move |&&column| minor & column == 0).map(move |column| minor | column));
-        let larger: Vec<u32> = pairs.collect();
-        products += larger.len();
+    while !left.is_empty() {
+        let with = |&row: &usize| {
+            let larger = |minor: &u32| {
+                let minor = *minor;
+                rows[row].iter().filter(move |&&column| minor & column == 0).map(move |column| minor | column)
+            };
+            let pairs: Vec<u32> = minors.iter().flat_map(larger).collect();
+            (row, pairs.len(), pairs.into_iter().collect::<BTreeSet<u32>>())
+        };
+        let (row, count, larger) =
+            left.iter().map(with).min_by_key(|(row, count, larger)| (larger.len(), *count, *row))?;
+        products += count;
         if products > MOST_PRODUCTS {
-            return false;
+            return None;
         }
-        minors = larger.into_iter().collect();
+        minors = larger;
+        left.retain(|&other| other != row);
+        order.push(row);
     }
-    true
+    Some(order)
 }
 
 /// The minors of a square matrix M, and of M with one column replaced.
 pub(super) struct Minors {
-    /// The rows of M, those with the fewest entries first: their minors are most often 0.
+    /// The rows of M, in the order of their expansion.
     rows: Vec<Vec<ExprId>>,
     /// For each row, its row in M.
     order: Vec<usize>,
@@ -54,9 +71,8 @@ pub(super) fn permanent(graph: &mut Graph, matrix: &[Vec<ExprId>]) -> ExprId {
 
 impl Minors {
     pub(super) fn new(matrix: &[Vec<ExprId>], graph: &Graph) -> Self {
-        let entries = |row: &Vec<ExprId>| row.iter().filter(|&&entry| !graph.is_zero(entry)).count();
-        let mut order: Vec<usize> = (0..matrix.len()).collect();
-        order.sort_by_key(|&i| entries(&matrix[i]));
+        let filled = matrix.iter().map(|row| row.iter().map(|&entry| !graph.is_zero(entry)).collect());
+        let order = order_of_rows(&filled.collect::<Vec<_>>()).unwrap_or_else(|| (0..matrix.len()).collect());
         Self {
             rows: order.iter().map(|&i| matrix[i].clone()).collect(),
             order,
@@ -87,6 +103,18 @@ impl Minors {
         let found = found.collect();
         self.known = own;
         found
+    }
+
+    /// The adjugate of M: the product of adj M and b solves M x = det(M) b.
+    pub(super) fn adjugate(&mut self, graph: &mut Graph) -> Vec<Vec<ExprId>> {
+        let n = self.rows.len();
+        let (zero, one) = (graph.zero(), graph.number(1.0));
+        let columns = (0..n).map(|i| {
+            let unit: Vec<ExprId> = (0..n).map(|k| if k == i { one } else { zero }).collect();
+            self.replaced(graph, &unit)
+        });
+        let columns: Vec<Vec<ExprId>> = columns.collect();
+        (0..n).map(|j| columns.iter().map(|column| column[j]).collect()).collect()
     }
 
     /// The set of all columns of M.
@@ -156,6 +184,14 @@ mod tests {
         let det = minors.determinant(&mut graph);
         assert_eq!(graph.literal(det), Some(30.0));
         let tops = minors.replaced(&mut graph, &right);
+        let adjugate = minors.adjugate(&mut graph);
+        for (row, top) in adjugate.iter().zip(&tops) {
+            let product = row.iter().zip(&right).fold(graph.zero(), |sum, (&a, &b)| {
+                let product = graph.mul(a, b);
+                graph.add(sum, product)
+            });
+            assert_eq!(graph.literal(product), graph.literal(*top));
+        }
         assert_eq!(
             tops.iter().map(|&top| graph.literal(top)).collect::<Vec<_>>(),
             x.map(|x| Some(30.0 * f64::from(x)))

@@ -5,7 +5,7 @@
 //! which x_k is missing; back substitution then gives x_k = (p b₁ + q b₂)/(p² + q²). Cores are small dense systems.
 //! Expressions that depend on Φ_q alone are the same for every b, so all levels share them.
 
-use super::closures::{LEAST, squared_size};
+use super::closures::{LEAST, squared_size, squared_size_anywhere};
 use super::dense;
 use super::tree::{Block, Core, Pair, PairValue, Part, SolutionMethod};
 use crate::constraint::Coordinate;
@@ -179,26 +179,28 @@ impl<'g> Rates<'g> {
         graph.add(larger, least)
     }
 
-    /// A dimensionless measure of the cancellation in the rows of a matrix, 0 where a row vanishes: the product over
+    /// A dimensionless measure of the cancellation in the rows of a matrix, 0 where a row vanishes: the harmonic mean over
     /// the rows of the mean of (entry² / squared size of the entry's terms).
     fn row_regularity(&mut self, matrix: &[Vec<ExprId>]) -> ExprId {
-        let mut product = self.graph.number(1.0);
+        let mut inverses = self.graph.zero();
         for row in matrix {
             let (mut sum, mut count) = (self.graph.zero(), 0.0);
             for &entry in row {
                 if !self.graph.is_zero(entry) {
-                    let (square, size) = (self.graph.square(entry), squared_size(self.graph, entry, DEPTH));
+                    let (square, size) = (self.graph.square(entry), squared_size_anywhere(self.graph, entry, DEPTH));
                     let size = self.maximum(size, square);
                     let share = self.graph.div(square, size);
                     sum = self.graph.add(sum, share);
                     count += 1.0;
                 }
             }
-            let inverse = self.graph.number(1.0 / f64::max(count, 1.0));
-            let mean = self.graph.mul(sum, inverse);
-            product = self.graph.mul(product, mean);
+            let count = self.graph.number(f64::max(count, 1.0));
+            let inverse = self.graph.div(count, sum);
+            inverses = self.graph.add(inverses, inverse);
         }
-        product
+        // Slightly less, so that the mean does not exceed 1 after rounding.
+        let most = self.graph.number((1.0 - 1e-14) * matrix.len() as f64);
+        self.graph.div(most, inverses)
     }
 
     /// Records the regularity of a divisor, its square divided by `size`, unless the divisor is a non-zero constant.
