@@ -5,6 +5,7 @@ mod controller;
 mod guides;
 mod input_ranges;
 mod inputs;
+mod larger;
 mod limits;
 mod orientations;
 mod plan_check;
