@@ -182,7 +182,8 @@ impl<'g> Rates<'g> {
     /// A dimensionless measure of the cancellation in the rows of a matrix, 0 where a row vanishes: the harmonic mean over
     /// the rows of the mean of (entry² / squared size of the entry's terms).
     fn row_regularity(&mut self, matrix: &[Vec<ExprId>]) -> ExprId {
-        let mut inverses = self.graph.zero();
+        // The product of the means of all rows so far, and the sum of the products of all but one of them.
+        let (mut product, mut sum_of_products) = (self.graph.number(1.0), self.graph.zero());
         for row in matrix {
             let (mut sum, mut count) = (self.graph.zero(), 0.0);
             for &entry in row {
@@ -194,13 +195,16 @@ impl<'g> Rates<'g> {
                     count += 1.0;
                 }
             }
-            let count = self.graph.number(f64::max(count, 1.0));
-            let inverse = self.graph.div(count, sum);
-            inverses = self.graph.add(inverses, inverse);
+            let inverse = self.graph.number(1.0 / f64::max(count, 1.0));
+            let mean = self.graph.mul(sum, inverse);
+            let others = self.graph.mul(sum_of_products, mean);
+            sum_of_products = self.graph.add(others, product);
+            product = self.graph.mul(product, mean);
         }
         // Slightly less, so that the mean does not exceed 1 after rounding.
-        let most = self.graph.number((1.0 - 1e-14) * matrix.len() as f64);
-        self.graph.div(most, inverses)
+        let (count, least) = (self.graph.number((1.0 - 1e-14) * matrix.len() as f64), self.graph.number(LEAST));
+        let (top, bottom) = (self.graph.mul(count, product), self.graph.add(sum_of_products, least));
+        self.graph.div(top, bottom)
     }
 
     /// Records the regularity of a divisor, its square divided by `size`, unless the divisor is a non-zero constant.
