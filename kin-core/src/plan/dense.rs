@@ -21,8 +21,9 @@ pub(super) struct Solved {
 /// Solves M x = b for every b, with a margin that is 0 where M is singular. For two and three unknowns the margin is
 /// (det M)² over the product of the squared norms of the rows, for more it is the inverse of the mean of the squared
 /// norms of the columns of M⁻¹, where the rows of M have the norm 1; for two unknowns both are the same. The margin of a
-/// constant M is that of `margin_of_constants`. By elimination it is n/Σ 1/sᵢ², where sᵢ is the size of pivot i relative to its row of M: the harmonic mean of sᵢ², which is of the
-/// order of the smallest sᵢ² for any n. A single unknown has no margin.
+/// constant M is that of `margin_of_constants`. By elimination it is n/Σ 1/sᵢ², where sᵢ is the size of pivot i relative
+/// to its row of M: the harmonic mean of sᵢ², which is of the order of the smallest sᵢ² for any n. A single unknown has
+/// no margin.
 ///
 /// `lengths` says which unknowns are lengths. If the matrix has columns of lengths and others (of angles or scalars),
 /// the columns of lengths are scaled by a length taken from the rows that contain both kinds, so that the margin does

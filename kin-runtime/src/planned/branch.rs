@@ -2,8 +2,9 @@
 //!
 //! A branch is identified by one sign per group: that of its closure, where the group closes in two ways, or that of
 //! the determinant of the group's system, where it is solved by iteration or is a linear system that is singular for
-//! some configurations ([`Plan::signs`]). The number w that has this sign is the *branch value* of the group. Its size is the distance of the group from the configuration at which its
-//! sign changes, 0 where both closures meet and at most 1, and is read from the margin without another evaluation:
+//! some configurations ([`Plan::signs`]). The number w that has this sign is the *branch value* of the group. Its size
+//! is the distance of the group from the configuration at which its sign changes, 0 where both closures meet and at most
+//! 1, and is read from the margin without another evaluation:
 //!
 //! ```text
 //! distance = √margin ≤ about |w|
