@@ -49,6 +49,7 @@ pub(super) fn squared_size_anywhere(graph: &mut Graph, id: ExprId, depth: usize)
     sized(graph, (id, depth), true)
 }
 
+/// [`squared_size`], or [`squared_size_anywhere`] if `anywhere` is set.
 fn sized(graph: &mut Graph, (id, depth): (ExprId, usize), anywhere: bool) -> ExprId {
     if depth == 0 {
         return graph.square(id);

@@ -146,7 +146,7 @@ fn invert(graph: &mut Graph, matrix: &[Vec<ExprId>], rights: &[Vec<ExprId>], len
     Solved { solutions, margin: Some(margin), orientation }
 }
 
-/// Whether a matrix is solved by Cramer's rule.
+/// Whether a matrix is solved by its minors.
 fn has_few_minors(graph: &Graph, matrix: &[Vec<ExprId>]) -> bool {
     let filled = matrix.iter().map(|row| row.iter().map(|&entry| !graph.is_zero(entry)).collect());
     minors::are_few(&filled.collect::<Vec<_>>())
@@ -187,6 +187,7 @@ fn squared_length(graph: &mut Graph, matrix: &[Vec<ExprId>], lengths: &[bool]) -
     Some(graph.whole(square))
 }
 
+/// Solves for two or three unknowns by Cramer's rule.
 fn cramer(graph: &mut Graph, matrix: &[Vec<ExprId>], rights: &[Vec<ExprId>], lengths: &[bool]) -> Solved {
     let mut minors = Minors::new(matrix, graph);
     let det = minors.determinant(graph);

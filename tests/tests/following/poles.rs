@@ -171,7 +171,7 @@ struct Swing {
     b: f64,
 }
 
-/// The middle of a step shows that a determinant has changed its sign and back; only one of these motions hides it.
+/// The least value within a step shows that a determinant has changed its sign and back.
 #[test]
 fn two_poles_within_a_step_are_seen() {
     let (mut passed, mut all) = (0, 0);
