@@ -234,7 +234,7 @@ pub(super) fn quadratic(graph: &mut Graph, mode: ExprId, [a, b, c]: [ExprId; 3])
     let h = graph.mul(half, b);
     let (square, product) = (graph.square(h), graph.mul(a, c));
     let inside = graph.sub(square, product);
-    let size = size_of_quadratic(graph, square, product);
+    let size = size_of_quadratic(graph, square, [a, c, product]);
     let least = graph.number(LEAST);
     let size = graph.add(size, least);
     let margin = graph.div(inside, size);
@@ -295,19 +295,26 @@ pub(super) fn angle_branch_value(graph: &mut Graph, (k, times): (u32, i32), [a, 
     graph.div(w, size)
 }
 
-/// The branch value of a quadratic closure, (a x + b/2)/√(b²/4 + |a c|).
+/// The branch value of a quadratic closure, (a x + b/2)/√(b²/4 + |a c|), or a x/√(|a| |terms of c|) where b is 0.
 pub(super) fn quadratic_branch_value(graph: &mut Graph, k: u32, [a, b, c]: [ExprId; 3]) -> ExprId {
     let (x, half) = (graph.symbol(Symbol::Coordinate(k)), graph.number(0.5));
     let (ax, half) = (graph.mul(a, x), graph.mul(half, b));
     let (square, product) = (graph.square(half), graph.mul(a, c));
-    let size = size_of_quadratic(graph, square, product);
+    let size = size_of_quadratic(graph, square, [a, c, product]);
     let (w, size) = (graph.add(ax, half), graph.call(Function::Sqrt, size));
     graph.div(w, size)
 }
 
-fn size_of_quadratic(graph: &mut Graph, square: ExprId, product: ExprId) -> ExprId {
+/// b²/4 + |a c|, with which b²/4 − a c is compared. Without the linear term there is nothing but a c, which is then
+/// measured by the terms of c.
+fn size_of_quadratic(graph: &mut Graph, square: ExprId, [a, c, product]: [ExprId; 3]) -> ExprId {
     let magnitude = graph.call(Function::Abs, product);
-    graph.add(square, magnitude)
+    if !graph.is_zero(square) {
+        return graph.add(square, magnitude);
+    }
+    let terms = sum_of_squared_terms(graph, c, 8);
+    let (size, a) = (graph.call(Function::Sqrt, terms), graph.call(Function::Abs, a));
+    graph.mul(a, size)
 }
 
 /// The centre and squared radius of e(x² + y²) + l·(x, y) + k = 0.

@@ -85,9 +85,13 @@ pub struct SolutionPlan {
     /// The branch values of a configuration: one entry per mode, whose sign is the mode, then one per orientation, of
     /// the same sign.
     pub branch_values: Program,
-    /// For each of the n coordinates, the angle by which the gradients of iterated rows turn per unit of the
-    /// coordinate; empty if all are 0.
+    /// For each of the n coordinates, the angle by which the gradients of rows turn per unit of the coordinate, where
+    /// these are iterated or solved for lengths or scalars; empty if all are 0.
     pub turns: Program,
+    /// Whether the branch values of groups in closed form must be looked at within steps, too: the gradients of rows that
+    /// are solved for lengths or scalars turn with time or with an input, or they turn with a coordinate and the plan also
+    /// iterates.
+    pub looks_within: bool,
     /// Whether rows with curves are iterated on.
     pub iterates_on_curves: bool,
     /// Two programs that solve Φ_q x = b at a configuration: the first computes the `factors` values that depend on
@@ -166,8 +170,8 @@ fn planned(system: &KinematicSystem, rank: usize, written: bool) -> Result<(Solu
     let outputs: Vec<_> = values.enumerate().map(|(k, id)| (Slot::Entry(k), id)).collect();
     let branch_values = lower(&graph, &outputs);
     let iterates_on_curves = turns::iterates_on_curves(&graph, &tree);
-    let turns = turns::turns(&mut graph, &tree, &set.coordinates);
-    let outputs: Vec<_> = turns.into_iter().enumerate().map(|(k, id)| (Slot::Entry(k), id)).collect();
+    let turns::Turns { by_coordinates, looks_within } = turns::turns(&mut graph, &tree, &set.coordinates);
+    let outputs: Vec<_> = by_coordinates.into_iter().enumerate().map(|(k, id)| (Slot::Entry(k), id)).collect();
     let turns = lower(&graph, &outputs);
     let (sections, held) = sections::sections(&mut graph, stages, iterations);
     let depth = |place| match place {
@@ -193,6 +197,7 @@ fn planned(system: &KinematicSystem, rank: usize, written: bool) -> Result<(Solu
         held,
         branch_values,
         turns,
+        looks_within,
         iterates_on_curves,
         resolve,
         factors,

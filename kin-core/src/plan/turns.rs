@@ -1,7 +1,7 @@
 //! How fast the gradients of the rows of a group turn as one of its unknowns changes.
 //!
-//! The steps of a motion are limited by the angle that bodies turn. Where a plan iterates on lengths or on scalar
-//! coordinates, bodies may move far without turning, and on a wavy curve the direction of contact turns faster than the
+//! The steps of a motion are limited by the angle that bodies turn. Where a plan solves for lengths or for scalar
+//! coordinates, by iteration or in closed form, bodies may move far without turning, and on a wavy curve the direction of contact turns faster than the
 //! bodies. The factor w of such an unknown converts its change to radians:
 //!
 //! ```text
@@ -9,18 +9,18 @@
 //! Dᵢᵤ = Σⱼ (∂fᵢ/∂xⱼ)²,   Nᵢᵤ = Σₖ Σⱼ (∂²fᵢ/∂xₖ∂xⱼ)²
 //! ```
 //!
-//! Here fᵢ are the residuals of the iteration, k counts the coordinates of the kind for which w is computed, j the unknowns
+//! Here fᵢ are the residuals of an iteration, or the rows of a closed form none of whose unknowns is an angle; k counts the coordinates of the kind for which w is computed, j the unknowns
 //! of a kind u (kinds are lengths, angles, and every scalar by itself), so that ρ has the unit of xₖ whatever the other
 //! units are. The gradient of fᵢ turns by about 1/ρᵢ per unit of xₖ. For a cylinder from a fixed pin ρ is of the order
 //! of its length; for a single unknown 1/ρ is |f″/f′|, so that steps become shorter towards a limit. The sum over u
 //! comprises the kinds that occur in fᵢ; if Nᵢᵤ is identically 0 for one of them, ρᵢ is infinite and the row does not
-//! count. Where there is a curve, coordinates that other steps of the plan give have such a factor, too: a cam that
-//! is driven turns the gradient of its contact. If a coordinate occurs in several groups, their squares are added.
+//! count. Where there is a curve or a closed form, coordinates that other steps of the plan give have such a factor, too: a
+//! cam that is driven turns the gradient of its contact, and a carriage that of a link. If a coordinate occurs in several groups, their squares are added.
 
 use super::closures::LEAST;
 use super::tree::{Block, Core, Part, SolutionMethod};
 use crate::constraint::{Coordinate, CoordinateKind};
-use crate::expr::{Depends, ExprId, Graph, Jet, Node, total_derivatives};
+use crate::expr::{Depends, ExprId, Graph, Jet, Node, Symbol, total_derivatives};
 use crate::mechanism::Component;
 use crate::vocabulary::Function;
 use std::collections::BTreeMap;
@@ -33,17 +33,35 @@ enum Unit {
     Scalar(u32),
 }
 
+/// How the gradients of rows turn.
+pub(super) struct Turns {
+    /// w of every coordinate; empty where it is 0 for all of them.
+    pub(super) by_coordinates: Vec<ExprId>,
+    /// See [`SolutionPlan::looks_within`](super::SolutionPlan::looks_within).
+    pub(super) looks_within: bool,
+}
+
+/// What the cores of a plan give.
+#[derive(Default)]
+struct Found {
+    /// w² of the coordinates that turn gradients.
+    squares: BTreeMap<u32, ExprId>,
+    /// Whether gradients of a closed form turn with time or with an input, or with a coordinate.
+    by_time: bool,
+    by_coordinate: bool,
+    iterates: bool,
+}
+
 /// w of all coordinates at a configuration. It is 0 for coordinates that do not occur in an iteration, and for angles
 /// unless the group has a curve; empty where it is 0 for all coordinates.
-pub(super) fn turns(graph: &mut Graph, tree: &Block, coordinates: &[Coordinate]) -> Vec<ExprId> {
-    let mut squares = BTreeMap::new();
-    of_block(graph, tree, coordinates, &mut squares);
-    if squares.is_empty() {
-        return Vec::new();
-    }
+pub(super) fn turns(graph: &mut Graph, tree: &Block, coordinates: &[Coordinate]) -> Turns {
+    let mut found = Found::default();
+    of_block(graph, tree, coordinates, &mut found);
+    let Found { squares, by_time, by_coordinate, iterates } = found;
     let zero = graph.zero();
     let of = |(k, _): (u32, &Coordinate)| squares.get(&k).map_or(zero, |&square| graph.call(Function::Sqrt, square));
-    (0..).zip(coordinates).map(of).collect()
+    let by_coordinates = if squares.is_empty() { Vec::new() } else { (0..).zip(coordinates).map(of).collect() };
+    Turns { by_coordinates, looks_within: by_time || by_coordinate && iterates }
 }
 
 const fn unit(k: u32, coordinate: &Coordinate) -> Unit {
@@ -65,7 +83,7 @@ pub(super) fn iterates_on_curves(graph: &Graph, block: &Block) -> bool {
 }
 
 /// Adds w² of the coordinates of a block.
-fn of_block(graph: &mut Graph, block: &Block, coordinates: &[Coordinate], found: &mut BTreeMap<u32, ExprId>) {
+fn of_block(graph: &mut Graph, block: &Block, coordinates: &[Coordinate], found: &mut Found) {
     for part in &block.parts {
         match part {
             Part::Core(core) => of_core(graph, core, coordinates, found),
@@ -75,13 +93,14 @@ fn of_block(graph: &mut Graph, block: &Block, coordinates: &[Coordinate], found:
     }
 }
 
-fn of_core(graph: &mut Graph, core: &Core, coordinates: &[Coordinate], found: &mut BTreeMap<u32, ExprId>) {
-    let SolutionMethod::Newton { residuals } = &core.method else { return };
-    let curves = has_curves(graph, residuals);
+fn of_core(graph: &mut Graph, core: &Core, coordinates: &[Coordinate], found: &mut Found) {
+    let Some(Rows { residuals, known: with_known, curves }) = rows(graph, core, coordinates) else { return };
+    let (residuals, is_closed) = (&residuals, !matches!(core.method, SolutionMethod::Newton { .. }));
     let jets = total_derivatives(graph, residuals);
     let is_unknown = |k: &u32| core.coordinates.contains(k);
+    found.iterates |= !is_closed;
     let mut known: Vec<u32> = jets.iter().flat_map(|jet| &jet.gradient).map(|(k, _)| *k).collect();
-    known.retain(|k| curves && !is_unknown(k));
+    known.retain(|k| with_known && !is_unknown(k));
     known.sort_unstable();
     known.dedup();
     let mut members: BTreeMap<(bool, Unit), Vec<u32>> = BTreeMap::new();
@@ -94,10 +113,13 @@ fn of_core(graph: &mut Graph, core: &Core, coordinates: &[Coordinate], found: &m
         for &(k, entry) in jet.gradient.iter().filter(|(k, entry)| is_unknown(k) && !graph.is_zero(*entry)) {
             gradient.entry(unit(k, &coordinates[k as usize])).or_default().push(entry);
         }
+        let with_time = |entry: &ExprId| graph.depends(*entry).is_rheonomic();
+        found.by_time |= is_closed && gradient.values().flatten().any(with_time);
         let changes: Vec<(Vec<ExprId>, Vec<Jet>)> =
             gradient.into_values().map(|entries| (entries.clone(), total_derivatives(graph, &entries))).collect();
         for (&of, members) in members.iter().filter(|((_, unit), _)| *unit != Unit::Angle || curves) {
             if let Some(share) = turn(graph, &changes, members) {
+                found.by_coordinate |= is_closed;
                 let sum = squares.get(&of).copied().unwrap_or_else(|| graph.zero());
                 squares.insert(of, graph.add(sum, share));
             }
@@ -105,10 +127,58 @@ fn of_core(graph: &mut Graph, core: &Core, coordinates: &[Coordinate], found: &m
     }
     for (of, square) in squares {
         for &k in &members[&of] {
-            let sum = found.get(&k).copied().unwrap_or_else(|| graph.zero());
-            found.insert(k, graph.add(sum, square));
+            let sum = found.squares.get(&k).copied().unwrap_or_else(|| graph.zero());
+            found.squares.insert(k, graph.add(sum, square));
         }
     }
+}
+
+/// The rows of a core whose gradients may turn although no body does.
+struct Rows {
+    residuals: Vec<ExprId>,
+    /// Whether they also turn with coordinates that other steps give.
+    known: bool,
+    curves: bool,
+}
+
+/// The rows of an iteration, and those of a closed form without an unknown angle; `None` for any other core.
+fn rows(graph: &mut Graph, core: &Core, coordinates: &[Coordinate]) -> Option<Rows> {
+    if let SolutionMethod::Newton { residuals } = &core.method {
+        let curves = has_curves(graph, residuals);
+        return Some(Rows { residuals: residuals.clone(), known: curves, curves });
+    }
+    if core.coordinates.iter().any(|&k| unit(k, &coordinates[k as usize]) == Unit::Angle) {
+        return None;
+    }
+    let unknowns: Vec<ExprId> = core.coordinates.iter().map(|&k| graph.symbol(Symbol::Coordinate(k))).collect();
+    let zero = graph.zero();
+    let residuals = match &core.method {
+        SolutionMethod::Linear { matrix, constant } => {
+            let rows = matrix.iter().zip(constant);
+            rows.map(|(row, &constant)| sum_of_products(graph, row, &unknowns, constant)).collect()
+        }
+        &SolutionMethod::Quadratic { a, b, c } => {
+            let slope = sum_of_products(graph, &[a], &unknowns, b);
+            vec![sum_of_products(graph, &[slope], &unknowns, c)]
+        }
+        SolutionMethod::Circle { e, l, k, n, m, .. } => {
+            let line = sum_of_products(graph, n, &unknowns, *m);
+            let inside = sum_of_products(graph, l, &unknowns, *k);
+            let square = sum_of_products(graph, &unknowns, &unknowns, zero);
+            let square = graph.mul(*e, square);
+            vec![graph.add(square, inside), line]
+        }
+        SolutionMethod::Angle { .. } | SolutionMethod::Newton { .. } => return None,
+    };
+    Some(Rows { residuals, known: true, curves: false })
+}
+
+/// Σ aᵢ bᵢ + constant.
+fn sum_of_products(graph: &mut Graph, a: &[ExprId], b: &[ExprId], constant: ExprId) -> ExprId {
+    a.iter().zip(b).fold(constant, |sum, (&a, &b)| {
+        let product = graph.mul(a, b);
+        graph.add(sum, product)
+    })
 }
 
 /// True if a residual depends on coordinates in another way than by products of lengths and rotated vectors, whose

@@ -116,6 +116,7 @@ fn mechanism(
     let (lists, curves, kept) =
         (lists::lists(lowered, kernels), lists::curves(lowered, kernels), set.kept_lengths().count());
     let turning = kernels.turns_rows().then(|| quote! { const ROWS_TURN: bool = true; });
+    let within = plan.looks_within.then(|| quote! { const CLOSED_ROWS_TURN: bool = true; });
     let curving = plan.iterates_on_curves.then(|| quote! { const ROWS_CURVE: bool = true; });
     let constraints_with = method(
         &TokenStream::new(),
@@ -169,7 +170,7 @@ fn mechanism(
             const PARAMETERS: usize = #p;
             const INPUTS: usize = #u;
             const LENGTHS: usize = #kept;
-            #turning
+            #turning #within
             #curving
             type Parameters<__T: __kin::Scalar> = [__T; #p];
             type Inputs<__T: __kin::Scalar> = [__kin::Signal<__T>; #u];

@@ -76,10 +76,13 @@ pub(crate) trait System {
     ) -> Result<(), LengthError>;
     /// Writes the branch value of every group of the plan at q, whose sign distinguishes the branches.
     fn branches(&self, at: &Instant<'_>, q: &[f64], branch_values: &mut [f64]) -> Result<(), LengthError>;
-    /// Writes for every coordinate how far the gradients of iterated rows turn with it, in radians per unit.
+    /// Writes for every coordinate how far the gradients of rows turn with it, in radians per unit (see
+    /// [`Mechanism::turns_with`]).
     fn turns(&self, at: &Instant<'_>, q: &[f64], turns: &mut [f64]) -> Result<(), LengthError>;
     /// Whether the plan iterates on rows with curves.
     fn iterates_on_curves(&self) -> bool;
+    /// See [`Mechanism::CLOSED_ROWS_TURN`].
+    fn closed_rows_turn(&self) -> bool;
     /// Writes enclosures of the [`turns`](Self::turns) over a box; nothing where no rows with curves are iterated on.
     fn turns_over(&self, at: &Instant<'_, Interval>, q: &[Interval], turns: &mut [Interval])
     -> Result<(), LengthError>;
@@ -228,6 +231,10 @@ impl<B: Borrow<M>, M: Mechanism> System for Evaluator<B, M> {
 
     fn iterates_on_curves(&self) -> bool {
         M::ROWS_CURVE
+    }
+
+    fn closed_rows_turn(&self) -> bool {
+        M::CLOSED_ROWS_TURN
     }
 
     fn turns_over(

@@ -1,4 +1,4 @@
-//! The branch of iterated groups between the ends of a step.
+//! The branch of groups between the ends of a step.
 //!
 //! A group in closed form has two closures, whose distance is known from its margin. An iteration may have any number
 //! of solutions, and a curve may bend between two straight parts, which the ends of a step do not show. Therefore the
@@ -56,7 +56,7 @@ pub(crate) fn input_within<V: Scalar>([from, to]: [&Signal<V>; 2], s: V) -> Sign
     Signal { value: from.value + s * (to.value - from.value), ..*to }
 }
 
-/// A measure that is negative if an iterated group comes much nearer to its limit at a place within a step than at its
+/// A measure that is negative if one of these groups comes much nearer to its limit at a place within a step than at its
 /// ends, or has another sign there. `at` is the instant of the end, and `from` are the inputs at the start.
 #[cold]
 #[inline(never)]
@@ -67,7 +67,7 @@ pub(crate) fn certainty_at_places<M: Mechanism, V: Compare>(
     ends: [&[V]; 4],
     h: f64,
 ) -> Result<V, LengthError> {
-    let iterated = M::model().plan.modes.len();
+    let first_group = if M::CLOSED_ROWS_TURN { 0 } else { M::model().plan.modes.len() };
     let of = |s: f64, q: &[V]| {
         let s = V::from_f64(s);
         let inputs = M::Inputs::<V>::generate(|k| input_within([&from[k], &at.inputs[k]], s));
@@ -80,7 +80,7 @@ pub(crate) fn certainty_at_places<M: Mechanism, V: Compare>(
     for s in places() {
         on_cubic(q.as_mut(), ends, h, s);
         let between = of(s, q.as_ref())?;
-        for group in iterated..M::model().plan.signs() {
+        for group in first_group..M::model().plan.signs() {
             let of = |list: &[V]| modes.as_ref()[group] * list[group];
             let nearer = of(first.as_ref()).least(of(last.as_ref()));
             certainty = certainty.least(of(between.as_ref()) - V::from_f64(LEAST) * nearer);
@@ -89,7 +89,8 @@ pub(crate) fn certainty_at_places<M: Mechanism, V: Compare>(
     Ok(certainty)
 }
 
-/// A measure that is negative if the unknowns of an iteration have not moved as their rates at both ends imply:
+/// A measure that is negative if the unknowns of an iteration or, with `with_closed`, of any group that has a branch
+/// value have not moved as their rates at both ends imply:
 ///
 /// ```text
 /// |q₁ − q₀ − ½ h (q̇₀ + q̇₁)| ≤ ¼ |h| max(|q̇₀|, |q̇₁|)
@@ -99,11 +100,21 @@ pub(crate) fn certainty_at_places<M: Mechanism, V: Compare>(
 /// likewise for angles; every scalar is compared alone.
 #[cold]
 #[inline(never)]
-pub(crate) fn certainty_of_rates<V: Compare>(model: &Model, (ends, turns): ([&[V]; 4], &[V]), h: f64) -> V {
+pub(crate) fn certainty_of_rates<V: Compare>(
+    model: &Model,
+    with_closed: bool,
+    (ends, turns): ([&[V]; 4], &[V]),
+    h: f64,
+) -> V {
     let (plan, coordinates) = (&model.plan, model.coordinates);
+    let has_sign = |place: usize| plan.modes.iter().chain(plan.orientations).any(|group| group.step == place);
     let mut certainty = V::from_f64(1.0);
-    for step in plan.steps {
-        let StepKind::Newton(unknowns) = step.kind else { continue };
+    for (place, step) in plan.steps.iter().enumerate() {
+        let unknowns = match step.kind {
+            StepKind::Newton(unknowns) => unknowns,
+            _ if with_closed && has_sign(place) => usize::MAX,
+            _ => continue,
+        };
         let (mut lengths, mut angles) = ([V::from_f64(0.0); 2], [V::from_f64(0.0); 2]);
         for &(k, _) in step.coordinates.iter().take(unknowns) {
             let kind = coordinates[k].kind;
@@ -194,13 +205,14 @@ mod tests {
         );
     }
 
-    /// Without an iteration there is nothing to compare.
+    /// Without an iteration only groups in closed form can be compared.
     #[test]
     fn a_plan_without_iterations_is_certain() {
         use crate::Mechanism;
         let model = crate::fixture::PlannedFourBar::model();
         let (zeros, ones) = ([0.0; 9], [1.0; 9]);
         let ends: [&[f64]; 4] = [&zeros, &zeros, &ones, &zeros];
-        assert_eq!(1.0, certainty_of_rates::<f64>(model, (ends, &zeros), 1.0));
+        assert_eq!(1.0, certainty_of_rates::<f64>(model, false, (ends, &zeros), 1.0));
+        assert!(certainty_of_rates::<f64>(model, true, (ends, &zeros), 1.0) < 0.0);
     }
 }

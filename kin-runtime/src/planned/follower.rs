@@ -84,8 +84,8 @@ pub(crate) struct PlanFollower<M: Mechanism> {
     pub(super) distances: Distances<M>,
     /// Factors that convert the coordinates to radians.
     pub(super) weights: M::Coordinates<f64>,
-    /// The angles by which the gradients of iterated rows turn per unit of each coordinate, at the accepted state; used
-    /// if `rows_turn_alone`.
+    /// The angles by which the gradients of rows turn per unit of each coordinate, at the accepted state; used if
+    /// `rows_turn_alone`.
     pub(super) turns: M::Coordinates<f64>,
     /// See [`rows_turn_alone`].
     pub(super) rows_turn_alone: bool,
@@ -117,7 +117,7 @@ pub(crate) enum Fault {
     NonFinite,
 }
 
-/// Whether the gradients of iterated rows may turn faster than the bodies: an unknown is not an angle, or a row
+/// Whether the gradients of rows may turn faster than the bodies: a group is solved for lengths or scalars, or a row
 /// contains a curve.
 pub(crate) fn rows_turn_alone<M: Mechanism>() -> bool {
     let model = M::model();
@@ -126,7 +126,7 @@ pub(crate) fn rows_turn_alone<M: Mechanism>() -> bool {
         StepKind::Newton(unknowns) => step.coordinates.iter().take(unknowns).any(|&(k, _)| !is_angle(k)),
         _ => false,
     };
-    M::ROWS_TURN || model.plan.steps.iter().any(iterates_others)
+    M::ROWS_TURN || M::CLOSED_ROWS_TURN || model.plan.steps.iter().any(iterates_others)
 }
 
 impl<M: Mechanism> PlanFollower<M> {

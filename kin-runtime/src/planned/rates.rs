@@ -1,6 +1,6 @@
 //! The sizes of rates in radians, which compare coordinates of different units.
 
-use crate::model::Model;
+use crate::model::{Component, CoordinateKind, Model};
 
 /// The largest rate of an angle, of a scalar, or of the turn of a row with a length, in radians. `turns` are the turns of
 /// rows per unit of every coordinate, or empty.
@@ -16,7 +16,13 @@ pub(super) fn largest_of(model: &Model, turns: &[f64], places: &mut dyn Iterator
 /// The size of a rate, in radians. Not inlined, because LLVM 22 crashes when it vectorises the loop around it.
 #[inline(never)]
 pub(super) fn turning(model: &Model, turns: &[f64], rates: &[f64], k: usize) -> f64 {
-    let weight = if is_angle(model, k) { 1.0 } else { turns.get(k).copied().unwrap_or(0.0) };
+    let turn = turns.get(k).copied().unwrap_or(0.0);
+    let weight = match model.coordinates[k].kind {
+        CoordinateKind::Pose { component: Component::Phi, .. } => 1.0,
+        CoordinateKind::Pose { .. } => turn,
+        // The unit of a scalar is not known; it may be so large that the rows turn faster.
+        CoordinateKind::Scalar => f64::max(1.0, turn),
+    };
     (weight * rates[k]).abs()
 }
 

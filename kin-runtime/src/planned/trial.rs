@@ -57,9 +57,19 @@ impl<M: Mechanism> PlanFollower<M> {
         self.states[1 - self.accepted].margins.write_distances(&mut self.distances)
     }
 
-    /// True if in a step of the length h from `here`, where the inputs are `from`, the gradients of iterated rows turn no farther than bodies may,
-    /// the trial state is near its prediction by the same measure, and no iterated group comes near its limit in
-    /// between.
+    /// The turn of a step of the length h from `here` in which its bodies turn by `turn`: that of the rows, if it is
+    /// larger. Iterated groups are looked at within the step instead (see [`rows_are_followed`](Self::rows_are_followed)).
+    #[inline]
+    pub(super) fn with_rows(&self, turn: f64, here: &PlanSolution<M>, h: f64) -> f64 {
+        match self.rows_turn_alone && !M::model().plan.iterates() {
+            true => turn.max(largest_turn([here.q_dot.as_ref(), here.q_ddot.as_ref()], self.turns.as_ref(), h)),
+            false => turn,
+        }
+    }
+
+    /// True if in a step of the length h from `here`, where the inputs are `from`, the gradients of rows turn no farther
+    /// than bodies may, the trial state is near its prediction by the same measure, and no group whose branch value must
+    /// be looked at comes near its limit in between.
     #[inline]
     pub(super) fn rows_are_followed(
         &self,
@@ -81,16 +91,23 @@ impl<M: Mechanism> PlanFollower<M> {
         }
         let ends = [here.q.as_ref(), here.q_dot.as_ref(), tried.q.as_ref(), tried.q_dot.as_ref()];
         if h == 0.0 {
+            // An input may have jumped; its rates do not show how far the rows have turned.
+            return Ok(!M::CLOSED_ROWS_TURN || have_values_of(from, at.inputs));
+        }
+        if !M::CLOSED_ROWS_TURN && !M::model().plan.iterates() {
             return Ok(true);
         }
-        let is_smooth = certainty_of_rates(M::model(), (ends, turns), h) >= 0.0;
+        let is_smooth = certainty_of_rates(M::model(), M::CLOSED_ROWS_TURN, (ends, turns), h) >= 0.0;
         if !is_smooth {
             return Ok(false);
         }
         let (parameters, modes) = (self.parameters.as_ref(), &self.branch.modes);
         if M::ROWS_CURVE {
             let span = Span { ends, inputs: from, h };
-            return bends_are_followed(mechanism, (parameters, at), modes, span, control.rotation);
+            let followed = bends_are_followed(mechanism, (parameters, at), modes, span, control.rotation)?;
+            if !followed || !M::CLOSED_ROWS_TURN {
+                return Ok(followed);
+            }
         }
         Ok(certainty_at_places(mechanism, (parameters, from, at), modes, ends, h)? >= 0.0)
     }
@@ -136,6 +153,11 @@ impl<M: Mechanism> PlanFollower<M> {
         let (foretold, found) = (of(predicted)?, of(self.trial().q.as_ref())?);
         Ok(first_uncertain(self.branch.modes.as_ref(), foretold.as_ref(), found.as_ref()))
     }
+}
+
+/// True if all inputs have the same values.
+fn have_values_of(some: &[Signal], others: &[Signal]) -> bool {
+    some.iter().zip(others).all(|(a, b)| a.value == b.value)
 }
 
 /// True if all branch values have the signs of their groups.

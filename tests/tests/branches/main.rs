@@ -19,6 +19,7 @@ mod crossings;
 mod cylinders;
 mod draw;
 mod jet;
+mod lengths;
 mod lifts;
 mod located;
 mod platforms;

@@ -223,3 +223,46 @@ fn poles_that_a_determinant_only_touches_are_not_passed() {
         }
     }
 }
+
+/// A pin on two lines, one of which is turned by an input.
+#[mechanism]
+#[input(angle)]
+#[body(pin, phi = 0)]
+#[constraint(turned: cos(angle) * pin.x + sin(angle) * pin.y = 0.3)]
+#[constraint(still: pin.y = 0.2 * pin.x + 1)]
+struct Turned;
+
+/// An input may jump across a pole, and across two, at the same instant or at another: the signs at both ends may be
+/// equal, and no coordinate turns.
+#[test]
+fn an_input_does_not_jump_across_a_pole() {
+    use kin_runtime::Signal;
+    // The lines are parallel at cos(angle) + 0.2 sin(angle) = 0.
+    let pole = 1.0_f64.atan2(-0.2);
+    for (to, passes) in [(1.2, false), (1.75, false), (3.3, true), (5.5, true), (-0.9, false)] {
+        for dt in [0.0, 0.1, 1.0] {
+            for rate in [0.0, 3.0] {
+                let at = |t: f64, angle: f64| (t, [Signal::new(angle, rate, 0.0)]);
+                let (from, to) = (at(0.0, 0.0), at(dt, to));
+                let [from, to] = [&from, &to].map(|(t, inputs)| Instant { t: *t, inputs });
+                let solver = Turned.solver();
+                let mut planned = solver.planned(&from).expect("it closes");
+                let mut tracker = solver.tracker(&from).expect("it closes");
+                let (by_plan, by_tracker) = (planned.at(&to).map(|_| ()), tracker.update(&to).map(|_| ()));
+                if !passes {
+                    assert!(by_plan.is_ok() && by_tracker.is_ok(), "{to:?}: {by_plan:?} {by_tracker:?}");
+                    continue;
+                }
+                let (by_plan, by_tracker) = (by_plan.expect_err("a pole"), by_tracker.expect_err("a pole"));
+                for limit in [by_plan.limit(), by_tracker.limit()] {
+                    assert_eq!(Some(LimitKind::Pole), limit.and_then(Limit::kind), "{by_plan} {by_tracker}");
+                    if rate == 0.0 && dt > 0.0 {
+                        // Without rates the input moves uniformly.
+                        let s = limit.and_then(Limit::at).expect("located") / dt;
+                        assert!((s * to.inputs[0].value - pole).abs() < 1e-9, "{s}");
+                    }
+                }
+            }
+        }
+    }
+}

@@ -38,7 +38,7 @@ pub(super) struct Motion<M: Mechanism> {
     t: f64,
     /// The weight of each coordinate in every set: radians per unit.
     weights: M::Coordinates<Octet>,
-    /// The angles by which the gradients of iterated rows turn per unit of each coordinate; used if `rows_turn_alone`.
+    /// The angles by which the gradients of rows turn per unit of each coordinate; used if `rows_turn_alone`.
     turns: M::Coordinates<Octet>,
     rows_turn_alone: bool,
 }
@@ -148,6 +148,7 @@ impl<M: Mechanism> Motion<M> {
             least = least.least(least_length(mechanism, self.parameters.as_ref(), at));
         }
         let nearer = tried.margin.least(self.poses[self.good].margin);
+        let turn = if self.rows_turn_alone && !plan.iterates() { turn.greatest(self.turn_of_rows(h)) } else { turn };
         let reach = Octet::from_f64(OUT_OF_REACH) * turn;
         let beyond = nearer - reach * reach;
         if !is_positive(beyond) || plan.iterates() {

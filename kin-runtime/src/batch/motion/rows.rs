@@ -1,4 +1,4 @@
-//! The check of a common step where the gradients of iterated rows turn otherwise than bodies do.
+//! The check of a common step where the gradients of rows turn otherwise than bodies do.
 
 use super::Motion;
 use crate::mechanism::Mechanism;
@@ -14,29 +14,43 @@ use crate::signal::Instant;
 use crate::workspace::Array;
 
 impl<M: Mechanism> Motion<M> {
-    /// Not negative in lanes in which a step of the length h turns the gradients of iterated rows no farther than
-    /// bodies may turn, its end is near its prediction by the same measure, and no iterated group comes near its limit
-    /// in between.
+    /// The largest turn of the gradients of rows in a step of the length h from the last instant.
+    pub(super) fn turn_of_rows(&self, h: f64) -> Octet {
+        let here = self.poses();
+        largest_turn([here.q_dot.as_ref(), here.q_ddot.as_ref()], self.turns.as_ref(), h)
+    }
+
+    /// Not negative in lanes in which a step of the length h turns the gradients of rows no farther than bodies may turn,
+    /// its end is near its prediction by the same measure, and no group whose branch value must be looked at comes near
+    /// its limit in between.
     #[cold]
     #[inline(never)]
     pub(super) fn certainty_of_rows(&self, mechanism: &M, at: &Instant<'_, Octet>, h: f64, control: &Control) -> Octet {
         let (here, tried, turns) = (self.poses(), &self.poses[1 - self.good], self.turns.as_ref());
-        let turn = largest_turn([here.q_dot.as_ref(), here.q_ddot.as_ref()], turns, h);
+        let turn = self.turn_of_rows(h);
         let away = turned(tried.q.as_ref(), self.predicted.as_ref(), turns);
         let allowed = Octet::from_f64(control.correction) * turn + Octet::from_f64(NEGLIGIBLE);
         let ends = [here.q.as_ref(), here.q_dot.as_ref(), tried.q.as_ref(), tried.q_dot.as_ref()];
         let mut certainty = (Octet::from_f64(control.rotation) - turn).least(allowed - away);
         if h == 0.0 {
+            // An input may have jumped; its rates do not show how far the rows have turned.
+            let mut inputs = self.inputs.as_ref().iter().zip(at.inputs);
+            let jumps = M::CLOSED_ROWS_TURN && inputs.any(|(before, now)| before.value != now.value.lane(0));
+            return if jumps { Octet::from_f64(-1.0) } else { certainty };
+        }
+        if !M::CLOSED_ROWS_TURN && !M::model().plan.iterates() {
             return certainty;
         }
-        certainty = certainty.least(certainty_of_rates(M::model(), (ends, turns), h));
+        certainty = certainty.least(certainty_of_rates(M::model(), M::CLOSED_ROWS_TURN, (ends, turns), h));
         if M::ROWS_CURVE {
             for lane in 0..Octet::COUNT {
                 if certainty.lane(lane) >= 0.0 && !self.bends_are_followed(mechanism, at, h, control, lane) {
                     certainty.set(lane, -1.0);
                 }
             }
-            return certainty;
+            if !M::CLOSED_ROWS_TURN {
+                return certainty;
+            }
         }
         let from = M::Inputs::<Octet>::generate(|k| self.inputs.as_ref()[k].map(Octet::from_f64));
         let known = (self.parameters.as_ref(), from.as_ref(), at);

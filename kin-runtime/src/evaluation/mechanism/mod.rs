@@ -34,6 +34,8 @@ pub trait Mechanism: Sized {
     const LENGTHS: usize = 0;
     /// Whether the mechanism implements [`turns_with`](Self::turns_with).
     const ROWS_TURN: bool = false;
+    /// Whether the branch values of groups that the plan solves in closed form must be looked at within steps, too.
+    const CLOSED_ROWS_TURN: bool = false;
     /// Whether the plan iterates on rows with curves, whose gradients may turn faster than bodies do.
     const ROWS_CURVE: bool = false;
 
@@ -164,7 +166,8 @@ pub trait Mechanism: Sized {
         Ok(())
     }
 
-    /// Writes how far the gradients of iterated rows turn with each coordinate, in radians per unit of the coordinate.
+    /// Writes how far the gradients of rows turn with each coordinate, in radians per unit of the coordinate: of rows that
+    /// the plan iterates, and of those that it solves in closed form for lengths or scalars.
     /// # Errors
     /// When an argument has the wrong length.
     fn turns_with<T: Scalar>(

@@ -124,6 +124,10 @@ impl<M: Mechanism> PlanFollower<M> {
         }
         // If the minimum is not zero, the search ended before the limit, which lies farther on.
         let is_there = has_two_closures && margin <= TOUCHES;
+        if is_there && self.goes_to_infinity(step, blocked) {
+            let located = Some(Located { at: course.at(s, inputs.as_mut()), kind: Some(LimitKind::Pole) });
+            return (PlanError::Limit { t, limit: Limit { step, margin, located } }, s);
+        }
         let found = self.extrapolate(mechanism, course, (group, s), blocked);
         self.q_at_limit = found.as_ref().map(|found| found.q);
         let extrapolated = found.as_ref().and_then(|found| found.kind);

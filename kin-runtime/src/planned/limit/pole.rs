@@ -33,6 +33,16 @@ impl<M: Mechanism> PlanFollower<M> {
         let Spot { s, margin, .. } = Spot::beyond(blocked.places, course.ends(), &mut |s| {
             self.signed_margin(mechanism, course, s, group, blocked)
         });
+        let kind = if self.goes_to_infinity(step, blocked) { LimitKind::Pole } else { LimitKind::BranchPoint };
+        let mut inputs = M::Inputs::<f64>::filled(Signal::constant(0.0));
+        let at = course.at(s, inputs.as_mut());
+        let is_there = margin <= Plan::SMALLEST_MARGIN.max(NO_MARGIN);
+        let located = Some(Located { at, kind: is_there.then_some(kind) });
+        (PlanError::Limit { t, limit: Limit { step, margin, located } }, s)
+    }
+
+    /// True if a coordinate of a step is much larger at the limit, in the trial state, than at the last place reached.
+    pub(super) fn goes_to_infinity(&self, step: Step, blocked: &Blocked<M>) -> bool {
         let own = step.info().coordinates;
         let here = blocked.here.q.as_ref();
         let larger = |largest: f64, x: &f64| largest.max(x.abs());
@@ -40,12 +50,7 @@ impl<M: Mechanism> PlanFollower<M> {
         let before = own.iter().filter_map(|&(k, _)| here.get(k)).fold(SMALL * all, larger);
         let q = self.trial().q.as_ref();
         let is_finite = own.iter().all(|&(k, _)| q.get(k).is_some_and(|x| x.abs() < INFINITE * before));
-        let kind = if is_finite { LimitKind::BranchPoint } else { LimitKind::Pole };
-        let mut inputs = M::Inputs::<f64>::filled(Signal::constant(0.0));
-        let at = course.at(s, inputs.as_mut());
-        let is_there = margin <= Plan::SMALLEST_MARGIN.max(NO_MARGIN);
-        let located = Some(Located { at, kind: is_there.then_some(kind) });
-        (PlanError::Limit { t, limit: Limit { step, margin, located } }, s)
+        !is_finite
     }
 
     /// The margin of a linear group at a place of the course, negative where its determinant has the other sign.

@@ -257,6 +257,7 @@ impl<M: Mechanism> PlanFollower<M> {
         // the solution and its prediction, which are much nearer to one another than both ends of the step. An
         // iteration of lengths may still have found another solution, and a linear step may have passed a pole, since the
         // turns of bodies do not bound how far lengths move.
+        let turn = self.with_rows(turn, here, at.t - self.t);
         let nearest = self.measure();
         let least = f64::min(nearest, self.nearest);
         let far = least >= OUT_OF_REACH * turn && least >= NEAR;

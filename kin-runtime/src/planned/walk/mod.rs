@@ -138,6 +138,7 @@ impl<M: Mechanism> PlanFollower<M> {
         let turn = parabola(self.predicted.as_mut(), rates, weights.as_ref(), h);
         let modes = self.branch.modes;
         let allowed = control.correction * turn + NEGLIGIBLE;
+        let turn = self.with_rows(turn, here, h);
         let judged = self.judge(mechanism, course, [s, next], inputs, (here, &modes), [allowed, turn, nearest]);
         let result = judged.and_then(|effort| {
             let mut from = *inputs;

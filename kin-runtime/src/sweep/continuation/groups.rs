@@ -28,7 +28,7 @@ const REGULAR: f64 = 1e3;
 const PASSING: f64 = 0.5;
 const FLAT: f64 = 1e-3;
 
-/// The angles by which the gradients of the rows that the plan iterates turn per unit of every coordinate at q; empty
+/// The angles by which the gradients of rows turn per unit of every coordinate at q; empty
 /// under the same conditions.
 pub(super) fn turns(equations: &Equations<'_>, at: &Instant<'_>, q: &[f64]) -> Vec<f64> {
     if equations.given() > 0 || !equations.model.plan.exists() {
@@ -66,10 +66,10 @@ pub(super) fn stay([before, predicted, found]: [&[f64]; 3], turn: f64, is_redund
     })
 }
 
-/// True if no iterated group comes much nearer to its limit within a step than at its ends, at which the branch values
-/// are `before` and `found`.
+/// True if no group whose branch value must be looked at within a step comes much nearer to its limit there than at the
+/// ends, at which the branch values are `before` and `found`.
 pub(super) fn stay_between(equations: &Equations<'_>, [before, found]: [&[f64]; 2], span: Span<'_>) -> bool {
-    let iterated = equations.model.plan.modes.len();
+    let iterated = if equations.system.closed_rows_turn() { 0 } else { equations.model.plan.modes.len() };
     if before.len() <= iterated {
         return true;
     }
@@ -89,8 +89,12 @@ pub(super) fn stay_between(equations: &Equations<'_>, [before, found]: [&[f64]; 
             before.is_nan() || sign * w >= LEAST * f64::min(sign * before, sign * found)
         })
     };
-    if !equations.system.iterates_on_curves() {
-        return places().all(stays_at);
+    let is_curved = equations.system.iterates_on_curves();
+    if (!is_curved || equations.system.closed_rows_turn()) && !places().all(&mut stays_at) {
+        return false;
+    }
+    if !is_curved {
+        return true;
     }
     let buffers = [(); 2].map(|()| vec![Interval::ZERO; span.ends[0].len()]);
     let [mut box_of_part, mut turns] = buffers;

@@ -7,6 +7,7 @@ use crate::analysis::velocity::{inconsistency, scaled};
 use crate::equations::Equations;
 use crate::equations::contact;
 use crate::equations::factorisation::Purpose;
+use crate::equations::scale::largest_product;
 use crate::error::SolveError;
 use crate::linear::Factorization;
 use crate::nonlinear::newton::{largest, rounding};
@@ -168,7 +169,17 @@ pub(super) fn settle(
     equations.write_branch_values(&state.q, groups);
     let is_redundant = equations.model.plan.watched().next().is_some();
     fill(motion, predicted.iter().zip(&from.node.state.q).map(|(a, b)| a - b));
-    let turn = equations.scale.turn(motion);
+    let mut turn = equations.scale.turn(motion);
+    if !equations.model.plan.iterates() {
+        // Iterated groups are looked at within the step instead.
+        let (turns, of_rows) = (&from.basis.turns, largest_product(motion, &from.basis.turns));
+        turn = turn.max(of_rows);
+        fill(motion, state.q.iter().zip(&*predicted).map(|(a, b)| a - b));
+        let is_near = largest_product(motion, turns) <= equations.options.prediction_tolerance * of_rows + NEGLIGIBLE;
+        if !is_near {
+            return Err(Fault::Coarse(0.5));
+        }
+    }
     if !groups::stay([before, predicted_groups, groups], turn, is_redundant) {
         return Err(Fault::Jump(worst));
     }

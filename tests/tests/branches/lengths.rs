@@ -1,0 +1,353 @@
+//! Motions in which nothing turns: carriages and struts that carry a pin, a trammel, a slot that is turned by time, and
+//! quadratic equations. No rotation of a body limits the steps, so between two instants such a group could pass its
+//! limit and come back.
+
+use crate::case::{Case, Group};
+use crate::draw::Draw;
+use crate::jet::Jet;
+use crate::tally::{Tally, motions};
+use crate::ways::follow;
+use kin_runtime::{Kinematics, mechanism};
+use kin_tests::random::Random;
+use std::fmt::Debug;
+
+/// A pin on two links from carriages on a common rail.
+#[mechanism]
+#[body(a, y = 0, phi = 0)]
+#[body(b, y = 0, phi = 0)]
+#[body(pin, phi = 0)]
+#[distance(left: a @ (0, 0), pin @ (0, 0), length = l1)]
+#[distance(right: b @ (0, 0), pin @ (0, 0), length = l2)]
+#[driver(pull: a.x = a0 + a1 * sin(w1 * t + p1))]
+#[driver(push: b.x = b0 + b1 * sin(w2 * t + p2))]
+#[derive(Clone, Debug)]
+struct Carriages {
+    l1: f64,
+    l2: f64,
+    a0: f64,
+    a1: f64,
+    w1: f64,
+    p1: f64,
+    b0: f64,
+    b1: f64,
+    w2: f64,
+    p2: f64,
+}
+
+/// The same with an unknown of an iteration beside it.
+#[mechanism]
+#[body(a, y = 0, phi = 0)]
+#[body(b, y = 0, phi = 0)]
+#[body(pin, phi = 0)]
+#[coordinates(s)]
+#[distance(left: a @ (0, 0), pin @ (0, 0), length = l1)]
+#[distance(right: b @ (0, 0), pin @ (0, 0), length = l2)]
+#[driver(pull: a.x = a0 + a1 * sin(w1 * t + p1))]
+#[driver(push: b.x = b0 + b1 * sin(w2 * t + p2))]
+#[constraint(beside: s + 0.3 * sin(s) = t)]
+#[derive(Clone, Debug)]
+struct Beside {
+    l1: f64,
+    l2: f64,
+    a0: f64,
+    a1: f64,
+    w1: f64,
+    p1: f64,
+    b0: f64,
+    b1: f64,
+    w2: f64,
+    p2: f64,
+}
+
+/// A pin on two cylinders.
+#[mechanism]
+#[body(pin, phi = 0)]
+#[distance(left: ground @ (0, 0), pin @ (0, 0), length = a0 + a1 * sin(w1 * t + p1))]
+#[distance(right: ground @ (d, 0), pin @ (0, 0), length = b0 + b1 * sin(w2 * t + p2))]
+#[derive(Clone, Debug)]
+struct Struts {
+    d: f64,
+    a0: f64,
+    a1: f64,
+    w1: f64,
+    p1: f64,
+    b0: f64,
+    b1: f64,
+    w2: f64,
+    p2: f64,
+}
+
+/// A link between two sliders.
+#[mechanism]
+#[body(a, y = 0, phi = 0)]
+#[body(b, x = 0, phi = 0)]
+#[distance(link: a @ (0, 0), b @ (0, 0), length = l)]
+#[driver(pull: a.x = a0 + a1 * sin(w1 * t + p1))]
+#[derive(Clone, Debug)]
+struct Trammel {
+    l: f64,
+    a0: f64,
+    a1: f64,
+    w1: f64,
+    p1: f64,
+}
+
+/// A pin on two lines, one of which is turned by time.
+#[mechanism]
+#[body(pin, phi = 0)]
+#[constraint(turned: cos(a0 + a1 * sin(w1 * t + p1)) * pin.x + sin(a0 + a1 * sin(w1 * t + p1)) * pin.y = h)]
+#[constraint(still: pin.y = k * pin.x + 1)]
+#[derive(Clone, Debug)]
+struct Lines {
+    h: f64,
+    k: f64,
+    a0: f64,
+    a1: f64,
+    w1: f64,
+    p1: f64,
+}
+
+/// A quadratic equation, one root of which goes to infinity where the leading coefficient is 0.
+#[mechanism]
+#[body(pin, y = 0, phi = 0)]
+#[constraint(root: (a0 + a1 * sin(w1 * t + p1)) * pin.x * pin.x + b * pin.x = 1)]
+#[derive(Clone, Debug)]
+struct Root {
+    b: f64,
+    a0: f64,
+    a1: f64,
+    w1: f64,
+    p1: f64,
+}
+
+/// A circle and a line of any size, in numbers without a unit.
+#[mechanism]
+#[coordinates(a, u, v)]
+#[driver(shift: a = s * (a0 + a1 * sin(w1 * t + p1)))]
+#[constraint(circle: u * u + v * v = s * s)]
+#[constraint(line: u + v = a)]
+#[derive(Clone, Debug)]
+struct Numbers {
+    s: f64,
+    a0: f64,
+    a1: f64,
+    w1: f64,
+    p1: f64,
+}
+
+/// a0 + a1 sin(w t + p).
+#[derive(Clone, Copy)]
+struct Wave([f64; 4]);
+
+impl Wave {
+    fn random(random: &mut Random, middle: [f64; 2], most: f64) -> Self {
+        let fast = if random.chance(0.3) { 40.0 } else { 6.0 };
+        let mut of = |low: f64, high: f64| random.between(low, high);
+        Self([of(middle[0], middle[1]), of(0.0, most), of(0.2, fast), of(0.0, 6.0)])
+    }
+
+    fn at(self, t: f64, off: f64) -> Jet {
+        let Self([a0, a1, w, p]) = self;
+        (Jet::time(t) * (w * (1.0 + off)) + p).sin() * a1 + a0 * (1.0 + off)
+    }
+}
+
+/// The last instant.
+const END: f64 = 2.0;
+
+/// The first time at which a measure that is positive at the start becomes negative; `None` where it never does. Motions
+/// that start near such a time, or only touch it, are not drawn: the outer `None`.
+fn end(measure: impl Fn(f64) -> f64) -> Option<Option<f64>> {
+    const PLACES: u32 = 20_000;
+    let at = |k: u32| END * f64::from(k) / f64::from(PLACES);
+    let first = (0..=PLACES).find(|k| measure(at(*k)) < 0.0);
+    let until = first.unwrap_or(PLACES);
+    let values: Vec<f64> = (0..=until).map(|k| measure(at(k))).collect();
+    let touches = values.windows(3).any(|w| w[1] < 1e-2 && w[1] <= w[0] && w[1] <= w[2]);
+    if values[0] < 0.05 || touches {
+        return None;
+    }
+    let Some(first) = first else { return Some(None) };
+    let (mut low, mut high) = (at(first - 1), at(first));
+    for _ in 0..60 {
+        let middle = 0.5 * (low + high);
+        if measure(middle) > 0.0 { low = middle } else { high = middle }
+    }
+    Some(Some(low))
+}
+
+/// A mechanism, its motion, and the measure that is negative beyond its limit.
+struct Drawn<M> {
+    mechanism: M,
+    branch: Box<dyn Fn(f64, f64) -> Option<Vec<Jet>>>,
+    measure: Box<dyn Fn(f64) -> f64>,
+}
+
+/// The shares of all sweeps for families with dead centres, and with solutions at infinity, which full Newton approaches in
+/// many steps.
+const FOLDS: f64 = 0.15;
+const POLES: f64 = 0.015;
+
+fn obeys<M: Kinematics + Sync + Clone + Debug>(
+    family: &str,
+    (seed, share): (u64, f64),
+    draw: impl Fn(&mut Random) -> Drawn<M>,
+) {
+    let (mut random, mut tally, mut limits) = (Random::new(seed), Tally::default(), 0);
+    for _ in 0..motions(share) {
+        let (drawn, fold) = loop {
+            let drawn = draw(&mut random);
+            if let Some(fold) = end(&*drawn.measure) {
+                break (drawn, fold);
+            }
+        };
+        let count = [1, 2, 3, 5, 8, 13, 21, 40, 80][random.whole(0, 8)];
+        let times = (0..=count).map(|k| END * f64::from(k) / f64::from(count)).collect();
+        let Drawn { mechanism, branch, .. } = drawn;
+        let folds: Vec<f64> = fold.into_iter().collect();
+        limits += folds.len();
+        follow(&mut tally, &Group::new(times, vec![Case::new(mechanism, branch, [folds, vec![]], String::new())]));
+    }
+    assert!(limits > 0, "{family}: no motion has a limit");
+    tally.obeys(family);
+}
+
+/// The pin of two links from places on the x axis, and how far they are from their limits.
+fn pin([a, b]: [Jet; 2], [l1, l2]: [f64; 2]) -> Option<[Jet; 2]> {
+    let d = b - a;
+    let along = (d * d + (l1 * l1 - l2 * l2)) / (d * 2.0);
+    let square = -(along * along) + l1 * l1;
+    (square.x > 0.0).then(|| [a + along, square.sqrt()])
+}
+
+fn carriages(random: &mut Random) -> Drawn<Carriages> {
+    let [l1, l2] = [(); 2].map(|()| random.between(0.5, 1.5));
+    let waves @ [Wave([a0, a1, w1, p1]), Wave([b0, b1, w2, p2])] =
+        [Wave::random(random, [0.0, 0.0], 0.8), Wave::random(random, [0.3, 2.0], 0.8)];
+    let measure = move |t: f64| {
+        let [a, b] = waves.map(|wave| wave.at(t, 0.0).x);
+        f64::min(l1 + l2 - (b - a).abs(), (b - a).abs() - (l1 - l2).abs())
+    };
+    let branch = move |t: f64, off: f64| {
+        let [a, b] = waves.map(|wave| wave.at(t, off));
+        let [x, y] = pin([a, b], [l1, l2])?;
+        Some(vec![a, b, x, y])
+    };
+    let mechanism = Carriages { l1, l2, a0, a1, w1, p1, b0, b1, w2, p2 };
+    Drawn { mechanism, branch: Box::new(branch), measure: Box::new(measure) }
+}
+
+#[test]
+fn pins_on_links_from_carriages() {
+    obeys("carriages", (2001, FOLDS), carriages);
+}
+
+#[test]
+fn an_iteration_beside_carriages_changes_nothing() {
+    obeys("carriages beside an iteration", (2002, FOLDS), |random| {
+        let Drawn { mechanism, branch, measure } = carriages(random);
+        let Carriages { l1, l2, a0, a1, w1, p1, b0, b1, w2, p2 } = mechanism;
+        let beside = move |t: f64, off: f64| {
+            let mut q = branch(t, off)?;
+            let s = (0..60).fold(t, |s, _| s - (s + 0.3 * s.sin() - t) / (1.0 + 0.3 * s.cos()));
+            let slope = 1.0 / (1.0 + 0.3 * s.cos());
+            q.push(Jet::new(s, slope, 0.3 * s.sin() * slope * slope * slope));
+            Some(q)
+        };
+        let mechanism = Beside { l1, l2, a0, a1, w1, p1, b0, b1, w2, p2 };
+        Drawn { mechanism, branch: Box::new(beside), measure }
+    });
+}
+
+#[test]
+fn pins_on_cylinders() {
+    obeys("struts", (2003, FOLDS), |random| {
+        let waves @ [Wave([a0, a1, w1, p1]), Wave([b0, b1, w2, p2])] =
+            [(); 2].map(|()| Wave::random(random, [1.0, 1.0], 0.9));
+        let d = 1.0;
+        let measure = move |t: f64| {
+            let [a, b] = waves.map(|wave| wave.at(t, 0.0).x);
+            f64::min(a + b - d, d - (a - b).abs())
+        };
+        let branch = move |t: f64, off: f64| {
+            let [a, b] = waves.map(|wave| wave.at(t, off));
+            let x = (a * a - b * b + d * d) / (2.0 * d);
+            let square = a * a - x * x;
+            (square.x > 0.0).then(|| vec![x, square.sqrt()])
+        };
+        let mechanism = Struts { d, a0, a1, w1, p1, b0, b1, w2, p2 };
+        Drawn { mechanism, branch: Box::new(branch), measure: Box::new(measure) }
+    });
+}
+
+#[test]
+fn trammels() {
+    obeys("trammels", (2004, FOLDS), |random| {
+        let wave @ Wave([a0, a1, w1, p1]) = Wave::random(random, [-0.5, 0.5], 0.9);
+        let l = 1.0;
+        let branch = move |t: f64, off: f64| {
+            let a = wave.at(t, off);
+            let square = -(a * a) + l * l;
+            (square.x > 0.0).then(|| vec![a, square.sqrt()])
+        };
+        let measure = move |t: f64| l - wave.at(t, 0.0).x.abs();
+        let mechanism = Trammel { l, a0, a1, w1, p1 };
+        Drawn { mechanism, branch: Box::new(branch), measure: Box::new(measure) }
+    });
+}
+
+/// The pin goes to infinity where the lines become parallel.
+#[test]
+fn lines_that_time_turns() {
+    obeys("lines", (2005, POLES), |random| {
+        let wave @ Wave([a0, a1, w1, p1]) = Wave::random(random, [-1.0, 1.0], 1.0);
+        let (h, k) = (random.between(-0.8, 0.8), random.between(-1.0, 1.0));
+        let across = move |angle: Jet| angle.cos() + angle.sin() * k;
+        let sign = across(wave.at(0.0, 0.0)).x.signum();
+        let branch = move |t: f64, off: f64| {
+            let angle = wave.at(t, off);
+            let x = (-angle.sin() + h) / across(angle);
+            Some(vec![x, x * k + 1.0])
+        };
+        let measure = move |t: f64| sign * across(wave.at(t, 0.0)).x;
+        let mechanism = Lines { h, k, a0, a1, w1, p1 };
+        Drawn { mechanism, branch: Box::new(branch), measure: Box::new(measure) }
+    });
+}
+
+#[test]
+fn roots_of_quadratic_equations() {
+    for (seed, share, is_finite) in [(2006, FOLDS, true), (2007, POLES, false)] {
+        obeys("roots", (seed, share), move |random| {
+            let wave @ Wave([a0, a1, w1, p1]) = Wave::random(random, [0.1, 0.5], if is_finite { 0.8 } else { 1.5 });
+            let b = random.between(0.5, 1.5);
+            let branch = move |t: f64, off: f64| {
+                let a = wave.at(t, off);
+                let square = a * 4.0 + b * b;
+                let sum = (square.x > 0.0).then(|| square.sqrt() + b)?;
+                Some(vec![if is_finite { Jet::from(2.0) / sum } else { sum / (a * -2.0) }])
+            };
+            let measure = move |t: f64| {
+                let a = wave.at(t, 0.0).x;
+                if is_finite { b * b + 4.0 * a } else { a }
+            };
+            Drawn { mechanism: Root { b, a0, a1, w1, p1 }, branch: Box::new(branch), measure: Box::new(measure) }
+        });
+    }
+}
+
+#[test]
+fn numbers_of_any_size() {
+    obeys("numbers", (2008, FOLDS), |random| {
+        let wave @ Wave([a0, a1, w1, p1]) = Wave::random(random, [-1.0, 1.0], 1.5);
+        let s = [1e-4, 1e-3, 1e-2, 0.1, 1.0][random.whole(0, 4)];
+        let branch = move |t: f64, off: f64| {
+            let a = wave.at(t, off) * s;
+            let square = -(a * a) + 2.0 * s * s;
+            let root = (square.x > 0.0).then(|| square.sqrt())?;
+            Some(vec![a, (a + root) * 0.5, (a - root) * 0.5])
+        };
+        let measure = move |t: f64| f64::sqrt(2.0) - wave.at(t, 0.0).x.abs();
+        Drawn { mechanism: Numbers { s, a0, a1, w1, p1 }, branch: Box::new(branch), measure: Box::new(measure) }
+    });
+}
