@@ -1,21 +1,22 @@
-//! How fast the gradients of the rows of a group turn as one of its unknowns changes.
+//! How fast the gradients of the rows of a group turn as a coordinate changes.
 //!
 //! The steps of a motion are limited by the angle that bodies turn. Where a plan solves for lengths or for scalar
-//! coordinates, by iteration or in closed form, bodies may move far without turning, and on a wavy curve the direction of contact turns faster than the
-//! bodies. The factor w of such an unknown converts its change to radians:
+//! coordinates, by iteration or in closed form, bodies may move far without turning, and on a wavy curve the direction of
+//! contact turns faster than the bodies. The factor w of such a coordinate converts its change to radians:
 //!
 //! ```text
 //! w² = Σᵢ 1/ρᵢ²,   ρᵢ² = Σ_u Dᵢᵤ/Nᵢᵤ
 //! Dᵢᵤ = Σⱼ (∂fᵢ/∂xⱼ)²,   Nᵢᵤ = Σₖ Σⱼ (∂²fᵢ/∂xₖ∂xⱼ)²
 //! ```
 //!
-//! Here fᵢ are the residuals of an iteration, or the rows of a closed form none of whose unknowns is an angle; k counts the coordinates of the kind for which w is computed, j the unknowns
-//! of a kind u (kinds are lengths, angles, and every scalar by itself), so that ρ has the unit of xₖ whatever the other
-//! units are. The gradient of fᵢ turns by about 1/ρᵢ per unit of xₖ. For a cylinder from a fixed pin ρ is of the order
-//! of its length; for a single unknown 1/ρ is |f″/f′|, so that steps become shorter towards a limit. The sum over u
-//! comprises the kinds that occur in fᵢ; if Nᵢᵤ is identically 0 for one of them, ρᵢ is infinite and the row does not
-//! count. Where there is a curve or a closed form, coordinates that other steps of the plan give have such a factor, too: a
-//! cam that is driven turns the gradient of its contact, and a carriage that of a link. If a coordinate occurs in several groups, their squares are added.
+//! Here fᵢ are the residuals of an iteration, or the rows of a closed form none of whose unknowns is an angle; k counts
+//! the coordinates of the kind for which w is computed, j the unknowns of a kind u (kinds are lengths, angles, and every
+//! scalar by itself), so that ρ has the unit of xₖ whatever the other units are. The gradient of fᵢ turns by about 1/ρᵢ
+//! per unit of xₖ. For a cylinder from a fixed pin ρ is of the order of its length; for a single unknown 1/ρ is |f″/f′|,
+//! so that steps become shorter towards a limit. The sum over u comprises the kinds that occur in fᵢ; if Nᵢᵤ is
+//! identically 0 for one of them, ρᵢ is infinite and the row does not count. Where there is a curve or a closed form,
+//! coordinates that other steps of the plan give have such a factor, too: a cam that is driven turns the gradient of its
+//! contact, and a carriage that of a link. If a coordinate occurs in several groups, their squares are added.
 
 use super::closures::LEAST;
 use super::tree::{Block, Core, Part, SolutionMethod};
@@ -52,8 +53,8 @@ struct Found {
     iterates: bool,
 }
 
-/// w of all coordinates at a configuration. It is 0 for coordinates that do not occur in an iteration, and for angles
-/// unless the group has a curve; empty where it is 0 for all coordinates.
+/// w of all coordinates at a configuration. It is 0 for coordinates that turn no gradient, and for angles unless the group
+/// has a curve.
 pub(super) fn turns(graph: &mut Graph, tree: &Block, coordinates: &[Coordinate]) -> Turns {
     let mut found = Found::default();
     of_block(graph, tree, coordinates, &mut found);
