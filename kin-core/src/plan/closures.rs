@@ -197,6 +197,33 @@ fn signed_root(graph: &mut Graph, mode: ExprId, inside: ExprId) -> ExprId {
     graph.whole(w)
 }
 
+/// `size` plus `TERM_WEIGHT` times the squared terms of `off`, the distance of the common chord of two circles from the
+/// centre of the first. With the centres d apart, and with e, the product of the numbers in the places of e of both circles,
+/// |n| = 2 e d and
+///
+/// ```text
+/// off = e (r₂² − r₁² − d²) = e (r₂² − r₁²) − n²/(4 e),
+/// ```
+///
+/// whose terms do not depend on where the circles are. The terms of `off` as it is computed grow with the square of the
+/// distance from the origin; they count with the square of the weight, so that they are the larger only where this distance
+/// costs more digits than that of two nearly concentric circles may.
+fn with_squared_terms_of_circles(graph: &mut Graph, size: ExprId, [e, radius, n2, off]: [ExprId; 4]) -> ExprId {
+    let (share, quarter, least) = (graph.number(TERM_WEIGHT), graph.number(0.25), graph.number(LEAST));
+    let first = graph.mul(e, radius);
+    let between = graph.div(n2, e);
+    let between = graph.mul(quarter, between);
+    // r₂² differs from r₁² by the other terms.
+    let own = [first, between, off].map(|term| graph.square(term));
+    let own = own.into_iter().reduce(|a, b| graph.add(a, b)).unwrap_or(least);
+    let written = sum_of_squared_terms(graph, off, 8);
+    let written = graph.mul(share, written);
+    let terms = graph.add(own, written);
+    let terms = graph.mul(share, terms);
+    let terms = graph.add(terms, least);
+    graph.add(size, terms)
+}
+
 /// `size` plus `TERM_WEIGHT` times the squared terms of `parts`; never 0.
 fn with_squared_terms(graph: &mut Graph, size: ExprId, parts: &[ExprId]) -> ExprId {
     let (mut terms, share, least) = (graph.zero(), graph.number(TERM_WEIGHT), graph.number(LEAST));
@@ -239,8 +266,10 @@ pub(super) fn quadratic(graph: &mut Graph, mode: ExprId, [a, b, c]: [ExprId; 3])
     let size = graph.add(size, least);
     let margin = graph.div(inside, size);
     if graph.is_zero(h) {
+        // Both roots go to infinity with 1/√a.
         let w = signed_root(graph, mode, inside);
-        return (graph.div(w, a), margin);
+        let share = share_of_leading(graph, a);
+        return (graph.div(w, a), share.map_or(margin, |share| graph.mul(margin, share)));
     }
     let sign = graph.sign(h);
     let w = signed_root(graph, sign, inside);
@@ -254,19 +283,31 @@ pub(super) fn quadratic(graph: &mut Graph, mode: ExprId, [a, b, c]: [ExprId; 3])
     let (top, bottom) = (graph.plain_dot([first, second], [c, t]), graph.plain_dot([first, second], [t, a]));
     let x = graph.div(top, bottom);
     let x = graph.neg(x);
-    if graph.literal(a).is_some() {
-        return (x, margin);
-    }
-    let a2 = graph.square(a);
-    let whole = with_squared_terms(graph, a2, &[a]);
-    let share = graph.div(a2, whole);
+    let Some(share) = share_of_leading(graph, a) else { return (x, margin) };
     let share = graph.mul(second, share);
     let stays = graph.add(first, share);
     (x, graph.mul(margin, stays))
 }
 
-/// Intersects a circle e(x² + y²) + l·(x, y) + k = 0 with a line n·(x, y) + m = 0: x and y, and the margin.
-pub(super) fn circle(graph: &mut Graph, mode: ExprId, [e, lx, ly, k, nx, ny, m]: [ExprId; 7]) -> ([ExprId; 2], ExprId) {
+/// The square of the leading coefficient of a quadratic equation relative to the square and the squared terms of it, which
+/// goes to 0 with the coefficient; `None` for a literal.
+fn share_of_leading(graph: &mut Graph, a: ExprId) -> Option<ExprId> {
+    if graph.literal(a).is_some() {
+        return None;
+    }
+    let a2 = graph.square(a);
+    let whole = with_squared_terms(graph, a2, &[a]);
+    Some(graph.div(a2, whole))
+}
+
+/// Intersects a circle e(x² + y²) + l·(x, y) + k = 0 with a line n·(x, y) + m = 0: x and y, and the margin. If the
+/// line is the common chord of two circles, `second` is the number in the place of e of the second one.
+pub(super) fn circle(
+    graph: &mut Graph,
+    mode: ExprId,
+    [e, lx, ly, k, nx, ny, m]: [ExprId; 7],
+    second: Option<ExprId>,
+) -> ([ExprId; 2], ExprId) {
     let ([x0, y0], radius) = centre_and_square(graph, e, [lx, ly], k);
     // The signed distance of the line from the centre and half the chord, both multiplied by |n|.
     let (off, n2) = (graph.plain_dot([nx, ny], [x0, y0]), graph.plain_dot([nx, ny], [nx, ny]));
@@ -279,7 +320,13 @@ pub(super) fn circle(graph: &mut Graph, mode: ExprId, [e, lx, ly, k, nx, ny, m]:
     let at = [graph.sub(x0, dx), graph.add(y0, dy)];
     // For concentric circles n is 0, and there is no line.
     let size = graph.call(Function::Abs, full);
-    let size = with_squared_terms(graph, size, &[off]);
+    let size = match second {
+        Some(f) => {
+            let e = graph.mul(e, f);
+            with_squared_terms_of_circles(graph, size, [e, radius, n2, off])
+        }
+        None => with_squared_terms(graph, size, &[off]),
+    };
     (at, graph.div(inside, size))
 }
 

@@ -223,12 +223,13 @@ impl Build<'_> {
                 self.write(Slot::Margin(place), margin);
                 self.record_solution(k, value, None);
             }
-            SolutionMethod::Circle { e, l, k, n, m, .. } => {
+            SolutionMethod::Circle { e, l, k, n, m, second } => {
                 let at = [core.coordinates[0], core.coordinates[1]];
                 let value = circle_branch_value(&mut self.graph, at, [*e, l[0], l[1], *k, n[0], n[1]]);
                 let (mode, place) = self.closure(step, value);
                 let known = [*e, l[0], l[1], *k, n[0], n[1], *m].map(|e| self.known_value(e));
-                let ([x, y], margin) = closures::circle(&mut self.graph, mode, known);
+                let second = second.map(|f| self.known_value(f));
+                let ([x, y], margin) = closures::circle(&mut self.graph, mode, known, second);
                 self.write(Slot::Margin(place), margin);
                 self.record_solution(at[0], x, None);
                 self.record_solution(at[1], y, None);

@@ -13,8 +13,8 @@ use std::collections::BTreeSet;
 /// The letters of a core of two rows, which intersects two circles or a circle and a line.
 pub(super) fn letters_of_method(method: &SolutionMethod) -> Option<&'static str> {
     match method {
-        SolutionMethod::Circle { of_two: true, .. } => Some("RRR"),
-        SolutionMethod::Circle { of_two: false, .. } => Some("RRP"),
+        SolutionMethod::Circle { second: Some(_), .. } => Some("RRR"),
+        SolutionMethod::Circle { second: None, .. } => Some("RRP"),
         _ => None,
     }
 }

@@ -88,7 +88,7 @@ fn circle(reader: &mut Reader<'_>, forms: [&Form; 2], [x, y]: [u32; 2]) -> Optio
     let zero = reader.graph.zero();
     let ((e, l, k), (f, n, m)) = if first.0 == zero { (second, first) } else { (first, second) };
     if f == zero {
-        return Some(SolutionMethod::Circle { e, l, k, n, m, of_two: false });
+        return Some(SolutionMethod::Circle { e, l, k, n, m, second: None });
     }
     // The common chord of the two circles: e times the second equation minus f times the first.
     let graph = &mut *reader.graph;
@@ -97,5 +97,5 @@ fn circle(reader: &mut Reader<'_>, forms: [&Form; 2], [x, y]: [u32; 2]) -> Optio
         graph.sub(a, b)
     };
     let (n, m) = ([less(n[0], l[0]), less(n[1], l[1])], less(m, k));
-    Some(SolutionMethod::Circle { e, l, k, n, m, of_two: true })
+    Some(SolutionMethod::Circle { e, l, k, n, m, second: Some(f) })
 }

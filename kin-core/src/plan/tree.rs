@@ -97,9 +97,9 @@ pub(super) enum SolutionMethod {
     Angle { times: i32, a: ExprId, b: ExprId, c: ExprId },
     /// a x² + b x + c = 0.
     Quadratic { a: ExprId, b: ExprId, c: ExprId },
-    /// A circle e(x² + y²) + l·(x, y) + k = 0 and a line n·(x, y) + m = 0. If `of_two` is set, the line is the common
-    /// chord of two circles.
-    Circle { e: ExprId, l: [ExprId; 2], k: ExprId, n: [ExprId; 2], m: ExprId, of_two: bool },
+    /// A circle e(x² + y²) + l·(x, y) + k = 0 and a line n·(x, y) + m = 0. If there is a `second` circle, which has this
+    /// number in the place of e, the line is the common chord of both.
+    Circle { e: ExprId, l: [ExprId; 2], k: ExprId, n: [ExprId; 2], m: ExprId, second: Option<ExprId> },
     /// Residuals that Newton's iteration brings to zero.
     Newton { residuals: Vec<ExprId> },
 }

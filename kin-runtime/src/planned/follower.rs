@@ -7,6 +7,7 @@
 use super::branch::Branch;
 use super::lists::{Distances, Margins, Modes};
 use crate::mechanism::Mechanism;
+use crate::model::{CoordinateKind, Model};
 use crate::plan::{PlanStep, StepKind};
 use crate::signal::{Instant, Signal};
 use crate::workspace::Array;
@@ -89,6 +90,8 @@ pub(crate) struct PlanFollower<M: Mechanism> {
     pub(super) turns: M::Coordinates<f64>,
     /// See [`rows_turn_alone`].
     pub(super) rows_turn_alone: bool,
+    /// Whether there are scalar coordinates, whose weights change with their values.
+    has_scalars: bool,
     /// Whether a group may change the sign of its determinant although the turns of bodies do not bring it near its
     /// limit.
     pub(super) watches_signs: bool,
@@ -129,6 +132,11 @@ pub(crate) fn rows_turn_alone<M: Mechanism>() -> bool {
     M::ROWS_TURN || M::CLOSED_ROWS_TURN || model.plan.steps.iter().any(iterates_others)
 }
 
+/// Whether there are scalar coordinates.
+pub(crate) fn has_scalars(model: &Model) -> bool {
+    model.coordinates.iter().any(|coordinate| coordinate.kind == CoordinateKind::Scalar)
+}
+
 impl<M: Mechanism> PlanFollower<M> {
     /// A follower without any state.
     pub(super) fn empty(parameters: M::Parameters<f64>, t: f64) -> Self {
@@ -149,6 +157,7 @@ impl<M: Mechanism> PlanFollower<M> {
             weights: zeros,
             turns: zeros,
             rows_turn_alone: rows_turn_alone::<M>(),
+            has_scalars: has_scalars(M::model()),
             watches_signs: rows_turn_alone::<M>() || M::model().plan.has_poles(),
             q_at_limit: None,
         }
@@ -186,12 +195,15 @@ impl<M: Mechanism> PlanFollower<M> {
         self.keep_inputs(at.inputs);
     }
 
-    /// Computes `turns` at a configuration, if they are used.
+    /// Computes `turns` at a configuration, if they are used, and the weights of scalars.
     #[inline]
     pub(super) fn measure_turns(&mut self, mechanism: &M, at: &Instant<'_>, q: &M::Coordinates<f64>) {
         if self.rows_turn_alone {
             let turns = mechanism.turns_with(self.parameters.as_ref(), at, q.as_ref(), self.turns.as_mut());
             debug_assert!(turns.is_ok(), "q and turns have n numbers");
+        }
+        if self.has_scalars {
+            super::predict::weights(M::model(), q.as_ref(), self.weights.as_mut());
         }
     }
 

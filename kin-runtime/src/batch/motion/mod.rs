@@ -11,7 +11,7 @@ use super::end::{End, Outcome};
 use crate::mechanism::Mechanism;
 use crate::plan::{Depth, Plan};
 use crate::planned::branch::{FAR_FROM_LIMITS, OUT_OF_REACH, certainty_of, resolves};
-use crate::planned::follower::{Control, NEGLIGIBLE, PlanFollower, rows_turn_alone};
+use crate::planned::follower::{Control, NEGLIGIBLE, PlanFollower, has_scalars, rows_turn_alone};
 use crate::planned::lists::{BranchValues, Distances, Margins, Modes};
 use crate::planned::passed::CLOSE;
 use crate::planned::predict::{parabola, turned, weights};
@@ -41,6 +41,8 @@ pub(super) struct Motion<M: Mechanism> {
     /// The angles by which the gradients of rows turn per unit of each coordinate; used if `rows_turn_alone`.
     turns: M::Coordinates<Octet>,
     rows_turn_alone: bool,
+    /// Whether there are scalar coordinates, whose weights change with their values.
+    has_scalars: bool,
 }
 
 /// For every set without a solution the margin to report, and the step of the plan that is the reason, if there is one.
@@ -64,6 +66,7 @@ impl<M: Mechanism> Motion<M> {
             weights: Array::generate(nothing),
             turns: Array::generate(nothing),
             rows_turn_alone: rows_turn_alone::<M>(),
+            has_scalars: has_scalars(M::model()),
         }
     }
 
@@ -207,6 +210,9 @@ impl<M: Mechanism> Motion<M> {
             let q = self.poses[self.good].q;
             let turns = mechanism.turns_with(self.parameters.as_ref(), at, q.as_ref(), self.turns.as_mut());
             debug_assert!(turns.is_ok(), "q and turns have n numbers");
+        }
+        if self.has_scalars {
+            weights(M::model(), self.poses[self.good].q.as_ref(), self.weights.as_mut());
         }
     }
 

@@ -152,7 +152,7 @@ impl<M: Mechanism> PlanFollower<M> {
         at: &Instant<'_>,
         control: &Control,
     ) -> Result<(), PlanError> {
-        let kept = (self.branch, self.turns);
+        let kept = (self.branch, self.turns, self.weights);
         match self.walk(mechanism, course, at, control) {
             Ok(()) => {
                 let nearest = self.measure();
@@ -163,7 +163,7 @@ impl<M: Mechanism> PlanFollower<M> {
             }
             Err(blocked) => {
                 let error = self.refusal(mechanism, course, at, &blocked);
-                (self.branch, self.turns) = kept;
+                (self.branch, self.turns, self.weights) = kept;
                 self.t_before = f64::NAN;
                 Err(error)
             }

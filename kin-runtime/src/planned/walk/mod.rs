@@ -79,10 +79,8 @@ impl<M: Mechanism> PlanFollower<M> {
                     self.branch.distances = self.distances;
                     nearest = self.measure();
                     s = next;
-                    if self.rows_turn_alone {
-                        let t = course.at(s, inputs.as_mut());
-                        self.measure_turns(mechanism, &Instant { t, inputs: inputs.as_ref() }, &here.q);
-                    }
+                    let t = course.at(s, inputs.as_mut());
+                    self.measure_turns(mechanism, &Instant { t, inputs: inputs.as_ref() }, &here.q);
                     // A step cut short by the end is no reason to reduce the longer step proposed before.
                     proposed = if share <= 2.0 { proposed.max(growth * walked) } else { growth * walked };
                 }
