@@ -140,23 +140,111 @@ fn a_pin_in_a_slot_does_not_pass_infinity() {
     }
 }
 
-/// Scalars count as angles, so that no step is short enough on the way to infinity.
+/// Three equations with a determinant that changes its sign.
+#[mechanism]
+#[coordinates(u, v, w)]
+#[constraint(first: u + (a0 + a1 * t) * v = 1)]
+#[constraint(second: v + b0 * w = 1)]
+#[constraint(third: w + c0 * u = 1)]
+struct Linear {
+    a0: f64,
+    a1: f64,
+    b0: f64,
+    c0: f64,
+}
+
+/// a x² + b x = c, where a changes its sign; without b, too.
+#[mechanism]
+#[coordinates(x)]
+#[constraint(square: (a0 + a1 * t) * x * x + b * x = c)]
+#[guess(x = start)]
+struct Root {
+    a0: f64,
+    a1: f64,
+    b: f64,
+    c: f64,
+    start: f64,
+}
+
+#[mechanism]
+#[coordinates(x)]
+#[constraint(square: (a0 + a1 * t) * x * x = c + t)]
+#[guess(x = 1)]
+struct Square {
+    a0: f64,
+    a1: f64,
+    c: f64,
+}
+
+/// Scalars are measured by their own size, so that steps on the way to infinity become shorter with the rest of the way
+/// only.
 #[test]
-fn reciprocals_do_not_pass_infinity() {
+fn scalars_do_not_pass_infinity() {
     fn ends<M: Kinematics>(mechanism: &M, pole: f64) {
-        for count in [1_u32, 20] {
+        let name = M::model().name;
+        for count in [1_u32, 7, 20] {
             let times: Vec<f64> = (0..=count).map(|k| 1.4042 * pole / f64::from(count) * f64::from(k)).collect();
             let last = times.iter().take_while(|t| **t < pole).count();
             let error = mechanism.solver().sweep(&times).expect_err("a pole");
-            assert!(error.trajectory.states.len() <= last, "{}", error.source);
+            let states = error.trajectory.states.len();
+            assert!(states <= last && states + 1 >= last, "{name}: {}", error.source);
             let mut planned = mechanism.solver().planned(&Instant::at(0.0)).expect("it closes");
-            let refused = times[1..=last].iter().position(|&t| planned.at(&Instant::at(t)).is_err());
-            assert!(refused.is_some(), "{count}: {:?}", planned.q());
+            let refused = times[1..=last].iter().find_map(|&t| planned.at(&Instant::at(t)).err()).expect("a pole");
+            let is = |limit: Option<&Limit>, words: &dyn std::fmt::Display| {
+                let at = limit.and_then(Limit::at).unwrap_or(f64::NAN);
+                assert!((at - pole).abs() < 2e-9 * pole.abs(), "{name}: {words}, not at {pole}: {at}");
+                assert_eq!(Some(LimitKind::Pole), limit.and_then(Limit::kind), "{name}: {words}");
+            };
+            is(refused.limit(), &refused);
+            match (error.source.limit(), &error.source) {
+                // An instant just before the pole is singular by the condition of Φ_q.
+                (None, SolveError::Singular { t, .. }) => assert!((t - pole).abs() < 1e-2 * pole, "{name}"),
+                (limit, source) => is(limit, source),
+            }
         }
     }
     let (w, start, speed) = (2.0, 1.0, -0.3);
     ends(&Reciprocal { w, start, speed }, -start / speed);
     ends(&Behind { w, start, speed }, -start / speed);
+    // The determinant is 1 + a b c.
+    ends(&Linear { a0: -1.0, a1: -2.0, b0: 0.8, c0: 0.5 }, 0.75);
+    ends(&Linear { a0: -1.0, a1: -2.0, b0: 800.0, c0: 0.5e-3 }, 0.75);
+    for size in [1e-3, 1.0, 1e3] {
+        // The root that goes to infinity is the one of the other sign than c/b.
+        let (a0, a1, b, start) = (0.4 / size, -0.3 / size, 1.0, -10.0 * size);
+        ends(&Root { a0, a1, b, c: size, start }, 4.0 / 3.0);
+    }
+    ends(&Square { a0: 0.4, a1: -0.3, c: 0.7 }, 4.0 / 3.0);
+}
+
+/// A link between sliders beside a number of any size.
+#[mechanism]
+#[body(a, y = 0, phi = 0)]
+#[body(b, x = 0, phi = 0)]
+#[coordinates(z)]
+#[distance(link: a @ (0, 0), b @ (0, 0), length = 1)]
+#[driver(pull: a.x = 0.5 * t)]
+#[constraint(large: z = k * t)]
+#[guess(b.y = 1)]
+struct Large {
+    k: f64,
+}
+
+/// A number in a small unit does not make every step short.
+#[test]
+fn a_large_scalar_is_followed() {
+    for k in [1.0, -1e3, 1e6, 1e9] {
+        let large = Large { k };
+        let swept = large.solver().sweep(&[-1.0, 0.0, 1.0]).expect("it closes");
+        let mut planned = large.solver().planned(&Instant::at(-1.0)).expect("it closes");
+        for state in &swept.states {
+            planned.at(&Instant::at(state.t)).expect("it closes");
+            for q in [&state.q[..], planned.q()] {
+                assert!((q[2] - k * state.t).abs() <= 1e-12 * k.abs(), "{k}: {q:?}");
+                assert!((q[1] - (1.0 - 0.25 * state.t * state.t).sqrt()).abs() < 1e-12, "{k}: {q:?}");
+            }
+        }
+    }
 }
 
 /// A slot that swings past the line's direction and back: two poles, 2 acos(1 + p/b)/w apart.

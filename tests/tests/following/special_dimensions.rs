@@ -137,3 +137,35 @@ fn linear_systems_hold_in_any_units() {
     let [p, q, u, v, w, s] = [1.0, 0.5, 0.0, 1.0, 0.5, 0.0];
     assert!(Scalars { p, q, u, v, w, s }.solver().planned(&Instant::at(0.0)).is_err());
 }
+
+/// A pin on two links of 1 m, one of which is pinned to a carriage.
+#[mechanism]
+#[body(a, phi = 0, y = oy)]
+#[body(pin, phi = 0)]
+#[driver(pull: a.x - ox = 1 + 0.1 * t)]
+#[distance(first: a @ (0, 0), pin @ (0, 0), length = 1)]
+#[distance(second: ground @ (ox, oy), pin @ (0, 0), length = 1)]
+#[guess(pin.x = ox + 0.5, pin.y = oy + 1)]
+struct TwoCircles {
+    ox: f64,
+    oy: f64,
+}
+
+/// Two circles are regular wherever they are; near 1000 lengths from the origin five digits are lost.
+#[test]
+fn two_circles_are_regular_far_from_the_origin() {
+    for ox in [0.0, 30.0, -100.0, 1000.0] {
+        let circles = TwoCircles { ox, oy: 0.7 * ox };
+        let swept = circles.solver().sweep(&[0.0, 2.0, 4.0]).expect("it closes");
+        let mut planned = circles.solver().planned(&Instant::at(0.0)).expect("it closes");
+        for state in &swept.states {
+            planned.at(&Instant::at(state.t)).expect("it closes");
+            let half = 0.5 + 0.05 * state.t;
+            let right = [ox + half, 0.7 * ox + (1.0 - half * half).sqrt()];
+            for q in [&state.q[..], planned.q()] {
+                let off = (q[1] - right[0]).abs().max((q[2] - right[1]).abs());
+                assert!(off < 1e-9, "{ox}: {off:e}");
+            }
+        }
+    }
+}

@@ -238,8 +238,8 @@ impl<M: Mechanism> PlanFollower<M> {
     }
 
     /// The reason why no step from `here` is short enough: a group beside its limit or, if `share`, the length of a step
-    /// by the rates relative to the rest of the course, is so small that rates grow without bound, the first iterated
-    /// group with such rates. (The distance of an iteration of one unknown may stay large up to its limit.)
+    /// by the rates relative to the rest of the course, is so small that rates grow without bound, the first group
+    /// with a determinant that has such rates. (The distance of an iteration of one unknown may stay large up to its limit.)
     fn standstill(&self, here: &PlanSolution<M>, share: f64) -> Fault {
         let distances = self.branch.distances.as_ref();
         let group = place_of_least(distances);
@@ -250,17 +250,18 @@ impl<M: Mechanism> PlanFollower<M> {
         unbounded.map_or(Fault::Coarse, Fault::Group)
     }
 
-    /// The first iterated group whose unknowns have about the largest rates of all coordinates, in radians.
+    /// The first group with a determinant whose unknowns have about the largest rates of all coordinates, in radians.
     fn first_of_largest_rate(&self, here: &PlanSolution<M>) -> Option<usize> {
         let plan = &M::model().plan;
         let turns = if self.rows_turn_alone { self.turns.as_ref() } else { &[] };
         let rate = |k: usize| turning(M::model(), turns, here.q_dot.as_ref(), k);
         let largest = largest_angle(M::model(), turns, here.q_dot.as_ref());
-        let has_it = |step: &PlanStep| match step.kind {
-            StepKind::Newton(unknowns) => {
-                step.coordinates.iter().take(unknowns).any(|&(k, _)| rate(k) >= 0.1 * largest)
-            }
-            _ => false,
+        let has_it = |step: &PlanStep| {
+            let unknowns = match step.kind {
+                StepKind::Newton(unknowns) => unknowns,
+                _ => step.coordinates.len(),
+            };
+            step.coordinates.iter().take(unknowns).any(|&(k, _)| rate(k) >= 0.1 * largest)
         };
         let found = plan.orientations.iter().position(|group| plan.steps.get(group.step).is_some_and(has_it));
         found.map(|iterated| plan.modes.len() + iterated)
