@@ -264,7 +264,7 @@ impl<M: Mechanism> PlanFollower<M> {
             step.coordinates.iter().take(unknowns).any(|&(k, _)| rate(k) >= 0.1 * largest)
         };
         let found = plan.orientations.iter().position(|group| plan.steps.get(group.step).is_some_and(has_it));
-        found.map(|iterated| plan.modes.len() + iterated)
+        found.map(|oriented| plan.modes.len() + oriented)
     }
 
     /// The group of the trial state that is nearest to its limit.
