@@ -200,7 +200,7 @@ impl<M: Mechanism> PlanFollower<M> {
     /// Solves at an instant that is unrelated to the last one.
     fn solve_anew(&mut self, mechanism: &M, at: &Instant<'_>) -> Result<(), PlanError> {
         self.q_at_limit = None;
-        let kept = (self.branch.modes, self.turns);
+        let kept = (self.branch.modes, self.turns, self.weights);
         let good = self.solve_in_modes(mechanism, at)? || self.retry_in_other_modes(mechanism, at)?;
         if !good {
             self.t_before = f64::NAN;
@@ -212,7 +212,7 @@ impl<M: Mechanism> PlanFollower<M> {
         self.measure_turns(mechanism, at, &q);
         if self.is_blurred(mechanism, at) {
             let error = self.explain_blurred(mechanism, at);
-            (self.branch.modes, self.turns) = kept;
+            (self.branch.modes, self.turns, self.weights) = kept;
             return Err(error);
         }
         if !plan.orientations.is_empty() {
