@@ -44,11 +44,12 @@ use follower::{Control, PlanFollower};
 ///
 /// and the plan solves from there, with angles within half a turn of the prediction. A *group* is the set of bodies
 /// that one step of the plan places, a dyad for example; it is at its *limit* where two of its closures meet. A step of
-/// the motion is accepted if no body turns by more than 0.3 rad, the solution is near the prediction, and every group
-/// that closes in two ways, is solved by iteration, or is a linear system that may be singular, is either too far from
-/// its limit to have reached it or at the predicted distance from it. Otherwise the motion to the instant is divided
-/// into shorter steps, in which the inputs change as described at [`Tracker`](crate::Tracker). So instants may be far
-/// apart, in either direction of time; the nearer they are, the fewer steps are needed.
+/// the motion is accepted if no body turns by more than 0.3 rad, nor the gradient of a row that is solved for lengths or
+/// scalars, no scalar s changes by more than 0.3 (1 + |s|), the solution is near the prediction, and every group that
+/// closes in two ways, is solved by iteration, or is a linear system that may be singular, is either too far from its
+/// limit to have reached it or at the predicted distance from it. Otherwise the motion to the instant is divided into
+/// shorter steps, in which the inputs change as described at [`Tracker`](crate::Tracker). So instants may be far apart,
+/// in either direction of time; the nearer they are, the fewer steps are needed.
 ///
 /// Where a group reaches its limit on the way – a dead centre, or a crossing of two branches of the motion – the result
 /// is [`PlanError::Limit`] with the location of the limit, even if the group could close again at the instant

@@ -16,22 +16,15 @@ use std::fmt::Debug;
 #[body(a, y = 0, phi = 0)]
 #[body(b, y = 0, phi = 0)]
 #[body(pin, phi = 0)]
-#[distance(left: a @ (0, 0), pin @ (0, 0), length = l1)]
-#[distance(right: b @ (0, 0), pin @ (0, 0), length = l2)]
-#[driver(pull: a.x = a0 + a1 * sin(w1 * t + p1))]
-#[driver(push: b.x = b0 + b1 * sin(w2 * t + p2))]
+#[distance(left: a @ (0, 0), pin @ (0, 0), length = l[0])]
+#[distance(right: b @ (0, 0), pin @ (0, 0), length = l[1])]
+#[driver(pull: a.x = first[0] + first[1] * sin(first[2] * t + first[3]))]
+#[driver(push: b.x = other[0] + other[1] * sin(other[2] * t + other[3]))]
 #[derive(Clone, Debug)]
 struct Carriages {
-    l1: f64,
-    l2: f64,
-    a0: f64,
-    a1: f64,
-    w1: f64,
-    p1: f64,
-    b0: f64,
-    b1: f64,
-    w2: f64,
-    p2: f64,
+    l: [f64; 2],
+    first: [f64; 4],
+    other: [f64; 4],
 }
 
 /// The same with an unknown of an iteration beside it.
@@ -40,41 +33,28 @@ struct Carriages {
 #[body(b, y = 0, phi = 0)]
 #[body(pin, phi = 0)]
 #[coordinates(s)]
-#[distance(left: a @ (0, 0), pin @ (0, 0), length = l1)]
-#[distance(right: b @ (0, 0), pin @ (0, 0), length = l2)]
-#[driver(pull: a.x = a0 + a1 * sin(w1 * t + p1))]
-#[driver(push: b.x = b0 + b1 * sin(w2 * t + p2))]
+#[distance(left: a @ (0, 0), pin @ (0, 0), length = l[0])]
+#[distance(right: b @ (0, 0), pin @ (0, 0), length = l[1])]
+#[driver(pull: a.x = first[0] + first[1] * sin(first[2] * t + first[3]))]
+#[driver(push: b.x = other[0] + other[1] * sin(other[2] * t + other[3]))]
 #[constraint(beside: s + 0.3 * sin(s) = t)]
 #[derive(Clone, Debug)]
 struct Beside {
-    l1: f64,
-    l2: f64,
-    a0: f64,
-    a1: f64,
-    w1: f64,
-    p1: f64,
-    b0: f64,
-    b1: f64,
-    w2: f64,
-    p2: f64,
+    l: [f64; 2],
+    first: [f64; 4],
+    other: [f64; 4],
 }
 
 /// A pin on two cylinders.
 #[mechanism]
 #[body(pin, phi = 0)]
-#[distance(left: ground @ (0, 0), pin @ (0, 0), length = a0 + a1 * sin(w1 * t + p1))]
-#[distance(right: ground @ (d, 0), pin @ (0, 0), length = b0 + b1 * sin(w2 * t + p2))]
+#[distance(left: ground @ (0, 0), pin @ (0, 0), length = first[0] + first[1] * sin(first[2] * t + first[3]))]
+#[distance(right: ground @ (d, 0), pin @ (0, 0), length = other[0] + other[1] * sin(other[2] * t + other[3]))]
 #[derive(Clone, Debug)]
 struct Struts {
     d: f64,
-    a0: f64,
-    a1: f64,
-    w1: f64,
-    p1: f64,
-    b0: f64,
-    b1: f64,
-    w2: f64,
-    p2: f64,
+    first: [f64; 4],
+    other: [f64; 4],
 }
 
 /// A link between two sliders.
@@ -82,57 +62,45 @@ struct Struts {
 #[body(a, y = 0, phi = 0)]
 #[body(b, x = 0, phi = 0)]
 #[distance(link: a @ (0, 0), b @ (0, 0), length = l)]
-#[driver(pull: a.x = a0 + a1 * sin(w1 * t + p1))]
+#[driver(pull: a.x = first[0] + first[1] * sin(first[2] * t + first[3]))]
 #[derive(Clone, Debug)]
 struct Trammel {
     l: f64,
-    a0: f64,
-    a1: f64,
-    w1: f64,
-    p1: f64,
+    first: [f64; 4],
 }
 
 /// A pin on two lines, one of which is turned by time.
 #[mechanism]
 #[body(pin, phi = 0)]
-#[constraint(turned: cos(a0 + a1 * sin(w1 * t + p1)) * pin.x + sin(a0 + a1 * sin(w1 * t + p1)) * pin.y = h)]
+#[constraint(turned: cos(first[0] + first[1] * sin(first[2] * t + first[3])) * pin.x + sin(first[0] + first[1] * sin(first[2] * t + first[3])) * pin.y = h)]
 #[constraint(still: pin.y = k * pin.x + 1)]
 #[derive(Clone, Debug)]
 struct Lines {
     h: f64,
     k: f64,
-    a0: f64,
-    a1: f64,
-    w1: f64,
-    p1: f64,
+    first: [f64; 4],
 }
 
 /// A quadratic equation, one root of which goes to infinity where the leading coefficient is 0.
 #[mechanism]
 #[body(pin, y = 0, phi = 0)]
-#[constraint(root: (a0 + a1 * sin(w1 * t + p1)) * pin.x * pin.x + b * pin.x = 1)]
+#[constraint(root: (first[0] + first[1] * sin(first[2] * t + first[3])) * pin.x * pin.x + b * pin.x = 1)]
 #[derive(Clone, Debug)]
 struct Root {
     b: f64,
-    a0: f64,
-    a1: f64,
-    w1: f64,
-    p1: f64,
+    first: [f64; 4],
 }
 
 /// A circle and a line of any size, in numbers without a unit.
 #[mechanism]
 #[coordinates(a, u, v)]
-#[driver(shift: a = s * (a0 + a1 * sin(w1 * t + p1)))]
+#[driver(shift: a = s * (first[0] + first[1] * sin(first[2] * t + first[3])))]
 #[constraint(circle: u * u + v * v = s * s)]
 #[constraint(line: u + v = a)]
 #[derive(Clone, Debug)]
 struct Numbers {
     s: f64,
-    a0: f64,
-    a1: f64,
-    w1: f64,
-    p1: f64,
+    first: [f64; 4],
 }
 
 /// a0 + a1 sin(w t + p).
@@ -221,8 +189,8 @@ fn pin([a, b]: [Jet; 2], [l1, l2]: [f64; 2]) -> Option<[Jet; 2]> {
 }
 
 fn carriages(random: &mut Random) -> Drawn<Carriages> {
-    let [l1, l2] = [(); 2].map(|()| random.between(0.5, 1.5));
-    let waves @ [Wave([a0, a1, w1, p1]), Wave([b0, b1, w2, p2])] =
+    let l @ [l1, l2] = [(); 2].map(|()| random.between(0.5, 1.5));
+    let waves @ [Wave(first), Wave(other)] =
         [Wave::random(random, [0.0, 0.0], 0.8), Wave::random(random, [0.3, 2.0], 0.8)];
     let measure = move |t: f64| {
         let [a, b] = waves.map(|wave| wave.at(t, 0.0).x);
@@ -230,10 +198,10 @@ fn carriages(random: &mut Random) -> Drawn<Carriages> {
     };
     let branch = move |t: f64, off: f64| {
         let [a, b] = waves.map(|wave| wave.at(t, off));
-        let [x, y] = pin([a, b], [l1, l2])?;
+        let [x, y] = pin([a, b], l)?;
         Some(vec![a, b, x, y])
     };
-    let mechanism = Carriages { l1, l2, a0, a1, w1, p1, b0, b1, w2, p2 };
+    let mechanism = Carriages { l, first, other };
     Drawn { mechanism, branch: Box::new(branch), measure: Box::new(measure) }
 }
 
@@ -246,7 +214,7 @@ fn pins_on_links_from_carriages() {
 fn an_iteration_beside_carriages_changes_nothing() {
     obeys("carriages beside an iteration", (2002, FOLDS), |random| {
         let Drawn { mechanism, branch, measure } = carriages(random);
-        let Carriages { l1, l2, a0, a1, w1, p1, b0, b1, w2, p2 } = mechanism;
+        let Carriages { l, first, other } = mechanism;
         let beside = move |t: f64, off: f64| {
             let mut q = branch(t, off)?;
             let s = (0..60).fold(t, |s, _| s - (s + 0.3 * s.sin() - t) / (1.0 + 0.3 * s.cos()));
@@ -254,7 +222,7 @@ fn an_iteration_beside_carriages_changes_nothing() {
             q.push(Jet::new(s, slope, 0.3 * s.sin() * slope * slope * slope));
             Some(q)
         };
-        let mechanism = Beside { l1, l2, a0, a1, w1, p1, b0, b1, w2, p2 };
+        let mechanism = Beside { l, first, other };
         Drawn { mechanism, branch: Box::new(beside), measure }
     });
 }
@@ -262,8 +230,7 @@ fn an_iteration_beside_carriages_changes_nothing() {
 #[test]
 fn pins_on_cylinders() {
     obeys("struts", (2003, FOLDS), |random| {
-        let waves @ [Wave([a0, a1, w1, p1]), Wave([b0, b1, w2, p2])] =
-            [(); 2].map(|()| Wave::random(random, [1.0, 1.0], 0.9));
+        let waves @ [Wave(first), Wave(other)] = [(); 2].map(|()| Wave::random(random, [1.0, 1.0], 0.9));
         let d = 1.0;
         let measure = move |t: f64| {
             let [a, b] = waves.map(|wave| wave.at(t, 0.0).x);
@@ -275,7 +242,7 @@ fn pins_on_cylinders() {
             let square = a * a - x * x;
             (square.x > 0.0).then(|| vec![x, square.sqrt()])
         };
-        let mechanism = Struts { d, a0, a1, w1, p1, b0, b1, w2, p2 };
+        let mechanism = Struts { d, first, other };
         Drawn { mechanism, branch: Box::new(branch), measure: Box::new(measure) }
     });
 }
@@ -283,7 +250,7 @@ fn pins_on_cylinders() {
 #[test]
 fn trammels() {
     obeys("trammels", (2004, FOLDS), |random| {
-        let wave @ Wave([a0, a1, w1, p1]) = Wave::random(random, [-0.5, 0.5], 0.9);
+        let wave @ Wave(first) = Wave::random(random, [-0.5, 0.5], 0.9);
         let l = 1.0;
         let branch = move |t: f64, off: f64| {
             let a = wave.at(t, off);
@@ -291,7 +258,7 @@ fn trammels() {
             (square.x > 0.0).then(|| vec![a, square.sqrt()])
         };
         let measure = move |t: f64| l - wave.at(t, 0.0).x.abs();
-        let mechanism = Trammel { l, a0, a1, w1, p1 };
+        let mechanism = Trammel { l, first };
         Drawn { mechanism, branch: Box::new(branch), measure: Box::new(measure) }
     });
 }
@@ -300,7 +267,7 @@ fn trammels() {
 #[test]
 fn lines_that_time_turns() {
     obeys("lines", (2005, POLES), |random| {
-        let wave @ Wave([a0, a1, w1, p1]) = Wave::random(random, [-1.0, 1.0], 1.0);
+        let wave @ Wave(first) = Wave::random(random, [-1.0, 1.0], 1.0);
         let (h, k) = (random.between(-0.8, 0.8), random.between(-1.0, 1.0));
         let across = move |angle: Jet| angle.cos() + angle.sin() * k;
         let sign = across(wave.at(0.0, 0.0)).x.signum();
@@ -310,7 +277,7 @@ fn lines_that_time_turns() {
             Some(vec![x, x * k + 1.0])
         };
         let measure = move |t: f64| sign * across(wave.at(t, 0.0)).x;
-        let mechanism = Lines { h, k, a0, a1, w1, p1 };
+        let mechanism = Lines { h, k, first };
         Drawn { mechanism, branch: Box::new(branch), measure: Box::new(measure) }
     });
 }
@@ -319,7 +286,7 @@ fn lines_that_time_turns() {
 fn roots_of_quadratic_equations() {
     for (seed, share, is_finite) in [(2006, FOLDS, true), (2007, POLES, false)] {
         obeys("roots", (seed, share), move |random| {
-            let wave @ Wave([a0, a1, w1, p1]) = Wave::random(random, [0.1, 0.5], if is_finite { 0.8 } else { 1.5 });
+            let wave @ Wave(first) = Wave::random(random, [0.1, 0.5], if is_finite { 0.8 } else { 1.5 });
             let b = random.between(0.5, 1.5);
             let branch = move |t: f64, off: f64| {
                 let a = wave.at(t, off);
@@ -331,7 +298,7 @@ fn roots_of_quadratic_equations() {
                 let a = wave.at(t, 0.0).x;
                 if is_finite { b * b + 4.0 * a } else { a }
             };
-            Drawn { mechanism: Root { b, a0, a1, w1, p1 }, branch: Box::new(branch), measure: Box::new(measure) }
+            Drawn { mechanism: Root { b, first }, branch: Box::new(branch), measure: Box::new(measure) }
         });
     }
 }
@@ -339,7 +306,7 @@ fn roots_of_quadratic_equations() {
 #[test]
 fn numbers_of_any_size() {
     obeys("numbers", (2008, FOLDS), |random| {
-        let wave @ Wave([a0, a1, w1, p1]) = Wave::random(random, [-1.0, 1.0], 1.5);
+        let wave @ Wave(first) = Wave::random(random, [-1.0, 1.0], 1.5);
         let s = [1e-4, 1e-3, 1e-2, 0.1, 1.0][random.whole(0, 4)];
         let branch = move |t: f64, off: f64| {
             let a = wave.at(t, off) * s;
@@ -348,6 +315,21 @@ fn numbers_of_any_size() {
             Some(vec![a, (a + root) * 0.5, (a - root) * 0.5])
         };
         let measure = move |t: f64| f64::sqrt(2.0) - wave.at(t, 0.0).x.abs();
-        Drawn { mechanism: Numbers { s, a0, a1, w1, p1 }, branch: Box::new(branch), measure: Box::new(measure) }
+        Drawn { mechanism: Numbers { s, first }, branch: Box::new(branch), measure: Box::new(measure) }
     });
+}
+
+/// A motion of small numbers, with an instant just before its dead centre: it is no crossing of branches there.
+#[test]
+fn small_numbers_reach_the_last_instant() {
+    let wave = Wave([0.2712754150001564, 1.2617043274459947, 0.46991206456215373, 1.0490086646955121]);
+    let Wave(first @ [a0, a1, w, p]) = wave;
+    let fold = (((f64::sqrt(2.0) - a0) / a1).asin() - p) / w;
+    let mechanism = Numbers { s: 1e-4, first };
+    let times: Vec<f64> = (0..=80).map(|k| END * f64::from(k) / 80.0).collect();
+    let before = times.iter().take_while(|t| **t < fold).count();
+    assert!(fold - times[before - 1] < 0.005);
+    let error = mechanism.solver().sweep(&times).expect_err("a dead centre");
+    let at = error.source.limit().and_then(kin_runtime::Limit::at).expect("located");
+    assert!(error.trajectory.states.len() == before && (at - fold).abs() < 1e-9, "{}: {at} {fold}", error.source);
 }
