@@ -270,7 +270,7 @@ pub enum StepKind {
     /// Redundant rows, which no other step uses, except that a row may determine a sign. The step gives no coordinate;
     /// the margin of each row shows whether the solution satisfies it, including its velocity and acceleration
     /// equations as far as these are solved.
-    Watched,
+    RedundantRows,
 }
 
 impl StepKind {
@@ -281,7 +281,7 @@ impl StepKind {
             Self::Linear(_) => "Linear",
             Self::Closure => "Closure",
             Self::Newton(_) => "Newton",
-            Self::Watched => "Watched",
+            Self::RedundantRows => "RedundantRows",
         }
     }
 
@@ -289,7 +289,7 @@ impl StepKind {
     pub const fn unknowns(self) -> Option<usize> {
         match self {
             Self::Linear(n) | Self::Newton(n) => Some(n),
-            Self::Explicit | Self::Closure | Self::Watched => None,
+            Self::Explicit | Self::Closure | Self::RedundantRows => None,
         }
     }
 }
@@ -303,7 +303,7 @@ impl fmt::Display for StepKind {
             Self::Linear(n) => write!(f, "by a {n}×{n} linear system"),
             Self::Closure => f.write_str("in closed form"),
             Self::Newton(n) => write!(f, "by a {n}×{n} Newton iteration"),
-            Self::Watched => f.write_str("redundant rows checked"),
+            Self::RedundantRows => f.write_str("redundant rows checked"),
         }
     }
 }

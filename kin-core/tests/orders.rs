@@ -3,7 +3,7 @@
 use kin_core::constraint::ConstraintSet;
 use kin_core::expr::Symbol;
 use kin_core::joints::Driver;
-use kin_core::mechanism::{Formula, Index, Input, Joint, Mechanism, Member, Scalar, Value};
+use kin_core::mechanism::{Formula, Index, Input, Mechanism, Member, Scalar, Statement, Value};
 use kin_core::{Origin, assemble, differentiate};
 
 const KEYWORD: Origin = Origin(7);
@@ -11,7 +11,7 @@ const KEYWORD: Origin = Origin(7);
 /// One scalar coordinate with the row c − u = 0.
 fn follower() -> ConstraintSet {
     let member = Member { family: 0, index: Index::default(), origin: Origin(2) };
-    let follow = Joint {
+    let follow = Statement {
         name: "follow".into(),
         range: None,
         operands: Driver {

@@ -4,7 +4,7 @@ mod support;
 
 use kin_core::joints::{Driver, Revolute, Translational};
 use kin_core::mechanism::{
-    Axis, Body, BodyOrigin, BodyRef, Component, Formula, Index, Joint, Mechanism, Member, Parameter, Place, Range,
+    Axis, Body, BodyOrigin, BodyRef, Component, Formula, Index, Mechanism, Member, Parameter, Place, Range, Statement,
     Value,
 };
 use kin_core::program::{Slot, lower};
@@ -24,7 +24,8 @@ fn pendulum_on_a_slider() -> Mechanism {
         phi: None,
         origin: AT,
     };
-    let joint = |name: &str, kind| Joint { name: name.into(), range: None, operands: kind, keyword: AT, origin: AT };
+    let joint =
+        |name: &str, kind| Statement { name: name.into(), range: None, operands: kind, keyword: AT, origin: AT };
     let guide = Translational {
         p: at(BodyRef::Ground(AT), Formula::ZERO),
         q: at(body(0), Formula::ZERO),
@@ -49,7 +50,7 @@ fn pendulum_on_a_slider() -> Mechanism {
         bodies: vec![free("slider"), free("bob")],
         joints: vec![
             joint("guide", guide),
-            Joint { range: Some(Range { start: 0, end: 1 }), ..joint("pin", pin) },
+            Statement { range: Some(Range { start: 0, end: 1 }), ..joint("pin", pin) },
             joint("swing", swing),
         ],
         ..Mechanism::default()

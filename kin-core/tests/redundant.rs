@@ -6,7 +6,7 @@ mod support;
 use kin_core::Mechanism;
 use kin_core::check::check;
 use kin_core::joints::{Distance, PointOnLine, RelativeAngle, Revolute};
-use kin_core::mechanism::{Joint, Value};
+use kin_core::mechanism::{Statement, Value};
 use kin_core::plan::{SolutionPlan, TOLERANCE};
 use kin_core::vocabulary::StepKind;
 use std::ops::Range;
@@ -16,8 +16,8 @@ use support::*;
 /// A mechanism in two ways: with as many rows as coordinates, and with redundant rows that say the same.
 struct Twice {
     draft: Draft,
-    plain: Vec<Joint>,
-    redundant: Vec<Joint>,
+    plain: Vec<Statement>,
+    redundant: Vec<Statement>,
     /// Parameters that the redundant rows alone hold, and that they cannot do with another value of, group by group.
     essential: Vec<Range<usize>>,
 }
@@ -32,7 +32,7 @@ impl Twice {
     fn joints(&mut self, plain: bool, redundant: bool, add: impl FnOnce(&mut Draft)) {
         add(&mut self.draft);
         let new = std::mem::take(&mut self.draft.mechanism.joints);
-        let name = |joint: Joint, k: usize| Joint { name: format!("J{k}"), ..joint };
+        let name = |joint: Statement, k: usize| Statement { name: format!("J{k}"), ..joint };
         for joint in new {
             let count = self.plain.len() + self.redundant.len();
             if plain {
@@ -53,7 +53,7 @@ impl Twice {
         self.essential.extend(Some(from..self.draft.values.len()).filter(|range| !range.is_empty()));
     }
 
-    fn mechanism(&self, joints: &[Joint]) -> Mechanism {
+    fn mechanism(&self, joints: &[Statement]) -> Mechanism {
         let mechanism = Mechanism { joints: joints.to_vec(), ..self.draft.mechanism.clone() };
         assert_eq!(check(&mechanism), [], "{mechanism}");
         mechanism
@@ -218,10 +218,10 @@ type Family = fn(u64) -> Twice;
 const FAMILIES: [(&str, Family); 4] =
     [("parallel cranks", cranks), ("parallel rods", rods), ("angles", angles), ("doubled joints", doubled)];
 
-/// The least margin of rows that are watched.
-fn least_watched(plan: &SolutionPlan, margins: &[f64]) -> f64 {
-    let watched = plan.steps.iter().filter(|step| step.kind == StepKind::Watched);
-    let of = watched.flat_map(|step| step.margins.clone()).map(|place| margins[place]);
+/// The least margin of redundant rows.
+fn least_of_redundant_rows(plan: &SolutionPlan, margins: &[f64]) -> f64 {
+    let redundant = plan.steps.iter().filter(|step| step.kind == StepKind::RedundantRows);
+    let of = redundant.flat_map(|step| step.margins.clone()).map(|place| margins[place]);
     of.fold(f64::INFINITY, f64::min)
 }
 
@@ -249,8 +249,9 @@ fn plans_without_redundant_rows_agree_with_newton() {
         let planned = Planned::new(&oracle);
         let plan = &planned.0;
         let more = oracle.system.set.rows.len() - oracle.system.set.coordinates.len();
-        let watched: usize = plan.steps.iter().filter(|s| s.kind == StepKind::Watched).map(|s| s.rows.len()).sum();
-        assert!(more > 0 && watched == more, "{watched} of {more}: {plan}{name}");
+        let redundant: usize =
+            plan.steps.iter().filter(|s| s.kind == StepKind::RedundantRows).map(|s| s.rows.len()).sum();
+        assert!(more > 0 && redundant == more, "{redundant} of {more}: {plan}{name}");
         assert_eq!(planned.newton(), [], "{plan}{name}");
         let modes: Vec<f64> = planned.closures(&oracle, 0.0, &start.q).iter().map(|w| w.signum()).collect();
         for t in [-0.2, -0.1, 0.0, 0.1, 0.2] {
@@ -294,7 +295,7 @@ fn rows_that_contradict_are_seen() {
                 let planned = Planned::new(&oracle);
                 let modes: Vec<f64> = planned.closures(&oracle, 0.0, &start.q).iter().map(|w| w.signum()).collect();
                 let found = planned.run(&oracle, 0.0, &modes, &start.q);
-                let margin = least_watched(&planned.0, &found.margins);
+                let margin = least_of_redundant_rows(&planned.0, &found.margins);
                 assert!(!margin.is_nan(), "{:?} {name}", found.margins);
                 let missed = TOLERANCE * (1.0 - margin).sqrt();
                 assert!(margin < 0.0, "error {error:e} of {essential:?}: {missed:e}\n{}{name}", planned.0);

@@ -7,8 +7,8 @@ mod oracle;
 use kin_core::expr::Symbol;
 use kin_core::joints::{Constraint, Distance, Driver, Translational};
 use kin_core::mechanism::{
-    Axis, Body, BodyOrigin, BodyRef, Component, Formula, Function, Index, Joint, Mechanism as Model, Member, Operands,
-    Parameter, Place, Value,
+    Axis, Body, BodyOrigin, BodyRef, Component, Formula, Function, Index, Mechanism as Model, Member, Operands,
+    Parameter, Place, Statement, Value,
 };
 use kin_core::program::{Slot, lower};
 use kin_core::{KinematicSystem, Origin, assemble, differentiate};
@@ -133,7 +133,7 @@ fn mixed() -> Model {
             .to_vec(),
         scalars: vec![kin_core::mechanism::Scalar { name: "s".into(), len: None, origin: AT, unit: None }],
         joints: joints
-            .map(|(name, operands)| Joint { name: name.into(), range: None, operands, keyword: AT, origin: AT })
+            .map(|(name, operands)| Statement { name: name.into(), range: None, operands, keyword: AT, origin: AT })
             .to_vec(),
         ..Model::default()
     }

@@ -2,10 +2,10 @@
 
 use super::scope::scopes;
 use crate::error::ModelError;
-use crate::mechanism::{BodyRef, Formula, Joint, Mechanism, Operand, OperandSlot, OperandType};
+use crate::mechanism::{BodyRef, Formula, Mechanism, Operand, OperandSlot, OperandType, Statement};
 
 /// True if the joint connects the ground with itself.
-pub(super) fn is_within_ground(joint: &Joint) -> bool {
+pub(super) fn is_within_ground(joint: &Statement) -> bool {
     joint.operands.joined().is_some_and(|bodies| bodies.iter().all(BodyRef::is_ground))
 }
 

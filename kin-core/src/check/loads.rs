@@ -1,7 +1,7 @@
 //! Rules for masses and loads.
 
 use crate::error::{ModelError, Origin};
-use crate::mechanism::{BodyRef, Load, Mechanism, Operand, Place};
+use crate::mechanism::{BodyRef, Mechanism, Operand, Place, Statement};
 use crate::vocabulary::{LoadKind, StatementKind};
 
 /// Rule: every mass and load acts on a body, and between two different bodies if it has two.
@@ -38,7 +38,7 @@ pub(super) fn loads_act_on_bodies(mechanism: &Mechanism, errors: &mut Vec<ModelE
 }
 
 /// All masses and loads of a kind.
-fn loads_of(mechanism: &Mechanism, kind: LoadKind) -> impl Iterator<Item = &Load> {
+fn loads_of(mechanism: &Mechanism, kind: LoadKind) -> impl Iterator<Item = &Statement> {
     mechanism.loads.iter().filter(move |load| load.operands.kind() == StatementKind::Load(kind))
 }
 
@@ -112,7 +112,7 @@ fn negative(key: &str, found: Option<(f64, Origin)>, errors: &mut Vec<ModelError
     }
 }
 
-fn does_nothing(load: &Load) -> String {
+fn does_nothing(load: &Statement) -> String {
     let (keyword, name) = (load.operands.keyword(), &load.name);
     format!("{keyword} `{name}` has neither `stiffness = …` nor `damping = …`, so that it does nothing")
 }

@@ -3,7 +3,9 @@
 //! The result may contain too many coordinates but never too few, so that a rule can rely on a coordinate that is
 //! missing.
 
-use crate::mechanism::{BodyRef, Component, Formula, Joint, Mechanism, Member, Operand, Place, Sees, Source, nodes};
+use crate::mechanism::{
+    BodyRef, Component, Formula, Mechanism, Member, Operand, Place, Sees, Source, Statement, nodes,
+};
 use std::collections::BTreeSet;
 
 /// A generalized coordinate of a member of a family.
@@ -23,7 +25,7 @@ enum Mention {
 }
 
 /// The free coordinates that the joint contains for any index of its range.
-pub(super) fn mentioned(mechanism: &Mechanism, joint: &Joint) -> BTreeSet<Coordinate> {
+pub(super) fn mentioned(mechanism: &Mechanism, joint: &Statement) -> BTreeSet<Coordinate> {
     let indices = joint.range.map_or(0..1, |range| range.indices());
     let mut all = Mentions::new(mechanism);
     indices.for_each(|i| all.joint(joint, i));
@@ -31,7 +33,7 @@ pub(super) fn mentioned(mechanism: &Mechanism, joint: &Joint) -> BTreeSet<Coordi
 }
 
 /// The free coordinates that the joint contains for the index `i`.
-pub(super) fn mentioned_at(mechanism: &Mechanism, joint: &Joint, i: i64) -> BTreeSet<Coordinate> {
+pub(super) fn mentioned_at(mechanism: &Mechanism, joint: &Statement, i: i64) -> BTreeSet<Coordinate> {
     let mut all = Mentions::new(mechanism);
     all.joint(joint, i);
     all.follow()
@@ -55,7 +57,7 @@ pub(super) fn moves(mechanism: &Mechanism, formula: &Formula, i: i64) -> bool {
 /// The held coordinates that the joint involves for one of these indices.
 pub(crate) fn held(
     mechanism: &Mechanism,
-    joint: &Joint,
+    joint: &Statement,
     indices: impl IntoIterator<Item = i64>,
 ) -> BTreeSet<HeldCoordinate> {
     let mut all = Mentions::new(mechanism);
@@ -147,7 +149,7 @@ impl<'a> Mentions<'a> {
             .collect()
     }
 
-    fn joint(&mut self, joint: &Joint, i: i64) {
+    fn joint(&mut self, joint: &Statement, i: i64) {
         for (slot, operand) in joint.operands.iter() {
             match operand {
                 Operand::Point(place) => self.point(place, slot.sees, i),

@@ -1,7 +1,7 @@
 //! Rules for names.
 
 use crate::error::{ModelError, Origin};
-use crate::mechanism::{Load, Mechanism};
+use crate::mechanism::{Mechanism, Statement};
 use std::collections::BTreeMap;
 
 /// The reserved words of the language.
@@ -79,7 +79,7 @@ pub(super) fn names_are_not_reserved(mechanism: &Mechanism, errors: &mut Vec<Mod
 
 /// Rule: names of rows are unique. Conditions, and masses and loads with a name, share the namespace of the rows.
 pub(super) fn row_names_differ(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
-    let named = |load: &&Load| load.operands.form().named || load.name != load.operands.keyword();
+    let named = |load: &&Statement| load.operands.form().named || load.name != load.operands.keyword();
     let statements = mechanism.joints.iter().chain(mechanism.loads.iter().filter(named));
     let joints = statements.map(|joint| (joint.name.as_str(), joint.operands.keyword(), joint.origin));
     let conditions = mechanism.conditions.iter().map(|c| (c.name.as_str(), "unilateral", c.origin));

@@ -2,7 +2,8 @@
 
 use crate::error::Origin;
 use crate::mechanism::{
-    Body, BodyOrigin, BodyRef, Condition, Formula, GuessTarget, Index, Joint, Mechanism, Member, Place, Range, nodes,
+    Body, BodyOrigin, BodyRef, Condition, Formula, GuessTarget, Index, Mechanism, Member, Place, Range, Statement,
+    nodes,
 };
 
 /// The content of one declaration.
@@ -75,7 +76,7 @@ impl<'a> Scope<'a> {
     }
 
     /// The scope of a joint, driver or equation.
-    pub(super) fn of_joint(joint: &'a Joint) -> Self {
+    pub(super) fn of_joint(joint: &'a Statement) -> Self {
         let mut scope = Self::new(joint.range);
         for (_, operand) in joint.operands.iter() {
             scope.bodies.extend(operand.bodies());

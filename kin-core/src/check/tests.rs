@@ -2,8 +2,8 @@ use super::{MAX_MEMBERS, check, check_parts, is_reserved};
 use crate::error::Origin;
 use crate::joints::{Angle, Distance, Revolute, Rope, Translational};
 use crate::mechanism::{
-    Axis, Body, BodyOrigin, BodyRef, Component, Define, Formula, Guess, GuessTarget, Index, Joint, Mechanism, Member,
-    Operands, Parameter, Place, Range, Scalar, Value,
+    Axis, Body, BodyOrigin, BodyRef, Component, Define, Formula, Guess, GuessTarget, Index, Mechanism, Member,
+    Operands, Parameter, Place, Range, Scalar, Statement, Value,
 };
 
 const NOWHERE: Origin = Origin(0);
@@ -29,11 +29,11 @@ fn ground() -> Place {
     place(BodyRef::Ground(NOWHERE))
 }
 
-fn joint(name: &str, operands: Operands) -> Joint {
-    Joint { name: name.into(), range: None, operands, keyword: Origin(102), origin: Origin(103) }
+fn joint(name: &str, operands: Operands) -> Statement {
+    Statement { name: name.into(), range: None, operands, keyword: Origin(102), origin: Origin(103) }
 }
 
-fn pinned(k: usize) -> Joint {
+fn pinned(k: usize) -> Statement {
     joint(&format!("J{k}"), Revolute { p: ground(), q: place(single(k)) }.into())
 }
 

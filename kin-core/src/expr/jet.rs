@@ -177,7 +177,7 @@ pub(super) fn rate_of_given(graph: &mut Graph, symbol: Symbol) -> ExprId {
         | Symbol::Mode(_)
         | Symbol::Start(_)
         | Symbol::Unknown(_)
-        | Symbol::Held(_)
+        | Symbol::Saved(_)
         | Symbol::Right(_)
         | Symbol::Coarseness => graph.zero(),
     }

@@ -43,7 +43,7 @@ pub enum Symbol {
     /// An unknown of an iteration: its current value and, after the iteration, its solution.
     Unknown(u32),
     /// A value that an earlier part of the solution has stored.
-    Held(u32),
+    Saved(u32),
     /// Entry b_k of the right-hand side of Φ_q x = b.
     Right(u32),
     /// The factor by which squared tolerances of the scalar type are larger than those of `f64`; 1 for `f64`.
@@ -70,7 +70,7 @@ impl Symbol {
             | Self::Mode(k)
             | Self::Start(k)
             | Self::Unknown(k)
-            | Self::Held(k)
+            | Self::Saved(k)
             | Self::Right(k) => k,
         }
     }
@@ -87,7 +87,7 @@ impl Symbol {
             Self::Mode(_) => Self::Mode(k),
             Self::Start(_) => Self::Start(k),
             Self::Unknown(_) => Self::Unknown(k),
-            Self::Held(_) => Self::Held(k),
+            Self::Saved(_) => Self::Saved(k),
             Self::Right(_) => Self::Right(k),
             Self::Coarseness => Self::Coarseness,
         }
@@ -99,7 +99,7 @@ impl Symbol {
             Self::Mode(k) => format!("mode{k}"),
             Self::Start(k) => format!("start{k}"),
             Self::Unknown(k) => format!("unknown{k}"),
-            Self::Held(k) => format!("held{k}"),
+            Self::Saved(k) => format!("saved{k}"),
             Self::Right(k) => format!("right{k}"),
             Self::Coarseness => "coarseness".to_owned(),
             _ => String::new(),
@@ -251,7 +251,7 @@ impl Depends {
     pub const COORDINATE: Self = Self(8);
     /// Rates of coordinates.
     pub const RATE: Self = Self(16);
-    /// Symbols of a solution plan: modes, start values, unknowns, held values.
+    /// Symbols of a solution plan: modes, start values, unknowns, saved values.
     pub const PLAN: Self = Self(32);
 
     /// The union of both sets.
@@ -284,7 +284,7 @@ impl Depends {
             Symbol::Mode(_)
             | Symbol::Start(_)
             | Symbol::Unknown(_)
-            | Symbol::Held(_)
+            | Symbol::Saved(_)
             | Symbol::Right(_)
             | Symbol::Coarseness => Self::PLAN,
         }

@@ -6,7 +6,7 @@ use crate::constraint::{
     Quantity, RowMeaning, indexed,
 };
 use crate::error::ModelError;
-use crate::mechanism::{Joint, Mechanism, Operands, contains_signal};
+use crate::mechanism::{Mechanism, Operands, Statement, contains_signal};
 use crate::vocabulary::StatementKind;
 use core::ops::Range;
 
@@ -52,7 +52,7 @@ fn joints(a: &mut Assembly<'_>, set: &mut ConstraintSet) {
 fn write(
     a: &mut Assembly<'_>,
     set: &mut ConstraintSet,
-    joint: &Joint,
+    joint: &Statement,
     family: (usize, i64),
     name: String,
     rows: JointRows,

@@ -11,7 +11,7 @@ use super::gear::{carrier_is_a_third_body, coupled, coupled_angles};
 use super::joint::{JointType, Reaction, joint};
 use crate::constraint::{Assembly, JointRows};
 use crate::error::ModelError;
-use crate::mechanism::{BodyRef, Dimension, Formula, Joint, Mechanism, OperandSlot, OperandType, Radii};
+use crate::mechanism::{BodyRef, Dimension, Formula, Mechanism, OperandSlot, OperandType, Radii, Statement};
 use crate::vectors::{Equation, NamedJoint};
 
 joint! {
@@ -40,7 +40,7 @@ impl JointType for Belt {
         })
     }
 
-    fn check(&self, joint: &Joint, mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
+    fn check(&self, joint: &Statement, mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
         carrier_is_a_third_body([self.a, self.b], self.carrier, joint, mechanism, errors);
     }
 

@@ -14,7 +14,7 @@ use super::joint::{JointType, Reaction, joint};
 use crate::constraint::{Assembly, Frame, JointRows, RowMeaning};
 use crate::error::{ModelError, Origin};
 use crate::expr::ExprId;
-use crate::mechanism::{BodyRef, Dimension, Formula, Joint, Mechanism, OperandSlot, OperandType, Radii};
+use crate::mechanism::{BodyRef, Dimension, Formula, Mechanism, OperandSlot, OperandType, Radii, Statement};
 use crate::vectors::{Equation, NamedJoint, Piece, Symbol, Terms, equals};
 use crate::vocabulary::Role;
 
@@ -44,7 +44,7 @@ impl JointType for Gear {
         })
     }
 
-    fn check(&self, joint: &Joint, mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
+    fn check(&self, joint: &Statement, mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
         carrier_is_a_third_body([self.a, self.b], self.carrier, joint, mechanism, errors);
     }
 
@@ -88,7 +88,7 @@ pub(super) fn coupled(
 pub(super) fn carrier_is_a_third_body(
     gears: [BodyRef; 2],
     carrier: BodyRef,
-    joint: &Joint,
+    joint: &Statement,
     mechanism: &Mechanism,
     errors: &mut Vec<ModelError>,
 ) {
@@ -101,7 +101,7 @@ pub(super) fn carrier_is_a_third_body(
 }
 
 /// If a gear is its own carrier, the origin and the message of the error.
-fn own_carrier(mechanism: &Mechanism, joint: &Joint, gear: BodyRef, carrier: BodyRef) -> Option<(Origin, String)> {
+fn own_carrier(mechanism: &Mechanism, joint: &Statement, gear: BodyRef, carrier: BodyRef) -> Option<(Origin, String)> {
     let body = mechanism.common_member(joint.range, gear, carrier)?;
     let (keyword, name) = (joint.operands.keyword(), &joint.name);
     Some(if gear.is_ground() {

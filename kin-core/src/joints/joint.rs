@@ -3,7 +3,7 @@
 use super::contact::Contact;
 use crate::constraint::{Assembly, JointRows};
 use crate::error::ModelError;
-use crate::mechanism::{Joint, Mechanism, Operands, StatementForm, TypedOperands};
+use crate::mechanism::{Mechanism, Operands, Statement, StatementForm, TypedOperands};
 use crate::vectors::{Equation, NamedJoint};
 
 /// How the constraint reaction of a joint acts on the bodies.
@@ -28,7 +28,7 @@ pub(super) trait JointType: TypedOperands {
     fn rows(&self, a: &mut Assembly<'_>) -> JointRows;
 
     /// The rules of this kind beyond those of its slots.
-    fn check(&self, _joint: &Joint, _mechanism: &Mechanism, _errors: &mut Vec<ModelError>) {}
+    fn check(&self, _joint: &Statement, _mechanism: &Mechanism, _errors: &mut Vec<ModelError>) {}
 
     /// The contact of the bodies; `None` if the joint holds them together in both directions.
     fn contact(&self, _a: &mut Assembly<'_>) -> Option<Contact> {
@@ -47,7 +47,7 @@ pub(super) struct Kind {
     pub(super) reaction: Reaction,
     pub(super) rows: fn(&mut Assembly<'_>, &Operands) -> JointRows,
     pub(super) contact: fn(&mut Assembly<'_>, &Operands) -> Option<Contact>,
-    pub(super) check: fn(&Joint, &Mechanism, &mut Vec<ModelError>),
+    pub(super) check: fn(&Statement, &Mechanism, &mut Vec<ModelError>),
     pub(super) vector_equations: fn(&NamedJoint<'_>) -> Vec<Equation>,
 }
 

@@ -9,7 +9,7 @@ use super::{
 };
 use crate::constraint::{Assembly, JointRows};
 use crate::error::ModelError;
-use crate::mechanism::{Joint, Mechanism, Operands, StatementForm};
+use crate::mechanism::{Mechanism, Operands, Statement, StatementForm};
 use crate::vectors::{Equation, NamedJoint};
 use crate::vocabulary::StatementKind;
 
@@ -67,7 +67,7 @@ pub(crate) fn contact_of(a: &mut Assembly<'_>, operands: &Operands) -> Option<Co
 }
 
 /// Checks the rules that belong to the joint's kind.
-pub(crate) fn check(joint: &Joint, mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
+pub(crate) fn check(joint: &Statement, mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
     if let Some(kind) = kind_of(&joint.operands) {
         (kind.check)(joint, mechanism, errors);
     }

@@ -14,7 +14,9 @@ use super::translational::along;
 use crate::constraint::{Assembly, Frame, JointRows, RowMeaning};
 use crate::error::ModelError;
 use crate::expr::ExprId;
-use crate::mechanism::{Axis, BodyRef, Dimension, Formula, Joint, Mechanism, OperandSlot, OperandType, Place, Value};
+use crate::mechanism::{
+    Axis, BodyRef, Dimension, Formula, Mechanism, OperandSlot, OperandType, Place, Statement, Value,
+};
 use crate::vectors::{Equation, NamedJoint, Piece, Symbol, Terms, equals};
 use crate::vocabulary::Role;
 
@@ -48,7 +50,7 @@ impl JointType for RackPinion {
         rows
     }
 
-    fn check(&self, joint: &Joint, mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
+    fn check(&self, joint: &Statement, mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
         guide_does_not_turn(self.p.body, self.pinion, "pinion", joint, mechanism, errors);
     }
 
@@ -90,7 +92,7 @@ pub(super) fn guide_does_not_turn(
     guide: BodyRef,
     turning: BodyRef,
     what: &str,
-    joint: &Joint,
+    joint: &Statement,
     mechanism: &Mechanism,
     errors: &mut Vec<ModelError>,
 ) {

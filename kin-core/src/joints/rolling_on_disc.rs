@@ -16,7 +16,7 @@ use super::joint::{JointType, joint};
 use super::rolling_on_line::WAYS;
 use crate::constraint::{Assembly, JointRows, RowMeaning};
 use crate::error::ModelError;
-use crate::mechanism::{Dimension, Formula, Joint, Mechanism, Member, OperandSlot, OperandType, Place, Radii};
+use crate::mechanism::{Dimension, Formula, Mechanism, Member, OperandSlot, OperandType, Place, Radii, Statement};
 use crate::vocabulary::Role;
 
 joint! {
@@ -81,7 +81,7 @@ impl JointType for RollingOnDisc {
 
     /// Rule: the sum of literal radii is not 0, which would put both discs on one centre. A sum that is 0 for a member
     /// of a family, or after constant folding, is reported when the rows are written.
-    fn check(&self, _: &Joint, _: &Mechanism, errors: &mut Vec<ModelError>) {
+    fn check(&self, _: &Statement, _: &Mechanism, errors: &mut Vec<ModelError>) {
         if let (Some(i), Some(j)) = (self.radii.i.value.literal(), self.radii.j.value.literal())
             && i != 0.0
             && i + j == 0.0

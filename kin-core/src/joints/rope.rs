@@ -12,7 +12,7 @@
 use super::joint::{JointType, joint};
 use crate::constraint::{Assembly, Frame, JointRows, RowMeaning};
 use crate::error::ModelError;
-use crate::mechanism::{Joint, Mechanism, OperandSlot, OperandType, Place, Value};
+use crate::mechanism::{Mechanism, OperandSlot, OperandType, Place, Statement, Value};
 use crate::vocabulary::Role;
 
 joint! {
@@ -57,7 +57,7 @@ impl JointType for Rope {
     }
 
     /// Rule: a rope has at least two points.
-    fn check(&self, joint: &Joint, _: &Mechanism, errors: &mut Vec<ModelError>) {
+    fn check(&self, joint: &Statement, _: &Mechanism, errors: &mut Vec<ModelError>) {
         if self.points.len() < 2 {
             let message = format!("rope `{}` runs over two points or more", joint.name);
             errors.push(ModelError::new(joint.origin, message));

@@ -14,7 +14,9 @@ use super::joint::{JointType, Reaction, joint};
 use super::rack_pinion::{guide_does_not_turn, stroke_by_angle};
 use crate::constraint::{Assembly, JointRows};
 use crate::error::ModelError;
-use crate::mechanism::{Axis, BodyRef, Dimension, Formula, Joint, Mechanism, OperandSlot, OperandType, Place, Value};
+use crate::mechanism::{
+    Axis, BodyRef, Dimension, Formula, Mechanism, OperandSlot, OperandType, Place, Statement, Value,
+};
 
 joint! {
     /// Operands of a screw.
@@ -45,7 +47,7 @@ impl JointType for Screw {
         stroke_by_angle(a, [&self.p, &self.q], &self.axis, &self.nut, by_radian, &self.offset)
     }
 
-    fn check(&self, joint: &Joint, mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
+    fn check(&self, joint: &Statement, mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
         guide_does_not_turn(self.p.body, self.nut, "nut", joint, mechanism, errors);
     }
 }

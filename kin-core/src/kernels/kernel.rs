@@ -13,8 +13,8 @@ pub struct Kernel {
     pub code: Rolled,
     /// The arrays that the function may write, each given by its first slot and its length.
     pub arrays: Vec<(Slot, usize)>,
-    /// The length of the array of held values that the function reads.
-    pub held: usize,
+    /// The length of the array of saved values that the function reads.
+    pub saved: usize,
     /// Whether the function is always inlined into its caller.
     pub inlined: bool,
 }
@@ -22,12 +22,12 @@ pub struct Kernel {
 impl Kernel {
     /// The kernel of a program that writes to `arrays`.
     pub(super) fn new(name: impl Into<String>, program: &Program, arrays: &[(Slot, usize)]) -> Self {
-        Self { name: name.into(), code: finished(program), arrays: arrays.to_vec(), held: 0, inlined: false }
+        Self { name: name.into(), code: finished(program), arrays: arrays.to_vec(), saved: 0, inlined: false }
     }
 
-    /// Sets the length of the array of held values.
-    pub(super) fn holding(self, held: usize) -> Self {
-        Self { held, ..self }
+    /// Sets the length of the array of saved values.
+    pub(super) fn with_saved(self, saved: usize) -> Self {
+        Self { saved, ..self }
     }
 
     fn steps(&self) -> impl Iterator<Item = &Step> {

@@ -8,7 +8,7 @@ use crate::system::KinematicSystem;
 use crate::vocabulary::Depth;
 
 /// Maximum number of instructions of a plan that is inlined into one function (a dyad has about two hundred). Within
-/// one function, the values that a part holds for later parts stay in registers.
+/// one function, the values that a part saves for later parts stay in registers.
 const SHORT: usize = 1000;
 
 /// The kernels of a plan.
@@ -16,8 +16,8 @@ const SHORT: usize = 1000;
 pub struct SolutionKernels {
     /// The parts of a solution in order of execution.
     pub parts: Vec<SolutionPart>,
-    /// The number of values that parts hold for later parts.
-    pub held: usize,
+    /// The number of values that parts save for later parts.
+    pub saved: usize,
     /// Computes the factors: everything in the solution of Φ_q x = b that depends on Φ_q alone.
     pub factorise: Kernel,
     /// Computes x from the factors and b.
@@ -42,7 +42,7 @@ pub struct Iteration {
     pub unknowns: Vec<usize>,
     /// Whether each unknown is a length.
     pub lengths: Vec<bool>,
-    /// The index of the held value that shows whether the iteration has converged.
+    /// The index of the saved value that shows whether the iteration has converged.
     pub converged: usize,
 }
 
@@ -52,13 +52,13 @@ pub(super) fn of_plan(system: &KinematicSystem, plan: &SolutionPlan) -> Option<S
         return None;
     }
     let coordinates = &system.set.coordinates;
-    let (n, held) = (coordinates.len(), plan.held as usize);
+    let (n, saved) = (coordinates.len(), plan.saved as usize);
     let arrays = [
         (Slot::Position(0), n),
         (Slot::Velocity(0), n),
         (Slot::Acceleration(0), n),
         (Slot::Margin(0), plan.margins),
-        (Slot::Held(0), held),
+        (Slot::Saved(0), saved),
     ];
     let instructions: usize = plan.sections.iter().map(|(section, _)| section.program().instructions.len()).sum();
     let part = |(number, (section, depth)): (usize, &(Section, Depth))| {
@@ -72,14 +72,14 @@ pub(super) fn of_plan(system: &KinematicSystem, plan: &SolutionPlan) -> Option<S
                 (kernel, Some(Iteration { unknowns, lengths, converged: *converged as usize }))
             }
         };
-        SolutionPart { depth: *depth, kernel: Kernel { inlined: instructions <= SHORT, held, ..kernel }, iteration }
+        SolutionPart { depth: *depth, kernel: Kernel { inlined: instructions <= SHORT, saved, ..kernel }, iteration }
     };
     let [factorise, solve] = &plan.resolve;
     Some(SolutionKernels {
         parts: plan.sections.iter().enumerate().map(part).collect(),
-        held,
-        factorise: Kernel::new("factorise_rows", factorise, &[(Slot::Held(0), plan.factors)]).holding(plan.factors),
-        solve: Kernel::new("solve_rows", solve, &[(Slot::Entry(0), n)]).holding(plan.factors),
+        saved,
+        factorise: Kernel::new("factorise_rows", factorise, &[(Slot::Saved(0), plan.factors)]).with_saved(plan.factors),
+        solve: Kernel::new("solve_rows", solve, &[(Slot::Entry(0), n)]).with_saved(plan.factors),
     })
 }
 

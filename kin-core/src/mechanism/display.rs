@@ -1,8 +1,8 @@
 //! Prints a mechanism in the user's language, as it was understood.
 
 use super::{
-    BodyOrigin, BodyRef, Component, Curve, Formula, GuessTarget, Index, Joint, Mechanism, Member, Operand, OperandType,
-    Place, Written,
+    BodyOrigin, BodyRef, Component, Curve, Formula, GuessTarget, Index, Mechanism, Member, Operand, OperandType, Place,
+    Statement, Written,
 };
 use core::fmt;
 
@@ -90,7 +90,7 @@ impl Mechanism {
         format!("{} @ ({}, {})", self.body(&place.body), self.text(&place.x), self.text(&place.y))
     }
 
-    fn joint(&self, joint: &Joint) -> String {
+    fn joint(&self, joint: &Statement) -> String {
         let range = joint.range.map(|r| format!("[i in {}..{}]", r.start, r.end)).unwrap_or_default();
         let mut operands = String::new();
         for (k, (slot, operand)) in joint.operands.iter().enumerate() {

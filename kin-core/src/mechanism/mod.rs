@@ -9,9 +9,9 @@ mod curve;
 mod display;
 mod form;
 mod formula;
-mod joint;
 mod operand;
 mod reference;
+mod statement;
 mod typed;
 mod walk;
 
@@ -21,9 +21,9 @@ pub use condition::{Condition, Relation};
 pub use curve::Curve;
 pub use form::{Dimension, OperandSlot, OperandType, Sees, StatementForm, Written};
 pub use formula::{Formula, Place};
-pub use joint::{Guess, GuessTarget, Joint, Load};
 pub use operand::{Axis, Operand, OperandValue, Operands, Radii, Value, Vector};
 pub use reference::{BodyRef, CurveVariable, Index, Member};
+pub use statement::{Guess, GuessTarget, Statement};
 pub use typed::TypedOperands;
 pub(crate) use typed::operands;
 pub(crate) use walk::{contains_signal, defines_in, nodes};
@@ -52,9 +52,9 @@ pub struct Mechanism {
     /// The named expressions.
     pub defines: Vec<Define>,
     /// The joints, drivers and equations in order of declaration, which is the order of their rows in Φ.
-    pub joints: Vec<Joint>,
+    pub joints: Vec<Statement>,
     /// The masses and loads in order of declaration; they have no rows in Φ.
-    pub loads: Vec<Load>,
+    pub loads: Vec<Statement>,
     /// The unilateral conditions in order of declaration; they are not rows of Φ.
     pub conditions: Vec<Condition>,
     /// The start values for assembly.

@@ -50,7 +50,7 @@ pub(super) fn name_group(set: &ConstraintSet, step: &mut Step) {
     let joints = names(set, &step.joints);
     let carried = bodies.iter().any(|&body| set.bodies[body].carried_by.is_some());
     step.singular = match (step.kind, step.group.as_str()) {
-        (StepKind::Explicit | StepKind::Watched, _) => String::new(),
+        (StepKind::Explicit | StepKind::RedundantRows, _) => String::new(),
         (StepKind::Closure, "RRR") if walked && carried => {
             format!("{joints} and the pins that carry origins on one line")
         }

@@ -77,7 +77,7 @@ impl Build<'_> {
     /// regular.
     pub(super) fn iteration_margins(&mut self, margins: &BTreeMap<usize, ExprId>) {
         for (row, place, converged) in std::mem::take(&mut self.pending) {
-            let mut margin = self.graph.symbol(Symbol::Held(converged));
+            let mut margin = self.graph.symbol(Symbol::Saved(converged));
             if let Some(&regular) = margins.get(&row) {
                 margin = self.graph.mul(margin, regular);
             }

@@ -81,7 +81,7 @@ pub struct SolutionPlan {
     /// The programs in order of execution, each with the level (position, velocity, acceleration) it belongs to.
     pub sections: Vec<(Section, Depth)>,
     /// Number of values that sections store for later sections.
-    pub held: u32,
+    pub saved: u32,
     /// The branch values of a configuration: one entry per mode, whose sign is the mode, then one per orientation, of
     /// the same sign.
     pub branch_values: Program,
@@ -173,7 +173,7 @@ fn planned(system: &KinematicSystem, rank: usize, written: bool) -> Result<(Solu
     let turns::Turns { by_coordinates, looks_within } = turns::turns(&mut graph, &tree, &set.coordinates);
     let outputs: Vec<_> = by_coordinates.into_iter().enumerate().map(|(k, id)| (Slot::Entry(k), id)).collect();
     let turns = lower(&graph, &outputs);
-    let (sections, held) = sections::sections(&mut graph, stages, iterations);
+    let (sections, saved) = sections::sections(&mut graph, stages, iterations);
     let depth = |place| match place {
         place if place >= first.acceleration => Depth::Acceleration,
         place if place >= first.velocity => Depth::Velocity,
@@ -194,7 +194,7 @@ fn planned(system: &KinematicSystem, rank: usize, written: bool) -> Result<(Solu
         margins,
         absent: None,
         sections,
-        held,
+        saved,
         branch_values,
         turns,
         looks_within,

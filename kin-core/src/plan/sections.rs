@@ -1,5 +1,5 @@
 //! Turns stages into programs. A value that a later stage shares with an earlier one is computed once and stored; it is
-//! *held*.
+//! *saved*.
 
 use super::rewrite::{Substitution, rewrite};
 use super::state::Stage;
@@ -17,7 +17,7 @@ pub enum Section {
         unknowns: Vec<u32>,
         /// The program for the corrections that are subtracted from the current values of the unknowns.
         correction: Program,
-        /// The index of the held value that is 1 if the iteration has converged and 0 otherwise.
+        /// The index of the saved value that is 1 if the iteration has converged and 0 otherwise.
         converged: u32,
     },
 }
@@ -31,12 +31,12 @@ impl Section {
     }
 }
 
-/// Which section computes each expression, and where the held values are stored.
+/// Which section computes each expression, and where the saved values are stored.
 struct Places {
     /// The section that computes an expression.
     owner: IdMap<usize>,
-    held: IdMap<u32>,
-    /// (section, index, expression) of every held value.
+    saved: IdMap<u32>,
+    /// (section, index, expression) of every saved value.
     wanted: Vec<(usize, u32, ExprId)>,
     next: u32,
 }
@@ -57,19 +57,19 @@ impl Places {
     }
 }
 
-/// A substitution of held values for expressions that earlier sections have computed.
-struct HeldValues<'p> {
+/// A substitution of saved values for expressions that earlier sections have computed.
+struct SavedValues<'p> {
     places: &'p mut Places,
     section: usize,
-    /// Whether symbols are held, too, because later sections cannot read what they stand for.
+    /// Whether symbols are saved, too, because later sections cannot read what they stand for.
     symbols: bool,
 }
 
-impl HeldValues<'_> {
-    /// Whether an earlier section computes the expression, so that it can be held.
-    fn is_held(&self, graph: &Graph, id: ExprId) -> bool {
+impl SavedValues<'_> {
+    /// Whether an earlier section computes the expression, so that it can be saved.
+    fn is_saved(&self, graph: &Graph, id: ExprId) -> bool {
         let known = match graph.node(id) {
-            // A negated value is cheap to form from the held value of the other sign.
+            // A negated value is cheap to form from the saved value of the other sign.
             Node::Number(_) | Node::Neg(_) => true,
             Node::Symbol(_) => !self.symbols,
             _ => false,
@@ -78,34 +78,34 @@ impl HeldValues<'_> {
     }
 }
 
-impl Substitution for HeldValues<'_> {
+impl Substitution for SavedValues<'_> {
     fn symbol(&mut self, _graph: &mut Graph, _symbol: Symbol) -> Option<ExprId> {
         None
     }
 
     fn whole(&mut self, graph: &mut Graph, id: ExprId) -> Option<ExprId> {
-        if !self.is_held(graph, id) {
+        if !self.is_saved(graph, id) {
             return None;
         }
         let owner = *self.places.owner.get(id)?;
-        let place = match self.places.held.get(id) {
+        let place = match self.places.saved.get(id) {
             Some(&place) => place,
             None => {
                 let place = self.places.next;
                 self.places.next += 1;
                 self.places.wanted.push((owner, place, id));
-                self.places.held.insert(id, place);
+                self.places.saved.insert(id, place);
                 place
             }
         };
-        Some(graph.symbol(Symbol::Held(place)))
+        Some(graph.symbol(Symbol::Saved(place)))
     }
 }
 
-/// The sections of `stages`, the last of which may be empty, and the number of held values. Indices below `first` are
+/// The sections of `stages`, the last of which may be empty, and the number of saved values. Indices below `first` are
 /// already in use.
 pub(super) fn sections(graph: &mut Graph, stages: Vec<Stage>, first: u32) -> (Vec<Section>, u32) {
-    let mut places = Places { owner: IdMap::default(), held: IdMap::default(), wanted: Vec::new(), next: first };
+    let mut places = Places { owner: IdMap::default(), saved: IdMap::default(), wanted: Vec::new(), next: first };
     for (number, stage) in stages.iter().enumerate() {
         match stage {
             Stage::Closed(outputs) => {
@@ -151,10 +151,10 @@ fn assign_constants(graph: &mut Graph, places: &mut Places, number: usize, unkno
 }
 
 /// Splits the computation of `outputs` into two programs: one for everything that does not depend on right-hand sides,
-/// whose results are held, and one that reads only the held values and right-hand sides. The first program also stores
-/// the values `more` after the held ones. Returns the programs and the number of values that the first one stores.
+/// whose results are saved, and one that reads only the saved values and right-hand sides. The first program also stores
+/// the values `more` after the saved ones. Returns the programs and the number of values that the first one stores.
 pub(super) fn split(graph: &mut Graph, outputs: Vec<(Slot, ExprId)>, more: &[ExprId]) -> ([Program; 2], usize) {
-    let mut places = Places { owner: IdMap::default(), held: IdMap::default(), wanted: Vec::new(), next: 0 };
+    let mut places = Places { owner: IdMap::default(), saved: IdMap::default(), wanted: Vec::new(), next: 0 };
     for id in graph.reachable(outputs.iter().map(|(_, id)| *id)) {
         let node = graph.node(id);
         let mut owner = usize::from(matches!(node, Node::Symbol(Symbol::Right(_))));
@@ -166,7 +166,7 @@ pub(super) fn split(graph: &mut Graph, outputs: Vec<(Slot, ExprId)>, more: &[Exp
     let mut programs = programs(graph, &mut places, vec![more, outputs], true);
     for (slot, _) in programs.iter_mut().take(1).flat_map(|first| &mut first.outputs) {
         if let Slot::Entry(k) = *slot {
-            *slot = Slot::Held(places.next as usize + k);
+            *slot = Slot::Saved(places.next as usize + k);
         }
     }
     let mut programs = programs.into_iter();
@@ -184,11 +184,11 @@ fn programs(
     // From the last section to the first, so that all readers of a section are known when its program is written.
     for section in (0..roots.len()).rev() {
         let wanted = places.wanted.iter().filter(|(owner, ..)| *owner == section);
-        let wanted: Vec<_> = wanted.map(|&(_, place, id)| (Slot::Held(place as usize), id)).collect();
+        let wanted: Vec<_> = wanted.map(|&(_, place, id)| (Slot::Saved(place as usize), id)).collect();
         roots[section].extend(wanted);
         rewritten.clear();
-        let mut done = HeldValues { places: &mut *places, section, symbols };
-        hold(graph, &roots[section], &mut done);
+        let mut done = SavedValues { places: &mut *places, section, symbols };
+        save(graph, &roots[section], &mut done);
         for (_, id) in &mut roots[section] {
             *id = rewrite(graph, *id, &mut rewritten, &mut done);
         }
@@ -198,13 +198,13 @@ fn programs(
 
 /// Holds everything that `outputs` read from earlier sections. The values are numbered in the order in which the graph
 /// created them, so that groups of the same structure use the same order.
-fn hold(graph: &mut Graph, outputs: &[(Slot, ExprId)], done: &mut HeldValues<'_>) {
+fn save(graph: &mut Graph, outputs: &[(Slot, ExprId)], done: &mut SavedValues<'_>) {
     let (mut seen, mut needed): (IdMap<()>, Vec<ExprId>) = Default::default();
     let mut open: Vec<ExprId> = outputs.iter().map(|(_, id)| *id).collect();
     while let Some(id) = open.pop() {
         if !seen.contains(id) {
             seen.insert(id, ());
-            match done.is_held(graph, id) {
+            match done.is_saved(graph, id) {
                 true => needed.push(id),
                 false => graph.node(id).for_each_operand(|operand| open.push(operand)),
             }

@@ -13,7 +13,7 @@ pub(super) enum Stage {
     /// The outputs: each slot with the expression that is stored there.
     Closed(Vec<(Slot, ExprId)>),
     /// Newton's iteration: the unknowns; for each the correction that is subtracted from its current value; the index
-    /// of the held value that is 1 if the iteration has converged and 0 otherwise.
+    /// of the saved value that is 1 if the iteration has converged and 0 otherwise.
     Newton { unknowns: Vec<u32>, corrections: Vec<ExprId>, converged: u32 },
 }
 
@@ -70,10 +70,10 @@ pub(super) struct Build<'a> {
     pub(super) stages: Vec<Stage>,
     /// The steps with their modes and margins.
     pub(super) listed: StepList,
-    /// Number of iterations; for each, one held value shows whether it has converged.
+    /// Number of iterations; for each, one saved value shows whether it has converged.
     pub(super) iterations: u32,
     /// For every iteration whose margin is still to be written: its first row, the index of its margin, and the index
-    /// of the held value that shows whether it has converged.
+    /// of the saved value that shows whether it has converged.
     pub(super) pending: Vec<(usize, usize, u32)>,
     /// For every iteration: its first row, its step and the index of its margin.
     pub(super) iterated: Vec<(usize, StepId, usize)>,

@@ -172,7 +172,7 @@ impl StepList {
             let joint = set.rows[row].joint;
             match steps.last().map(|step| &mut self.steps[step.index()]) {
                 Some(step) if step.joints == [joint] => _ = step.rows.insert(row),
-                _ => self.steps.push(new_step(set, StepKind::Watched, BTreeSet::from([row]), Vec::new())),
+                _ => self.steps.push(new_step(set, StepKind::RedundantRows, BTreeSet::from([row]), Vec::new())),
             }
             steps.push(StepId(self.steps.len() - 1));
         }

@@ -175,8 +175,8 @@ slots! {
     Acceleration "q_ddot",
     /// A margin of a solution.
     Margin "margin",
-    /// A value that is held for later parts of a solution.
-    Held "held",
+    /// A value that is saved for later parts of a solution.
+    Saved "saved",
 }
 
 impl Instruction {

@@ -9,7 +9,8 @@ use super::unit::Unit;
 use crate::check::order_of_defines;
 use crate::error::ModelError;
 use crate::mechanism::{
-    Axis, BodyOrigin, Component, Curve, Dimension, Formula, GuessTarget, Joint, Mechanism, Operand, OperandSlot, Value,
+    Axis, BodyOrigin, Component, Curve, Dimension, Formula, GuessTarget, Mechanism, Operand, OperandSlot, Statement,
+    Value,
 };
 
 /// An error for every place where quantities of different units are added, compared or equated. The mechanism must have
@@ -61,7 +62,7 @@ impl Checker<'_> {
         }
     }
 
-    fn joint(&mut self, joint: &Joint) {
+    fn joint(&mut self, joint: &Statement) {
         self.at = joint.origin;
         let agreed = self.agreed(joint);
         for (slot, operand) in joint.operands.iter() {
@@ -108,7 +109,7 @@ impl Checker<'_> {
     }
 
     /// The common unit of the operands that must agree; that of the first if they do not.
-    fn agreed(&mut self, joint: &Joint) -> Option<Unit> {
+    fn agreed(&mut self, joint: &Statement) -> Option<Unit> {
         let common = |slot: &OperandSlot| matches!(slot.dimension, Dimension::Common | Dimension::CommonLength);
         let together = |operand: &Operand| matches!(operand, Operand::Radii(_));
         let operands: Vec<&Operand> =

@@ -32,7 +32,7 @@ struct Inside<'a, E> {
     modes: &'a [f64],
     start: &'a [f64],
     unknowns: &'a [f64],
-    held: &'a [f64],
+    saved: &'a [f64],
 }
 
 impl<E: Environment> Environment for Inside<'_, E> {
@@ -42,7 +42,7 @@ impl<E: Environment> Environment for Inside<'_, E> {
             Symbol::Mode(k) => at(self.modes, k),
             Symbol::Start(k) => at(self.start, k),
             Symbol::Unknown(k) => at(self.unknowns, k),
-            Symbol::Held(k) => at(self.held, k),
+            Symbol::Saved(k) => at(self.saved, k),
             other => self.outer.symbol(other),
         }
     }
@@ -59,18 +59,18 @@ pub fn run(plan: &SolutionPlan, environment: &impl Environment, modes: &[f64], s
     let mut out =
         Solution { q: vec![f64::NAN; n], q_dot: vec![f64::NAN; n], q_ddot: vec![f64::NAN; n], ..Solution::default() };
     out.margins = vec![f64::NAN; plan.margins];
-    let (mut unknowns, mut held) = (start.to_vec(), vec![f64::NAN; plan.held as usize]);
+    let (mut unknowns, mut saved) = (start.to_vec(), vec![f64::NAN; plan.saved as usize]);
     for (section, _) in &plan.sections {
         match section {
             Section::Closed(program) => {
-                let inside = Inside { outer: environment, modes, start, unknowns: &unknowns, held: &held };
+                let inside = Inside { outer: environment, modes, start, unknowns: &unknowns, saved: &saved };
                 for (slot, value) in interpret(program, &inside) {
                     match slot {
                         Slot::Position(k) => out.q[k] = value,
                         Slot::Velocity(k) => out.q_dot[k] = value,
                         Slot::Acceleration(k) => out.q_ddot[k] = value,
                         Slot::Margin(k) => out.margins[k] = value,
-                        Slot::Held(k) => held[k] = value,
+                        Slot::Saved(k) => saved[k] = value,
                         _ => {}
                     }
                 }
@@ -78,7 +78,7 @@ pub fn run(plan: &SolutionPlan, environment: &impl Environment, modes: &[f64], s
             Section::Newton { unknowns: places, correction, converged } => {
                 let (mut good, before) = (0.0, unknowns.clone());
                 for _ in 0..CORRECTIONS {
-                    let inside = Inside { outer: environment, modes, start, unknowns: &unknowns, held: &held };
+                    let inside = Inside { outer: environment, modes, start, unknowns: &unknowns, saved: &saved };
                     let steps: Vec<f64> = interpret(correction, &inside).into_iter().map(|(_, step)| step).collect();
                     out.iterations += 1;
                     let mut last = true;
@@ -96,7 +96,7 @@ pub fn run(plan: &SolutionPlan, environment: &impl Environment, modes: &[f64], s
                     // What follows has numbers to compute with.
                     unknowns = before;
                 }
-                held[*converged as usize] = good;
+                saved[*converged as usize] = good;
             }
         }
     }
@@ -111,14 +111,14 @@ pub fn closures(plan: &SolutionPlan, environment: &impl Environment) -> Vec<f64>
 /// x with Φ_q x = b at a configuration; the entries of b are [`Symbol::Right`].
 pub fn resolve(plan: &SolutionPlan, environment: &impl Environment) -> Vec<f64> {
     let [factorise, solve] = &plan.resolve;
-    let mut held = vec![f64::NAN; plan.factors];
+    let mut saved = vec![f64::NAN; plan.factors];
     for (slot, value) in interpret(factorise, environment) {
-        held[slot.index()] = value;
+        saved[slot.index()] = value;
     }
-    // The second step knows what is held and b, and nothing else.
+    // The second step knows what is saved and b, and nothing else.
     let right = |symbol| match symbol {
         Symbol::Right(_) => environment.symbol(symbol),
-        Symbol::Held(k) => held[k as usize],
+        Symbol::Saved(k) => saved[k as usize],
         _ => f64::NAN,
     };
     entries(solve, &right)

@@ -3,8 +3,8 @@
 use kin_core::Origin;
 use kin_core::joints::{Driver, RelativeAngle, Revolute};
 use kin_core::mechanism::{
-    Axis, Body, BodyOrigin, BodyRef, Component, Formula, Index, Joint, Mechanism, Member, Operands, Parameter, Place,
-    Range, Value,
+    Axis, Body, BodyOrigin, BodyRef, Component, Formula, Index, Mechanism, Member, Operands, Parameter, Place, Range,
+    Statement, Value,
 };
 use kin_core::program::{Program, Slot, lower};
 use kin_core::system::KinematicSystem;
@@ -97,12 +97,12 @@ pub fn free(name: &str, len: Option<usize>) -> Body {
     Body { name: name.into(), len, origin_at: BodyOrigin::Free { x: None, y: None }, phi: None, origin: AT }
 }
 
-pub fn joint(name: &str, operands: Operands) -> Joint {
-    Joint { name: name.into(), range: None, operands, keyword: AT, origin: AT }
+pub fn joint(name: &str, operands: Operands) -> Statement {
+    Statement { name: name.into(), range: None, operands, keyword: AT, origin: AT }
 }
 
-pub fn over(name: &str, start: i64, end: i64, operands: Operands) -> Joint {
-    Joint { range: Some(Range { start, end }), ..joint(name, operands) }
+pub fn over(name: &str, start: i64, end: i64, operands: Operands) -> Statement {
+    Statement { range: Some(Range { start, end }), ..joint(name, operands) }
 }
 
 pub fn revolute(p: Place, q: Place) -> Operands {

@@ -7,7 +7,7 @@ use kin_core::joints::{
 };
 use kin_core::mechanism::{
     Axis, Body, BodyOrigin, BodyRef, Component, Condition, Curve, CurveVariable, Define, Formula, Function, Input,
-    Joint, Mechanism, NamedPoint, Operands, Place, Radii, Range, Relation, Scalar, SuppliedFunction, Value,
+    Mechanism, NamedPoint, Operands, Place, Radii, Range, Relation, Scalar, Statement, SuppliedFunction, Value,
 };
 
 /// SplitMix64.
@@ -107,7 +107,7 @@ pub fn mechanism(seed: u64) -> Mechanism {
         };
         let (name, range) = (format!("N{k}"), builder.range);
         let kind = builder.joint();
-        out.joints.push(Joint { range, ..joint(&name, kind) });
+        out.joints.push(Statement { range, ..joint(&name, kind) });
     }
     for (k, relation) in [Relation::Greater, Relation::Less].into_iter().enumerate() {
         builder.range = if builder.random.chance(50) { ranged } else { None };

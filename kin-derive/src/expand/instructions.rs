@@ -119,7 +119,7 @@ pub(super) fn argument(symbol: Symbol) -> &'static str {
         Symbol::Mode(_) => "modes",
         Symbol::Start(_) => "start",
         Symbol::Unknown(_) => "unknowns",
-        Symbol::Held(_) => "held",
+        Symbol::Saved(_) => "saved",
         Symbol::Right(_) => "right",
         Symbol::Coarseness => "",
     }
@@ -180,6 +180,6 @@ pub(super) fn target_name(slot: Slot) -> &'static str {
         Slot::Velocity(_) => "velocity",
         Slot::Acceleration(_) => "acceleration",
         Slot::Margin(_) => "margins",
-        Slot::Held(_) => "held",
+        Slot::Saved(_) => "saved",
     }
 }

@@ -85,10 +85,10 @@ fn type_of(symbol: Symbol, kernel: &Kernel, writes: &[(Slot, usize)]) -> Option<
     Some(match symbol {
         Symbol::Coarseness => return None,
         // An array that a kernel both reads and writes is a single argument.
-        Symbol::Held(_) if writes.iter().any(|(slot, _)| matches!(slot, Slot::Held(_))) => return None,
-        Symbol::Held(_) => {
-            let held = kernel.held;
-            quote! { &[__T; #held] }
+        Symbol::Saved(_) if writes.iter().any(|(slot, _)| matches!(slot, Slot::Saved(_))) => return None,
+        Symbol::Saved(_) => {
+            let saved = kernel.saved;
+            quote! { &[__T; #saved] }
         }
         Symbol::Time | Symbol::ARGUMENT => quote! { __T },
         Symbol::Parameter(_) => quote! { &__Parameters<__T> },

@@ -61,7 +61,7 @@ fn solve(lowered: &Lowered, solution: &SolutionKernels, n: usize, margins: usize
                         #call
                         correction
                     });
-                    held[#converged] = value;
+                    saved[#converged] = value;
                 }
             }
         });
@@ -73,7 +73,7 @@ fn solve(lowered: &Lowered, solution: &SolutionKernels, n: usize, margins: usize
     } else {
         statements
     };
-    let (held, lengths) = (solution.held, position_lengths(&Ident::new("__T", Span::call_site()), "start"));
+    let (saved, lengths) = (solution.saved, position_lengths(&Ident::new("__T", Span::call_site()), "start"));
     let arguments = quote! {
         modes: &[__T], start: &[__T], depth: __kin::Depth, solved: __kin::Solved<'_, __T>,
     };
@@ -84,9 +84,9 @@ fn solve(lowered: &Lowered, solution: &SolutionKernels, n: usize, margins: usize
         let velocity: &mut [__T; #n] = __kin::fixed_mut("q_dot", solved.q_dot)?;
         let acceleration: &mut [__T; #n] = __kin::fixed_mut("q_ddot", solved.q_ddot)?;
         let margins: &mut [__T; #margins] = __kin::fixed_mut("margins", solved.margins)?;
-        let held: &mut [__T; #held] = &mut [<__T as __kin::Scalar>::from_f64(0.0); #held];
+        let saved: &mut [__T; #saved] = &mut [<__T as __kin::Scalar>::from_f64(0.0); #saved];
         let unknowns: &mut __Coordinates<__T> = &mut { *start };
-        let _ = (p, u, modes, &position, &velocity, &acceleration, &margins, &held, &unknowns);
+        let _ = (p, u, modes, &position, &velocity, &acceleration, &margins, &saved, &unknowns);
         #solved
     };
     let methods = method(&quote! { #[inline] }, "solve_with", &arguments, &statements);
@@ -105,8 +105,8 @@ fn resolve(lowered: &Lowered, solution: &SolutionKernels, factors: usize, n: usi
         &quote! { q: &[__T], factors: &mut Self::Factors<__T>, },
         &quote! {
             #lengths
-            let held: &mut [__T; #factors] = factors;
-            let _ = (p, u, q, &held);
+            let saved: &mut [__T; #factors] = factors;
+            let _ = (p, u, q, &saved);
             #factorise
             __kin::Ok(())
         },
@@ -120,10 +120,10 @@ fn resolve(lowered: &Lowered, solution: &SolutionKernels, factors: usize, n: usi
             b: &[__T],
             x: &mut [__T],
         ) -> __kin::Result<(), __kin::LengthError> {
-            let held: &[__T; #factors] = factors;
+            let saved: &[__T; #factors] = factors;
             let right: &__Rows<__T> = __kin::fixed("b", b)?;
             let out: &mut [__T; #n] = __kin::fixed_mut("x", x)?;
-            let _ = (held, right, &out);
+            let _ = (saved, right, &out);
             #solve
             __kin::Ok(())
         }

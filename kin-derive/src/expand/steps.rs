@@ -37,15 +37,15 @@ fn steps(plan: &SolutionPlan, writer: Writer) -> TokenStream {
     let entries = entries.map(|(step, (joints, coordinates))| {
         let [modes, margins] = [&step.modes, &step.margins].map(|range| [range.start, range.end].map(Cell::Word));
         let ([first_mode, end_of_modes], [first_margin, end_of_margins]) = (modes, margins);
-        let watched = (step.kind == StepKind::Watched).then_some(&step.rows);
-        let kind = (step.kind, watched, &step.group, &step.singular);
+        let redundant = (step.kind == StepKind::RedundantRows).then_some(&step.rows);
+        let kind = (step.kind, redundant, &step.group, &step.singular);
         (kind, [joints, coordinates, first_mode, end_of_modes, first_margin, end_of_margins])
     });
     let lists = [joints.whole, coordinates.whole];
-    writer.with_lists("steps", entries, lists, |(kind, watched, group, singular), cells| {
+    writer.with_lists("steps", entries, lists, |(kind, redundant, group, singular), cells| {
         let [joints, coordinates, first_mode, end_of_modes, first_margin, end_of_margins] = cells;
         let (name, unknowns) = (variant("StepKind", kind.variant()), kind.unknowns().map(|n| quote! { (#n) }));
-        let rows = watched.iter().flat_map(|rows| rows.iter());
+        let rows = redundant.iter().flat_map(|rows| rows.iter());
         quote! {
             __kin::PlanStep {
                 kind: #name #unknowns, rows: &[#(#rows),*], group: #group, joints: #joints, coordinates: #coordinates,

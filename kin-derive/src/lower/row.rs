@@ -6,7 +6,7 @@ use super::range::IndexRange;
 use super::scope::{Allow, Scope};
 use crate::ast::{BodyExpr, ConditionDecl, Expr, GuessDecl, Item, OperandExpr, PairExpr, Statement, text};
 use kin_core::mechanism::{
-    Axis, BodyRef, Condition, Formula, Guess, GuessTarget, Joint, Mechanism, Member, Operand, OperandSlot, OperandType,
+    Axis, BodyRef, Condition, Formula, Guess, GuessTarget, Mechanism, Member, Operand, OperandSlot, OperandType,
     Operands, Radii, Value, Vector, Written,
 };
 use kin_core::vocabulary::StatementKind;
@@ -24,7 +24,13 @@ impl Lowerer<'_> {
                             StatementKind::Joint(_) => &mut mechanism.joints,
                             StatementKind::Load(_) => &mut mechanism.loads,
                         };
-                        list.push(Joint { name, range: range.model(), operands, keyword, origin });
+                        list.push(kin_core::mechanism::Statement {
+                            name,
+                            range: range.model(),
+                            operands,
+                            keyword,
+                            origin,
+                        });
                     }
                 }
                 Item::Condition(decl) => mechanism.conditions.extend(self.condition(decl, range)),

@@ -178,7 +178,7 @@ fn check(model: &'static Model) -> Result<(), BatchError> {
     if let Some(why) = model.plan.absent {
         return Err(BatchError::NoPlan(why));
     }
-    if model.plan.watched().next().is_some() {
+    if model.plan.has_redundant_rows() {
         let why = "redundant rows may be consistent for these parameters only; use `Solver::measure_sensitivities`";
         return Err(BatchError::NoSensitivities(why));
     }

@@ -59,7 +59,7 @@ impl<M: Mechanism> Motion for Follow<'_, M> {
     fn each(&self, times: &[f64], slopes: bool, needs: Needs, see: &mut See<'_>) -> Result<(), SolveError> {
         let Some(&first) = times.first() else { return Ok(()) };
         let plan = &M::model().plan;
-        let determined = plan.watched().next().is_none() && !is_integrated(M::model());
+        let determined = !plan.has_redundant_rows() && !is_integrated(M::model());
         if determined && M::COORDINATES <= LARGEST {
             match self.solver().follower(&Instant::at(first)) {
                 Some(Ok(follower)) => return self.by_plan(follower, times, slopes, needs, see),

@@ -133,8 +133,13 @@ impl Plan {
     }
 
     /// The redundant rows that the plan leaves out and checks, indices of [`Model::rows`](crate::model::Model::rows).
-    pub fn watched(&self) -> impl Iterator<Item = usize> + use<> {
+    pub fn redundant_rows(&self) -> impl Iterator<Item = usize> + use<> {
         self.steps.iter().flat_map(|step: &'static PlanStep| step.rows).copied()
+    }
+
+    /// True if there are redundant rows.
+    pub fn has_redundant_rows(&self) -> bool {
+        self.redundant_rows().next().is_some()
     }
 
     /// The step that a margin belongs to.

@@ -25,7 +25,9 @@ impl fmt::Display for PlanStep {
             write!(f, "group {} ", self.group)?;
         }
         match self.kind {
-            StepKind::Watched => counted(f, self.rows.len(), "redundant row").and_then(|()| f.write_str(" checked"))?,
+            StepKind::RedundantRows => {
+                counted(f, self.rows.len(), "redundant row").and_then(|()| f.write_str(" checked"))?
+            }
             kind => kind.fmt(f)?,
         }
         if !self.coordinates.is_empty() {

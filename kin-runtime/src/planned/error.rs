@@ -117,7 +117,7 @@ impl Limit {
     /// limits of other steps is the largest residual of a row.
     pub fn contradiction(&self) -> Option<f64> {
         let square = 1.0 - self.margin;
-        if !self.step.is_watched() || !square.is_finite() {
+        if !self.step.checks_redundant_rows() || !square.is_finite() {
             return None;
         }
         Some(Plan::CONSISTENCY * crate::scalar::Scalar::sqrt(square.max(0.0)))

@@ -64,8 +64,8 @@ impl<'c> Passed<'c> {
 
 /// True where the margins show that a redundant row is not satisfied.
 pub(crate) fn is_missed(plan: &Plan, margins: &[f64]) -> bool {
-    let watched = plan.steps.iter().filter(|step| step.kind == StepKind::Watched);
-    watched.flat_map(|step| step.margins.0..step.margins.1).any(|place| margins[place] <= Plan::SMALLEST_MARGIN)
+    let steps = plan.steps.iter().filter(|step| step.kind == StepKind::RedundantRows);
+    steps.flat_map(|step| step.margins.0..step.margins.1).any(|place| margins[place] <= Plan::SMALLEST_MARGIN)
 }
 
 #[cfg(test)]
@@ -121,12 +121,12 @@ mod tests {
     }
 
     #[test]
-    fn only_margins_of_watched_rows_say_that_these_are_missed() {
+    fn only_margins_of_redundant_rows_say_that_these_are_missed() {
         const fn step(kind: StepKind, margins: (usize, usize)) -> PlanStep {
             PlanStep { kind, rows: &[], group: "", joints: &[], coordinates: &[], modes: (0, 0), margins, singular: "" }
         }
         const PLAN: Plan = Plan {
-            steps: &[step(StepKind::Closure, (0, 2)), step(StepKind::Watched, (2, 4))],
+            steps: &[step(StepKind::Closure, (0, 2)), step(StepKind::RedundantRows, (2, 4))],
             modes: &[],
             orientations: &[],
             iterations: 0,

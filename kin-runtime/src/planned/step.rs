@@ -117,8 +117,8 @@ impl Step {
     }
 
     /// True for redundant rows, whose residuals are checked.
-    pub fn is_watched(&self) -> bool {
-        self.info().kind == StepKind::Watched
+    pub fn checks_redundant_rows(&self) -> bool {
+        self.info().kind == StepKind::RedundantRows
     }
 
     /// True for a group that is solved by iteration.
@@ -144,8 +144,8 @@ impl fmt::Display for Step {
         let step = self.info();
         match (step.group, step.kind) {
             ("", StepKind::Explicit) => f.write_str("formula")?,
-            ("", StepKind::Watched) if step.rows.len() == 1 => f.write_str("redundant row")?,
-            ("", StepKind::Watched) => f.write_str("redundant rows")?,
+            ("", StepKind::RedundantRows) if step.rows.len() == 1 => f.write_str("redundant row")?,
+            ("", StepKind::RedundantRows) => f.write_str("redundant rows")?,
             ("", StepKind::Linear(1)) => f.write_str("linear equation")?,
             ("", StepKind::Linear(n)) => write!(f, "{n}×{n} linear system")?,
             ("", StepKind::Closure) => f.write_str("closure")?,
@@ -203,7 +203,7 @@ mod tests {
         // The driver of the crank also drives the dyad that is attached to it.
         assert!((0..3).all(|place| step(place).drivers().eq(["drive"])));
         assert_eq!([false, false, true], [0, 1, 2].map(|place| step(place).closes()));
-        assert!((0..3).all(|place| !step(place).is_watched()));
+        assert!((0..3).all(|place| !step(place).checks_redundant_rows()));
         assert!(step(2).bodies().eq(["coupler", "rocker"]) && step(2).joints().eq(["A", "B", "D"]));
         assert!(step(0).bodies().eq(["crank"]) && step(0).joints().eq(["drive"]));
     }

@@ -39,7 +39,7 @@ fn of_step(model: &'static Model, step: Step) -> Record {
         StepKind::Linear(n) => ("linear", Some(n)),
         StepKind::Closure => ("closure", None),
         StepKind::Newton(n) => ("newton", Some(n)),
-        StepKind::Watched => ("watched", None),
+        StepKind::RedundantRows => ("redundant_rows", None),
     };
     let given = |&(coordinate, joint): &(usize, usize)| {
         let joint = model.joints.get(joint).map_or("", |j| j.name);
@@ -50,7 +50,7 @@ fn of_step(model: &'static Model, step: Step) -> Record {
         unknowns: unknowns,
         group: (!info.group.is_empty()).then_some(info.group),
         joints: step.joints().collect::<Vec<_>>(),
-        watched: watched(model, info),
+        redundant_rows: redundant_rows(model, info),
         coordinates: info.coordinates.iter().map(given).collect::<Vec<_>>(),
         modes: mode_names(model, info),
         singular: info.singular,
@@ -58,7 +58,7 @@ fn of_step(model: &'static Model, step: Step) -> Record {
 }
 
 /// The names of the redundant rows that a step checks.
-fn watched(model: &Model, step: &PlanStep) -> Vec<&'static str> {
+fn redundant_rows(model: &Model, step: &PlanStep) -> Vec<&'static str> {
     step.rows.iter().filter_map(|&row| model.rows.get(row)).map(|row| row.name).collect()
 }
 
@@ -100,8 +100,8 @@ fn how(model: &Model, step: &Step) -> String {
         StepKind::Linear(_) => format!("{step} in closed form"),
         StepKind::Closure => format!("{step} in closed form, mode {}", mode_names(model, info).join(", ")),
         StepKind::Newton(_) => step.to_string(),
-        StepKind::Watched => {
-            let rows = watched(model, info);
+        StepKind::RedundantRows => {
+            let rows = redundant_rows(model, info);
             let (is, its) = if rows.len() == 1 { ("is", "its") } else { ("are", "their") };
             format!("{} {is} redundant and not used: {its} residual is checked", rows.join(" and "))
         }

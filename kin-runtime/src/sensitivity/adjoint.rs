@@ -65,7 +65,7 @@ impl<M: Mechanism> Solver<'_, M> {
         }
         let model = M::model();
         let usable = self.options.use_plan && self.given.is_empty() && model.plan.exists();
-        let determined = !is_integrated(model) && model.plan.watched().next().is_none();
+        let determined = !is_integrated(model) && !model.plan.has_redundant_rows();
         let differentiable = measures.iter().all(|measure| measure.has_derivatives() || measure.is_held());
         let backwards = usable && determined && differentiable && M::COORDINATES <= LARGEST;
         let mut work = Work::<M>::new(measures);

@@ -202,7 +202,7 @@ fn planned(
     let complete = lists.iter().all(|list| list.len() == model.coordinates.len());
     let determined = state.degrees_of_freedom_left == 0 && !is_integrated(model);
     // Rows that the plan leaves out may hold for these parameters only: all rows together show whether they do.
-    let usable = use_plan && plan.exists() && plan.watched().next().is_none();
+    let usable = use_plan && plan.exists() && !plan.has_redundant_rows();
     if !(complete && determined && usable) {
         return Ok(false);
     }

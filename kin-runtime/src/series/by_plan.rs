@@ -28,7 +28,7 @@ impl<M: Mechanism> Solver<'_, M> {
     /// order, for mechanisms of hundreds of coordinates, and where a derivative is unknown or not finite.
     pub(super) fn expanded(&self, state: &State, order: usize, further: &[&[f64]]) -> Option<Vec<Vec<f64>>> {
         let at = state.instant();
-        if M::model().plan.watched().next().is_some() || !self.goes_by_plan(&at) {
+        if M::model().plan.has_redundant_rows() || !self.goes_by_plan(&at) {
             return None;
         }
         match order {

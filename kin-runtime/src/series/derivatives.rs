@@ -148,7 +148,7 @@ fn derivatives(
         orders.begin_with(&state.instant(), further, known.map(Vec::as_slice))?;
         // The plan does not check higher orders of rows that it leaves out: with such rows, the whole Φ_q shows whether
         // they agree.
-        let all_rows = equations.model.plan.watched().next().is_none();
+        let all_rows = !equations.model.plan.has_redundant_rows();
         let may_use_plan = all_rows && equations.options.use_plan && by_plan::exists(equations);
         by_plan = may_use_plan && orders.factorise(&state.instant())?;
     }

@@ -159,15 +159,15 @@ impl dyn AnySolver + '_ {
     /// which the plan leaves out: an antiparallelogram violates the rows of the third crank of a parallelogram, for
     /// example.
     fn violates(&self, at: &Instant<'_>, signs: &[f64], start: &[f64]) -> bool {
-        let watched: Vec<usize> = self.model().plan.watched().collect();
-        if watched.is_empty() {
+        let redundant: Vec<usize> = self.model().plan.redundant_rows().collect();
+        if redundant.is_empty() {
             return false;
         }
         let Some([q, _]) = self.enclosed([at.t, at.t], at, signs, start) else { return false };
         let rest = vec![Interval::from(0.0); q.len()];
         let mut boxes = self.boxes(at);
         let Ok(rows) = boxes.evaluate(Subset::PHI, &q, &rest) else { return false };
-        watched.iter().any(|&row| rows.phi.get(row).is_some_and(|phi| phi.excludes_zero()))
+        redundant.iter().any(|&row| rows.phi.get(row).is_some_and(|phi| phi.excludes_zero()))
     }
 
     /// q near a configuration, with its q̇ and q̈.

@@ -247,7 +247,7 @@ impl<M: Mechanism> Solver<'_, M> {
         let mut q = M::Coordinates::<f64>::filled(0.0);
         self.solved(parameters, at, start.q.as_ref(), start.modes.of_closures(), q.as_mut(), &mut margins)?;
         // Rows that the plan leaves out are checked with rates, which positions alone do not have.
-        if !margins.are_good() || model.plan.watched().next().is_some() {
+        if !margins.are_good() || model.plan.has_redundant_rows() {
             return None;
         }
         let mut workspace = M::workspace::<f64>();

@@ -77,8 +77,8 @@ impl dyn AnySolver + '_ {
         match (model.rows.len() + given.len()).checked_sub(model.coordinates.len()) {
             None | Some(0) => Some(Vec::new()),
             Some(too_many) => {
-                let watched: Vec<usize> = model.plan.watched().collect();
-                (given.is_empty() && watched.len() == too_many).then_some(watched)
+                let redundant: Vec<usize> = model.plan.redundant_rows().collect();
+                (given.is_empty() && redundant.len() == too_many).then_some(redundant)
             }
         }
     }

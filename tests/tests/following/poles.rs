@@ -336,13 +336,23 @@ fn an_input_does_not_jump_across_a_pole() {
                 let solver = Turned.solver();
                 let mut planned = solver.planned(&from).expect("it closes");
                 let mut tracker = solver.tracker(&from).expect("it closes");
+                let start: Vec<_> = planned.q().iter().map(|q| Column::Shared(*q)).collect();
                 let (by_plan, by_tracker) = (planned.at(&to).map(|_| ()), tracker.update(&to).map(|_| ()));
+                let (angles, rates) = ([from.inputs[0].value, to.inputs[0].value], [rate; 2]);
+                let input = Signal::new(Column::Each(&angles), Column::Each(&rates), Column::Shared(0.0));
+                let (times, modes) = ([0.0, dt], Modes::OfStart);
+                let sweeps = Sweeps { parameters: &[], times: &times, inputs: &[input], modes, start: &start };
+                let mut out = Motions::new(1, Vec::new());
+                sweep(&Turned, &sweeps, &mut out, &always, |_: &mut Vec<f64>, _| ()).unwrap();
+                let end = out.ends().next().flatten();
+                assert_eq!(passes, end.is_some(), "{to:?}: batch");
+                let of_batch = end.and_then(|end| end.limit);
                 if !passes {
                     assert!(by_plan.is_ok() && by_tracker.is_ok(), "{to:?}: {by_plan:?} {by_tracker:?}");
                     continue;
                 }
                 let (by_plan, by_tracker) = (by_plan.expect_err("a pole"), by_tracker.expect_err("a pole"));
-                for limit in [by_plan.limit(), by_tracker.limit()] {
+                for limit in [by_plan.limit(), by_tracker.limit(), of_batch.as_ref()] {
                     assert_eq!(Some(LimitKind::Pole), limit.and_then(Limit::kind), "{by_plan} {by_tracker}");
                     if rate == 0.0 && dt > 0.0 {
                         // Without rates the input moves uniformly.

@@ -99,12 +99,12 @@ fn off(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).fold(0.0_f64, |most, (a, b)| most.max((a - b).abs())) / size
 }
 
-/// The plan, which has no iteration, finds the same as Newton's method on all rows; `watched` are the rows it watches.
-fn agrees<M: Kinematics + Default>(watched: &[&str]) {
+/// The plan, which has no iteration, finds the same as Newton's method on all rows; `redundant` are the rows that it only checks.
+fn agrees<M: Kinematics + Default>(redundant: &[&str]) {
     let (mechanism, plan) = (M::default(), &M::model().plan);
     let name = M::model().name;
-    let found: Vec<&str> = plan.watched().map(|row| M::model().rows[row].name).collect();
-    assert_eq!(found, watched, "{name}");
+    let found: Vec<&str> = plan.redundant_rows().map(|row| M::model().rows[row].name).collect();
+    assert_eq!(found, redundant, "{name}");
     assert!(!plan.steps.iter().any(|step| matches!(step.kind, StepKind::Newton(_))), "{name}: {plan:?}");
     let options = Options { use_plan: false, ..Options::default() };
     let expected = mechanism.solver().with_options(options).sweep(&times()).unwrap();
@@ -117,7 +117,7 @@ fn agrees<M: Kinematics + Default>(watched: &[&str]) {
     for state in &expected {
         let at = Instant::at(state.t);
         planned.at(&at).unwrap();
-        assert!(planned.margins().iter().rev().take(watched.len()).all(|margin| (margin - 1.0).abs() < 1e-6));
+        assert!(planned.margins().iter().rev().take(redundant.len()).all(|margin| (margin - 1.0).abs() < 1e-6));
         assert!(off(planned.q_ddot(), &state.q_ddot) <= 1e-12, "{name} at t = {}", state.t);
         // Higher orders by the factors of the rows that are kept.
         let all = mechanism.solver().derivatives(state, 5).unwrap().q;
@@ -242,7 +242,7 @@ fn info_and_check_speak_of_rows_that_are_not_used() {
     );
     let json: serde_json::Value = serde_json::from_str(&printed::<Platform>(&["info", "--format", "json"])).unwrap();
     let step = json["plan"]["steps"].as_array().and_then(|steps| steps.last()).unwrap();
-    assert_eq!((step["kind"].as_str(), step["watched"][0].as_str()), (Some("watched"), Some("F.y")));
+    assert_eq!((step["kind"].as_str(), step["redundant_rows"][0].as_str()), (Some("redundant_rows"), Some("F.y")));
     let check = printed::<Platform>(&["check"]);
     assert!(check.contains("of the plan's q, q̇, q̈ at") && check.contains("passed"), "{check}");
 }

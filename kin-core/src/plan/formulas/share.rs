@@ -35,9 +35,9 @@ impl Names for Naming<'_> {
         match symbol {
             Symbol::Right(k) => self.own.get(k as usize).cloned().unwrap_or_default(),
             Symbol::Mode(k) => self.modes.get(&k).cloned().unwrap_or_default(),
-            // The lines are written before any value is stored as held, so that this symbol can stand for an
+            // The lines are written before any value is saved, so that this symbol can stand for an
             // acceleration.
-            Symbol::Held(k) => format!("{}_ddot", self.set.coordinate_name(k)),
+            Symbol::Saved(k) => format!("{}_ddot", self.set.coordinate_name(k)),
             other => self.set.symbol(other),
         }
     }

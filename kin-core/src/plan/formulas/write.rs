@@ -127,7 +127,7 @@ impl Writer<'_> {
     }
 
     fn symbol(&mut self, k: u32, order: usize) -> ExprId {
-        self.graph.symbol([Symbol::Coordinate(k), Symbol::Rate(k), Symbol::Held(k)][order])
+        self.graph.symbol([Symbol::Coordinate(k), Symbol::Rate(k), Symbol::Saved(k)][order])
     }
 
     /// The first or second time derivative of a root, without the terms of the coordinates `without`.

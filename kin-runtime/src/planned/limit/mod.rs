@@ -291,7 +291,7 @@ fn step_of(model: &'static Model, fault: Fault) -> Option<(usize, Step)> {
 fn of_kind(t: f64, limit: Limit) -> PlanError {
     match limit.step.info().kind {
         StepKind::Closure if limit.step.closes() => PlanError::Limit { t, limit },
-        StepKind::Watched => PlanError::Contradiction { t, limit },
+        StepKind::RedundantRows => PlanError::Contradiction { t, limit },
         _ => PlanError::Singular { t, limit },
     }
 }

@@ -87,7 +87,7 @@ impl dyn AnySolver + '_ {
         if !self.prescribed().is_empty() {
             return Some(Uncertified::Prescribed);
         }
-        if let Some(row) = plan.watched().next() {
+        if let Some(row) = plan.redundant_rows().next() {
             return Some(Uncertified::Redundant { row: model.rows.get(row).map_or("", |row| row.name) });
         }
         let modes = plan.modes.len();

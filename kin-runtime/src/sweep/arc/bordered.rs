@@ -162,7 +162,7 @@ impl Bordered {
         let rows = (last >= z.len()).then(|| independent_rows(&scaled.rows(0, last).into_owned(), z.len() - 1));
         let positive = sign(&scaled, rows.as_deref())?;
         let mut groups = Vec::new();
-        if equations.model.plan.watched().next().is_none() {
+        if !equations.model.plan.has_redundant_rows() {
             equations.write_branch_values(&z[..z.len() - 1], &mut groups);
         }
         Some(Node { s: 0.0, z, tangent, sign: Sign { rows, positive }, groups })

@@ -253,7 +253,7 @@ impl Continuation {
                 let rates = if moved { [&node.state.q_dot, &node.state.q_ddot] } else { [&*q_dot, &*q_ddot] };
                 let start = Start { node, basis, s: from, q_dot: rates[0], q_ddot: rates[1] };
                 let is_pole = limit.and_then(|limit| limit.kind()) == Some(LimitKind::Pole);
-                if s == from || is_pole && equations.model.plan.watched().next().is_none() {
+                if s == from || is_pole && !equations.model.plan.has_redundant_rows() {
                     // The step is shorter than the spacing of floating-point numbers, or the coordinates grow without
                     // bound, so that no step is short enough.
                     return Err(refusal(equations, &start, target, Fault::Coarse(0.5), (limit, jumps)));
@@ -327,7 +327,7 @@ impl Continuation {
         // With redundant rows a motion may pass limits of the rows that the plan uses, so their distance does not
         // shorten the step.
         let basis = node.basis.as_ref();
-        let near = basis.filter(|_| equations.model.plan.watched().next().is_none());
+        let near = basis.filter(|_| !equations.model.plan.has_redundant_rows());
         let turns = basis.map_or(&[][..], |basis| &basis.turns);
         natural_step(equations, rates, near.map_or(1.0, |basis| groups::nearest(&basis.groups)), turns)
     }

@@ -167,7 +167,7 @@ pub(super) fn settle(
     }
     equations.write_branch_values(predicted, predicted_groups);
     equations.write_branch_values(&state.q, groups);
-    let is_redundant = equations.model.plan.watched().next().is_some();
+    let is_redundant = equations.model.plan.has_redundant_rows();
     fill(motion, predicted.iter().zip(&from.node.state.q).map(|(a, b)| a - b));
     let mut turn = equations.scale.turn(motion);
     if !equations.model.plan.iterates() {

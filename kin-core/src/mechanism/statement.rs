@@ -3,10 +3,10 @@
 use super::{BodyRef, Component, Formula, Member, Operands, Range};
 use crate::error::Origin;
 
-/// A joint, driver or equation, or a family of them over a range.
+/// A joint, a driver, an equation, a mass or a load, or a family of them over a range.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Joint {
-    /// The name without index.
+pub struct Statement {
+    /// The name without index; the keyword, for a mass or a load without a name.
     pub name: String,
     /// The range of a family.
     pub range: Option<Range>,
@@ -17,9 +17,6 @@ pub struct Joint {
     /// The token of the name.
     pub origin: Origin,
 }
-
-/// A mass or a load, or a family of them; its name is the keyword if none is given.
-pub type Load = Joint;
 
 /// The coordinate that a guess is for.
 #[derive(Clone, Copy, Debug, PartialEq)]
