@@ -329,7 +329,12 @@ impl Continuation {
         let basis = node.basis.as_ref();
         let near = basis.filter(|_| !equations.model.plan.has_redundant_rows());
         let turns = basis.map_or(&[][..], |basis| &basis.turns);
-        natural_step(equations, rates, near.map_or(1.0, |basis| groups::nearest(&basis.groups)), turns)
+        natural_step(
+            equations,
+            [&node.state.q, rates[0], rates[1]],
+            near.map_or(1.0, |basis| groups::nearest(&basis.groups)),
+            turns,
+        )
     }
 
     /// One step by the plan; false where the plan has no solution.

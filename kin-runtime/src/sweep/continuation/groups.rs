@@ -7,10 +7,12 @@
 
 use crate::analysis::by_plan;
 use crate::equations::Equations;
+use crate::equations::scale::largest_product;
 use crate::planned::bends::{Span, stays_in_bends};
 use crate::planned::between::{LEAST, input_within, on_cubic, places, time_within};
 use crate::planned::blurred::blurred_group;
 use crate::planned::branch::{OUT_OF_REACH, certainty_of, resolves};
+use crate::planned::predict::weights;
 use crate::planned::rates::largest_angle;
 use crate::scalar::{Interval, Scalar};
 use crate::signal::Signal;
@@ -39,6 +41,20 @@ pub(super) fn turns(equations: &Equations<'_>, at: &Instant<'_>, q: &[f64]) -> V
         turns.clear();
     }
     turns
+}
+
+/// The largest angle by which a displacement, or a rate, turns a body at q, in radians.
+///
+/// Where branch values and the turns of rows show how far the groups are from their limits, lengths do not count: a
+/// solution may go to infinity, in steps as long as the way to it. Otherwise lengths count by the size of the mechanism.
+pub(super) fn turn_of_bodies(equations: &Equations<'_>, q: &[f64], displacement: &[f64]) -> f64 {
+    let plan = &equations.model.plan;
+    if equations.given() > 0 || !plan.exists() || plan.has_redundant_rows() {
+        return equations.scale.turn(displacement);
+    }
+    let mut radians = vec![0.0; q.len()];
+    weights(equations.model, q, &mut radians);
+    largest_product(displacement, &radians)
 }
 
 /// True if every group has stayed on its branch. The arguments are the branch values at the previous configuration, at

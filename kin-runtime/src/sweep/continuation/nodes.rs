@@ -94,11 +94,11 @@ pub(super) fn rates(
     Ok(())
 }
 
-/// The longest step in which no body turns by more than the options allow. `nearest` is the distance of the group that
+/// The longest step from q in which no body turns by more than the options allow. `nearest` is the distance of the group that
 /// is nearest to its limit; `turns` are those of [`groups::turns`].
 pub(super) fn natural_step(
     equations: &Equations<'_>,
-    [q_dot, q_ddot]: [&[f64]; 2],
+    [q, q_dot, q_ddot]: [&[f64]; 3],
     nearest: f64,
     turns: &[f64],
 ) -> f64 {
@@ -107,6 +107,6 @@ pub(super) fn natural_step(
         let by_velocity = most / turn(q_dot);
         by_velocity.min((2.0 * most / turn(q_ddot)).sqrt())
     };
-    let of_bodies = step(most_turn(&control, nearest), &|rates| equations.scale.turn(rates));
+    let of_bodies = step(most_turn(&control, nearest), &|rates| groups::turn_of_bodies(equations, q, rates));
     of_bodies.min(step(control.rotation, &|rates| largest_product(rates, turns)))
 }

@@ -39,7 +39,7 @@ pub(super) fn refusal(
         Fault::Coarse(_) => (None, Refusal::StepTooSmall),
     };
     let spacing = f64::EPSILON * start.s.abs();
-    let natural = natural_step(equations, [start.q_dot, start.q_ddot], 1.0, &start.basis.turns);
+    let natural = natural_step(equations, [&start.node.state.q, start.q_dot, start.q_ddot], 1.0, &start.basis.turns);
     let is_coarse = spacing > COARSEST * natural;
     let jumps = jumps && !is_coarse;
     let reason = match reason {

@@ -169,7 +169,7 @@ pub(super) fn settle(
     equations.write_branch_values(&state.q, groups);
     let is_redundant = equations.model.plan.has_redundant_rows();
     fill(motion, predicted.iter().zip(&from.node.state.q).map(|(a, b)| a - b));
-    let mut turn = equations.scale.turn(motion);
+    let mut turn = groups::turn_of_bodies(equations, &from.node.state.q, motion);
     if !equations.model.plan.iterates() {
         // Iterated groups are looked at within the step instead.
         let (turns, of_rows) = (&from.basis.turns, largest_product(motion, &from.basis.turns));
