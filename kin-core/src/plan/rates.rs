@@ -160,6 +160,7 @@ impl<'g> Rates<'g> {
             self.record_regularity(square, size);
             if let (true, Some(&first)) = (iterates, core.rows.first()) {
                 // For a single unknown the sign of its coefficient is the orientation.
+                let size = squared_size_anywhere(self.graph, row[0], DEPTH);
                 let size = self.maximum(size, square);
                 let (margin, root) = (self.graph.div(square, size), self.graph.call(Function::Sqrt, size));
                 let orientation = self.graph.div(row[0], root);

@@ -18,6 +18,7 @@ mod corners;
 mod crossings;
 mod cylinders;
 mod draw;
+mod iterated;
 mod jet;
 mod lengths;
 mod lifts;

@@ -20,7 +20,9 @@ pub(crate) fn told<M: Kinematics>(group: &Group<M>, t: f64) -> Vec<Signal> {
 
 fn refusal(error: &SolveError) -> Refusal {
     let t = match error {
-        SolveError::Singular { t, .. } | SolveError::StepRefused { t, .. } => Some(*t),
+        SolveError::Singular { t, .. }
+        | SolveError::StepRefused { t, .. }
+        | SolveError::DegenerateContact { t, .. } => Some(*t),
         _ => None,
     };
     let typed = t.is_some() || matches!(error, SolveError::NotAssembled { .. });

@@ -1,7 +1,7 @@
 //! Special dimensions and starts: equal pulleys, a dimension of 0 by which the plan divides, a start beside a dead
 //! centre.
 
-use kin_runtime::{Instant, Kinematics, Options, Planned, mechanism};
+use kin_runtime::{Instant, Kinematics, LimitKind, Options, Planned, mechanism};
 
 /// An arm whose platform a belt over equal pulleys keeps parallel, so that the angle of the platform does not depend on
 /// that of the arm.
@@ -165,6 +165,40 @@ fn two_circles_are_regular_far_from_the_origin() {
             for q in [&state.q[..], planned.q()] {
                 let off = (q[1] - right[0]).abs().max((q[2] - right[1]).abs());
                 assert!(off < 1e-9, "{ox}: {off:e}");
+            }
+        }
+    }
+}
+
+/// A boom lifted by a cylinder, at a place ox.
+#[mechanism]
+#[bodies(boom)]
+#[revolute(foot: ground @ (ox, 0), boom @ (0, 0))]
+#[distance(cylinder: ground @ (ox + 0.5, -0.2), boom @ (1.6, 0.4), length = 1.9 + 0.5 * sin(t))]
+#[guess(boom.phi = 0.7)]
+struct FarBoom {
+    ox: f64,
+}
+
+/// The limit of a motion is the same wherever the mechanism is.
+#[test]
+fn a_limit_far_from_the_origin_is_the_one_at_the_origin() {
+    // The cylinder is as long as the distances of its pins from the foot together.
+    let longest = 1.6_f64.hypot(0.4) + 0.5_f64.hypot(0.2);
+    let limit = ((longest - 1.9) / 0.5).asin();
+    for ox in [0.0, 100.0, -1000.0, 1e4] {
+        let boom = FarBoom { ox };
+        for count in [3_u32, 20] {
+            let times: Vec<f64> = (0..=count).map(|k| 2.0 * f64::from(k) / f64::from(count)).collect();
+            let reached = times.iter().take_while(|t| **t < limit).count();
+            let error = boom.solver().sweep(&times).expect_err("a dead centre");
+            let mut planned = boom.solver().planned(&Instant::at(0.0)).expect("it closes");
+            let by_plan = times.iter().find_map(|t| planned.at(&Instant::at(*t)).err()).expect("a dead centre");
+            assert_eq!(reached, error.trajectory.states.len(), "{ox}");
+            for found in [error.source.limit(), by_plan.limit()] {
+                let found = found.unwrap_or_else(|| panic!("{ox}: {} {by_plan}", error.source));
+                assert_eq!(Some(LimitKind::DeadCentre), found.kind(), "{ox}");
+                assert!((found.at().expect("located") - limit).abs() < 1e-9, "{ox}: {found}");
             }
         }
     }

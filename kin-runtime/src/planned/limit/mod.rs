@@ -6,6 +6,7 @@
 //! or at a minimum of its margin. The solution of a linear system goes to infinity where its determinant changes its sign
 //! (see `pole`).
 
+mod iteration;
 mod pole;
 
 use super::error::{Limit, LimitKind, Located, PlanError};
@@ -95,7 +96,10 @@ impl<M: Mechanism> PlanFollower<M> {
             self.predicted = blocked.here.q;
             let why = match self.solve_in_modes(mechanism, at) {
                 Ok(false) => self.explain(at),
-                Ok(true) => PlanError::Jump { t: reached, t_refused: t },
+                Ok(true) => match self.limit_of_iteration(mechanism, course, reached, blocked) {
+                    Some(limit) => of_kind(t, limit),
+                    None => PlanError::Jump { t: reached, t_refused: t },
+                },
                 Err(error) => error.into(),
             };
             return (why, last);

@@ -1,5 +1,6 @@
 //! Step control: follows one branch of the motion from one instant to another.
 
+use super::between::{StepMethod, state_between};
 use super::checked_plan::CheckedPlan;
 use super::groups;
 use super::integrate::integrate;
@@ -18,9 +19,8 @@ use crate::state::State;
 use crate::trajectory::Fallback;
 use crate::workspace::{Instant, Subset};
 
-/// One step by full Newton to a given place: writes the node there and returns the factor by which the next step may be
-/// longer. The flag is true if the caller requested this place, so that the node must be converged fully.
-type StepMethod = fn(&mut Equations<'_>, &mut Scratch, Start<'_>, &mut Node, f64, bool) -> Result<f64, Fault>;
+/// Condition of Φ_q above which a configuration that the plan calls a limit is one of the mechanism, too.
+const SINGULAR: f64 = 1e5;
 
 /// A branch and the instant reached on it. Nodes and buffers are reused from step to step.
 pub(crate) struct Continuation {
@@ -258,7 +258,11 @@ impl Continuation {
                     // bound, so that no step is short enough.
                     return Err(refusal(equations, &start, target, Fault::Coarse(0.5), (limit, jumps)));
                 }
-                match (self.step)(equations, scratch, start, next, s, s == target) {
+                // At a limit that the plan has found, the iteration must converge fully, too: two solutions may meet there.
+                match (self.step)(equations, scratch, start, next, s, s == aim) {
+                    Ok(_) if s == aim && s != target && next.state.condition.is_some_and(|c| c > SINGULAR) => {
+                        return Err(refusal(equations, &start, s, Fault::Coarse(0.5), (limit, jumps)));
+                    }
                     Ok(growth) => {
                         iterations += self.next.state.iterations;
                         if let Some(plan) = &mut self.plan {
@@ -370,31 +374,4 @@ impl Continuation {
         }
         Ok(())
     }
-}
-
-impl<'n> Start<'n> {
-    /// The start of a step at a node with a basis, with its rates in time.
-    fn at(node: &'n Node) -> Option<Self> {
-        let State { q_dot, q_ddot, .. } = &node.state;
-        Some(Self { node, basis: node.basis.as_ref()?, s: node.s, q_dot, q_ddot })
-    }
-}
-
-/// The state at `s` between a node and the next one, which was reached in one step; it is fully converged. Where one
-/// step fails, two half steps are tried.
-fn state_between(
-    equations: &mut Equations<'_>,
-    step: StepMethod,
-    scratch: &mut Scratch,
-    from: Start<'_>,
-    s: f64,
-) -> Option<State> {
-    let mut reached = from.node.clone();
-    if step(equations, scratch, from, &mut reached, s, true).is_err() {
-        let mut middle = from.node.clone();
-        step(equations, scratch, from, &mut middle, from.s + 0.5 * (s - from.s), false).ok()?;
-        reached = middle.clone();
-        step(equations, scratch, Start::at(&middle)?, &mut reached, s, true).ok()?;
-    }
-    Some(reached.state)
 }

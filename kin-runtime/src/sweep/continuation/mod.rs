@@ -28,6 +28,7 @@
 //! Where there are rows of velocity level, Φ does not determine the position. The velocities are then integrated from
 //! the first instant on, and every step is projected onto Φ = 0; see `integrate`.
 
+mod between;
 mod checked_plan;
 mod follow;
 mod groups;

@@ -20,6 +20,11 @@ use nalgebra::DVector;
 const CORRECTIONS: usize = 6;
 /// Largest ratio of the length of a correction to the length of the one before.
 const CONTRACTION: f64 = 0.3;
+/// Largest ratio of the next Newton step to the last one taken. Where it is larger, convergence is not quadratic: two
+/// solutions are near one another, and the iteration may be on its way to either.
+const CONVERGED: f64 = 0.1;
+/// Length of a correction, on the common scale, below which it may be due to rounding.
+const ROUNDING: f64 = 1e-9;
 /// Corrections up to this size on the common scale are always accepted, for motions that start from rest.
 const NEGLIGIBLE: f64 = 1e-4;
 /// Length of a motion so short that a jump of the velocity in it is attributed to the driver.
@@ -145,7 +150,7 @@ pub(super) fn settle(
     s: f64,
     last: bool,
 ) -> Result<(), Fault> {
-    let Corrected { iterations, worst, .. } = corrected;
+    let Corrected { iterations, worst, last_step, .. } = corrected;
     let Scratch { closing, groups: [predicted_groups, groups], predicted, motion, .. } = scratch;
     let state = &mut to.state;
     equations.evaluate(Subset { phi: true, ..Subset::VELOCITY }, &state.q, None)?;
@@ -165,14 +170,23 @@ pub(super) fn settle(
     if rank != factor.rank || !orientation.keep(equations, &found, &mut oriented) {
         return Err(Fault::Jump(worst));
     }
+    if last_step > ROUNDING {
+        let next = found.solve(&scaled(equations, &equations.phi));
+        if equations.scale.size(next.as_slice()) > CONVERGED * last_step {
+            return Err(Fault::Open(worst));
+        }
+    }
     equations.write_branch_values(predicted, predicted_groups);
     equations.write_branch_values(&state.q, groups);
     let is_redundant = equations.model.plan.has_redundant_rows();
-    fill(motion, predicted.iter().zip(&from.node.state.q).map(|(a, b)| a - b));
-    let mut turn = groups::turn_of_bodies(equations, &from.node.state.q, motion);
+    // The turn by velocity or by acceleration alone, since a motion that reverses ends near its start.
+    let h = s - from.s;
+    let farthest = |turn: &dyn Fn(&[f64]) -> f64| (h * turn(from.q_dot)).abs().max(0.5 * h * h * turn(from.q_ddot));
+    let mut turn = farthest(&|rates| groups::turn_of_bodies(equations, &from.node.state.q, rates));
     if !equations.model.plan.iterates() {
         // Iterated groups are looked at within the step instead.
-        let (turns, of_rows) = (&from.basis.turns, largest_product(motion, &from.basis.turns));
+        let turns = &from.basis.turns;
+        let of_rows = farthest(&|rates| largest_product(rates, turns));
         turn = turn.max(of_rows);
         fill(motion, state.q.iter().zip(&*predicted).map(|(a, b)| a - b));
         let is_near = largest_product(motion, turns) <= equations.options.prediction_tolerance * of_rows + NEGLIGIBLE;
@@ -190,7 +204,7 @@ pub(super) fn settle(
     }
     equations.check("q_dot", q_dot.as_slice())?;
     let ends = [&*from.node.state.q, from.q_dot, &*state.q, q_dot.as_slice()];
-    let span = Span { ends, inputs: &from.node.state.inputs, h: s - from.s };
+    let span = Span { ends, inputs: &from.node.state.inputs, h };
     if !is_redundant && !groups::stay_between(equations, [before, groups], span) {
         return Err(Fault::Coarse(0.5));
     }
@@ -231,6 +245,8 @@ pub(super) struct Corrected {
     worst: usize,
     /// Distance from the prediction on the common scale.
     correction: f64,
+    /// Length of the last Newton step on the common scale.
+    last_step: f64,
 }
 
 /// Takes full Newton steps from the prediction in `scratch` until one is shorter than `last_step`, and writes q.
@@ -265,13 +281,13 @@ pub(super) fn correct(
         let correction = equations.scale.size(travel);
         if !(length <= CONTRACTION * before && correction <= allowed) {
             // The negated comparison also rejects NaN. At the level of rounding the corrections no longer contract, so
-            // short ones are accepted there.
-            if !(length <= last_step && correction <= allowed) {
+            // short ones are accepted there. Longer ones contract slowly where two solutions come near one another.
+            if !(length <= last_step.min(ROUNDING) && correction <= allowed) {
                 return Err(Fault::Open(worst));
             }
         }
         if length <= last_step {
-            return Ok(Corrected { iterations, worst, correction });
+            return Ok(Corrected { iterations, worst, correction, last_step: length });
         }
         before = length;
     }
