@@ -13,16 +13,21 @@
 use crate::model::{Component, CoordinateKind, Model};
 use crate::scalar::compare::Compare;
 
-/// Writes the factors that convert coordinates to radians at a configuration q: 1 for angles; 0 for lengths, because
-/// the unit of length is arbitrary; and for scalar coordinates, whose meaning is unknown, 1 / (1 + |q|).
+/// Writes the factors that convert coordinates to radians at a configuration q; see [`weight`].
 pub(crate) fn weights<V: Compare>(model: &Model, q: &[V], weights: &mut [V]) {
+    for ((to, coordinate), q) in weights.iter_mut().zip(model.coordinates).zip(q) {
+        *to = weight(coordinate.kind, *q);
+    }
+}
+
+/// The factor that converts a coordinate of the value q to radians: 1 for an angle; 0 for a length, because the unit of
+/// length is arbitrary; and for a scalar coordinate, whose meaning is unknown, 1 / (1 + |q|).
+pub(crate) fn weight<V: Compare>(kind: CoordinateKind, q: V) -> V {
     let one = V::from_f64(1.0);
-    for ((weight, coordinate), q) in weights.iter_mut().zip(model.coordinates).zip(q) {
-        *weight = match coordinate.kind {
-            CoordinateKind::Pose { component: Component::Phi, .. } => one,
-            CoordinateKind::Pose { .. } => V::from_f64(0.0),
-            CoordinateKind::Scalar => one / (one + q.abs()),
-        };
+    match kind {
+        CoordinateKind::Pose { component: Component::Phi, .. } => one,
+        CoordinateKind::Pose { .. } => V::from_f64(0.0),
+        CoordinateKind::Scalar => one / (one + q.abs()),
     }
 }
 

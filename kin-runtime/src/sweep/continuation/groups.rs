@@ -7,12 +7,11 @@
 
 use crate::analysis::by_plan;
 use crate::equations::Equations;
-use crate::equations::scale::largest_product;
 use crate::planned::bends::{Span, stays_in_bends};
 use crate::planned::between::{LEAST, input_within, on_cubic, places, time_within};
 use crate::planned::blurred::blurred_group;
 use crate::planned::branch::{OUT_OF_REACH, certainty_of, resolves};
-use crate::planned::predict::weights;
+use crate::planned::predict::weight;
 use crate::planned::rates::largest_angle;
 use crate::scalar::{Interval, Scalar};
 use crate::signal::Signal;
@@ -52,9 +51,8 @@ pub(super) fn turn_of_bodies(equations: &Equations<'_>, q: &[f64], displacement:
     if equations.given() > 0 || !plan.exists() || plan.has_redundant_rows() {
         return equations.scale.turn(displacement);
     }
-    let mut radians = vec![0.0; q.len()];
-    weights(equations.model, q, &mut radians);
-    largest_product(displacement, &radians)
+    let coordinates = equations.model.coordinates.iter().zip(q).zip(displacement);
+    coordinates.fold(0.0, |most, ((coordinate, q), x)| f64::max(most, weight(coordinate.kind, *q) * x.abs()))
 }
 
 /// True if every group has stayed on its branch. The arguments are the branch values at the previous configuration, at
