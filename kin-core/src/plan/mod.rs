@@ -40,6 +40,7 @@ mod reduce;
 mod redundant_rows;
 mod rewrite;
 mod sections;
+mod sizes;
 mod state;
 mod step;
 mod steps;

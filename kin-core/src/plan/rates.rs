@@ -5,8 +5,9 @@
 //! which x_k is missing; back substitution then gives x_k = (p b₁ + q b₂)/(p² + q²). Cores are small dense systems.
 //! Expressions that depend on Φ_q alone are the same for every b, so all levels share them.
 
-use super::closures::{LEAST, squared_size, squared_size_anywhere};
+use super::closures::LEAST;
 use super::dense;
+use super::sizes::{squared_size, squared_size_anywhere};
 use super::tree::{Block, Core, Pair, PairValue, Part, SolutionMethod};
 use crate::constraint::Coordinate;
 use crate::expr::{ExprId, Graph};

@@ -12,8 +12,9 @@
 //! the joint relative to the size of the mechanism. The tolerance τ is [`TOLERANCE`], enlarged near limits, where the
 //! solution is less accurate.
 
-use super::closures::{TERM_WEIGHT, sum_of_squared_terms};
+use super::closures::TERM_WEIGHT;
 use super::reduce::PairedRows;
+use super::sizes::sum_of_squared_terms;
 use super::state::{Build, RedundantRow, Sizes};
 use crate::constraint::CoordinateKind;
 use crate::expr::{ExprId, Symbol};
