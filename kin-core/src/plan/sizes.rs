@@ -32,17 +32,7 @@ pub(super) fn squared_terms_anywhere(graph: &mut Graph, id: ExprId, depth: usize
     }
     match graph.node(id) {
         Node::Neg(a) | Node::Opaque(a) => squared_terms_anywhere(graph, a, depth - 1),
-        Node::Add(..) | Node::Sub(..) => {
-            let (mut position, mut others) = (None, Vec::new());
-            write_terms(graph, (id, depth, false), is_position, (&mut position, &mut others));
-            let position = position.unwrap_or_else(|| graph.zero());
-            let mut sum = graph.square(position);
-            for (term, depth) in others {
-                let term = squared_terms_anywhere(graph, term, depth);
-                sum = graph.add(sum, term);
-            }
-            sum
-        }
+        Node::Add(..) | Node::Sub(..) => sum_of_sizes(graph, (id, depth), is_position, squared_terms_anywhere),
         Node::Mul(a, b) => {
             let [a, b] = [a, b].map(|factor| squared_terms_anywhere(graph, factor, depth - 1));
             graph.mul(a, b)
@@ -60,7 +50,9 @@ pub(super) fn squared_size(graph: &mut Graph, id: ExprId, depth: usize) -> ExprI
 }
 
 /// [`squared_size`], in which the positions in a sum count together: x − c + l cos φ is measured by x − c and l cos φ, so
-/// that it does not matter how far from the origin a mechanism is.
+/// that it does not matter how far from the origin a mechanism is. Sines and cosines have the size 1. In a quotient, the
+/// terms of a sum of products have sizes of their own: the derivative of a distance, (s_x d_y − s_y d_x)/|d|, is 0 where
+/// s and d are parallel, and its size is about |s|.
 pub(super) fn squared_size_anywhere(graph: &mut Graph, id: ExprId, depth: usize) -> ExprId {
     sized(graph, (id, depth), true)
 }
@@ -77,15 +69,7 @@ fn sized(graph: &mut Graph, (id, depth): (ExprId, usize), anywhere: bool) -> Exp
     match graph.node(id) {
         Node::Neg(a) | Node::Opaque(a) => sized(graph, (a, depth - 1), anywhere),
         Node::Add(..) | Node::Sub(..) if anywhere => {
-            let (mut position, mut others) = (None, Vec::new());
-            write_terms(graph, (id, depth, false), is_at_rest_or_coordinate, (&mut position, &mut others));
-            let position = position.unwrap_or_else(|| graph.zero());
-            let mut size = graph.square(position);
-            for (term, depth) in others {
-                let term = sized(graph, (term, depth), anywhere);
-                size = graph.add(size, term);
-            }
-            size
+            sum_of_sizes(graph, (id, depth), is_at_rest_or_coordinate, squared_size_anywhere)
         }
         Node::Add(a, b) | Node::Sub(a, b) => length(graph, [a, b]),
         Node::Mul(..) => {
@@ -165,7 +149,24 @@ fn is_position(graph: &Graph, id: ExprId) -> bool {
     !matches!(graph.node(id), Node::Mul(..)) && is_at_rest_or_coordinate(graph, id)
 }
 
-/// Adds up the positions of a sum, which are those terms that `is_position` accepts, and writes its other terms, each with
+/// The square of the sum of all positions in a sum, plus the sizes of its other terms.
+fn sum_of_sizes(
+    graph: &mut Graph,
+    (id, depth): (ExprId, usize),
+    is_position: fn(&Graph, ExprId) -> bool,
+    size: fn(&mut Graph, ExprId, usize) -> ExprId,
+) -> ExprId {
+    let (mut position, mut others) = (None, Vec::new());
+    write_terms(graph, (id, depth, false), is_position, (&mut position, &mut others));
+    let position = position.unwrap_or_else(|| graph.zero());
+    let square = graph.square(position);
+    others.into_iter().fold(square, |sum, (term, depth)| {
+        let term = size(graph, term, depth);
+        graph.add(sum, term)
+    })
+}
+
+/// Adds up the positions of a sum, which are the terms that `is_position` accepts, and writes its other terms, each with
 /// the depth that is left for it. `negative` says that the sum is subtracted.
 fn write_terms(
     graph: &mut Graph,

@@ -4,7 +4,7 @@ use crate::alone::{alone, states};
 use crate::case::{Answer, Expected, Group, Refusal, Sampled, expected, judge};
 use crate::side_by_side::in_a_batch;
 use crate::tally::Tally;
-use kin_runtime::{Instant, Kinematics, Options, PlanError, Planned, Signal, SolveError};
+use kin_runtime::{Degeneracy, Instant, Kinematics, Options, PlanError, Planned, Signal, SolveError};
 use kin_tests::compare::largest;
 use std::fmt::Debug;
 
@@ -22,7 +22,8 @@ fn refusal(error: &SolveError) -> Refusal {
     let t = match error {
         SolveError::Singular { t, .. }
         | SolveError::StepRefused { t, .. }
-        | SolveError::DegenerateContact { t, .. } => Some(*t),
+        // Branches cross where a curve has a double point.
+        | SolveError::DegenerateContact { t, what: Degeneracy::Gradient { .. }, .. } => Some(*t),
         _ => None,
     };
     let typed = t.is_some() || matches!(error, SolveError::NotAssembled { .. });

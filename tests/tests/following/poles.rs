@@ -2,7 +2,7 @@
 //! side.
 
 use kin_runtime::batch::{Column, Modes, Motions, Sweeps, always, sweep};
-use kin_runtime::{Instant, Kinematics, Limit, LimitKind, Options, SolveError, mechanism};
+use kin_runtime::{Instant, Kinematics, Limit, LimitKind, Options, Refusal, SolveError, mechanism};
 use kin_tests::random::Random;
 
 /// A pin in the slot of an arm that turns about the origin, and on a line.
@@ -121,6 +121,10 @@ fn ends_at<M: Kinematics + Sync>(mechanism: &M, pole: f64) {
     let times: Vec<f64> = (0..100).map(|k| 0.014 * pole * f64::from(k)).collect();
     let error = newton.sweep(&times).expect_err("a pole").source;
     assert!(!matches!(error, SolveError::NotAssembled { .. }), "{error}");
+    // Its steps grow with the way to infinity.
+    let newton = mechanism.solver().with_options(Options { use_plan: false, max_steps: 200, ..Options::default() });
+    let error = newton.sweep(&[0.0, 1.4 * pole]).expect_err("a pole").source;
+    assert!(!matches!(error, SolveError::StepRefused { reason: Refusal::TooManySteps, .. }), "{name}: {error}");
 }
 
 #[test]

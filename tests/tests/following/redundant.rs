@@ -99,7 +99,8 @@ fn off(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).fold(0.0_f64, |most, (a, b)| most.max((a - b).abs())) / size
 }
 
-/// The plan, which has no iteration, finds the same as Newton's method on all rows; `redundant` are the rows that it only checks.
+/// The plan, which has no iteration, finds the same as Newton's method on all rows; `redundant` are the rows that it
+/// only checks.
 fn agrees<M: Kinematics + Default>(redundant: &[&str]) {
     let (mechanism, plan) = (M::default(), &M::model().plan);
     let name = M::model().name;

@@ -5,18 +5,20 @@ use crate::course::Course;
 use crate::mechanism::Mechanism;
 use crate::plan::StepKind;
 use crate::planned::error::{Limit, Located};
-use crate::planned::follower::{Fault, PlanFollower};
+use crate::planned::follower::PlanFollower;
 use crate::planned::step::Step;
 use crate::planned::walk::Blocked;
 use crate::signal::Signal;
 use crate::workspace::Array;
 
-/// Largest difference between the solutions on both sides of the place at which a motion ends, relative to the largest
-/// coordinate plus 1; where they are farther apart, the motion jumps.
+/// Largest difference between the numbers on both sides of the place at which a motion ends, relative to the largest of
+/// them, for which they count as equal.
 const CONTINUOUS: f64 = 1e-4;
 
 impl<M: Mechanism> PlanFollower<M> {
-    /// The iterated group whose rates jump where no step is short enough, if positions do not jump there.
+    /// The limit of the first group whose rates jump where no step is short enough, if that group is iterated and no
+    /// position jumps there. Where a driver jumps, the rates of an earlier group do, or those of its own coordinate. If no
+    /// rates jump, the limit is that of the first iteration.
     pub(super) fn limit_of_iteration(
         &mut self,
         mechanism: &M,
@@ -24,7 +26,7 @@ impl<M: Mechanism> PlanFollower<M> {
         reached: f64,
         blocked: &Blocked<M>,
     ) -> Option<Limit> {
-        if blocked.fault != Some(Fault::Coarse) || !M::model().plan.iterates() {
+        if !M::model().plan.iterates() {
             return None;
         }
         self.predicted = blocked.here.q;
@@ -33,26 +35,25 @@ impl<M: Mechanism> PlanFollower<M> {
             return None;
         }
         let (here, beyond) = (&blocked.here, self.trial());
-        let change = |before: &M::Coordinates<f64>, now: &M::Coordinates<f64>, k: usize| {
-            (now.as_ref()[k] - before.as_ref()[k]).abs()
-        };
-        let size = here.q.as_ref().iter().fold(1.0_f64, |size, q| size.max(1.0 + q.abs()));
-        if (0..M::COORDINATES).any(|k| change(&here.q, &beyond.q, k) > CONTINUOUS * size) {
+        if changes([here.q.as_ref(), beyond.q.as_ref()], 1.0).next().is_some() {
             return None;
         }
-        let mut found = None;
-        let mut most = 0.0;
-        for group in M::model().plan.orientations {
-            let step = Step::new(M::model(), group.step)?;
-            let StepKind::Newton(unknowns) = step.info().kind else { continue };
-            let own = step.info().coordinates.iter().take(unknowns);
-            let change = own.fold(0.0, |most, &(k, _)| f64::max(most, change(&here.q_dot, &beyond.q_dot, k)));
-            if change > most {
-                (most, found) = (change, Some((step, group.margin)));
-            }
-        }
-        let (step, margin) = found?;
+        let plan = &M::model().plan;
+        let given_by = |k: usize| plan.steps.iter().position(|step| step.coordinates.iter().any(|of| of.0 == k));
+        let first = changes([here.q_dot.as_ref(), beyond.q_dot.as_ref()], 0.0).filter_map(given_by).min();
+        let is_iterated = |place: &usize| matches!(plan.steps[*place].kind, StepKind::Newton(_));
+        let place = first.or_else(|| (0..plan.steps.len()).find(is_iterated)).filter(is_iterated)?;
+        let margin = plan.orientations.iter().find(|group| group.step == place)?.margin;
+        let step = Step::new(M::model(), place)?;
         let located = Some(Located { at: reached, kind: None });
         Some(Limit { step, margin: beyond.margins.as_ref()[margin], located })
     }
+}
+
+/// The indices of the numbers that differ between two lists, which are compared with their largest number plus `least`.
+fn changes<'a>([before, now]: [&'a [f64]; 2], least: f64) -> impl Iterator<Item = usize> + 'a {
+    let largest = before.iter().chain(now).fold(0.0_f64, |most, x| most.max(x.abs()));
+    let allowed = CONTINUOUS * (largest + least);
+    let pairs = before.iter().zip(now).enumerate();
+    pairs.filter(move |(_, (a, b))| (*a - *b).abs() > allowed).map(|(k, _)| k)
 }

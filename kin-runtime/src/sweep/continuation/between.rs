@@ -5,8 +5,8 @@ use crate::equations::Equations;
 use crate::state::State;
 
 /// One step by full Newton to a given place: writes the node there and returns the factor by which the next step may be
-/// longer. The flag is true if the node must be converged fully, because the caller requested this place, or because the plan
-/// has a limit there.
+/// longer. The flag is true if the node must be converged fully, because the caller requested this place, or because
+/// the plan has a limit there.
 pub(super) type StepMethod =
     fn(&mut Equations<'_>, &mut Scratch, Start<'_>, &mut Node, f64, bool) -> Result<f64, Fault>;
 

@@ -258,7 +258,7 @@ impl Continuation {
                     // bound, so that no step is short enough.
                     return Err(refusal(equations, &start, target, Fault::Coarse(0.5), (limit, jumps)));
                 }
-                // At a limit that the plan has found, the iteration must converge fully, too: two solutions may meet there.
+                // The iteration must also converge fully at a limit that the plan has found: two solutions may meet there.
                 match (self.step)(equations, scratch, start, next, s, s == aim) {
                     Ok(_) if s == aim && s != target && next.state.condition.is_some_and(|c| c > SINGULAR) => {
                         return Err(refusal(equations, &start, s, Fault::Coarse(0.5), (limit, jumps)));

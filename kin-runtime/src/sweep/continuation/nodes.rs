@@ -94,8 +94,8 @@ pub(super) fn rates(
     Ok(())
 }
 
-/// The longest step from q in which no body turns by more than the options allow. `nearest` is the distance of the group that
-/// is nearest to its limit; `turns` are those of [`groups::turns`].
+/// The longest step from q in which no body turns by more than the options allow. `nearest` is the distance of the group
+/// that is nearest to its limit; `turns` are those of [`groups::turns`].
 pub(super) fn natural_step(
     equations: &Equations<'_>,
     [q, q_dot, q_ddot]: [&[f64]; 3],
