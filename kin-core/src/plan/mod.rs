@@ -22,6 +22,7 @@
 mod angles;
 mod choice;
 mod closures;
+mod curves;
 mod dense;
 mod display;
 mod expressions;
@@ -95,6 +96,10 @@ pub struct SolutionPlan {
     pub looks_within: bool,
     /// Whether rows with curves are iterated on.
     pub iterates_on_curves: bool,
+    /// Whether a coordinate may move between two configurations otherwise than these show: a row contains a function of
+    /// time, of an input, or of a coordinate for which the plan does not iterate on the row. It is known without a plan,
+    /// too.
+    pub known_values_curve: bool,
     /// Two programs that solve Φ_q x = b at a configuration: the first computes the `factors` values that depend on
     /// Φ_q alone, the second computes x from these values and b.
     pub resolve: [Program; 2],
@@ -138,7 +143,10 @@ pub fn plan_with_formulas(system: &KinematicSystem, rank: usize) -> SolutionPlan
 pub fn plan_and_linear(system: &KinematicSystem, rank: usize, formulas: bool) -> (SolutionPlan, Option<Linear>) {
     match planned(system, rank, formulas) {
         Ok((plan, linear)) => (plan, Some(linear)),
-        Err(why) => (SolutionPlan { absent: Some(why), ..SolutionPlan::default() }, None),
+        Err(why) => {
+            let known_values_curve = curves::known_values_curve(&system.set.graph, &system.set.rows, None);
+            (SolutionPlan { absent: Some(why), known_values_curve, ..SolutionPlan::default() }, None)
+        }
     }
 }
 
@@ -170,7 +178,8 @@ fn planned(system: &KinematicSystem, rank: usize, written: bool) -> Result<(Solu
     let values = branch_values.into_iter().chain(orientations).chain(signed.iter().map(|signed| signed.value));
     let outputs: Vec<_> = values.enumerate().map(|(k, id)| (Slot::Entry(k), id)).collect();
     let branch_values = lower(&graph, &outputs);
-    let iterates_on_curves = turns::iterates_on_curves(&graph, &tree);
+    let iterates_on_curves = curves::iterates_on_curves(&graph, &tree);
+    let known_values_curve = curves::known_values_curve(&graph, &set.rows, Some((&tree, &source_rows)));
     let turns::Turns { by_coordinates, looks_within } = turns::turns(&mut graph, &tree, &set.coordinates);
     let outputs: Vec<_> = by_coordinates.into_iter().enumerate().map(|(k, id)| (Slot::Entry(k), id)).collect();
     let turns = lower(&graph, &outputs);
@@ -200,6 +209,7 @@ fn planned(system: &KinematicSystem, rank: usize, written: bool) -> Result<(Solu
         turns,
         looks_within,
         iterates_on_curves,
+        known_values_curve,
         resolve,
         factors,
         regular,

@@ -19,9 +19,10 @@
 //! contact, and a carriage that of a link. If a coordinate occurs in several groups, their squares are added.
 
 use super::closures::LEAST;
+use super::curves::has_curves;
 use super::tree::{Block, Core, Part, SolutionMethod};
 use crate::constraint::{Coordinate, CoordinateKind};
-use crate::expr::{Depends, ExprId, Graph, Jet, Node, Symbol, total_derivatives};
+use crate::expr::{ExprId, Graph, Jet, Symbol, total_derivatives};
 use crate::mechanism::Component;
 use crate::vocabulary::Function;
 use std::collections::BTreeMap;
@@ -71,16 +72,6 @@ const fn unit(k: u32, coordinate: &Coordinate) -> Unit {
         CoordinateKind::Pose(..) => Unit::Length,
         CoordinateKind::Scalar => Unit::Scalar(k),
     }
-}
-
-/// True if the plan iterates on rows with curves.
-pub(super) fn iterates_on_curves(graph: &Graph, block: &Block) -> bool {
-    block.parts.iter().any(|part| match part {
-        Part::Core(Core { method: SolutionMethod::Newton { residuals }, .. }) => has_curves(graph, residuals),
-        Part::Core(_) => false,
-        Part::Block(block) => iterates_on_curves(graph, block),
-        Part::Pair(pair) => iterates_on_curves(graph, &pair.inner),
-    })
 }
 
 /// Adds w² of the coordinates of a block.
@@ -179,19 +170,6 @@ fn sum_of_products(graph: &mut Graph, a: &[ExprId], b: &[ExprId], constant: Expr
     a.iter().zip(b).fold(constant, |sum, (&a, &b)| {
         let product = graph.mul(a, b);
         graph.add(sum, product)
-    })
-}
-
-/// True if a residual depends on coordinates in another way than by products of lengths and rotated vectors, whose
-/// gradients turn no faster than the bodies.
-fn has_curves(graph: &Graph, residuals: &[ExprId]) -> bool {
-    let varies = |id: ExprId| graph.depends(id).on(Depends::COORDINATE);
-    graph.reachable(residuals.iter().copied()).into_iter().any(|id| match graph.node(id) {
-        Node::Call(_, a) | Node::Supplied(_, _, a) | Node::Powf(a, _) => varies(a),
-        Node::Powi(a, n) => n.abs() > 2 && varies(a),
-        Node::Div(_, b) => varies(b),
-        Node::Atan2(y, x) => varies(y) || varies(x),
-        _ => false,
     })
 }
 

@@ -83,6 +83,8 @@ pub(crate) trait System {
     fn iterates_on_curves(&self) -> bool;
     /// See [`Mechanism::CLOSED_ROWS_TURN`].
     fn closed_rows_turn(&self) -> bool;
+    /// See [`Mechanism::KNOWN_VALUES_CURVE`].
+    fn known_values_curve(&self) -> bool;
     /// Writes enclosures of the [`turns`](Self::turns) over a box; nothing where no rows with curves are iterated on.
     fn turns_over(&self, at: &Instant<'_, Interval>, q: &[Interval], turns: &mut [Interval])
     -> Result<(), LengthError>;
@@ -235,6 +237,10 @@ impl<B: Borrow<M>, M: Mechanism> System for Evaluator<B, M> {
 
     fn closed_rows_turn(&self) -> bool {
         M::CLOSED_ROWS_TURN
+    }
+
+    fn known_values_curve(&self) -> bool {
+        M::KNOWN_VALUES_CURVE
     }
 
     fn turns_over(

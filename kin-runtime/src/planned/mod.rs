@@ -20,6 +20,7 @@ mod text;
 mod trial;
 mod update;
 mod walk;
+pub(crate) mod within;
 
 pub use error::{Limit, LimitKind, Located, PlanError};
 pub use mode::{ModeKey, Sign};

@@ -15,6 +15,7 @@ use crate::planned::follower::{Control, NEGLIGIBLE, PlanFollower, has_scalars, r
 use crate::planned::lists::{BranchValues, Distances, Margins, Modes};
 use crate::planned::passed::CLOSE;
 use crate::planned::predict::{parabola, turned, weights};
+use crate::planned::within::solves_within;
 use crate::planned::{Limit, PlanError, Step};
 use crate::scalar::Scalar;
 use crate::scalar::compare::Compare;
@@ -145,6 +146,9 @@ impl<M: Mechanism> Motion<M> {
         let mut least = rotation.least(allowed - away);
         if self.rows_turn_alone {
             least = least.least(self.certainty_of_rows(mechanism, at, h, &control));
+        }
+        if solves_within::<M>() {
+            least = least.least(self.certainty_within(mechanism, at, t, allowed));
         }
         if M::LENGTHS > 0 {
             // The follower reports a negative length.

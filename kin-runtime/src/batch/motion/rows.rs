@@ -1,12 +1,14 @@
 //! The check of a common step where the gradients of rows turn otherwise than bodies do.
 
 use super::Motion;
+use crate::course::{Between, Course, kind};
 use crate::mechanism::Mechanism;
 use crate::planned::bends::{Span, bends_are_followed};
 use crate::planned::between::{certainty_at_places, certainty_of_rates};
 use crate::planned::follower::{Control, NEGLIGIBLE};
 use crate::planned::lists::Modes;
 use crate::planned::predict::{largest_turn, turned};
+use crate::planned::within::{Stretch, certainty_within};
 use crate::scalar::Scalar;
 use crate::scalar::compare::Compare;
 use crate::scalar::lanes::{Octet, Pack};
@@ -57,6 +59,28 @@ impl<M: Mechanism> Motion<M> {
         let at_places = certainty_at_places(mechanism, known, &self.modes, ends, h);
         debug_assert!(at_places.is_ok(), "the columns have been counted");
         certainty.least(at_places.unwrap_or_else(|_| Octet::from_f64(-1.0)))
+    }
+
+    /// Not negative in lanes in which the step to the time t hides no motion; `allowed` is the largest distance of the
+    /// motion from the cubic through both ends, in radians.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn certainty_within(&self, mechanism: &M, at: &Instant<'_, Octet>, t: f64, allowed: Octet) -> Octet {
+        let inputs = M::Inputs::<f64>::generate(|k| at.inputs[k].map(|x| x.lane(0)));
+        let from = Instant { t: self.t, inputs: self.inputs.as_ref() };
+        let to = Instant { t, inputs: inputs.as_ref() };
+        let course = Between { kind: kind(&from, &to), from, to };
+        if course.is_frozen() {
+            let mut inputs = from.inputs.iter().zip(to.inputs);
+            return Octet::from_f64(if inputs.all(|(before, now)| before.value == now.value) { 1.0 } else { -1.0 });
+        }
+        let (here, tried) = (self.poses(), &self.poses[1 - self.good]);
+        let ends = [here.q.as_ref(), here.q_dot.as_ref(), tried.q.as_ref(), tried.q_dot.as_ref()];
+        let stretch = Stretch { course: &course, places: [self.t, t], ends };
+        let (parameters, weights) = (self.parameters.as_ref(), self.weights.as_ref());
+        let certainty = certainty_within(mechanism, parameters, stretch, &self.modes, (weights, allowed));
+        debug_assert!(certainty.is_ok(), "the columns have been counted");
+        certainty.unwrap_or_else(|_| Octet::from_f64(-1.0))
     }
 
     /// True if no iterated group of a set comes near its limit in a bend of the rows.

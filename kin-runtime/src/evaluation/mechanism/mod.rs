@@ -38,6 +38,9 @@ pub trait Mechanism: Sized {
     const CLOSED_ROWS_TURN: bool = false;
     /// Whether the plan iterates on rows with curves, whose gradients may turn faster than bodies do.
     const ROWS_CURVE: bool = false;
+    /// Whether a coordinate may move between two configurations otherwise than these show: a row contains a function of
+    /// time, of an input, or of a coordinate for which the plan does not iterate on the row.
+    const KNOWN_VALUES_CURVE: bool = false;
 
     /// `[T; PARAMETERS]`.
     type Parameters<T: Scalar>: Array<T>;

@@ -12,6 +12,7 @@ use super::error::PlanError;
 use super::follower::{Control, NEGLIGIBLE, PlanFollower, PlanSolution, most_turn};
 use super::lists::{BranchValues, Modes};
 use super::predict::{beyond_parabola, parabola, turned, weights};
+use super::within::solves_within;
 use crate::course::{Between, Course, Kind, kind};
 use crate::mechanism::{LengthError, Mechanism};
 use crate::plan::StepKind;
@@ -83,7 +84,7 @@ impl<M: Mechanism> PlanFollower<M> {
         if self.starts_anew {
             return self.solve_anew(mechanism, at);
         }
-        if self.try_one_step(mechanism, at, turn, control)? {
+        if self.try_one_step(mechanism, at, turn, control, None)? {
             return Ok(());
         }
         self.walk_between(mechanism, at, control)
@@ -104,10 +105,11 @@ impl<M: Mechanism> PlanFollower<M> {
         if self.starts_anew {
             return self.solve_anew(mechanism, at);
         }
-        if self.try_one_step(mechanism, at, turn, control)? {
+        let course = crate::course::Timed { from: self.t, to: at.t, inputs };
+        if self.try_one_step(mechanism, at, turn, control, Some(&course))? {
             return Ok(());
         }
-        self.walk_and_keep(mechanism, &crate::course::Timed { from: self.t, to: at.t, inputs }, at, control)
+        self.walk_and_keep(mechanism, &course, at, control)
     }
 
     /// An error if a length that a joint prescribes is negative.
@@ -231,6 +233,7 @@ impl<M: Mechanism> PlanFollower<M> {
     }
 
     /// Moves the follower to the instant in one step from the prediction, if that is accepted; returns whether it was.
+    /// Without a course the inputs change as between any two instants.
     #[inline]
     fn try_one_step(
         &mut self,
@@ -238,6 +241,7 @@ impl<M: Mechanism> PlanFollower<M> {
         at: &Instant<'_>,
         turn: f64,
         control: &Control,
+        course: Option<&dyn Course>,
     ) -> Result<bool, LengthError> {
         // The comparisons are written so that NaN is rejected.
         let is_short = turn <= most_turn(control, self.nearest);
@@ -250,6 +254,7 @@ impl<M: Mechanism> PlanFollower<M> {
         let here = &self.states[self.accepted];
         if !is_expected
             || !self.rows_are_followed(mechanism, at, here, (self.inputs.as_ref(), at.t - self.t), control)?
+            || solves_within::<M>() && !self.hides_nothing_until(mechanism, at, course, control)?
         {
             return Ok(false);
         }

@@ -143,7 +143,8 @@ impl<M: Mechanism> PlanFollower<M> {
             course.at(s, from.as_mut());
             let t = course.at(next, inputs.as_mut());
             let end = Instant { t, inputs: inputs.as_ref() };
-            let followed = self.rows_are_followed(mechanism, &end, here, (from.as_ref(), h), control)?;
+            let followed = self.rows_are_followed(mechanism, &end, here, (from.as_ref(), h), control)?
+                && self.hides_nothing(mechanism, course, [s, next], here, control)?;
             if followed { Ok(effort) } else { Err(Fault::Coarse) }
         });
         if result.is_err() {

@@ -38,6 +38,7 @@ mod nodes;
 mod orientation;
 mod refusal;
 mod step;
+mod within;
 
 pub(crate) use follow::Continuation;
 pub(crate) use kinematic::{kinematic, kinematic_each};

@@ -2,6 +2,7 @@
 
 use super::groups;
 use super::orientation::Orientation;
+use super::within::hides_nothing;
 use crate::analysis::acceleration::acceleration;
 use crate::analysis::velocity::{inconsistency, scaled};
 use crate::equations::Equations;
@@ -26,7 +27,7 @@ const CONVERGED: f64 = 0.1;
 /// Length of a correction, on the common scale, below which it may be due to rounding.
 const ROUNDING: f64 = 1e-9;
 /// Corrections up to this size on the common scale are always accepted, for motions that start from rest.
-const NEGLIGIBLE: f64 = 1e-4;
+pub(super) const NEGLIGIBLE: f64 = 1e-4;
 /// Length of a motion so short that a jump of the velocity in it is attributed to the driver.
 const INSTANTANEOUS: f64 = 1e-7;
 /// Largest deviation of the velocity from its prediction, relative to the larger of the two.
@@ -206,6 +207,9 @@ pub(super) fn settle(
     let ends = [&*from.node.state.q, from.q_dot, &*state.q, q_dot.as_slice()];
     let span = Span { ends, inputs: &from.node.state.inputs, h };
     if !is_redundant && !groups::stay_between(equations, [before, groups], span) {
+        return Err(Fault::Coarse(0.5));
+    }
+    if !is_redundant && !hides_nothing(equations, from, (s, &state.q, q_dot.as_slice()), &found)? {
         return Err(Fault::Coarse(0.5));
     }
     fill(&mut state.q_dot, q_dot.iter().copied());
