@@ -3,6 +3,7 @@
 mod batch;
 mod controller;
 mod guides;
+mod hidden;
 mod input_ranges;
 mod inputs;
 mod larger;

@@ -197,6 +197,37 @@ fn steering(t: f64) -> Signal {
     Signal { value: 0.2 + 0.3 * sin, rate: 0.6 * cos, acceleration: -1.2 * sin }
 }
 
+/// A blade at a distance from the origin of the body, which turns uniformly.
+#[mechanism]
+#[bodies(sled)]
+#[driver(turn: sled.phi = 0.3 + w * t)]
+#[knife_edge(edge: sled @ (e, 0))]
+#[speed(go: sled @ (e, 0), value = v)]
+struct Offset {
+    w: f64,
+    e: f64,
+    v: f64,
+}
+
+/// The blade moves on a circle with the radius v/w; the steps do not become shorter with the offset.
+#[test]
+fn a_small_offset_does_not_shorten_the_steps() {
+    let (w, v) = (-1.2, 3.0);
+    for e in [0.0, 1.0, 1e-2, 1e-4, 1e-6] {
+        let sled = Offset { w, e, v };
+        let options = Options { max_steps: 10_000, ..Options::default() };
+        let times = grid(0.0, 8.0, 4);
+        let start = [-e * f64::cos(0.3), -e * f64::sin(0.3), 0.3];
+        let states = sled.solver().with_options(options).sweep_from(&start, &times).expect("a circle").states;
+        for state in states {
+            let phi = 0.3 + w * state.t;
+            let at = [v / w * (phi.sin() - f64::sin(0.3)), v / w * (f64::cos(0.3) - phi.cos())];
+            close("x", at[0] - e * phi.cos(), state.q[0], 1e-9);
+            close("y", at[1] - e * phi.sin(), state.q[1], 1e-9);
+        }
+    }
+}
+
 #[test]
 fn inputs_steer() {
     let times = grid(0.0, 1.9, 4);

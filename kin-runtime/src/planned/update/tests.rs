@@ -35,7 +35,7 @@ fn counts([before, now]: [f64; 2], turn: f64, control: &Control) -> bool {
         let h = step_of(&mut follower, turn, side);
         let turn = follower.predict(h);
         let at = Instant::at(h);
-        let counts = follower.try_one_step(&at_distance(now), &at, turn, control).unwrap();
+        let counts = follower.try_one_step(&at_distance(now), &at, turn, control, None).unwrap();
         // An accepted step reaches the instant, and a rejected one changes nothing.
         assert_eq!(
             if counts { [h, 0.0] } else { [0.0, f64::NAN] }.map(f64::to_bits),
@@ -83,13 +83,13 @@ fn a_solution_that_is_not_where_it_was_predicted_does_not_count() {
         let h = step_of(&mut from, 0.3, side);
         let turn = from.predict(h);
         let mut found = from;
-        assert!(found.try_one_step(&mechanism, &Instant::at(h), turn, &GENEROUS).unwrap());
+        assert!(found.try_one_step(&mechanism, &Instant::at(h), turn, &GENEROUS, None).unwrap());
         let away = turned(found.state().q.as_ref(), found.predicted.as_ref(), found.weights.as_ref());
         assert!(away > 4.0 * NEGLIGIBLE && away < 0.1 * turn, "{away}");
         for (factor, expected) in [(1.01, true), (0.99, false)] {
             let control = Control { correction: (factor * away - NEGLIGIBLE) / turn, ..GENEROUS };
             let counts = |mut follower: PlanFollower<PlannedFourBar>| {
-                follower.try_one_step(&mechanism, &Instant::at(h), turn, &control).unwrap()
+                follower.try_one_step(&mechanism, &Instant::at(h), turn, &control, None).unwrap()
             };
             assert_eq!(expected, counts(from), "{factor} {side}");
         }
@@ -104,9 +104,9 @@ fn what_is_not_good_does_not_count() {
     let turn = follower.predict(0.01);
     for margin in [1e-12, 0.0, -0.5, f64::NAN] {
         let bad = PlannedFourBar { margin: Some(margin), ..PlannedFourBar::default() };
-        assert!(!follower.try_one_step(&bad, &Instant::at(0.01), turn, &GENEROUS).unwrap(), "{margin}");
+        assert!(!follower.try_one_step(&bad, &Instant::at(0.01), turn, &GENEROUS, None).unwrap(), "{margin}");
     }
-    assert!(!follower.try_one_step(&at_distance(1.0), &Instant::at(f64::NAN), turn, &GENEROUS).unwrap());
-    assert!(!follower.try_one_step(&at_distance(1.0), &Instant::at(0.01), f64::NAN, &GENEROUS).unwrap());
-    assert!(follower.try_one_step(&at_distance(1.0), &Instant::at(0.01), turn, &GENEROUS).unwrap());
+    assert!(!follower.try_one_step(&at_distance(1.0), &Instant::at(f64::NAN), turn, &GENEROUS, None).unwrap());
+    assert!(!follower.try_one_step(&at_distance(1.0), &Instant::at(0.01), f64::NAN, &GENEROUS, None).unwrap());
+    assert!(follower.try_one_step(&at_distance(1.0), &Instant::at(0.01), turn, &GENEROUS, None).unwrap());
 }

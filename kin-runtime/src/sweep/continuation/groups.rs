@@ -45,11 +45,21 @@ pub(super) fn turns(equations: &Equations<'_>, at: &Instant<'_>, q: &[f64]) -> V
 /// The largest angle by which a displacement, or a rate, turns a body at q, in radians.
 ///
 /// Where branch values and the turns of rows show how far the groups are from their limits, lengths do not count: a
-/// solution may go to infinity, in steps as long as the way to it. Otherwise lengths count by the size of the mechanism.
+/// solution may go to infinity, in steps as long as the way to it. Otherwise lengths count by the size of the mechanism,
+/// except those that only rows of velocity level contain: a vehicle may go far, and the error of its integration limits
+/// the steps.
 pub(super) fn turn_of_bodies(equations: &Equations<'_>, q: &[f64], displacement: &[f64]) -> f64 {
     let plan = &equations.model.plan;
     if equations.given() > 0 || !plan.exists() || plan.has_redundant_rows() {
-        return equations.scale.turn(displacement);
+        let mut counted: Vec<f64> = displacement.to_vec();
+        if !(0..equations.rows()).all(|row| equations.holonomic(row)) {
+            let closing =
+                |k: usize| equations.entries().any(|((row, column), _)| column == k && equations.holonomic(row));
+            let lengths = counted.iter_mut().zip(equations.model.coordinates).enumerate();
+            let free = lengths.filter(|(k, (_, coordinate))| coordinate.kind.is_length() && !closing(*k));
+            free.for_each(|(_, (x, _))| *x = 0.0);
+        }
+        return equations.scale.turn(&counted);
     }
     let coordinates = equations.model.coordinates.iter().zip(q).zip(displacement);
     coordinates.fold(0.0, |most, ((coordinate, q), x)| f64::max(most, weight(coordinate.kind, *q) * x.abs()))

@@ -1,32 +1,31 @@
 //! The motion within a step of full Newton.
 
-use super::step::{Fault, NEGLIGIBLE, Start};
 use crate::analysis::velocity::scaled;
 use crate::equations::Equations;
+use crate::error::SolveError;
 use crate::linear::Factorization;
 use crate::planned::between::on_cubic;
 use crate::planned::within::places_within;
 use crate::workspace::Subset;
 
-/// True if a step hides no motion: at places within it the Newton step from the cubic through both ends is short
-/// (see [`planned::within`](crate::planned::within)). `end` are s, q and q̇ at the end, and `factor` is the factorisation
-/// of Φ_q there. The equations are left evaluated at the end.
+/// True if a step between two places hides no motion: at places within it the Newton step from the cubic through both
+/// ends is not longer than `allowed` on the common scale (see [`planned::within`](crate::planned::within)). `ends` are q
+/// and q̇ at both ends, and `factor` is the factorisation of Φ_q at the last one, where the equations are left evaluated.
 pub(super) fn hides_nothing(
     equations: &mut Equations<'_>,
-    from: Start<'_>,
-    (s, q, q_dot): (f64, &[f64], &[f64]),
+    [from, s]: [f64; 2],
+    ends: [&[f64]; 4],
     factor: &Factorization,
-) -> Result<bool, Fault> {
-    let h = s - from.s;
+    allowed: f64,
+) -> Result<bool, SolveError> {
+    let (h, q) = (s - from, ends[2]);
     if !equations.system.known_values_curve() || h == 0.0 {
         return Ok(true);
     }
-    let motion: Vec<f64> = from.q_dot.iter().zip(from.q_ddot).map(|(v, a)| h * (v + 0.5 * h * a)).collect();
-    let allowed = equations.options.prediction_tolerance * equations.scale.size(&motion) + NEGLIGIBLE;
     let (mut cubic, mut is_near) = (vec![0.0; q.len()], true);
     for place in places_within() {
-        on_cubic(&mut cubic, [&from.node.state.q, from.q_dot, q, q_dot], h, place);
-        let moved = equations.move_to(from.s + place * h);
+        on_cubic(&mut cubic, ends, h, place);
+        let moved = equations.move_to(from + place * h);
         is_near &= moved.and_then(|()| equations.evaluate(Subset::POSITION, &cubic, None)).is_ok_and(|()| {
             let step = factor.solve(&scaled(equations, &equations.phi));
             // The comparison is written so that NaN is rejected.

@@ -27,7 +27,7 @@ const CONVERGED: f64 = 0.1;
 /// Length of a correction, on the common scale, below which it may be due to rounding.
 const ROUNDING: f64 = 1e-9;
 /// Corrections up to this size on the common scale are always accepted, for motions that start from rest.
-pub(super) const NEGLIGIBLE: f64 = 1e-4;
+const NEGLIGIBLE: f64 = 1e-4;
 /// Length of a motion so short that a jump of the velocity in it is attributed to the driver.
 const INSTANTANEOUS: f64 = 1e-7;
 /// Largest deviation of the velocity from its prediction, relative to the larger of the two.
@@ -209,7 +209,9 @@ pub(super) fn settle(
     if !is_redundant && !groups::stay_between(equations, [before, groups], span) {
         return Err(Fault::Coarse(0.5));
     }
-    if !is_redundant && !hides_nothing(equations, from, (s, &state.q, q_dot.as_slice()), &found)? {
+    fill(motion, from.q_dot.iter().zip(from.q_ddot).map(|(v, a)| h * (v + 0.5 * h * a)));
+    let allowed = equations.options.prediction_tolerance * equations.scale.size(motion) + NEGLIGIBLE;
+    if !is_redundant && !hides_nothing(equations, [from.s, s], ends, &found, allowed)? {
         return Err(Fault::Coarse(0.5));
     }
     fill(&mut state.q_dot, q_dot.iter().copied());
