@@ -108,6 +108,33 @@ fn a_driven_length_is_looked_at_in_every_instant() {
     assert!(solver.sweep(&[0.0, 0.2, 2.0]).unwrap_err().trajectory.states.len() == 2);
 }
 
+/// The loop cannot be closed any more at some positive length; that is found although the next instant has a negative
+/// one, and although the last instant is an hour later.
+#[test]
+fn a_dead_centre_before_a_negative_length_is_found() {
+    let (reach, eye) = (f64::hypot(0.5, 0.2), f64::hypot(1.0, 0.1));
+    let shrinking = Driven { from: 0.9, speed: -0.3 };
+    let dead = (0.9 - (eye - reach)) / 0.3;
+    let solver = shrinking.solver();
+    for times in [[0.0, 0.2, 3600.0], [0.0, 0.3, 3.1], [0.0, 0.4, 2.0]] {
+        let error = solver.sweep(&times).unwrap_err();
+        let limit = error.source.limit().unwrap_or_else(|| panic!("{}", error.source));
+        assert!((limit.at().unwrap() - dead).abs() < 1e-9, "{limit}, expected {dead}");
+        assert_eq!(error.trajectory.states.len(), 2);
+        let mut planned = solver.planned(&Instant::at(0.0)).unwrap();
+        let error = planned.at(&Instant::at(times[2])).map(|_| ()).unwrap_err();
+        let limit = error.limit().unwrap_or_else(|| panic!("{error}"));
+        assert!((limit.at().unwrap() - dead).abs() < 1e-9, "{limit}, expected {dead}");
+        assert_eq!(planned.t(), 0.0);
+        assert!(planned.at(&Instant::at(times[1])).is_ok());
+    }
+    // The same by an input that is a function of time; a value that is given is wrong by itself.
+    let by_input = |t: f64, inputs: &mut [Signal]| inputs[0] = Signal::new(0.9 - 0.3 * t, -0.3, 0.0);
+    let error = Boom.solver().with_inputs(&by_input).sweep(&[0.0, 0.2, 3600.0]).unwrap_err();
+    let limit = error.source.limit().unwrap_or_else(|| panic!("{}", error.source));
+    assert!((limit.at().unwrap() - dead).abs() < 1e-9, "{limit}, expected {dead}");
+}
+
 #[test]
 fn a_length_of_nothing_is_what_it_was() {
     let error = Driven { from: 0.0, speed: 0.0 }.state_at(&Instant::at(0.0)).unwrap_err();

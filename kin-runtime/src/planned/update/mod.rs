@@ -8,7 +8,7 @@
 
 use super::blurred::NEAR;
 use super::branch::{OUT_OF_REACH, resolves};
-use super::error::PlanError;
+use super::error::{Limit, PlanError};
 use super::follower::{Control, NEGLIGIBLE, PlanFollower, PlanSolution, most_turn};
 use super::lists::{BranchValues, Modes};
 use super::predict::{beyond_parabola, parabola, turned, weights};
@@ -16,7 +16,7 @@ use super::within::solves_within;
 use crate::course::{Between, Course, Kind, kind};
 use crate::mechanism::{LengthError, Mechanism};
 use crate::plan::StepKind;
-use crate::signal::Instant;
+use crate::signal::{Instant, Signal};
 use crate::workspace::Array;
 
 impl<M: Mechanism> PlanFollower<M> {
@@ -79,7 +79,13 @@ impl<M: Mechanism> PlanFollower<M> {
     #[inline]
     pub(crate) fn update(&mut self, mechanism: &M, at: &Instant<'_>, control: &Control) -> Result<(), PlanError> {
         self.q_at_limit = None;
-        self.lengths_exist(mechanism, at)?;
+        if let Err(error) = self.lengths_exist(mechanism, at) {
+            let from = self.inputs;
+            let from = Instant { t: self.t, inputs: from.as_ref() };
+            let course = Between { kind: kind(&from, at), from, to: *at };
+            // A length that the caller has given is wrong whatever lies between.
+            return Err(if M::INPUTS > 0 { error } else { self.limit_before(mechanism, &course, at, control, error) });
+        }
         let turn = self.predict(at.t - self.t);
         if self.starts_anew {
             return self.solve_anew(mechanism, at);
@@ -100,12 +106,14 @@ impl<M: Mechanism> PlanFollower<M> {
         control: &Control,
     ) -> Result<(), PlanError> {
         self.q_at_limit = None;
-        self.lengths_exist(mechanism, at)?;
+        let course = crate::course::Timed { from: self.t, to: at.t, inputs };
+        if let Err(error) = self.lengths_exist(mechanism, at) {
+            return Err(self.limit_before(mechanism, &course, at, control, error));
+        }
         let turn = self.predict(at.t - self.t);
         if self.starts_anew {
             return self.solve_anew(mechanism, at);
         }
-        let course = crate::course::Timed { from: self.t, to: at.t, inputs };
         if self.try_one_step(mechanism, at, turn, control, Some(&course))? {
             return Ok(());
         }
@@ -124,6 +132,43 @@ impl<M: Mechanism> PlanFollower<M> {
         match lengths.iter().position(|length| *length < 0.0) {
             Some(place) => Err(PlanError::negative_length(M::model(), at.t, place, lengths[place])),
             None => Ok(()),
+        }
+    }
+
+    /// The limit at which the motion to an instant with a negative length ends, if it comes before the length is
+    /// negative; otherwise the error of the length. The state stays where it is.
+    #[cold]
+    #[inline(never)]
+    fn limit_before(
+        &mut self,
+        mechanism: &M,
+        course: &dyn Course,
+        at: &Instant<'_>,
+        control: &Control,
+        error: PlanError,
+    ) -> PlanError {
+        if self.starts_anew || course.is_frozen() {
+            return error;
+        }
+        let before = *self;
+        let mut refused = None;
+        if let Err(blocked) = self.walk(mechanism, course, at, control) {
+            refused = Some(self.refusal(mechanism, course, at, &blocked));
+        }
+        let q_at_limit = self.q_at_limit;
+        *self = before;
+        let mut inputs = M::Inputs::<f64>::filled(Signal::constant(0.0));
+        let located = refused.as_ref().and_then(PlanError::limit).and_then(Limit::at);
+        let is_before = located.is_some_and(|t| {
+            course.at(t, inputs.as_mut());
+            self.lengths_exist(mechanism, &Instant { t, inputs: inputs.as_ref() }).is_ok()
+        });
+        match refused {
+            Some(refused) if is_before => {
+                (self.q_at_limit, self.t_before) = (q_at_limit, f64::NAN);
+                refused
+            }
+            _ => error,
         }
     }
 

@@ -7,7 +7,7 @@ use crate::equations::contact;
 use crate::equations::residual::{Row, Tolerances, closed, closed_position, write_lengths, write_sizes};
 use crate::equations::scale::Scale;
 use crate::equations::system::Followed;
-use crate::error::SolveError;
+use crate::error::{Degeneracy, SolveError};
 use crate::options::Options;
 use crate::planned::follower::Control;
 use crate::planned::{Limit, PlanError};
@@ -211,7 +211,11 @@ impl CheckedPlan {
         to: &mut Node,
         s: f64,
     ) -> Result<bool, SolveError> {
-        equations.move_to(s)?;
+        match equations.move_to(s) {
+            // The plan may find a limit before the length is negative.
+            Err(SolveError::DegenerateGeometry { fault: Degeneracy::NegativeLength { .. }, .. }) | Ok(()) => {}
+            Err(error) => return Err(error),
+        }
         to.s = s;
         to.basis = None;
         self.solve(equations, before, &mut to.state)

@@ -41,7 +41,9 @@ pub(super) fn complete_basis(equations: &mut Equations<'_>, node: &mut Node) -> 
         });
     }
     node.basis = Some(basis_with(equations, &node.state, factor)?);
-    equations.set_instant(&Instant { t, inputs: &inputs })
+    // The instant may be one that has no state, as where a length is negative.
+    equations.set_checked_instant(&Instant { t, inputs: &inputs });
+    Ok(())
 }
 
 /// The basis for full Newton at a state, from a factorisation of Φ_q, which was evaluated there last.
