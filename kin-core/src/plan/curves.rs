@@ -7,26 +7,73 @@
 use super::tree::{Block, Core, Part, SolutionMethod};
 use crate::constraint::ConstraintRow;
 use crate::expr::{Depends, ExprId, Graph, Node, Symbol};
+use crate::vocabulary::Function;
 use std::collections::BTreeSet;
 
-/// True if an expression depends on what `varies` in another way than by sums, products and rotated vectors.
-fn curves_with(
-    graph: &Graph,
-    expressions: impl IntoIterator<Item = ExprId>,
-    mut varies: impl FnMut(ExprId) -> bool,
-) -> bool {
-    graph.reachable(expressions).into_iter().any(|id| match graph.node(id) {
-        Node::Call(_, a) | Node::Supplied(_, _, a) | Node::Powf(a, _) => varies(a),
+/// True if an expression has curves over coordinates: if it depends on them in another way than by sums, products and
+/// rotated vectors.
+pub(super) fn has_curves(graph: &Graph, expressions: &[ExprId]) -> bool {
+    let varies = |id: ExprId| graph.depends(id).on(Depends::COORDINATE);
+    graph.reachable(expressions.iter().copied()).into_iter().any(|id| match graph.node(id) {
+        Node::Call(_, a) => varies(a),
+        _ => is_other_curve(graph, id, &varies),
+    })
+}
+
+/// True for a node that is a curve over what varies, other than a function of the language.
+fn is_other_curve(graph: &Graph, id: ExprId, varies: &dyn Fn(ExprId) -> bool) -> bool {
+    match graph.node(id) {
+        Node::Supplied(_, _, a) | Node::Powf(a, _) => varies(a),
         Node::Powi(a, n) => n.abs() > 2 && varies(a),
         Node::Div(_, b) => varies(b),
         Node::Atan2(y, x) => varies(y) || varies(x),
         _ => false,
+    }
+}
+
+/// True if the value of an expression may change and return although its rate and acceleration vanish at both ends.
+///
+/// One sinusoid of an affine argument cannot, nor can its square: rate and acceleration of a sin x never vanish together.
+/// The sum of two can, as sin³ x = ¾ sin x − ¼ sin 3x shows.
+fn hides_motion(graph: &Graph, expression: ExprId, varies: &dyn Fn(ExprId) -> bool) -> bool {
+    let mut arguments = BTreeSet::new();
+    // The argument of a sinusoid, unless it turns no faster than the bodies.
+    let sinusoid = |id: ExprId| match graph.node(id) {
+        Node::Call(Function::Sin | Function::Cos, a) if varies(a) && !is_sum_of_angles(graph, a) => Some(a),
+        _ => None,
+    };
+    let has_sinusoid = |id: ExprId| graph.reachable([id]).into_iter().any(|id| sinusoid(id).is_some());
+    graph.reachable([expression]).into_iter().any(|id| match graph.node(id) {
+        Node::Call(Function::Sin | Function::Cos, a) if is_affine(graph, a) => {
+            sinusoid(id).is_some() && arguments.insert(a) && arguments.len() > 1
+        }
+        Node::Call(_, a) => varies(a),
+        Node::Mul(a, b) if a != b => has_sinusoid(a) && varies(b) || has_sinusoid(b) && varies(a),
+        _ => is_other_curve(graph, id, varies),
     })
 }
 
-/// True if an expression has curves over coordinates.
-pub(super) fn has_curves(graph: &Graph, expressions: &[ExprId]) -> bool {
-    curves_with(graph, expressions.iter().copied(), |id| graph.depends(id).on(Depends::COORDINATE))
+/// True for a sum and difference of coordinates and constants.
+fn is_sum_of_angles(graph: &Graph, id: ExprId) -> bool {
+    match graph.node(id) {
+        Node::Symbol(Symbol::Coordinate(_)) => true,
+        Node::Neg(a) => is_sum_of_angles(graph, a),
+        Node::Add(a, b) | Node::Sub(a, b) => is_sum_of_angles(graph, a) && is_sum_of_angles(graph, b),
+        _ => graph.depends(id).is_static(),
+    }
+}
+
+/// True for a sum of symbols with constant factors.
+fn is_affine(graph: &Graph, id: ExprId) -> bool {
+    let is_static = |id: ExprId| graph.depends(id).is_static();
+    match graph.node(id) {
+        Node::Symbol(_) => true,
+        Node::Neg(a) | Node::Opaque(a) => is_affine(graph, a),
+        Node::Add(a, b) | Node::Sub(a, b) => is_affine(graph, a) && is_affine(graph, b),
+        Node::Mul(a, b) => is_static(a) && is_affine(graph, b) || is_static(b) && is_affine(graph, a),
+        Node::Div(a, b) => is_static(b) && is_affine(graph, a),
+        _ => is_static(id),
+    }
 }
 
 /// True if the plan iterates on rows with curves.
@@ -37,8 +84,8 @@ pub(super) fn iterates_on_curves(graph: &Graph, block: &Block) -> bool {
     })
 }
 
-/// True if a row contains a curve over time, over an input, or over a coordinate for which the plan does not iterate on
-/// that row. `sources` are the rows that each row of the plan combines; without a plan no row is iterated.
+/// True if a row contains a function that may hide motion, of time, of an input, or of a coordinate for which the plan does
+/// not iterate on that row. `sources` are the rows that each row of the plan combines; without a plan no row is iterated.
 pub(super) fn known_values_curve(
     graph: &Graph,
     rows: &[ConstraintRow],
@@ -49,14 +96,14 @@ pub(super) fn known_values_curve(
         any_core(tree, &mut |core| {
             if let SolutionMethod::Newton { residuals } = &core.method {
                 iterated.extend(core.rows.iter().flat_map(|&row| &sources[row]).copied());
-                found |= curves_with(graph, residuals.iter().copied(), |id| depends_on_known(graph, id, core));
+                found |= residuals.iter().any(|&f| hides_motion(graph, f, &|id| depends_on_known(graph, id, core)));
             }
             found
         });
     }
     let varies = |id: ExprId| graph.depends(id).on(RHEONOMIC.or(Depends::COORDINATE));
-    let closed = rows.iter().enumerate().filter(|(row, _)| !iterated.contains(row)).map(|(_, row)| row.phi);
-    found || curves_with(graph, closed, varies)
+    let mut closed = rows.iter().enumerate().filter(|(row, _)| !iterated.contains(row));
+    found || closed.any(|(_, row)| hides_motion(graph, row.phi, &varies))
 }
 
 const RHEONOMIC: Depends = Depends::TIME.or(Depends::INPUT);

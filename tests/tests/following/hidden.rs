@@ -2,7 +2,11 @@
 //! nothing of it.
 
 use kin_runtime::batch::{Column, Modes, Motions, Sweeps, always, sweep};
-use kin_runtime::{Instant, Kinematics, Options, SolveError, mechanism};
+use kin_runtime::{Instant, Kinematics, Mechanism, Options, SolveError, mechanism};
+use kin_tests::mechanisms::{
+    Excavator, FourbarLectureAngles, FourbarLectureMid, GearedFivebar, KlannLeg, Peaucellier, QuickReturn, ScotchYoke,
+    SliderCrankInline, WattSixbar,
+};
 use std::f64::consts::PI;
 
 /// A rod of length 0.7 couples a slider to an arm of length 0.2: it closes for 0.5 ≤ x ≤ 0.9. The slider follows a cam
@@ -141,4 +145,51 @@ fn lobes_that_stay_within_the_range_are_followed() {
             }
         }
     }
+}
+
+/// One sinusoid shows its motion in its rates, and rotated vectors turn no faster than the bodies.
+#[test]
+fn steps_are_looked_into_only_where_functions_may_hide_motion() {
+    /// A crank driven by a function of time.
+    macro_rules! driven {
+        ($($name:ident: $($value:tt)*),* $(,)?) => { $(
+            #[mechanism]
+            #[body(crank, x = 0, y = 0)]
+            #[driver(drive: crank.phi = $($value)*)]
+            struct $name { a: f64, w: f64 }
+        )* };
+    }
+    driven!(OneSine: (0.3 + t - a * sin(w * t + 0.2)));
+    driven!(Squared: (a * t + pow(w - a * cos(w * t), 2)));
+    driven!(TwoSines: (a * sin(w * t) - a * sin(3 * w * t) / 3));
+    driven!(Product: (a * sin(w * t) * sin(2 * w * t)));
+    driven!(Chirp: (sin(a * t + w * pow(t, 2))));
+    driven!(Bump: (a * exp(-pow(t * w, 2))));
+    driven!(Quintic: (a * pow(t, 5) + w * t));
+    let unseen = [
+        OneSine::KNOWN_VALUES_CURVE,
+        Squared::KNOWN_VALUES_CURVE,
+        Excavator::KNOWN_VALUES_CURVE,
+        FourbarLectureAngles::KNOWN_VALUES_CURVE,
+        FourbarLectureMid::KNOWN_VALUES_CURVE,
+        GearedFivebar::KNOWN_VALUES_CURVE,
+        KlannLeg::KNOWN_VALUES_CURVE,
+        Peaucellier::KNOWN_VALUES_CURVE,
+        QuickReturn::KNOWN_VALUES_CURVE,
+        ScotchYoke::KNOWN_VALUES_CURVE,
+        SliderCrankInline::KNOWN_VALUES_CURVE,
+        WattSixbar::KNOWN_VALUES_CURVE,
+    ];
+    assert_eq!([false; 12], unseen);
+    let seen = [
+        TwoSines::KNOWN_VALUES_CURVE,
+        Product::KNOWN_VALUES_CURVE,
+        Chirp::KNOWN_VALUES_CURVE,
+        Bump::KNOWN_VALUES_CURVE,
+        Quintic::KNOWN_VALUES_CURVE,
+        Cubed::KNOWN_VALUES_CURVE,
+        Wave::KNOWN_VALUES_CURVE,
+        Driven::KNOWN_VALUES_CURVE,
+    ];
+    assert_eq!([true; 8], seen);
 }
