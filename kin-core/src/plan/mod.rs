@@ -97,8 +97,8 @@ pub struct SolutionPlan {
     /// Whether rows with curves are iterated on.
     pub iterates_on_curves: bool,
     /// Whether a coordinate may move between two configurations otherwise than these show: a row contains a function of
-    /// time, of an input, or of a coordinate for which the plan does not iterate on the row. It is known without a plan,
-    /// too.
+    /// time, of an input, or of a coordinate for which the plan does not iterate on the row, and more than one sinusoid.
+    /// It is known without a plan, too.
     pub known_values_curve: bool,
     /// Two programs that solve Φ_q x = b at a configuration: the first computes the `factors` values that depend on
     /// Φ_q alone, the second computes x from these values and b.

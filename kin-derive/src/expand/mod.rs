@@ -118,7 +118,7 @@ fn mechanism(
     let turning = kernels.turns_rows().then(|| quote! { const ROWS_TURN: bool = true; });
     let within = plan.looks_within.then(|| quote! { const CLOSED_ROWS_TURN: bool = true; });
     let curving = plan.iterates_on_curves.then(|| quote! { const ROWS_CURVE: bool = true; });
-    let closed_curves = plan.known_values_curve.then(|| quote! { const KNOWN_VALUES_CURVE: bool = true; });
+    let hiding = plan.known_values_curve.then(|| quote! { const KNOWN_VALUES_CURVE: bool = true; });
     let constraints_with = method(
         &TokenStream::new(),
         "constraints_with",
@@ -173,7 +173,7 @@ fn mechanism(
             const LENGTHS: usize = #kept;
             #turning #within
             #curving
-            #closed_curves
+            #hiding
             type Parameters<__T: __kin::Scalar> = [__T; #p];
             type Inputs<__T: __kin::Scalar> = [__kin::Signal<__T>; #u];
             type Coordinates<__T: __kin::Scalar> = [__T; #n];

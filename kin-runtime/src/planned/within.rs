@@ -16,7 +16,6 @@ use super::predict::{largest_turn, turned};
 use crate::course::{Between, Course, kind};
 use crate::mechanism::{LengthError, Mechanism};
 use crate::plan::{Depth, Plan, Solved};
-use crate::scalar::Scalar;
 use crate::scalar::compare::Compare;
 use crate::signal::{Instant, Signal};
 use crate::workspace::Array;
@@ -32,12 +31,6 @@ pub(crate) fn places_within() -> impl Iterator<Item = f64> {
     (1..=PLACES).map(|place| f64::from(place) * GOLDEN % 1.0)
 }
 
-/// True if the plan is to be solved within steps. With redundant rows the motion may pass limits of the rows that the
-/// plan uses, so that it has no solution in the same modes everywhere.
-pub(crate) fn solves_within<M: Mechanism>() -> bool {
-    M::KNOWN_VALUES_CURVE && !M::model().plan.has_redundant_rows()
-}
-
 /// A step of a course: its first and last place, and q, q̇ of both.
 #[derive(Clone, Copy)]
 pub(crate) struct Stretch<'a, V> {
@@ -49,14 +42,14 @@ pub(crate) struct Stretch<'a, V> {
     pub(crate) ends: [&'a [V]; 4],
 }
 
-/// A measure that is negative if at a place within the step the plan has no solution, or one that is farther from the
-/// cubic than `allowed`, in radians; `weights` converts coordinates to radians.
+/// A measure that is negative if at a place, relative to the length of the step, the plan has no solution in these modes, or
+/// one that is farther from the cubic than `allowed`, in radians; `weights` converts coordinates to radians.
 #[cold]
 #[inline(never)]
 pub(crate) fn certainty_within<M: Mechanism, V: Compare>(
     mechanism: &M,
     parameters: &[V],
-    stretch: Stretch<'_, V>,
+    (stretch, place): (Stretch<'_, V>, f64),
     modes: &Modes<M, V>,
     (weights, allowed): (&[V], V),
 ) -> Result<V, LengthError> {
@@ -65,30 +58,26 @@ pub(crate) fn certainty_within<M: Mechanism, V: Compare>(
     let (mut cubic, mut found, mut rates) = (zeros, zeros, [zeros; 2]);
     let mut margins = Margins::<M, V>::filled(V::from_f64(0.0));
     let mut inputs = M::Inputs::<f64>::filled(Signal::constant(0.0));
-    let (mut certainty, smallest) = (V::from_f64(1.0), V::from_f64(Plan::SMALLEST_MARGIN));
-    for place in places_within() {
-        let t = course.at(s + place * (next - s), inputs.as_mut());
-        let inputs = M::Inputs::<V>::generate(|k| inputs.as_ref()[k].map(V::from_f64));
-        on_cubic(cubic.as_mut(), ends, next - s, place);
-        let [q_dot, q_ddot] = &mut rates;
-        let solved =
-            Solved { q: found.as_mut(), q_dot: q_dot.as_mut(), q_ddot: q_ddot.as_mut(), margins: margins.as_mut() };
-        let at = Instant { t: V::from_f64(t), inputs: inputs.as_ref() };
-        mechanism.solve_with(parameters, &at, modes.of_closures(), cubic.as_ref(), Depth::Position, solved)?;
-        let away = turned(found.as_ref(), cubic.as_ref(), weights);
-        let margin = margins.as_ref().iter().fold(smallest, |least, margin| or_nan(least.least(*margin), *margin));
-        certainty = or_nan(certainty.least(allowed - away).least(margin - smallest), away + margin);
-    }
-    Ok(certainty)
+    let t = course.at(s + place * (next - s), inputs.as_mut());
+    let inputs = M::Inputs::<V>::generate(|k| inputs.as_ref()[k].map(V::from_f64));
+    on_cubic(cubic.as_mut(), ends, next - s, place);
+    let [q_dot, q_ddot] = &mut rates;
+    let solved =
+        Solved { q: found.as_mut(), q_dot: q_dot.as_mut(), q_ddot: q_ddot.as_mut(), margins: margins.as_mut() };
+    let at = Instant { t: V::from_f64(t), inputs: inputs.as_ref() };
+    mechanism.solve_with(parameters, &at, modes.of_closures(), cubic.as_ref(), Depth::Position, solved)?;
+    let away = turned(found.as_ref(), cubic.as_ref(), weights);
+    let margin = margins.as_ref().iter().fold(V::from_f64(1.0), |least, margin| least_or_nan(least, *margin));
+    Ok(least_or_nan(margin - V::from_f64(Plan::SMALLEST_MARGIN), allowed - away))
 }
 
-/// A number, or NaN if the other one is not finite. The smaller one of two numbers need not be NaN if one of them is.
-fn or_nan<V: Scalar>(number: V, other: V) -> V {
-    number + V::from_f64(0.0) * other
+/// The smaller number, or NaN where one of them is not finite, which [`least`](Compare::least) may not show.
+pub(crate) fn least_or_nan<V: Compare>(a: V, b: V) -> V {
+    a.least(b) + V::from_f64(0.0) * (a + b)
 }
 
 impl<M: Mechanism> PlanFollower<M> {
-    /// True if the step from the accepted state to the trial state hides no motion.
+    /// True if the step from the accepted state to the trial state, in the same modes, hides no motion.
     #[cold]
     #[inline(never)]
     pub(super) fn hides_nothing_until(
@@ -105,20 +94,22 @@ impl<M: Mechanism> PlanFollower<M> {
             let mut inputs = from.inputs.iter().zip(at.inputs);
             return Ok(inputs.all(|(before, now)| before.value == now.value));
         }
-        self.hides_nothing(mechanism, course.unwrap_or(&between), [self.t, at.t], self.state(), control)
+        let before = (self.state(), &self.branch.modes);
+        self.hides_nothing(mechanism, course.unwrap_or(&between), [self.t, at.t], before, control)
     }
 
-    /// True if a step from `here` to the trial state hides no motion; `places` are its ends on the course.
+    /// True if a step from a state in its modes to the trial state hides no motion; `places` are its ends on the course.
+    /// Where redundant rows let the motion pass limits of the rows that the plan uses, either modes may hold in between.
     #[inline]
     pub(super) fn hides_nothing(
         &self,
         mechanism: &M,
         course: &dyn Course,
         places: [f64; 2],
-        here: &PlanSolution<M>,
+        (here, before): (&PlanSolution<M>, &Modes<M>),
         control: &Control,
     ) -> Result<bool, LengthError> {
-        if !solves_within::<M>() {
+        if !M::KNOWN_VALUES_CURVE {
             return Ok(true);
         }
         let (tried, weights) = (self.trial(), self.weights.as_ref());
@@ -126,7 +117,45 @@ impl<M: Mechanism> PlanFollower<M> {
         let allowed = control.correction * turn + NEGLIGIBLE;
         let ends = [here.q.as_ref(), here.q_dot.as_ref(), tried.q.as_ref(), tried.q_dot.as_ref()];
         let stretch = Stretch { course, places, ends };
-        let parameters = self.parameters.as_ref();
-        Ok(certainty_within(mechanism, parameters, stretch, &self.branch.modes, (weights, allowed))? >= 0.0)
+        let is_near = |place: f64, modes: &Modes<M>| {
+            let parameters = self.parameters.as_ref();
+            let certainty = certainty_within(mechanism, parameters, (stretch, place), modes, (weights, allowed))?;
+            Ok(certainty >= 0.0)
+        };
+        let after = &self.branch.modes;
+        let have_changed = after.as_ref() != before.as_ref();
+        for place in places_within() {
+            if !is_near(place, after)? && !(have_changed && is_near(place, before)?) {
+                return Ok(false);
+            }
+        }
+        Ok(true)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{least_or_nan, places_within};
+
+    #[test]
+    fn places_leave_no_wide_gap_and_have_no_common_period() {
+        let mut places: Vec<f64> = places_within().chain([0.0, 1.0]).collect();
+        places.sort_unstable_by(f64::total_cmp);
+        let gaps = places.windows(2).map(|pair| pair[1] - pair[0]);
+        assert!(places.len() == 9 && gaps.into_iter().all(|gap| gap > 0.05 && gap < 0.15), "{places:?}");
+        // No function that has the period of a step, of its half and so on, has the same value at all places.
+        for n in 1..200 {
+            let phases: Vec<f64> = places_within().map(|place| (f64::from(n) * place).fract()).collect();
+            let far = phases.iter().filter(|phase| (0.1..0.9).contains(*phase)).count();
+            assert!(far >= 3, "{n}: {phases:?}");
+        }
+    }
+
+    #[test]
+    fn the_smaller_number_is_no_number_if_one_is_none() {
+        assert_eq!([-2.0, -2.0], [least_or_nan(-2.0, 3.0), least_or_nan(3.0, -2.0)]);
+        for other in [f64::NAN, f64::INFINITY] {
+            assert!(least_or_nan(1.0, other).is_nan() && least_or_nan(other, 1.0).is_nan());
+        }
     }
 }

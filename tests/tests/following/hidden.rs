@@ -54,6 +54,19 @@ struct Driven {
     k: f64,
 }
 
+/// The same with a redundant row.
+#[mechanism(allow_redundant)]
+#[body(arm, x = 0, y = 0)]
+#[body(slider, y = 0, phi = 0)]
+#[driver(push: slider.x = 0.8 + a * pow(sin(k * t), 3))]
+#[distance(rod: arm @ (0.2, 0), slider @ (0, 0), length = 0.7)]
+#[constraint(again: 2 * slider.x = 1.6 + 2 * a * pow(sin(k * t), 3))]
+#[guess(arm.phi = 1, slider.x = 0.8)]
+struct Redundant {
+    a: f64,
+    k: f64,
+}
+
 /// Every way from one of these times to the next ends at the dead centre, and passes no instant beyond it.
 fn ends_at<M: Kinematics + Sync>(mechanism: &M, times: &[f64], limit: f64) {
     let name = format!("{}, {} steps to {}", M::model().name, times.len() - 1, times.last().expect("times"));
@@ -120,6 +133,7 @@ fn a_lobe_of_a_cam_within_a_step_is_found() {
             ends_at(&ToTheFifth { a, k }, &times, first(a, k, 5));
             ends_at(&Wave { a, k }, &times, first(a, k, 3));
             ends_at(&Driven { a, k }, &times, first(a, k, 3));
+            ends_at(&Redundant { a, k }, &times, first(a, k, 3));
         }
         for times in grids(k, -1.0) {
             ends_at(&Cubed { a: -a, k }, &times, -first(a, k, 3));

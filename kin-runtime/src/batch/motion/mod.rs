@@ -15,7 +15,6 @@ use crate::planned::follower::{Control, NEGLIGIBLE, PlanFollower, has_scalars, r
 use crate::planned::lists::{BranchValues, Distances, Margins, Modes};
 use crate::planned::passed::CLOSE;
 use crate::planned::predict::{parabola, turned, weights};
-use crate::planned::within::solves_within;
 use crate::planned::{Limit, PlanError, Step};
 use crate::scalar::Scalar;
 use crate::scalar::compare::Compare;
@@ -147,7 +146,7 @@ impl<M: Mechanism> Motion<M> {
         if self.rows_turn_alone {
             least = least.least(self.certainty_of_rows(mechanism, at, h, &control));
         }
-        if solves_within::<M>() {
+        if M::KNOWN_VALUES_CURVE {
             least = least.least(self.certainty_within(mechanism, at, t, allowed));
         }
         if M::LENGTHS > 0 {

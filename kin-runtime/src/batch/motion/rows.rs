@@ -8,7 +8,7 @@ use crate::planned::between::{certainty_at_places, certainty_of_rates};
 use crate::planned::follower::{Control, NEGLIGIBLE};
 use crate::planned::lists::Modes;
 use crate::planned::predict::{largest_turn, turned};
-use crate::planned::within::{Stretch, certainty_within};
+use crate::planned::within::{Stretch, certainty_within, least_or_nan, places_within};
 use crate::scalar::Scalar;
 use crate::scalar::compare::Compare;
 use crate::scalar::lanes::{Octet, Pack};
@@ -78,9 +78,12 @@ impl<M: Mechanism> Motion<M> {
         let ends = [here.q.as_ref(), here.q_dot.as_ref(), tried.q.as_ref(), tried.q_dot.as_ref()];
         let stretch = Stretch { course: &course, places: [self.t, t], ends };
         let (parameters, weights) = (self.parameters.as_ref(), self.weights.as_ref());
-        let certainty = certainty_within(mechanism, parameters, stretch, &self.modes, (weights, allowed));
-        debug_assert!(certainty.is_ok(), "the columns have been counted");
-        certainty.unwrap_or_else(|_| Octet::from_f64(-1.0))
+        places_within().fold(Octet::from_f64(1.0), |least, place| {
+            let there = (stretch, place);
+            let certainty = certainty_within(mechanism, parameters, there, &self.modes, (weights, allowed));
+            debug_assert!(certainty.is_ok(), "the columns have been counted");
+            least_or_nan(least, certainty.unwrap_or_else(|_| Octet::from_f64(-1.0)))
+        })
     }
 
     /// True if no iterated group of a set comes near its limit in a bend of the rows.

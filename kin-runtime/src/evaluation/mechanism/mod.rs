@@ -39,7 +39,7 @@ pub trait Mechanism: Sized {
     /// Whether the plan iterates on rows with curves, whose gradients may turn faster than bodies do.
     const ROWS_CURVE: bool = false;
     /// Whether a coordinate may move between two configurations otherwise than these show: a row contains a function of
-    /// time, of an input, or of a coordinate for which the plan does not iterate on the row.
+    /// time, of an input, or of a coordinate for which the plan does not iterate on the row, and more than one sinusoid.
     const KNOWN_VALUES_CURVE: bool = false;
 
     /// `[T; PARAMETERS]`.

@@ -12,7 +12,6 @@ use super::error::{Limit, PlanError};
 use super::follower::{Control, NEGLIGIBLE, PlanFollower, PlanSolution, most_turn};
 use super::lists::{BranchValues, Modes};
 use super::predict::{beyond_parabola, parabola, turned, weights};
-use super::within::solves_within;
 use crate::course::{Between, Course, Kind, kind};
 use crate::mechanism::{LengthError, Mechanism};
 use crate::plan::StepKind;
@@ -299,7 +298,7 @@ impl<M: Mechanism> PlanFollower<M> {
         let here = &self.states[self.accepted];
         if !is_expected
             || !self.rows_are_followed(mechanism, at, here, (self.inputs.as_ref(), at.t - self.t), control)?
-            || solves_within::<M>() && !self.hides_nothing_until(mechanism, at, course, control)?
+            || M::KNOWN_VALUES_CURVE && !self.hides_nothing_until(mechanism, at, course, control)?
         {
             return Ok(false);
         }

@@ -144,7 +144,7 @@ impl<M: Mechanism> PlanFollower<M> {
             let t = course.at(next, inputs.as_mut());
             let end = Instant { t, inputs: inputs.as_ref() };
             let followed = self.rows_are_followed(mechanism, &end, here, (from.as_ref(), h), control)?
-                && self.hides_nothing(mechanism, course, [s, next], here, control)?;
+                && self.hides_nothing(mechanism, course, [s, next], (here, &modes), control)?;
             if followed { Ok(effort) } else { Err(Fault::Coarse) }
         });
         if result.is_err() {

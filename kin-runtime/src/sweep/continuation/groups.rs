@@ -51,13 +51,15 @@ pub(super) fn turns(equations: &Equations<'_>, at: &Instant<'_>, q: &[f64]) -> V
 pub(super) fn turn_of_bodies(equations: &Equations<'_>, q: &[f64], displacement: &[f64]) -> f64 {
     let plan = &equations.model.plan;
     if equations.given() > 0 || !plan.exists() || plan.has_redundant_rows() {
-        let mut counted: Vec<f64> = displacement.to_vec();
-        if !(0..equations.rows()).all(|row| equations.holonomic(row)) {
-            let closing =
-                |k: usize| equations.entries().any(|((row, column), _)| column == k && equations.holonomic(row));
-            let lengths = counted.iter_mut().zip(equations.model.coordinates).enumerate();
-            let free = lengths.filter(|(k, (_, coordinate))| coordinate.kind.is_length() && !closing(*k));
-            free.for_each(|(_, (x, _))| *x = 0.0);
+        if (0..equations.rows()).all(|row| equations.holonomic(row)) {
+            return equations.scale.turn(displacement);
+        }
+        let mut counted = displacement.to_vec();
+        for (k, (x, coordinate)) in counted.iter_mut().zip(equations.model.coordinates).enumerate() {
+            let mut rows = equations.entries().filter(|((_, column), _)| *column == k).map(|((row, _), _)| row);
+            if coordinate.kind.is_length() && !rows.any(|row| equations.holonomic(row)) {
+                *x = 0.0;
+            }
         }
         return equations.scale.turn(&counted);
     }

@@ -211,7 +211,7 @@ pub(super) fn settle(
     }
     fill(motion, from.q_dot.iter().zip(from.q_ddot).map(|(v, a)| h * (v + 0.5 * h * a)));
     let allowed = equations.options.prediction_tolerance * equations.scale.size(motion) + NEGLIGIBLE;
-    if !is_redundant && !hides_nothing(equations, [from.s, s], ends, &found, allowed)? {
+    if !hides_nothing(equations, [from.s, s], ends, &found, allowed)? {
         return Err(Fault::Coarse(0.5));
     }
     fill(&mut state.q_dot, q_dot.iter().copied());
