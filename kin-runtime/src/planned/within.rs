@@ -6,8 +6,8 @@
 //! cubic through q and q̇ of both ends (see [`between`](super::between)). Everywhere it must have a solution, and the
 //! solution must be near the cubic.
 //!
-//! The places are the fractional parts of the multiples of (√5 − 1)/2, which have no common period with functions that
-//! repeat themselves within the step.
+//! The places are irregular: of a function that repeats itself up to 200 times within the step, at least three of them are
+//! more than a tenth of a half period away from its zeros.
 
 use super::between::on_cubic;
 use super::follower::{Control, NEGLIGIBLE, PlanFollower, PlanSolution};
@@ -20,16 +20,9 @@ use crate::scalar::compare::Compare;
 use crate::signal::{Instant, Signal};
 use crate::workspace::Array;
 
-/// Number of places at which the plan is solved.
-const PLACES: u32 = 7;
-
-/// (√5 − 1)/2.
-const GOLDEN: f64 = 0.618_033_988_749_894_9;
-
-/// The places within a step, relative to its length.
-pub(crate) fn places_within() -> impl Iterator<Item = f64> {
-    (1..=PLACES).map(|place| f64::from(place) * GOLDEN % 1.0)
-}
+/// The places within a step at which the plan is solved, relative to its length. They were drawn at random, one in every
+/// seventh, until they had the property above.
+pub(crate) const PLACES: [f64; 7] = [0.091, 0.2175, 0.3422, 0.4602, 0.5892, 0.7423, 0.9181];
 
 /// A step of a course: its first and last place, and q, q̇ of both.
 #[derive(Clone, Copy)]
@@ -124,7 +117,7 @@ impl<M: Mechanism> PlanFollower<M> {
         };
         let after = &self.branch.modes;
         let have_changed = after.as_ref() != before.as_ref();
-        for place in places_within() {
+        for place in PLACES {
             if !is_near(place, after)? && !(have_changed && is_near(place, before)?) {
                 return Ok(false);
             }
@@ -135,17 +128,15 @@ impl<M: Mechanism> PlanFollower<M> {
 
 #[cfg(test)]
 mod tests {
-    use super::{least_or_nan, places_within};
+    use super::{PLACES, least_or_nan};
 
     #[test]
     fn places_leave_no_wide_gap_and_have_no_common_period() {
-        let mut places: Vec<f64> = places_within().chain([0.0, 1.0]).collect();
-        places.sort_unstable_by(f64::total_cmp);
-        let gaps = places.windows(2).map(|pair| pair[1] - pair[0]);
-        assert!(places.len() == 9 && gaps.into_iter().all(|gap| gap > 0.05 && gap < 0.15), "{places:?}");
-        // No function that has the period of a step, of its half and so on, has the same value at all places.
-        for n in 1..200 {
-            let phases: Vec<f64> = places_within().map(|place| (f64::from(n) * place).fract()).collect();
+        let places: Vec<f64> = [0.0].into_iter().chain(PLACES).chain([1.0]).collect();
+        assert!(places.windows(2).all(|pair| (0.06..0.18).contains(&(pair[1] - pair[0]))), "{places:?}");
+        // The zeros of a function that has n half periods in the step are at the multiples of 1/n.
+        for n in 1..=400 {
+            let phases = PLACES.map(|place| (f64::from(n) * place).fract());
             let far = phases.iter().filter(|phase| (0.1..0.9).contains(*phase)).count();
             assert!(far >= 3, "{n}: {phases:?}");
         }

@@ -142,6 +142,26 @@ fn a_lobe_of_a_cam_within_a_step_is_found() {
     }
 }
 
+/// Lobes that exceed the range only at their tips, where no place within a step need be.
+#[test]
+fn the_tip_of_a_lobe_is_found() {
+    let (a, k) = (0.103, 8.0);
+    for times in grids(k, 1.0) {
+        ends_at(&Cubed { a, k }, &times, first(a, k, 3));
+        ends_at(&Wave { a, k }, &times, first(a, k, 3));
+        ends_at(&Driven { a, k }, &times, first(a, k, 3));
+    }
+}
+
+/// A driver that rests at both instants and has many lobes between them.
+#[test]
+fn many_lobes_within_a_step_are_found() {
+    let (a, k) = (0.155, 8.0);
+    for lobes in [34.0, 89.0, 144.0, 233.0, 360.0] {
+        ends_at(&Driven { a, k }, &[0.0, lobes * PI / k], first(a, k, 3));
+    }
+}
+
 /// Lobes that do not reach the dead centre are no limit, and every instant has the position of the closed form.
 #[test]
 fn lobes_that_stay_within_the_range_are_followed() {

@@ -8,7 +8,7 @@ use crate::planned::between::{certainty_at_places, certainty_of_rates};
 use crate::planned::follower::{Control, NEGLIGIBLE};
 use crate::planned::lists::Modes;
 use crate::planned::predict::{largest_turn, turned};
-use crate::planned::within::{Stretch, certainty_within, least_or_nan, places_within};
+use crate::planned::within::{PLACES, Stretch, certainty_within, least_or_nan};
 use crate::scalar::Scalar;
 use crate::scalar::compare::Compare;
 use crate::scalar::lanes::{Octet, Pack};
@@ -78,7 +78,7 @@ impl<M: Mechanism> Motion<M> {
         let ends = [here.q.as_ref(), here.q_dot.as_ref(), tried.q.as_ref(), tried.q_dot.as_ref()];
         let stretch = Stretch { course: &course, places: [self.t, t], ends };
         let (parameters, weights) = (self.parameters.as_ref(), self.weights.as_ref());
-        places_within().fold(Octet::from_f64(1.0), |least, place| {
+        PLACES.into_iter().fold(Octet::from_f64(1.0), |least, place| {
             let there = (stretch, place);
             let certainty = certainty_within(mechanism, parameters, there, &self.modes, (weights, allowed));
             debug_assert!(certainty.is_ok(), "the columns have been counted");

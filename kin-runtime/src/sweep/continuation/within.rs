@@ -5,7 +5,7 @@ use crate::equations::Equations;
 use crate::error::SolveError;
 use crate::linear::Factorization;
 use crate::planned::between::on_cubic;
-use crate::planned::within::places_within;
+use crate::planned::within::PLACES;
 use crate::workspace::Subset;
 
 /// True if a step between two places hides no motion: at places within it the Newton step from the cubic through both
@@ -23,7 +23,7 @@ pub(super) fn hides_nothing(
         return Ok(true);
     }
     let (mut cubic, mut is_near) = (vec![0.0; q.len()], true);
-    for place in places_within() {
+    for place in PLACES {
         on_cubic(&mut cubic, ends, h, place);
         let moved = equations.move_to(from + place * h);
         is_near &= moved.and_then(|()| equations.evaluate(Subset::POSITION, &cubic, None)).is_ok_and(|()| {
