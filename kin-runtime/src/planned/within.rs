@@ -118,7 +118,8 @@ impl<M: Mechanism> PlanFollower<M> {
         let after = &self.branch.modes;
         let have_changed = after.as_ref() != before.as_ref();
         for place in PLACES {
-            if !is_near(place, after)? && !(have_changed && is_near(place, before)?) {
+            let holds = is_near(place, after)? || have_changed && is_near(place, before)?;
+            if !holds {
                 return Ok(false);
             }
         }
