@@ -3,7 +3,6 @@
 use crate::equations::system::Parts;
 use crate::equations::{Equations, finite};
 use crate::error::SolveError;
-use crate::model::Model;
 use crate::motion::{BodyMotion, PointMotion, name};
 use crate::signal::Signal;
 use crate::state::State;
@@ -43,32 +42,50 @@ pub(crate) fn poses(equations: &mut Equations<'_>, state: &mut State) -> Result<
 /// Writes the motion of bodies and points by the observables, which were evaluated at the q and q̇ of the state.
 pub(crate) fn write_poses(parts: &Parts<'_>, state: &mut State) -> Result<(), SolveError> {
     let model = state.model;
-    let mut fault = None;
-    write(model, state, |state, observable, coordinate| {
-        let rates = coordinate.map_or_else(
-            || parts.rates(&model.observable_pattern, observable, &state.q_dot, &state.q_ddot),
-            |k| state.rates(k),
-        );
-        for value in [rates.value, rates.rate, rates.acceleration] {
-            let error = finite("observables", observable, name(model, observable), value);
-            fault = fault.take().or(error.map_err(|error| error.at(state.t)).err());
-        }
-        rates
-    });
-    fault.map_or(Ok(()), Err)
-}
-
-/// Writes bodies and points; `rates` gives the signal of an observable, or of the coordinate that it is.
-fn write(model: &Model, state: &mut State, mut rates: impl FnMut(&State, usize, Option<usize>) -> Signal) {
+    let mut all_finite = true;
+    let mut checked = |signal: Signal| {
+        all_finite &= is_finite(signal);
+        signal
+    };
     // The vectors are reused, so that a tracker allocates nothing here.
     let (mut bodies, mut points) = (core::mem::take(&mut state.bodies), core::mem::take(&mut state.points));
     bodies.clear();
     bodies.extend(model.bodies.iter().map(|body| {
-        let [x, y, phi] = [0, 1, 2].map(|k| rates(state, body.observables[k], body.coordinates[k]));
-        BodyMotion::from([x, y, phi])
+        let [x, y, phi] = [0, 1, 2].map(|k| signal(parts, state, body.observables[k], body.coordinates[k]));
+        BodyMotion::from([x, y, phi].map(&mut checked))
     }));
     points.clear();
-    points.extend(model.points.iter().map(|point| PointMotion::from(point.observables.map(|k| rates(state, k, None)))));
-    state.bodies = bodies;
-    state.points = points;
+    points.extend(model.points.iter().map(|point| {
+        let [x, y] = point.observables.map(|k| signal(parts, state, k, None));
+        PointMotion::from([x, y].map(&mut checked))
+    }));
+    (state.bodies, state.points) = (bodies, points);
+    if all_finite { Ok(()) } else { first_fault(parts, state) }
+}
+
+/// The signal of an observable, or of the coordinate that it is.
+fn signal(parts: &Parts<'_>, state: &State, observable: usize, coordinate: Option<usize>) -> Signal {
+    match coordinate {
+        Some(k) => state.rates(k),
+        None => parts.rates(&state.model.observable_pattern, observable, &state.q_dot, &state.q_ddot),
+    }
+}
+
+fn is_finite(Signal { value, rate, acceleration }: Signal) -> bool {
+    value.is_finite() & rate.is_finite() & acceleration.is_finite()
+}
+
+/// The error for the first number of bodies and points that is not finite.
+#[cold]
+fn first_fault(parts: &Parts<'_>, state: &State) -> Result<(), SolveError> {
+    let model = state.model;
+    let of_bodies = model.bodies.iter().flat_map(|body| body.observables.into_iter().zip(body.coordinates));
+    let of_points = model.points.iter().flat_map(|point| point.observables.map(|k| (k, None)));
+    let mut all = of_bodies.chain(of_points);
+    let found: Result<(), SolveError> = all.try_for_each(|(observable, coordinate)| {
+        let Signal { value, rate, acceleration } = signal(parts, state, observable, coordinate);
+        let mut numbers = [value, rate, acceleration].into_iter();
+        numbers.try_for_each(|number| finite("observables", observable, name(model, observable), number))
+    });
+    found.map_err(|error| error.at(state.t))
 }

@@ -32,9 +32,9 @@ pub(crate) struct Parts<'a, T = f64> {
 impl<'a, T: Scalar> Parts<'a, T> {
     /// The entries of a row of e_q with their indices in q; `pattern` is sorted by rows.
     pub(crate) fn gradient(&self, pattern: &Pattern, row: usize) -> impl Iterator<Item = (usize, T)> + use<'a, T> {
-        let entries = pattern.entries;
-        let first = entries.partition_point(|&(r, _)| r < row);
-        let of_row = entries.iter().zip(self.phi_q).skip(first).take_while(move |((r, _), _)| *r == row);
+        let first = pattern.entries.partition_point(|&(r, _)| r < row);
+        let (entries, numbers) = (&pattern.entries[first..], self.phi_q.get(first..).unwrap_or_default());
+        let of_row = entries.iter().zip(numbers).take_while(move |((r, _), _)| *r == row);
         of_row.map(|(&(_, column), &entry)| (column, entry))
     }
 

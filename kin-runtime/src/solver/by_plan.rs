@@ -127,10 +127,10 @@ impl<M: Mechanism> Solver<'_, M> {
         }
         let mut start = guess;
         write_zeros(start.as_mut());
-        let (mut modes, mut q) = (Modes::<M>::filled(1.0), start);
+        let (mut modes, [mut plus, mut minus]) = (Modes::<M>::filled(1.0), [start; 2]);
         Guess { model: M::model(), q: guess.as_ref(), modes: &self.modes }.write_modes(
             modes.of_closures_mut(),
-            q.as_mut(),
+            [plus.as_mut(), minus.as_mut()],
             &mut |modes, q| self.solved(parameters, at, start.as_ref(), modes, q, &mut Margins::filled(0.0)),
         )?;
         Some(Start { q: start, modes })
@@ -242,12 +242,15 @@ impl<M: Mechanism> Solver<'_, M> {
 
     /// The position by the plan, if it satisfies all rows.
     fn position_of(&self, parameters: &M::Parameters<f64>, at: &Instant<'_>, start: &Start<M>) -> Option<Position> {
-        let model = M::model();
+        if M::model().plan.has_redundant_rows() {
+            // Rows that the plan leaves out are checked with rates, which positions alone do not have.
+            let State { q, residual, iterations, .. } = self.state_of(parameters, at, start)?;
+            return Some(Position { q, iterations, residual });
+        }
         let mut margins = Margins::filled(0.0);
         let mut q = M::Coordinates::<f64>::filled(0.0);
         self.solved(parameters, at, start.q.as_ref(), start.modes.of_closures(), q.as_mut(), &mut margins)?;
-        // Rows that the plan leaves out are checked with rates, which positions alone do not have.
-        if !margins.are_good() || model.plan.has_redundant_rows() {
+        if !margins.are_good() {
             return None;
         }
         let mut workspace = M::workspace::<f64>();

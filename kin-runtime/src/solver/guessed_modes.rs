@@ -1,12 +1,14 @@
 //! The modes that a partial guess determines: every group with guessed coordinates takes the closure that is nearer to
-//! them, group by group in the order of the plan. If no coordinate of a group is guessed, or both closures are equally
-//! near, the guess does not determine the mode, and the general path is used.
+//! them, group by group in the order of the plan. If no coordinate of a group is guessed, those that follow from it
+//! before the next group are compared, such as the position of a slider whose connecting rod closes the group. If none
+//! of these is guessed either, or if both closures are equally near, the guess does not determine the mode, and the
+//! general path is used.
 
 use crate::model::{Component, CoordinateKind, Model};
-use crate::plan::StepKind;
+use crate::plan::{PlanStep, StepKind};
 use crate::planned::Sign;
 
-/// If the squared distances of both closures from a guess differ by less than this, the guess does not determine the
+/// If the squared distances of both closures from a guess differ by no more than this, the guess does not determine the
 /// mode.
 const UNDECIDED: f64 = 1e-9;
 
@@ -21,9 +23,10 @@ pub(super) struct Guess<'g> {
 }
 
 impl Guess<'_> {
-    /// Writes the mode of every group, in the order of the plan. `q` has room for what `closed` writes. `None` where
-    /// the guess does not determine it.
-    pub(super) fn write_modes(&self, modes: &mut [f64], q: &mut [f64], closed: &mut Closed<'_>) -> Option<()> {
+    /// Writes the mode of every group, in the order of the plan. `room` is for what `closed` writes in both modes of a
+    /// group. `None` where the guess does not determine it.
+    pub(super) fn write_modes(&self, modes: &mut [f64], room: [&mut [f64]; 2], closed: &mut Closed<'_>) -> Option<()> {
+        let [plus, minus] = room;
         let plan = &self.model.plan;
         if !self.starts_iterations() || self.modes.iter().any(|(_, place, _)| place.is_none()) {
             return None;
@@ -33,25 +36,31 @@ impl Guess<'_> {
                 modes[place] = sign.value();
                 continue;
             }
-            let coordinates = plan.steps.get(mode.step)?.coordinates;
-            if !coordinates.iter().any(|&(k, _)| self.is_guessed(k)) {
-                return None;
-            }
-            let mut distances = [0.0; 2];
-            for (distance, sign) in distances.iter_mut().zip([1.0, -1.0]) {
+            let steps = self.steps_of(mode.step)?;
+            for (q, sign) in [(&mut *plus, 1.0), (&mut *minus, -1.0)] {
                 modes[place] = sign;
                 closed(modes, q)?;
-                *distance = self.squared_distance(coordinates, q);
             }
-            let [plus, minus] = distances;
+            let farther: f64 = steps.iter().map(|step| self.farther(step.coordinates, plus, minus)).sum();
             // False for NaN, too.
-            let is_decided = (plus - minus).abs() > UNDECIDED;
+            let is_decided = farther.abs() > UNDECIDED;
             if !is_decided {
                 return None;
             }
-            modes[place] = if plus < minus { 1.0 } else { -1.0 };
+            modes[place] = -farther.signum();
         }
         Some(())
+    }
+
+    /// The steps whose guessed coordinates determine the closure of the group that is solved in this step.
+    fn steps_of(&self, group: usize) -> Option<&'static [PlanStep]> {
+        let (group, others) = self.model.plan.steps.get(group..)?.split_at_checked(1)?;
+        let is_guessed = |step: &PlanStep| step.coordinates.iter().any(|&(k, _)| self.is_guessed(k));
+        if group.iter().any(is_guessed) {
+            return Some(group);
+        }
+        let following = others.iter().take_while(|step| step.is_linear()).count();
+        others.get(..following).filter(|steps| steps.iter().any(is_guessed))
     }
 
     fn is_guessed(&self, k: usize) -> bool {
@@ -66,19 +75,23 @@ impl Guess<'_> {
         })
     }
 
-    /// The squared distance of a group's guessed coordinates from q; of lengths relative to their size.
-    fn squared_distance(&self, coordinates: &[(usize, usize)], q: &[f64]) -> f64 {
+    /// By how much the guessed ones of these coordinates are farther from one closure than from the other: the
+    /// difference of the squared distances, of lengths relative to their size.
+    fn farther(&self, coordinates: &[(usize, usize)], plus: &[f64], minus: &[f64]) -> f64 {
         let mut sum = 0.0;
         for &(k, _) in coordinates {
             if !self.is_guessed(k) {
                 continue;
             }
-            let (guess, found) = (self.q[k], q[k]);
-            let square = (guess - found) * (guess - found);
+            let (guess, plus, minus) = (self.q[k], plus[k], minus[k]);
+            let [square, other] = [plus, minus].map(|found| (guess - found) * (guess - found));
             sum += match self.model.coordinates[k].kind {
-                CoordinateKind::Pose { component: Component::Phi, .. } => square,
-                CoordinateKind::Pose { .. } => square / (guess * guess + found * found + f64::MIN_POSITIVE),
-                CoordinateKind::Scalar => square / (1.0 + guess * guess),
+                CoordinateKind::Pose { component: Component::Phi, .. } => square - other,
+                CoordinateKind::Pose { .. } => {
+                    let size = guess * guess + plus * plus + minus * minus;
+                    (square - other) / (size + f64::MIN_POSITIVE)
+                }
+                CoordinateKind::Scalar => (square - other) / (1.0 + guess * guess),
             };
         }
         sum
@@ -96,13 +109,13 @@ mod tests {
     fn mode(guess: [f64; 2], modes: &[(String, Option<usize>, Sign)]) -> Option<f64> {
         let mut q = [f64::NAN; 9];
         (q[5], q[8]) = (guess[0], guess[1]);
-        let (mut found, mut room) = ([0.0], [0.0; 9]);
+        let (mut found, mut room) = ([0.0], [[0.0; 9]; 2]);
         let guess = Guess { model: PlannedFourBar::model(), q: &q, modes };
         let mut closed = |modes: &[f64], q: &mut [f64]| {
             (q[5], q[8]) = (0.5 * modes[0], modes[0]);
             Some(())
         };
-        guess.write_modes(&mut found, &mut room, &mut closed)?;
+        guess.write_modes(&mut found, room.each_mut().map(|q| &mut q[..]), &mut closed)?;
         Some(found[0])
     }
 
@@ -128,6 +141,6 @@ mod tests {
     #[test]
     fn a_guess_means_nothing_where_the_plan_does_not_close() {
         let guess = Guess { model: PlannedFourBar::model(), q: &[0.0; 9], modes: &[] };
-        assert_eq!(None, guess.write_modes(&mut [0.0], &mut [0.0; 9], &mut |_, _| None));
+        assert_eq!(None, guess.write_modes(&mut [0.0], [&mut [0.0; 9], &mut [0.0; 9]], &mut |_, _| None));
     }
 }

@@ -2,6 +2,7 @@
 
 mod batch;
 mod controller;
+mod guesses;
 mod guides;
 mod hidden;
 mod input_ranges;
