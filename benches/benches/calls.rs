@@ -3,7 +3,7 @@
 //! compared with a hand-written step: Newton's iteration with a dense LU from the last solution. The hand-written step,
 //! the tracker and the follower keep turning in one direction. `cargo bench -p kin-benches --bench calls`.
 
-use kin_benches::four_bar::{ByHand, FourBar, by_hand};
+use kin_benches::four_bar::{ByHand, FourBar, HeldFourBar, by_hand};
 use kin_benches::paired::{Contender, compare};
 use kin_benches::placed::Placed;
 use kin_runtime::nalgebra::{SMatrix, SVector};
@@ -60,6 +60,8 @@ fn main() {
     let turn = 360_f64.to_radians() / four_bar.omega;
     let solver = four_bar.solver();
     let mut tracker = Placed::new(|| solver.tracker(&at).expect("it closes at t = 0"));
+    let held = HeldFourBar.solver();
+    let mut held_tracker = Placed::new(|| held.tracker(&at).expect("it closes at t = 0"));
     let mut planned = Placed::new(|| solver.planned(&at).expect("there is a plan"));
     let guessed = four_bar.solver().with_guess(5, first.q[5]).with_guess(8, first.q[8]);
     let each = |work: &dyn Fn(f64)| times.iter().for_each(|t| work(black_box(*t)));
@@ -113,6 +115,16 @@ fn main() {
                 name: "Tracker::update",
                 work: Box::new(|| {
                     let tracker = tracker.carried();
+                    let turned = turn * (tracker.state().t / turn).ceil();
+                    for t in times.iter().map(|t| turned + t) {
+                        black_box(tracker.update(&Instant::at(black_box(t))).expect("the crank turns"));
+                    }
+                }),
+            },
+            Contender {
+                name: "the same with a crank held at its pin, and a named point",
+                work: Box::new(|| {
+                    let tracker = held_tracker.carried();
                     let turned = turn * (tracker.state().t / turn).ceil();
                     for t in times.iter().map(|t| turned + t) {
                         black_box(tracker.update(&Instant::at(black_box(t))).expect("the crank turns"));

@@ -35,6 +35,18 @@ pub struct FourBar {
     pub omega: f64,
 }
 
+/// The same four-bar with a crank that is held at its pin, and with a named point of the coupler.
+#[mechanism]
+#[body(crank, x = 0, y = 0)]
+#[bodies(coupler, rocker)]
+#[revolute(A: crank @ (0.1, 0), coupler @ (-0.2, 0))]
+#[revolute(B: coupler @ (0.2, 0), rocker @ (-0.15, 0))]
+#[revolute(D: rocker @ (0.15, 0), ground @ (0.4, 0.1))]
+#[point(tip = coupler @ (0, 0.1))]
+#[driver(drive: crank.phi = 0.7 + t)]
+#[guess(coupler.phi = 0.9, rocker.phi = 5.0)]
+pub struct HeldFourBar;
+
 /// Results of the hand-written evaluation: Φ, Φ_q by rows with its constant entries, Φ_t, γ.
 pub struct ByHand {
     /// Φ.

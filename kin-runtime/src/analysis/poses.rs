@@ -3,19 +3,19 @@
 use crate::equations::system::Parts;
 use crate::equations::{Equations, finite};
 use crate::error::SolveError;
+use crate::model::Model;
 use crate::motion::{BodyMotion, PointMotion, name};
 use crate::signal::Signal;
 use crate::state::State;
 use crate::workspace::Instant;
 
-/// Writes the motion of bodies whose poses are coordinates: those of the bodies come first in q, three of each.
-pub(crate) fn write_coordinates(state: &mut State) {
-    let State { model, q, q_dot, q_ddot, bodies, points, .. } = state;
-    points.clear();
-    bodies.clear();
-    let [q, q_dot, q_ddot] = [q, q_dot, q_ddot].map(|numbers| numbers.as_chunks().0.iter());
+/// The motion of bodies whose poses are coordinates, from q, q̇ and q̈: these coordinates come first in q, three of each
+/// body.
+#[inline]
+pub(crate) fn coordinate_motions(model: &Model, solution: [&[f64]; 3]) -> impl Iterator<Item = BodyMotion> {
+    let [q, q_dot, q_ddot] = solution.map(|numbers| numbers.as_chunks().0.iter());
     let poses = q.zip(q_dot).zip(q_ddot).take(model.bodies.len());
-    bodies.extend(poses.map(|((&[x, y, phi], &[x_dot, y_dot, phi_dot]), &[x_ddot, y_ddot, phi_ddot])| BodyMotion {
+    poses.map(|((&[x, y, phi], &[x_dot, y_dot, phi_dot]), &[x_ddot, y_ddot, phi_ddot])| BodyMotion {
         x,
         y,
         phi,
@@ -25,13 +25,16 @@ pub(crate) fn write_coordinates(state: &mut State) {
         x_ddot,
         y_ddot,
         phi_ddot,
-    }));
+    })
 }
 
 /// Writes the motion of bodies and points, for the q, q̇ and q̈ of the state.
 pub(crate) fn poses(equations: &mut Equations<'_>, state: &mut State) -> Result<(), SolveError> {
     if equations.poses_are_coordinates {
-        write_coordinates(state);
+        let State { model, q, q_dot, q_ddot, bodies, points, .. } = state;
+        points.clear();
+        bodies.clear();
+        bodies.extend(coordinate_motions(model, [q, q_dot, q_ddot]));
         return Ok(());
     }
     let at = Instant { t: state.t, inputs: &state.inputs };

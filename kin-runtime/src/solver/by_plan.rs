@@ -8,12 +8,13 @@
 
 use super::guessed_modes::Guess;
 use super::{Position, Solver};
-use crate::analysis::poses::{write_coordinates, write_poses};
+use crate::analysis::poses::{coordinate_motions, write_poses};
 use crate::equations::contact::has_curves;
 use crate::equations::residual::{Row, Tolerances, closed, closed_position, write_lengths, write_sizes};
 use crate::equations::system::Parts;
 use crate::mechanism::Mechanism;
 use crate::model::{JointKind, Model, Role};
+use crate::motion::BodyMotion;
 use crate::plan::{Depth, Solved};
 #[cfg(feature = "design")]
 use crate::planned::PlanError;
@@ -209,14 +210,16 @@ impl<M: Mechanism> Solver<'_, M> {
             self.mechanism.evaluate_with(parameters.as_ref(), Subset::ALL, at, q, q_dot, &mut workspace).ok()?;
             self.residual(&parts(&workspace), solution)?
         };
-        let mut state = state_without_poses(model, at, solution, residual)?;
-        if model.poses_are_coordinates() {
-            write_coordinates(&mut state);
-        } else {
-            let mut observations = M::observations::<f64>();
-            self.mechanism.observe_with(parameters.as_ref(), at, q, q_dot, &mut observations).ok()?;
-            write_poses(&parts(&observations), &mut state).ok()?;
+        if !solution.iter().all(|numbers| all_finite(numbers)) {
+            return None;
         }
+        if model.poses_are_coordinates() {
+            return Some(state_with(model, at, solution, coordinate_motions(model, solution).collect(), residual));
+        }
+        let mut state = state_with(model, at, solution, Vec::with_capacity(model.bodies.len()), residual);
+        let mut observations = M::observations::<f64>();
+        self.mechanism.observe_with(parameters.as_ref(), at, q, q_dot, &mut observations).ok()?;
+        write_poses(&parts(&observations), &mut state).ok()?;
         Some(state)
     }
 
@@ -243,9 +246,7 @@ impl<M: Mechanism> Solver<'_, M> {
     /// The position by the plan, if it satisfies all rows.
     fn position_of(&self, parameters: &M::Parameters<f64>, at: &Instant<'_>, start: &Start<M>) -> Option<Position> {
         if M::model().plan.has_redundant_rows() {
-            // Rows that the plan leaves out are checked with rates, which positions alone do not have.
-            let State { q, residual, iterations, .. } = self.state_of(parameters, at, start)?;
-            return Some(Position { q, iterations, residual });
+            return self.checked_position(parameters, at, start);
         }
         let mut margins = Margins::filled(0.0);
         let mut q = M::Coordinates::<f64>::filled(0.0);
@@ -259,6 +260,18 @@ impl<M: Mechanism> Solver<'_, M> {
         self.mechanism.evaluate_with(parameters.as_ref(), Subset::POSITION, at, q, still, &mut workspace).ok()?;
         let residual = self.position_residual(&parts(&workspace), q)?;
         Some(Position { q: q.to_vec(), iterations: 1, residual })
+    }
+
+    /// [`position_of`](Self::position_of) with redundant rows, which are checked with rates.
+    #[cold]
+    fn checked_position(
+        &self,
+        parameters: &M::Parameters<f64>,
+        at: &Instant<'_>,
+        start: &Start<M>,
+    ) -> Option<Position> {
+        let State { q, residual, iterations, .. } = self.state_of(parameters, at, start)?;
+        Some(Position { q, iterations, residual })
     }
 }
 
@@ -317,26 +330,30 @@ fn write_zeros(guess: &mut [f64]) {
     guess.iter_mut().filter(|guess| guess.is_nan()).for_each(|guess| *guess = 0.0);
 }
 
-/// A state without the motion of bodies and points; `None` if a number is not finite.
-fn state_without_poses(model: &'static Model, at: &Instant<'_>, solution: [&[f64]; 3], residual: f64) -> Option<State> {
-    if !solution.iter().all(|numbers| all_finite(numbers)) {
-        return None;
-    }
+/// A state without points.
+#[inline]
+fn state_with(
+    model: &'static Model,
+    at: &Instant<'_>,
+    solution: [&[f64]; 3],
+    bodies: Vec<BodyMotion>,
+    residual: f64,
+) -> State {
     let [q, q_dot, q_ddot] = solution.map(<[f64]>::to_vec);
-    Some(State {
+    State {
         model,
         t: at.t,
         inputs: at.inputs.to_vec(),
         q,
         q_dot,
         q_ddot,
-        bodies: Vec::with_capacity(model.bodies.len()),
+        bodies,
         points: Vec::with_capacity(model.points.len()),
         residual,
         iterations: 1,
         condition: None,
         degrees_of_freedom_left: 0,
-    })
+    }
 }
 
 /// The largest residual if all rows are satisfied; otherwise none.
