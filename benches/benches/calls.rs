@@ -112,6 +112,16 @@ fn main() {
                 }),
             },
             Contender {
+                name: "velocity_analysis and acceleration_analysis of one position, together",
+                work: Box::new(|| {
+                    for &t in &times {
+                        let at = Instant::at(black_box(t));
+                        let q_dot = four_bar.velocity_analysis(&at, &first.q).expect("it is regular");
+                        black_box(four_bar.acceleration_analysis(&at, &first.q, &q_dot).expect("it is regular"));
+                    }
+                }),
+            },
+            Contender {
                 name: "Tracker::update",
                 work: Box::new(|| {
                     let tracker = tracker.carried();

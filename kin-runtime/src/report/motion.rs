@@ -26,8 +26,9 @@ pub(crate) fn motion(equations: &mut Equations<'_>, state: &State) -> Result<Mot
     let rates: Vec<Signal> =
         (0..model.observables.len()).map(|k| parts.rates(pattern, k, &state.q_dot, &state.q_ddot)).collect();
     for (index, rate) in rates.iter().enumerate() {
-        for value in [rate.value, rate.rate, rate.acceleration] {
-            finite("observables", index, name(model, index), value).map_err(|error| error.at(state.t))?;
+        let numbers = [rate.value, rate.rate, rate.acceleration];
+        if let Some(&number) = numbers.iter().find(|number| !number.is_finite()) {
+            finite("observables", index, name(model, index), number).map_err(|error| error.at(state.t))?;
         }
     }
     let at = |k: usize| rates.get(k).copied().unwrap_or_default();

@@ -357,7 +357,7 @@ fn state_with(
 }
 
 /// The largest residual if all rows are satisfied; otherwise none.
-fn all_closed(
+pub(super) fn all_closed(
     model: &Model,
     parts: &Parts<'_>,
     solution: [&[f64]; 3],

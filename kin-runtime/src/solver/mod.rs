@@ -40,6 +40,7 @@ mod cross_checks;
 mod guessed_modes;
 mod input_ranges;
 mod ranges;
+mod rates;
 mod settings;
 mod sweep;
 
@@ -132,7 +133,10 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     /// [`InconsistentVelocity`](SolveError::InconsistentVelocity) where redundant rows contradict the others,
     /// [`GivenConflict`](SolveError::GivenConflict).
     pub fn velocity(&self, at: &Instant<'_>, q: &[f64]) -> Result<Vec<f64>, SolveError> {
-        velocity_at(&mut self.equations(at)?, q)
+        match self.velocity_by_blocks(at, q) {
+            Some(q_dot) => Ok(q_dot),
+            None => velocity_at(&mut self.equations(at)?, q),
+        }
     }
 
     /// Acceleration analysis of an assembled configuration with its q̇: q̈ with Φ_q q̈ = γ.
@@ -140,7 +144,10 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     /// # Errors
     /// As [`velocity`](Self::velocity), and [`InconsistentAcceleration`](SolveError::InconsistentAcceleration).
     pub fn acceleration(&self, at: &Instant<'_>, q: &[f64], q_dot: &[f64]) -> Result<Vec<f64>, SolveError> {
-        acceleration_at(&mut self.equations(at)?, q, q_dot)
+        match self.acceleration_by_blocks(at, q, q_dot) {
+            Some(q_ddot) => Ok(q_ddot),
+            None => acceleration_at(&mut self.equations(at)?, q, q_dot),
+        }
     }
 
     /// Assembly from the guesses, then velocity and acceleration.

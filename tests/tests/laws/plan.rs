@@ -66,6 +66,19 @@ pub(crate) fn plans_equal_newton<M: Kinematics + Default>(from: f64, to: f64) {
             let room = 1e-12 * largest(newton).max(1.0) / margin.powf(0.5 + order as f64);
             differences.vector(what, name, newton, plan, room);
         }
+        // Analyses of a given configuration, which need not satisfy Φ = 0.
+        let by_newton = newton(&mechanism);
+        for q in [&state.q, &start] {
+            let at = state.instant();
+            let found = [mechanism.velocity_analysis(&at, q), mechanism.acceleration_analysis(&at, q, &state.q_dot)];
+            let expected = [by_newton.velocity(&at, q), by_newton.acceleration(&at, q, &state.q_dot)];
+            for ((what, found), expected) in ["q_dot of q", "q_ddot of q"].into_iter().zip(found).zip(expected) {
+                assert_eq!(expected.is_ok(), found.is_ok(), "{what} at t = {}: {expected:?}, {found:?}", state.t);
+                let (Ok(found), Ok(expected)) = (found, expected) else { continue };
+                let room = 1e-11 * largest(&expected).max(largest(&state.q_dot)).max(1.0) / margin;
+                differences.vector(what, name, &expected, &found, room);
+            }
+        }
     }
     assert!(compared > 0, "singular everywhere");
     differences.finish();
