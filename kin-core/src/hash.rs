@@ -97,7 +97,7 @@ impl Table {
     }
 
     /// Inserts an index that `find` did not find.
-    pub(crate) fn insert(&mut self, hash: u64, place: usize) {
+    pub(crate) fn insert(&mut self, hash: u64, index: usize) {
         self.len += 1;
         if 2 * self.len > self.slots.len() {
             let wider = vec![0; (2 * self.slots.len()).max(64)];
@@ -110,7 +110,7 @@ impl Table {
                 k += 1;
             }
         }
-        self.put((hash >> 32 << 32) | (place as u64 + 1));
+        self.put((hash >> 32 << 32) | (index as u64 + 1));
     }
 
     fn put(&mut self, slot: u64) {
@@ -131,14 +131,14 @@ mod tests {
     fn a_table_finds_what_was_put_in_and_nothing_else() {
         let keys: Vec<u64> = (0..1000).map(|k| k * k % 1009 + 5000 * k).collect();
         let mut table = Table::default();
-        for (place, key) in keys.iter().enumerate() {
+        for (index, key) in keys.iter().enumerate() {
             // Some keys have equal hashes, and most share their first slot.
             let hash = hash_of(&(*key % 400));
             assert_eq!(table.find(hash, |other| keys[other] == *key), None);
-            table.insert(hash, place);
+            table.insert(hash, index);
         }
-        for (place, key) in keys.iter().enumerate() {
-            assert_eq!(table.find(hash_of(&(*key % 400)), |other| keys[other] == *key), Some(place));
+        for (index, key) in keys.iter().enumerate() {
+            assert_eq!(table.find(hash_of(&(*key % 400)), |other| keys[other] == *key), Some(index));
         }
         assert_eq!(table.find(hash_of(&401_u64), |_| true), None);
     }

@@ -46,38 +46,38 @@ impl<'m> Assembly<'m> {
         }
     }
 
-    /// x, y, φ of the body at `place`. The poses of its carriers are built first, without recursion.
-    pub(crate) fn pose_of(&mut self, place: usize) -> [ExprId; 3] {
-        let (mut chain, mut next) = (Vec::new(), Some(place));
-        while let Some(place) = next {
-            match self.poses[place] {
+    /// x, y, φ of the body at `index`. The poses of its carriers are built first, without recursion.
+    pub(crate) fn pose_of(&mut self, index: usize) -> [ExprId; 3] {
+        let (mut chain, mut next) = (Vec::new(), Some(index));
+        while let Some(index) = next {
+            match self.poses[index] {
                 Pose::Known(_) => break,
                 Pose::Building => {
-                    let origin = self.family_of(place).0.origin;
+                    let origin = self.family_of(index).0.origin;
                     self.error(origin, "this body is carried by itself, directly or through other bodies");
-                    self.poses[place] = Pose::Known([self.graph.zero(); 3]);
+                    self.poses[index] = Pose::Known([self.graph.zero(); 3]);
                     break;
                 }
                 Pose::Unknown => {
-                    self.poses[place] = Pose::Building;
-                    chain.push(place);
-                    next = self.carrier_of(place);
+                    self.poses[index] = Pose::Building;
+                    chain.push(index);
+                    next = self.carrier_of(index);
                 }
             }
         }
-        for place in chain.into_iter().rev() {
-            self.poses[place] = Pose::Known(self.build_pose(place));
+        for index in chain.into_iter().rev() {
+            self.poses[index] = Pose::Known(self.build_pose(index));
         }
-        match self.poses[place] {
+        match self.poses[index] {
             Pose::Known(pose) => pose,
             _ => [self.graph.zero(); 3],
         }
     }
 
-    /// The family of the body at `place`, and the body's index in it.
-    fn family_of(&self, place: usize) -> (&'m Body, i64) {
-        let family = self.first_body.partition_point(|first| *first <= place) - 1;
-        (&self.mechanism.bodies[family], (place - self.first_body[family]) as i64)
+    /// The family of the body at `index`, and the body's index in it.
+    fn family_of(&self, index: usize) -> (&'m Body, i64) {
+        let family = self.first_body.partition_point(|first| *first <= index) - 1;
+        (&self.mechanism.bodies[family], (index - self.first_body[family]) as i64)
     }
 
     /// The body that carries the origin of the body at `place`.

@@ -163,8 +163,8 @@ impl<N: Names> Shown<'_, N> {
 
 fn call(name: String, arguments: &[ExprId]) -> Vec<Piece> {
     let mut pieces = vec![Owned(name), Text("(")];
-    for (place, argument) in arguments.iter().enumerate() {
-        pieces.extend((place > 0).then_some(Text(", ")));
+    for (index, argument) in arguments.iter().enumerate() {
+        pieces.extend((index > 0).then_some(Text(", ")));
         pieces.push(Operand(*argument, 0));
     }
     pieces.push(Text(")"));

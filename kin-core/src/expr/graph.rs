@@ -48,7 +48,7 @@ impl Graph {
     }
 
     fn found(&self, node: &Node, hash: u64) -> Option<ExprId> {
-        self.known.find(hash, |place| self.nodes[place] == *node).map(|place| ExprId(place as u32))
+        self.known.find(hash, |index| self.nodes[index] == *node).map(|index| ExprId(index as u32))
     }
 
     /// The id of `node`, which is added without simplification if it is new.
@@ -128,12 +128,12 @@ impl Graph {
         }
         // If a large part of the graph is reachable, a scan in ascending order is cheaper than sorting.
         found.clear();
-        let mut place = 0;
-        while place < seen.len() {
-            if seen[place] {
-                found.push(ExprId(place as u32));
+        let mut index = 0;
+        while index < seen.len() {
+            if seen[index] {
+                found.push(ExprId(index as u32));
             }
-            place += 1;
+            index += 1;
         }
         found
     }

@@ -52,7 +52,7 @@ pub fn partial<const N: usize>(graph: &mut Graph, roots: [ExprId; N], by: Symbol
     let (jets, zero) = (total_derivatives(graph, &roots), graph.zero());
     let is_by = |k: u32| Symbol::Coordinate(k) == by;
     let by_k = |jet: &Jet| jet.gradient.iter().find(|(k, _)| is_by(*k)).map_or(zero, |(_, e)| *e);
-    core::array::from_fn(|place| jets.get(place).map_or(zero, by_k))
+    core::array::from_fn(|index| jets.get(index).map_or(zero, by_k))
 }
 
 /// The derivatives of `id` from those of its operands.
@@ -207,8 +207,8 @@ fn linear(graph: &mut Graph, terms: &[(Option<ExprId>, &Jet)]) -> Jet {
 
 fn accumulate(graph: &mut Graph, gradient: &mut Vec<(u32, ExprId)>, k: u32, e: ExprId) {
     match gradient.binary_search_by_key(&k, |(k, _)| *k) {
-        Ok(place) => gradient[place].1 = graph.add(gradient[place].1, e),
-        Err(place) => gradient.insert(place, (k, e)),
+        Ok(index) => gradient[index].1 = graph.add(gradient[index].1, e),
+        Err(index) => gradient.insert(index, (k, e)),
     }
 }
 

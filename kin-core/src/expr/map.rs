@@ -19,8 +19,8 @@ impl<V> Default for IdMap<V> {
 
 impl<V> IdMap<V> {
     fn slot(&self, id: ExprId) -> u32 {
-        let place = id.index();
-        if place < self.slots.len() { self.slots[place] } else { 0 }
+        let index = id.index();
+        if index < self.slots.len() { self.slots[index] } else { 0 }
     }
 
     /// The value of `id`, if there is one.
@@ -38,17 +38,17 @@ impl<V> IdMap<V> {
 
     /// Sets the value of `id`.
     pub(crate) fn insert(&mut self, id: ExprId, value: V) {
-        let place = id.index();
-        if place >= self.slots.len() {
-            let mut longer = vec![0; (2 * self.slots.len()).max(place + 1).max(64)];
+        let index = id.index();
+        if index >= self.slots.len() {
+            let mut longer = vec![0; (2 * self.slots.len()).max(index + 1).max(64)];
             longer[..self.slots.len()].copy_from_slice(&self.slots);
             self.slots = longer;
         }
-        match self.slots[place] {
+        match self.slots[index] {
             0 => {
                 self.ids.push(id);
                 self.values.push(value);
-                self.slots[place] = self.values.len() as u32;
+                self.slots[index] = self.values.len() as u32;
             }
             slot => self.values[slot as usize - 1] = value,
         }

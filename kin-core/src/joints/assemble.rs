@@ -58,7 +58,7 @@ fn write(
     rows: JointRows,
 ) {
     let StatementKind::Joint(kind) = joint.operands.kind() else { return };
-    let place = set.joints.len();
+    let index = set.joints.len();
     let geometry = rows
         .geometry
         .into_iter()
@@ -71,7 +71,7 @@ fn write(
     let quantities = (rows.quantities.iter().enumerate())
         .map(|(k, (name, value))| Quantity {
             name,
-            observable: a.observe(set, ObservableKind::Joint(place, k), *value),
+            observable: a.observe(set, ObservableKind::Joint(index, k), *value),
         })
         .collect();
     let first_row = set.rows.len();
@@ -80,16 +80,16 @@ fn write(
     for (k, (suffix, meaning, phi)) in rows.residuals.into_iter().enumerate() {
         let name = if suffix.is_empty() { name.clone() } else { format!("{name}.{suffix}") };
         let operands_move = moving.contains(&k);
-        set.rows.push(ConstraintRow { name, joint: place, phi, meaning, velocity: None, operands_move });
+        set.rows.push(ConstraintRow { name, joint: index, phi, meaning, velocity: None, operands_move });
     }
     if let Some(velocity) = rows.velocity {
         let (name, phi, operands_move) = (name.clone(), a.graph.zero(), !moving.is_empty());
         let (meaning, velocity) = (RowMeaning::Other, Some(velocity));
-        set.rows.push(ConstraintRow { name, joint: place, phi, meaning, velocity, operands_move });
+        set.rows.push(ConstraintRow { name, joint: index, phi, meaning, velocity, operands_move });
     }
     let count = set.rows.len() - first_row;
     if let Some(point) = a.outline.take() {
-        set.curves.push(CurveInstance { joint: place, point });
+        set.curves.push(CurveInstance { joint: index, point });
     }
     set.joints.push(JointInstance {
         name,

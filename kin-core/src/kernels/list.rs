@@ -54,7 +54,7 @@ fn written(program: &Program) -> Kernel {
 
 /// The program that writes a sequence of expressions.
 pub(super) fn listed(graph: &Graph, values: impl IntoIterator<Item = ExprId>) -> Program {
-    let outputs = values.into_iter().enumerate().map(|(place, value)| (Slot::Entry(place), value));
+    let outputs = values.into_iter().enumerate().map(|(index, value)| (Slot::Entry(index), value));
     lower(graph, &outputs.collect::<Vec<_>>())
 }
 

@@ -32,11 +32,11 @@ impl Rows {
         for (row, equation) in equations.iter().enumerate() {
             outputs.push((Slot::Phi(row), equation.phi));
             for (column, e) in &equation.phi_q {
-                let place = entries.len();
+                let index = entries.len();
                 entries.push((row, *column as usize));
                 match graph.literal(*e) {
-                    Some(value) => constants.push((place, value)),
-                    None => outputs.push((Slot::PhiQ(place), *e)),
+                    Some(value) => constants.push((index, value)),
+                    None => outputs.push((Slot::PhiQ(index), *e)),
                 }
             }
             for (slot, e) in [(Slot::PhiT(row), equation.phi_t), (Slot::Gamma(row), equation.gamma)] {
@@ -46,7 +46,7 @@ impl Rows {
             }
         }
         let row_of = |slot| match slot {
-            Slot::PhiQ(place) => entries[place].0,
+            Slot::PhiQ(index) => entries[index].0,
             slot => slot.index(),
         };
         let program = member_by_member(graph, &outputs, families, row_of);
@@ -65,8 +65,8 @@ fn member_by_member(
 ) -> Program {
     let begin = families.iter().map(|family| family.first).min().unwrap_or_default();
     let longest = families.iter().map(|family| family.members).max().unwrap_or_default();
-    let member = |place: &usize| {
-        let row = row_of(outputs[*place].0);
+    let member = |index: &usize| {
+        let row = row_of(outputs[*index].0);
         let own = |family: &&Family| (family.first..family.first + family.members * family.stride).contains(&row);
         match families.iter().find(own) {
             // A family of joints between neighbouring members has one member fewer; its first member is lowered with
@@ -79,9 +79,9 @@ fn member_by_member(
     };
     let mut order: Vec<usize> = (0..outputs.len()).collect();
     order.sort_by_key(member);
-    let mut program = lower(graph, &order.iter().map(|place| outputs[*place]).collect::<Vec<_>>());
+    let mut program = lower(graph, &order.iter().map(|index| outputs[*index]).collect::<Vec<_>>());
     let mut written = program.outputs.clone();
-    order.iter().zip(&program.outputs).for_each(|(place, output)| written[*place] = *output);
+    order.iter().zip(&program.outputs).for_each(|(index, output)| written[*index] = *output);
     program.outputs = written;
     program
 }

@@ -51,8 +51,8 @@ fn mass_matrix(graph: &mut Graph, inertial: &[(ExprId, ExprId)]) -> BTreeMap<(u3
     let jets = total_derivatives(graph, &quantities);
     let mut entries = BTreeMap::new();
     for ((_, factor), jet) in inertial.iter().zip(jets) {
-        for (place, (j, first)) in jet.gradient.iter().enumerate() {
-            for (k, second) in &jet.gradient[place..] {
+        for (index, (j, first)) in jet.gradient.iter().enumerate() {
+            for (k, second) in &jet.gradient[index..] {
                 let product = graph.mul_all([*factor, *first, *second]);
                 let zero = graph.zero();
                 let sum = entries.entry(((*j).min(*k), (*j).max(*k))).or_insert(zero);

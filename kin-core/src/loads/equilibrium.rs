@@ -183,9 +183,9 @@ fn holds(bodies: &mut FreeBodies<'_>, set: &ConstraintSet) -> Vec<Hold> {
 }
 
 /// The number of bodies in the chain of carriers of a body.
-fn depth(set: &ConstraintSet, place: usize) -> usize {
+fn depth(set: &ConstraintSet, index: usize) -> usize {
     let mut depth = 0;
-    let mut next = set.bodies[place].carried_by;
+    let mut next = set.bodies[index].carried_by;
     while let Some(Frame::Body(carrier)) = next {
         depth += 1;
         next = set.bodies[carrier].carried_by;

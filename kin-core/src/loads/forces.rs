@@ -192,7 +192,7 @@ pub(super) fn all_acting(bodies: &mut FreeBodies<'_>) -> (Vec<Acting>, Vec<Sprin
 fn totals(graph: &mut Graph, acting: &[Acting], efforts: &[Effort]) -> [ExprId; TOTALS] {
     let zero = graph.zero();
     let mut totals = [zero; TOTALS];
-    let mut add = |place: usize, value: ExprId| totals[place] = graph.add(totals[place], value);
+    let mut add = |index: usize, value: ExprId| totals[index] = graph.add(totals[index], value);
     for acting in acting {
         for c in 0..3 {
             add(c, acting.outside[c]);

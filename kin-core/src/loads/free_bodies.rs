@@ -92,7 +92,7 @@ impl<'m> FreeBodies<'m> {
     pub(super) fn places(&self, frame: Frame) -> [u32; 3] {
         match frame {
             Frame::Ground => self.ground,
-            Frame::Body(place) => self.bodies[place],
+            Frame::Body(index) => self.bodies[index],
         }
     }
 

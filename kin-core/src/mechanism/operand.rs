@@ -220,9 +220,9 @@ impl Operands {
         self.values
     }
 
-    /// The operand of the slot at index `place`, if it has type `T`.
-    pub fn get<T: OperandValue>(&self, place: usize) -> Option<T> {
-        self.values.get(place).and_then(T::of)
+    /// The operand of the slot at index `index`, if it has type `T`.
+    pub fn get<T: OperandValue>(&self, index: usize) -> Option<T> {
+        self.values.get(index).and_then(T::of)
     }
 
     /// The curve, if the joint has one.

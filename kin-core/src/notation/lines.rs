@@ -58,8 +58,8 @@ impl Formula {
         match self {
             Self::Sum(parts) if self.columns() > width / 2 => {
                 let mut lead = lead;
-                for (place, (minus, term)) in parts.iter().enumerate() {
-                    let sign = match (place, minus) {
+                for (index, (minus, term)) in parts.iter().enumerate() {
+                    let sign = match (index, minus) {
                         (0, false) => "",
                         (0, true) => marks.signs.first,
                         (_, false) => marks.signs.plus,

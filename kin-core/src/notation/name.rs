@@ -83,7 +83,7 @@ impl Name {
 /// Splits `link[3]` into `link` and `3`.
 fn element(name: &str) -> (&str, Option<&str>) {
     match name.strip_suffix(']').and_then(|name| name.split_once('[')) {
-        Some((name, place)) => (name, Some(place)),
+        Some((name, index)) => (name, Some(index)),
         None => (name, None),
     }
 }

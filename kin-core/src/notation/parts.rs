@@ -14,14 +14,14 @@ pub(super) struct Signs {
 
 /// The terms of a sum with their signs; `within` writes a formula, in brackets if it binds less tightly than given.
 pub(super) fn terms(terms: &[(bool, Formula)], signs: &Signs, within: impl Fn(&Formula, u8) -> String) -> Vec<String> {
-    let one = |(place, (minus, term)): (usize, &(bool, Formula))| {
-        let sign = match (place, minus) {
+    let one = |(index, (minus, term)): (usize, &(bool, Formula))| {
+        let sign = match (index, minus) {
             (0, false) => "",
             (0, true) => signs.first,
             (_, false) => signs.plus,
             (_, true) => signs.minus,
         };
-        format!("{sign}{}", within(term, if *minus || place > 0 { 2 } else { 1 }))
+        format!("{sign}{}", within(term, if *minus || index > 0 { 2 } else { 1 }))
     };
     terms.iter().enumerate().map(one).collect()
 }
@@ -33,9 +33,9 @@ pub(super) fn factors(
     is_open: impl Fn(&Formula) -> bool,
     within: impl Fn(&Formula, u8) -> String,
 ) -> Vec<String> {
-    let closes = |place: usize| factors.get(place + 1).is_none_or(|next| matches!(next, Formula::Call(..)));
-    let one = |(place, factor): (usize, &Formula)| {
-        within(factor, if is_open(factor) && !closes(place) { u8::MAX } else { 2 })
+    let closes = |index: usize| factors.get(index + 1).is_none_or(|next| matches!(next, Formula::Call(..)));
+    let one = |(index, factor): (usize, &Formula)| {
+        within(factor, if is_open(factor) && !closes(index) { u8::MAX } else { 2 })
     };
     factors.iter().enumerate().map(one).collect()
 }

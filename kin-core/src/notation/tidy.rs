@@ -83,9 +83,9 @@ fn fraction(mut factors: Vec<Formula>) -> Formula {
     if let [Formula::Number(value), ..] = factors[..]
         && value.fract() != 0.0
         && let Some(below) = below(value)
-        && let Some(place) = factors.iter().position(is_parameter)
+        && let Some(index) = factors.iter().position(is_parameter)
     {
-        let name = factors.remove(place);
+        let name = factors.remove(index);
         let part = Formula::Quotient(Box::new(name), Box::new(Formula::Number(below)));
         factors[0] = Formula::Number(value * below);
         factors.insert(1, part);
@@ -184,11 +184,11 @@ fn product(factors: Vec<Formula>) -> Formula {
             other => flat.extend(multiple(other)),
         }
     }
-    if let Some(place) = flat.iter().position(|factor| matches!(factor, Formula::Quotient(..)))
+    if let Some(index) = flat.iter().position(|factor| matches!(factor, Formula::Quotient(..)))
         && flat.len() > 1
-        && let Formula::Quotient(above, below) = flat.remove(place)
+        && let Formula::Quotient(above, below) = flat.remove(index)
     {
-        flat.insert(place.min(flat.len()), *above);
+        flat.insert(index.min(flat.len()), *above);
         let (above, below) = match (product(flat), *below) {
             // There is another fraction among the factors.
             (Formula::Quotient(above, other), below) => (above, product(vec![*other, below])),

@@ -145,7 +145,7 @@ impl Reduction<'_> {
 
     /// The two rows with the fewest terms whose coefficient vectors of `key` are linearly independent.
     fn shortest_loop(&mut self, rows: &[usize], forms: &BTreeMap<usize, Form>, key: &Key) -> Option<[usize; 2]> {
-        let pairs = rows.iter().enumerate().flat_map(|(place, &f)| rows[place + 1..].iter().map(move |&g| [f, g]));
+        let pairs = rows.iter().enumerate().flat_map(|(index, &f)| rows[index + 1..].iter().map(move |&g| [f, g]));
         let mut pairs: Vec<(usize, [usize; 2])> =
             pairs.map(|two| (two.iter().map(|row| forms[row].terms.len()).sum(), two)).collect();
         pairs.sort_unstable();
@@ -190,13 +190,13 @@ impl Reduction<'_> {
         let minus_one = graph.number(-1.0);
         // In most cases the loops share a joint of the rotating body, so that h is ±a or ±b.
         for (factor, test) in [(one, true), (minus_one, false)] {
-            for (place, own) in [a, b].into_iter().enumerate() {
+            for (index, own) in [a, b].into_iter().enumerate() {
                 let same = (0..2).all(|k| match test {
                     true => zero_test.equal(graph, h[k], own[k]),
                     false => zero_test.opposite(graph, h[k], own[k]),
                 });
                 if same {
-                    return if place == 0 { [factor, zero] } else { [zero, factor] };
+                    return if index == 0 { [factor, zero] } else { [zero, factor] };
                 }
             }
         }

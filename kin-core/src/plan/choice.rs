@@ -127,9 +127,9 @@ impl Search<'_> {
         for (rows, unknowns) in blocks {
             let driven = rows
                 .iter()
-                .any(|&place| self.system.classes[used[place]].leads() || pattern[place].iter().any(|&k| moves[k]));
+                .any(|&index| self.system.classes[used[index]].leads() || pattern[index].iter().any(|&k| moves[k]));
             unknowns.iter().for_each(|&k| moves[k] = driven);
-            let rows: Vec<usize> = rows.into_iter().map(|place| used[place]).collect();
+            let rows: Vec<usize> = rows.into_iter().map(|index| used[index]).collect();
             let unknowns: BTreeSet<u32> = unknowns.into_iter().map(|k| k as u32).collect();
             let removable: Vec<usize> = rows.iter().filter_map(|row| beside.get(row)).copied().collect();
             tree.parts.push(Part::Block(reduction.with_guides(&rows, &unknowns, &removable)?));

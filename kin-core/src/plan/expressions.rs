@@ -208,29 +208,29 @@ impl Build<'_> {
             SolutionMethod::Angle { times, a, b, c } => {
                 let k = core.coordinates[0];
                 let value = angle_branch_value(&mut self.graph, (k, *times), [*a, *b]);
-                let (mode, place) = self.closure(step, value);
+                let (mode, index) = self.closure(step, value);
                 let [a, b, c] = [*a, *b, *c].map(|e| self.known_value(e)).map(|e| self.graph.whole(e));
                 let (turned, inverse, margin) = closures::angle(&mut self.graph, mode, [a, b, c]);
-                self.write(Slot::Margin(place), margin);
+                self.write(Slot::Margin(index), margin);
                 self.angle(k, &[(k, *times)], turned, inverse);
             }
             SolutionMethod::Quadratic { a, b, c } => {
                 let k = core.coordinates[0];
                 let value = quadratic_branch_value(&mut self.graph, k, [*a, *b, *c]);
-                let (mode, place) = self.closure(step, value);
+                let (mode, index) = self.closure(step, value);
                 let known = [*a, *b, *c].map(|e| self.known_value(e));
                 let (value, margin) = closures::quadratic(&mut self.graph, mode, known);
-                self.write(Slot::Margin(place), margin);
+                self.write(Slot::Margin(index), margin);
                 self.record_solution(k, value, None);
             }
             SolutionMethod::Circle { e, l, k, n, m, second } => {
                 let at = [core.coordinates[0], core.coordinates[1]];
                 let value = circle_branch_value(&mut self.graph, at, [*e, l[0], l[1], *k, n[0], n[1]]);
-                let (mode, place) = self.closure(step, value);
+                let (mode, index) = self.closure(step, value);
                 let known = [*e, l[0], l[1], *k, n[0], n[1], *m].map(|e| self.known_value(e));
                 let second = second.map(|f| self.known_value(f));
                 let ([x, y], margin) = closures::circle(&mut self.graph, mode, known, second);
-                self.write(Slot::Margin(place), margin);
+                self.write(Slot::Margin(index), margin);
                 self.record_solution(at[0], x, None);
                 self.record_solution(at[1], y, None);
             }

@@ -114,10 +114,10 @@ fn walk(set: &ConstraintSet, joints: &[usize], bodies: &BTreeSet<usize>) -> Opti
     let entered = ends(first);
     let start = entered.iter().flatten().next().copied();
     let along = || std::iter::once(first).chain(inner.iter().copied()).chain(std::iter::once(last));
-    for (place, hinge) in along().enumerate() {
+    for (index, hinge) in along().enumerate() {
         let own = ends(hinge);
-        let is_last = place == inner.len() + 1;
-        let forwards = if place == 0 { own[1].is_some() } else { is_last && own[0].is_some() || own[0] == start };
+        let is_last = index == inner.len() + 1;
+        let forwards = if index == 0 { own[1].is_some() } else { is_last && own[0].is_some() || own[0] == start };
         let Some(joint) = hinge.joint else {
             letters.push('R');
             continue;

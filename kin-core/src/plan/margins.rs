@@ -91,8 +91,8 @@ impl Build<'_> {
         for stage in &mut self.stages {
             let Stage::Closed(outputs) = stage else { continue };
             for (slot, _) in outputs {
-                if let Slot::Margin(place) = slot {
-                    *place = places[*place];
+                if let Slot::Margin(index) = slot {
+                    *index = places[*index];
                 }
             }
         }

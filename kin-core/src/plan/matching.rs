@@ -92,16 +92,16 @@ fn components(successors: &[Vec<usize>]) -> Vec<Vec<usize>> {
             continue;
         }
         let mut open = vec![(root, 0_usize)];
-        while let Some(&mut (node, ref mut place)) = open.last_mut() {
-            if *place == 0 {
+        while let Some(&mut (node, ref mut index)) = open.last_mut() {
+            if *index == 0 {
                 number[node] = next;
                 low[node] = next;
                 next += 1;
                 stack.push(node);
                 on_stack[node] = true;
             }
-            if let Some(&child) = successors[node].get(*place) {
-                *place += 1;
+            if let Some(&child) = successors[node].get(*index) {
+                *index += 1;
                 if number[child] == NEW {
                     open.push((child, 0));
                 } else if on_stack[child] {

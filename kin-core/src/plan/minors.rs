@@ -141,14 +141,14 @@ impl Minors {
         let n = self.rows.len();
         let mut minor = graph.zero();
         let places = (0..=n).filter(|j| columns & 1 << j != 0);
-        for (place, j) in places.enumerate() {
+        for (index, j) in places.enumerate() {
             let entry = if j < n { self.rows[size - 1][j] } else { right[size - 1] };
             if graph.is_zero(entry) {
                 continue;
             }
             let rest = self.minor(graph, columns & !(1 << j), right);
             let product = graph.mul(entry, rest);
-            let adds = !self.alternates || (size - 1 + place).is_multiple_of(2);
+            let adds = !self.alternates || (size - 1 + index).is_multiple_of(2);
             minor = if adds { graph.add(minor, product) } else { graph.sub(minor, product) };
         }
         self.known.insert(columns, minor);

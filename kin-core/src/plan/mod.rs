@@ -184,12 +184,12 @@ fn planned(system: &KinematicSystem, rank: usize, written: bool) -> Result<(Solu
     let outputs: Vec<_> = by_coordinates.into_iter().enumerate().map(|(k, id)| (Slot::Entry(k), id)).collect();
     let turns = lower(&graph, &outputs);
     let (sections, saved) = sections::sections(&mut graph, stages, iterations);
-    let depth = |place| match place {
-        place if place >= first.acceleration => Depth::Acceleration,
-        place if place >= first.velocity => Depth::Velocity,
+    let depth = |index| match index {
+        index if index >= first.acceleration => Depth::Acceleration,
+        index if index >= first.velocity => Depth::Velocity,
         _ => Depth::Position,
     };
-    let sections = sections.into_iter().enumerate().map(|(place, section)| (section, depth(place))).collect();
+    let sections = sections.into_iter().enumerate().map(|(index, section)| (section, depth(index))).collect();
     let formulas = before.map_or_else(Vec::new, |graph| formulas::formulas(system, graph, &listed, &tree));
     let poles: Vec<StepId> = signed.iter().map(|signed| signed.step).collect();
     let oriented = iterated.into_iter().map(|(_, step, margin)| (step, margin));

@@ -81,7 +81,7 @@ fn circle(reader: &mut Reader<'_>, forms: [&Form; 2], [x, y]: [u32; 2]) -> Optio
         return None;
     }
     let of = |reader: &mut Reader<'_>, form: &Form| {
-        let [e, e_y, l_x, l_y, k] = [0, 1, 2, 3, 4].map(|place: usize| coefficient(reader, form, &keys[place])[0]);
+        let [e, e_y, l_x, l_y, k] = [0, 1, 2, 3, 4].map(|index: usize| coefficient(reader, form, &keys[index])[0]);
         reader.memory.zero_test.equal(reader.graph, e, e_y).then_some((e, [l_x, l_y], k))
     };
     let (first, second) = (of(reader, forms[0])?, of(reader, forms[1])?);

@@ -126,8 +126,8 @@ impl Reduction<'_> {
         let mut removable: Vec<(usize, BTreeSet<u32>)> =
             removable.iter().map(|&row| (row, self.written(row, &unknowns))).collect();
         for (part_rows, part_unknowns) in blocks(&held, places.len()).ok()? {
-            let part_rows: Vec<usize> = part_rows.into_iter().map(|place| rows[place]).collect();
-            let part_unknowns: BTreeSet<u32> = part_unknowns.into_iter().map(|place| places[place]).collect();
+            let part_rows: Vec<usize> = part_rows.into_iter().map(|index| rows[index]).collect();
+            let part_unknowns: BTreeSet<u32> = part_unknowns.into_iter().map(|index| places[index]).collect();
             // A redundant row is used in the part that solves for the last of its unknowns.
             removable.iter_mut().for_each(|(_, open)| open.retain(|k| !part_unknowns.contains(k)));
             let known = removable

@@ -96,7 +96,7 @@ impl Build<'_> {
         let tolerance = self.tolerance(sizes.nearness, 2 + order as i32);
         for mut redundant in std::mem::take(&mut self.redundant) {
             let rows = redundant.paired.map_or(vec![redundant.row], |paired| paired.rows.to_vec());
-            for (place, row) in rows.into_iter().enumerate() {
+            for (index, row) in rows.into_iter().enumerate() {
                 let mut rest = self.graph.neg(right[row]);
                 for (k, entry) in self.system.equations[row].phi_q.clone() {
                     let entry = self.known_value(entry);
@@ -107,7 +107,7 @@ impl Build<'_> {
                 // the terms.
                 let (terms, share) =
                     (sum_of_squared_terms(&mut self.graph, right[row], 6), self.graph.number(TERM_WEIGHT));
-                let (terms, size) = (self.graph.mul(share, terms), self.graph.mul(redundant.sizes[place], all));
+                let (terms, size) = (self.graph.mul(share, terms), self.graph.mul(redundant.sizes[index], all));
                 let (square, size) = (self.graph.square(rest), self.graph.add(size, terms));
                 self.subtract_residual(&mut redundant, square, size, tolerance);
             }

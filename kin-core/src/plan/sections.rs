@@ -88,17 +88,17 @@ impl Substitution for SavedValues<'_> {
             return None;
         }
         let owner = *self.places.owner.get(id)?;
-        let place = match self.places.saved.get(id) {
-            Some(&place) => place,
+        let index = match self.places.saved.get(id) {
+            Some(&index) => index,
             None => {
-                let place = self.places.next;
+                let index = self.places.next;
                 self.places.next += 1;
-                self.places.wanted.push((owner, place, id));
-                self.places.saved.insert(id, place);
-                place
+                self.places.wanted.push((owner, index, id));
+                self.places.saved.insert(id, index);
+                index
             }
         };
-        Some(graph.symbol(Symbol::Saved(place)))
+        Some(graph.symbol(Symbol::Saved(index)))
     }
 }
 
@@ -123,7 +123,7 @@ pub(super) fn sections(graph: &mut Graph, stages: Vec<Stage>, first: u32) -> (Ve
         .map(|stage| match stage {
             Stage::Closed(outputs) => outputs.clone(),
             Stage::Newton { corrections, .. } => {
-                corrections.iter().enumerate().map(|(place, id)| (Slot::Entry(place), *id)).collect()
+                corrections.iter().enumerate().map(|(index, id)| (Slot::Entry(index), *id)).collect()
             }
         })
         .collect();
@@ -184,7 +184,7 @@ fn programs(
     // From the last section to the first, so that all readers of a section are known when its program is written.
     for section in (0..roots.len()).rev() {
         let wanted = places.wanted.iter().filter(|(owner, ..)| *owner == section);
-        let wanted: Vec<_> = wanted.map(|&(_, place, id)| (Slot::Saved(place as usize), id)).collect();
+        let wanted: Vec<_> = wanted.map(|&(_, index, id)| (Slot::Saved(index as usize), id)).collect();
         roots[section].extend(wanted);
         rewritten.clear();
         let mut done = SavedValues { places: &mut *places, section, symbols };

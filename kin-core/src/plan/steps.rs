@@ -28,8 +28,8 @@ impl StepList {
     pub(super) fn new(system: &KinematicSystem, graph: &Graph, tree: &Block, source_rows: &[BTreeSet<usize>]) -> Self {
         let mut listed = Self::default();
         listed.block((system, graph), tree, source_rows);
-        let given = |(place, step): (usize, &Step)| {
-            step.coordinates.iter().map(|&(k, _)| (k, StepId(place))).collect::<Vec<_>>()
+        let given = |(index, step): (usize, &Step)| {
+            step.coordinates.iter().map(|&(k, _)| (k, StepId(index))).collect::<Vec<_>>()
         };
         listed.giving = listed.steps.iter().enumerate().flat_map(given).collect();
         listed.add_explicit_joints(&system.set);
@@ -97,11 +97,11 @@ impl StepList {
             SolutionMethod::Newton { residuals } => StepKind::Newton(residuals.len()),
             _ => StepKind::Closure,
         };
-        let joint = |place: usize| {
-            let row = core.rows.get(place).or(core.rows.first());
+        let joint = |index: usize| {
+            let row = core.rows.get(index).or(core.rows.first());
             row.map_or(0, |&row| system.set.rows[row].joint)
         };
-        let coordinates = core.coordinates.iter().enumerate().map(|(place, &k)| (k, joint(place))).collect();
+        let coordinates = core.coordinates.iter().enumerate().map(|(index, &k)| (k, joint(index))).collect();
         let step = new_step(&system.set, kind, rows, coordinates);
         self.steps.push(Step { closed_as: letters_of_method(&core.method), ..step });
     }
@@ -110,8 +110,8 @@ impl StepList {
     /// row, to the preceding explicit step of the same joint, or to a new explicit step.
     fn attach(&mut self, system: &KinematicSystem, row: usize, coordinate: u32) {
         let joint = system.set.rows[row].joint;
-        if let Some(place) = self.steps.iter().rposition(|step| step.rows.contains(&row)) {
-            self.steps[place].coordinates.push((coordinate, joint));
+        if let Some(index) = self.steps.iter().rposition(|step| step.rows.contains(&row)) {
+            self.steps[index].coordinates.push((coordinate, joint));
             return;
         }
         if let Some(step) = self.steps.last_mut()
@@ -153,7 +153,7 @@ impl StepList {
         let mut order: Vec<usize> = (0..self.margins).collect();
         order.sort_by_key(|&found| self.of_margins[found]);
         let mut places = vec![0; self.margins];
-        order.iter().enumerate().for_each(|(place, &found)| places[found] = place);
+        order.iter().enumerate().for_each(|(index, &found)| places[found] = index);
         let mut next = 0;
         for (number, step) in self.steps.iter_mut().enumerate() {
             let own = self.of_margins.iter().filter(|step| step.index() == number).count();
@@ -188,7 +188,7 @@ impl StepList {
     /// Adds a mode to a step and returns its index.
     pub(super) fn mode(&mut self, system: &KinematicSystem, step: StepId, margin: usize) -> usize {
         let plain = self.joined(system, step);
-        let place = self.modes.len();
+        let index = self.modes.len();
         let joints = |step: StepId| &self.step(step).joints;
         let taken = self.modes.iter().filter(|mode| joints(mode.step) == joints(step));
         let name = match taken.count() {
@@ -196,8 +196,8 @@ impl StepList {
             others => format!("{plain}#{}", others + 1),
         };
         self.modes.push(Mode { name, step, margin });
-        self.steps[step.index()].modes = place..place + 1;
-        place
+        self.steps[step.index()].modes = index..index + 1;
+        index
     }
 }
 

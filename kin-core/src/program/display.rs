@@ -30,7 +30,7 @@ fn loaded(symbol: Symbol) -> String {
 
 impl fmt::Display for Program {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        for (place, instruction) in self.instructions.iter().enumerate() {
+        for (index, instruction) in self.instructions.iter().enumerate() {
             let v = |value: Value| Operand(self, value);
             match *instruction {
                 Instruction::Number(_)
@@ -38,20 +38,20 @@ impl fmt::Display for Program {
                 | Instruction::SinOf(_)
                 | Instruction::CosOf(_)
                 | Instruction::SuppliedOf(..) => {}
-                Instruction::Neg(a) => writeln!(f, "v{place} = -{}", v(a))?,
-                Instruction::Add(a, b) => writeln!(f, "v{place} = {} + {}", v(a), v(b))?,
-                Instruction::Sub(a, b) => writeln!(f, "v{place} = {} - {}", v(a), v(b))?,
-                Instruction::Mul(a, b) => writeln!(f, "v{place} = {} * {}", v(a), v(b))?,
-                Instruction::Div(a, b) => writeln!(f, "v{place} = {} / {}", v(a), v(b))?,
-                Instruction::SinCos(a) => writeln!(f, "(sin{place}, cos{place}) = sin_cos({})", v(a))?,
-                Instruction::Call(g, a) => writeln!(f, "v{place} = {}({})", g.name(), v(a))?,
-                Instruction::Sign(a) => writeln!(f, "v{place} = sign({})", v(a))?,
-                Instruction::Atan2(y, x) => writeln!(f, "v{place} = atan2({}, {})", v(y), v(x))?,
-                Instruction::Nearest(a, b) => writeln!(f, "v{place} = nearest({}, {})", v(a), v(b))?,
-                Instruction::Powi(a, n) => writeln!(f, "v{place} = {}^{n}", v(a))?,
-                Instruction::Powf(a, n) => writeln!(f, "v{place} = {}^{}", v(a), n.value())?,
+                Instruction::Neg(a) => writeln!(f, "v{index} = -{}", v(a))?,
+                Instruction::Add(a, b) => writeln!(f, "v{index} = {} + {}", v(a), v(b))?,
+                Instruction::Sub(a, b) => writeln!(f, "v{index} = {} - {}", v(a), v(b))?,
+                Instruction::Mul(a, b) => writeln!(f, "v{index} = {} * {}", v(a), v(b))?,
+                Instruction::Div(a, b) => writeln!(f, "v{index} = {} / {}", v(a), v(b))?,
+                Instruction::SinCos(a) => writeln!(f, "(sin{index}, cos{index}) = sin_cos({})", v(a))?,
+                Instruction::Call(g, a) => writeln!(f, "v{index} = {}({})", g.name(), v(a))?,
+                Instruction::Sign(a) => writeln!(f, "v{index} = sign({})", v(a))?,
+                Instruction::Atan2(y, x) => writeln!(f, "v{index} = atan2({}, {})", v(y), v(x))?,
+                Instruction::Nearest(a, b) => writeln!(f, "v{index} = nearest({}, {})", v(a), v(b))?,
+                Instruction::Powi(a, n) => writeln!(f, "v{index} = {}^{n}", v(a))?,
+                Instruction::Powf(a, n) => writeln!(f, "v{index} = {}^{}", v(a), n.value())?,
                 Instruction::Supplied(g, a) => {
-                    writeln!(f, "(f{place}, f{place}', f{place}'') = supplied {g}({})", v(a))?;
+                    writeln!(f, "(f{index}, f{index}', f{index}'') = supplied {g}({})", v(a))?;
                 }
             }
         }

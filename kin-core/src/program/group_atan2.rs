@@ -30,7 +30,7 @@ impl Program {
 
 fn order(instructions: &[Instruction]) -> Vec<usize> {
     let mut order: Vec<usize> = (0..instructions.len()).collect();
-    let is_atan2 = |place: usize| matches!(instructions[place], Instruction::Atan2(..));
+    let is_atan2 = |index: usize| matches!(instructions[index], Instruction::Atan2(..));
     let mut after_atan2 = vec![false; instructions.len()];
     let mut first = 0;
     while first < order.len() {
@@ -40,24 +40,24 @@ fn order(instructions: &[Instruction]) -> Vec<usize> {
         }
         let window = order[first..].iter().take(WINDOW);
         let window: Vec<usize> =
-            window.copied().take_while(|&place| !matches!(instructions[place], Instruction::SinCos(_))).collect();
+            window.copied().take_while(|&index| !matches!(instructions[index], Instruction::SinCos(_))).collect();
         let (mut free, mut grouped, mut after) = (Vec::new(), Vec::new(), Vec::new());
-        for &place in &window {
+        for &index in &window {
             let mut needs = false;
-            instructions[place].for_each_operand(|operand| needs |= after_atan2[operand.index()]);
+            instructions[index].for_each_operand(|operand| needs |= after_atan2[operand.index()]);
             let group = match needs {
                 true => &mut after,
-                false if is_atan2(place) => &mut grouped,
+                false if is_atan2(index) => &mut grouped,
                 false => &mut free,
             };
-            group.push(place);
-            after_atan2[place] = needs || is_atan2(place);
+            group.push(index);
+            after_atan2[index] = needs || is_atan2(index);
         }
-        window.iter().for_each(|&place| after_atan2[place] = false);
+        window.iter().for_each(|&index| after_atan2[index] = false);
         let next = first + if grouped.len() > 1 { free.len() + grouped.len() } else { 1 };
         if grouped.len() > 1 {
             let grouped = free.into_iter().chain(grouped).chain(after);
-            order[first..first + window.len()].iter_mut().zip(grouped).for_each(|(place, new)| *place = new);
+            order[first..first + window.len()].iter_mut().zip(grouped).for_each(|(index, new)| *index = new);
         }
         first = next;
     }

@@ -300,31 +300,31 @@ impl Program {
 /// adjacent; every other instruction follows in its original order.
 fn schedule(program: Program) -> Program {
     let Program { instructions, outputs } = program;
-    let is_pair = |place: usize| matches!(instructions[place], Instruction::SinCos(_));
+    let is_pair = |index: usize| matches!(instructions[index], Instruction::SinCos(_));
     let mut depth = vec![0_usize; instructions.len()];
-    for (place, instruction) in instructions.iter().enumerate() {
+    for (index, instruction) in instructions.iter().enumerate() {
         let mut level = 0;
         instruction.for_each_operand(|operand| {
             level = level.max(depth[operand.index()] + usize::from(is_pair(operand.index())));
         });
-        depth[place] = level;
+        depth[index] = level;
     }
     // The lowest depth of a SinCos that depends on an instruction; `LAST` if none does.
     const LAST: usize = usize::MAX;
     let mut needed = vec![false; instructions.len()];
     let mut serves = vec![LAST; instructions.len()];
     outputs.iter().for_each(|(_, value)| needed[value.index()] = true);
-    for place in (0..instructions.len()).rev() {
-        if needed[place] {
-            let level = if is_pair(place) { depth[place] } else { serves[place] };
-            instructions[place].for_each_operand(|operand| {
+    for index in (0..instructions.len()).rev() {
+        if needed[index] {
+            let level = if is_pair(index) { depth[index] } else { serves[index] };
+            instructions[index].for_each_operand(|operand| {
                 needed[operand.index()] = true;
                 serves[operand.index()] = serves[operand.index()].min(level);
             });
         }
     }
-    let phase = |place: usize| if is_pair(place) { (depth[place], true) } else { (serves[place], false) };
-    let mut order: Vec<usize> = (0..instructions.len()).filter(|place| needed[*place]).collect();
-    order.sort_by_key(|place| phase(*place));
+    let phase = |index: usize| if is_pair(index) { (depth[index], true) } else { (serves[index], false) };
+    let mut order: Vec<usize> = (0..instructions.len()).filter(|index| needed[*index]).collect();
+    order.sort_by_key(|index| phase(*index));
     Program { instructions, outputs }.reordered(&order)
 }

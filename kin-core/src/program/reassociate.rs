@@ -18,14 +18,14 @@ pub(super) fn early_terms_first(program: Program) -> Program {
     // Partial sums are removed only where the sum is reordered.
     let mut orders = vec![None; instructions.len()];
     let mut part_of_ordered = vec![false; instructions.len()];
-    let has_parts = |place: usize| match instructions[place] {
+    let has_parts = |index: usize| match instructions[index] {
         Instruction::Add(a, b) | Instruction::Sub(a, b) => partial_sums[a.index()] || partial_sums[b.index()],
         _ => false,
     };
-    for place in (0..instructions.len()).filter(|place| !partial_sums[*place] && has_parts(*place)) {
-        let (terms, parts) = terms(instructions, &partial_sums, place);
-        orders[place] = ordered(terms, &depends_on_function);
-        if orders[place].is_some() {
+    for index in (0..instructions.len()).filter(|index| !partial_sums[*index] && has_parts(*index)) {
+        let (terms, parts) = terms(instructions, &partial_sums, index);
+        orders[index] = ordered(terms, &depends_on_function);
+        if orders[index].is_some() {
             parts.into_iter().for_each(|part| part_of_ordered[part] = true);
         }
     }
@@ -34,9 +34,9 @@ pub(super) fn early_terms_first(program: Program) -> Program {
     }
     let mut renumbered = vec![Value(0); instructions.len()];
     let mut value_numbering = ValueNumbering::default();
-    for (place, order) in orders.into_iter().enumerate().filter(|(place, _)| !part_of_ordered[*place]) {
-        renumbered[place] = match order {
-            None => value_numbering.emit(instructions[place].map_operands(|value| renumbered[value.index()])),
+    for (index, order) in orders.into_iter().enumerate().filter(|(index, _)| !part_of_ordered[*index]) {
+        renumbered[index] = match order {
+            None => value_numbering.emit(instructions[index].map_operands(|value| renumbered[value.index()])),
             Some((first, others)) => others.into_iter().fold(renumbered[first], |sum, (term, minus)| {
                 let term = renumbered[term];
                 value_numbering.emit(if minus { Instruction::Sub(sum, term) } else { Instruction::Add(sum, term) })
@@ -50,13 +50,13 @@ pub(super) fn early_terms_first(program: Program) -> Program {
 /// For every instruction, whether it depends on the result of a function such as a sine or cosine.
 fn depends_on_function(instructions: &[Instruction]) -> Vec<bool> {
     let mut depends_on_function = vec![false; instructions.len()];
-    for (place, instruction) in instructions.iter().enumerate() {
+    for (index, instruction) in instructions.iter().enumerate() {
         let mut own = matches!(
             instruction,
             Instruction::SinCos(_) | Instruction::Call(..) | Instruction::Atan2(..) | Instruction::Supplied(..)
         );
         instruction.for_each_operand(|operand| own |= depends_on_function[operand.index()]);
-        depends_on_function[place] = own;
+        depends_on_function[index] = own;
     }
     depends_on_function
 }
@@ -81,17 +81,17 @@ fn partial_sums(program: &Program) -> Vec<bool> {
 fn terms(instructions: &[Instruction], partial_sums: &[bool], root: usize) -> (Vec<Term>, Vec<usize>) {
     let (mut terms, mut parts) = (Vec::new(), Vec::new());
     let mut open = vec![(root, false)];
-    while let Some((place, minus)) = open.pop() {
-        let operands = match instructions[place] {
-            Instruction::Add(a, b) if place == root || partial_sums[place] => [(a, minus), (b, minus)],
-            Instruction::Sub(a, b) if place == root || partial_sums[place] => [(a, minus), (b, !minus)],
+    while let Some((index, minus)) = open.pop() {
+        let operands = match instructions[index] {
+            Instruction::Add(a, b) if index == root || partial_sums[index] => [(a, minus), (b, minus)],
+            Instruction::Sub(a, b) if index == root || partial_sums[index] => [(a, minus), (b, !minus)],
             _ => {
-                terms.push((place, minus));
+                terms.push((index, minus));
                 continue;
             }
         };
-        if place != root {
-            parts.push(place);
+        if index != root {
+            parts.push(index);
         }
         let [first, second] = operands.map(|(value, minus)| (value.index(), minus));
         open.extend([second, first]);
@@ -102,11 +102,11 @@ fn terms(instructions: &[Instruction], partial_sums: &[bool], root: usize) -> (V
 /// The first term, which is not subtracted, and the remaining terms, those that depend on a function last. `None` if
 /// the order would gain nothing.
 fn ordered(mut terms: Vec<Term>, depends_on_function: &[bool]) -> Option<(usize, Vec<Term>)> {
-    let waiting = terms.iter().filter(|(place, _)| depends_on_function[*place]).count();
+    let waiting = terms.iter().filter(|(index, _)| depends_on_function[*index]).count();
     if terms.len() < 3 || waiting == 0 || waiting == terms.len() {
         return None;
     }
-    terms.sort_by_key(|(place, _)| depends_on_function[*place]);
+    terms.sort_by_key(|(index, _)| depends_on_function[*index]);
     // There is always a term that is added: the leftmost one.
     let first = terms.iter().position(|(_, minus)| !minus)?;
     let (first, _) = terms.remove(first);

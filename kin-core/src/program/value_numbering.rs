@@ -30,8 +30,8 @@ impl ValueNumbering {
             other => other,
         };
         let hash = hash_of(&canonical);
-        if let Some(place) = self.values.find(hash, |place| self.instructions[place] == canonical) {
-            return Value(place as u32);
+        if let Some(index) = self.values.find(hash, |index| self.instructions[index] == canonical) {
+            return Value(index as u32);
         }
         let value = Value(self.instructions.len() as u32);
         self.instructions.push(canonical);

@@ -125,15 +125,15 @@ fn matrix(name: &str, head: Option<&[String]>, rows: &[Vec<String>], names: &[St
     };
     let indent = " ".repeat(super::text::shown(name) + 3);
     let mut out = head.map_or_else(String::new, |head| format!("    {indent}  {}\n", line(head)));
-    for (place, row) in rows.iter().enumerate() {
-        let (open, close) = match (place, place + 1 == rows.len()) {
+    for (index, row) in rows.iter().enumerate() {
+        let (open, close) = match (index, index + 1 == rows.len()) {
             (0, true) => ("[", "]"),
             (0, false) => ("⎡", "⎤"),
             (_, true) => ("⎣", "⎦"),
             _ => ("⎢", "⎥"),
         };
-        let before = if place == 0 { format!("{name} = ") } else { indent.clone() };
-        let own = names.get(place).map_or("", String::as_str);
+        let before = if index == 0 { format!("{name} = ") } else { indent.clone() };
+        let own = names.get(index).map_or("", String::as_str);
         out.push_str(&format!("    {before}{open} {} {close}  {own}\n", line(row)));
     }
     out

@@ -76,9 +76,9 @@ impl Sheet {
         let names = self.coordinates.iter().take(MANY).map(|name| symbol(name, MathMl));
         let mut parts: Vec<String> = names.chain((count > MANY).then(|| "<mo>…</mo>".to_owned())).collect();
         let last = parts.len().saturating_sub(1);
-        for (place, part) in parts.iter_mut().enumerate() {
-            let before = if place == 0 { "<mi>𝐪</mi><mo>=</mo><mo>(</mo>" } else { "" };
-            let after = if place == last { "<msup><mo>)</mo><mtext>T</mtext></msup>" } else { "<mo>,</mo>" };
+        for (index, part) in parts.iter_mut().enumerate() {
+            let before = if index == 0 { "<mi>𝐪</mi><mo>=</mo><mo>(</mo>" } else { "" };
+            let after = if index == last { "<msup><mo>)</mo><mtext>T</mtext></msup>" } else { "<mo>,</mo>" };
             *part = math(&format!("{before}{part}{after}"));
         }
         let rows: usize = self.joints.iter().map(|joint| joint.rows.len() * (1 + joint.alike.len())).sum();

@@ -23,7 +23,7 @@ impl Sheet {
         for joint in &set.joints {
             let shape = (joint.family.0, joint.kind, shape(system, joint));
             match shapes.iter().position(|other| *other == shape) {
-                Some(place) => joints[place].alike.push(joint.name.clone()),
+                Some(index) => joints[index].alike.push(joint.name.clone()),
                 None => {
                     shapes.push(shape);
                     joints.push(of_joint(system, joint));

@@ -190,8 +190,8 @@ fn advice(set: &ConstraintSet, own: &[usize], redundant: &[&Redundancy], driving
 }
 
 /// The kind of joint that has only the non-redundant rows of this joint, if there is one.
-fn instead_of(set: &ConstraintSet, place: usize, redundant: &[&Redundancy]) -> Option<&'static str> {
-    let joint = &set.joints[place];
+fn instead_of(set: &ConstraintSet, index: usize, redundant: &[&Redundancy]) -> Option<&'static str> {
+    let joint = &set.joints[index];
     let is_redundant = |row: usize| redundant.iter().any(|r| r.row == row);
     let (mut redundant_rows, mut rest) = (Vec::new(), Vec::new());
     for row in joint.first_row..joint.first_row + joint.rows {

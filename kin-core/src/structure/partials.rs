@@ -102,9 +102,9 @@ fn motion(residues: &Residues<'_>, frame: Frame, r: [Residue; 2]) -> Motion {
     let (mut moved, mut r, mut frame) = (Motion::new(), r, frame);
     // A chain of carrying bodies has at most as many members as there are bodies.
     for _ in 0..=set.bodies.len() {
-        let Frame::Body(place) = frame else { break };
-        let body = &set.bodies[place];
-        let origin = residues.places.origin(place);
+        let Frame::Body(index) = frame else { break };
+        let body = &set.bodies[index];
+        let origin = residues.places.origin(index);
         if let Some(k) = body.coordinates[2] {
             moved.push((k as usize, [-(r[1] - origin[1]), r[0] - origin[0]]));
         }

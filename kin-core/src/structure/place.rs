@@ -127,8 +127,8 @@ impl Places {
         }
         of_body.iter_mut().for_each(|points| points.sort_unstable());
         let mut turning: HashMap<ExprId, Option<usize>> = HashMap::new();
-        for (place, body) in set.bodies.iter().enumerate() {
-            turning.entry(body.pose[2]).and_modify(|found| *found = None).or_insert(Some(place));
+        for (index, body) in set.bodies.iter().enumerate() {
+            turning.entry(body.pose[2]).and_modify(|found| *found = None).or_insert(Some(index));
         }
         Self {
             origins: (0..set.bodies.len()).map(|body| at(Unknowns::origin(body))).collect(),
@@ -188,8 +188,8 @@ fn equations(system: &KinematicSystem, turns: &Turns, unknowns: &mut Unknowns) -
     let plus = Residue::ONE;
     let mut pairs: Vec<Vec<(Residue, Linear)>> = Vec::new();
     let equal = |a: Linear, b: Linear| vec![(plus, a), (-plus, b)];
-    for (place, body) in set.bodies.iter().enumerate() {
-        let own = [0, 1].map(|c| (vec![(Unknowns::origin(place) + c, plus)], Residue::ZERO));
+    for (index, body) in set.bodies.iter().enumerate() {
+        let own = [0, 1].map(|c| (vec![(Unknowns::origin(index) + c, plus)], Residue::ZERO));
         match (body.carried_by, body.carried_at) {
             (Some(carrier), Some([x, y])) => {
                 let [x, y] = unknowns.point(graph, (carrier, x, y));

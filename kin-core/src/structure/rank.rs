@@ -9,14 +9,14 @@ pub(super) type Row = Vec<(usize, Residue)>;
 /// Adds `value` to the entry in `column`.
 pub(super) fn add_to(row: &mut Row, column: usize, value: Residue) {
     match row.binary_search_by_key(&column, |(c, _)| *c) {
-        Ok(place) => {
-            row[place].1 = row[place].1 + value;
-            if row[place].1.is_zero() {
-                row.remove(place);
+        Ok(index) => {
+            row[index].1 = row[index].1 + value;
+            if row[index].1.is_zero() {
+                row.remove(index);
             }
         }
         Err(_) if value.is_zero() => {}
-        Err(place) => row.insert(place, (column, value)),
+        Err(index) => row.insert(index, (column, value)),
     }
 }
 

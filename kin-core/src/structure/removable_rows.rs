@@ -122,14 +122,14 @@ fn doubled(system: &KinematicSystem, jacobian: &RandomJacobian<'_>) -> BTreeSet<
         Frame::Body(body) => body + 1,
     };
     let mut between: BTreeMap<[usize; 2], Vec<usize>> = BTreeMap::new();
-    for (place, joint) in set.joints.iter().enumerate() {
+    for (index, joint) in set.joints.iter().enumerate() {
         let of_places = |meaning: &RowMeaning| {
             matches!(meaning, RowMeaning::Coincidence(_) | RowMeaning::AcrossAxis(_) | RowMeaning::SquaredDistance)
         };
         let says_places = !joint.kind.drives() && set.meanings(joint).iter().any(of_places);
         if let ([Some(a), Some(b)], true) = (joint.frames, says_places) {
             let [a, b] = [a, b].map(number);
-            between.entry([a.min(b), a.max(b)]).or_default().push(place);
+            between.entry([a.min(b), a.max(b)]).or_default().push(index);
         }
     }
     let mut out = BTreeSet::new();

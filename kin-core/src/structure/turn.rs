@@ -153,9 +153,9 @@ impl Turns {
                 false => Turn::drawn(draw.residue(SORT_COORDINATE, root as u64)),
             });
             let mut open = vec![root];
-            while let Some(place) = open.pop() {
-                let Some(here) = of[place] else { continue };
-                for (next, Relation { ends: [(_, sign), (_, next_sign)], rest }) in &relations[place] {
+            while let Some(index) = open.pop() {
+                let Some(here) = of[index] else { continue };
+                for (next, Relation { ends: [(_, sign), (_, next_sign)], rest }) in &relations[index] {
                     if of[*next].is_none() {
                         // Solves for φ_next = −next_sign (sign φ + rest).
                         of[*next] = Some(here.times(*sign).then(*rest).times(-next_sign));

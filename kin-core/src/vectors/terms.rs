@@ -20,7 +20,7 @@ pub(crate) struct Terms<'a> {
 impl<'a> Terms<'a> {
     /// The symbols of a joint; `None` if it has fewer than two frames.
     pub(crate) fn of(joint: &NamedJoint<'a>) -> Option<Self> {
-        let frame = |place: usize| joint.points[place].or(joint.frames[place]).map(Frame);
+        let frame = |index: usize| joint.points[index].or(joint.frames[index]).map(Frame);
         Some(Self { name: joint.name, i: frame(0)?, j: frame(1)? })
     }
 

@@ -8,9 +8,9 @@ pub(crate) fn write(pieces: &[Piece], notation: Notation) -> String {
     let texts: Vec<(bool, String)> =
         pieces.iter().map(|piece| (!matches!(piece, Piece::Op(_)), one(piece, notation))).collect();
     let mut out = String::new();
-    for (place, (symbol, text)) in texts.iter().enumerate() {
+    for (index, (symbol, text)) in texts.iter().enumerate() {
         // Adjacent factors are separated by a small space.
-        if *symbol && place > 0 && texts[place - 1].0 {
+        if *symbol && index > 0 && texts[index - 1].0 {
             out.push_str(match notation {
                 Notation::Unicode => " ",
                 Notation::Latex => r"\,",

@@ -149,9 +149,9 @@ fn renamed(tokens: TokenStream, names: &BTreeSet<String>) -> TokenStream {
     let rename = |tree| match tree {
         TokenTree::Ident(ident) => {
             let name = ident.to_string();
-            let place = names.iter().position(|known| *known == name);
+            let index = names.iter().position(|known| *known == name);
             TokenTree::Ident(
-                place.map_or(ident, |k| Ident::new(&format!("thing_{}", 900 - k), proc_macro2::Span::call_site())),
+                index.map_or(ident, |k| Ident::new(&format!("thing_{}", 900 - k), proc_macro2::Span::call_site())),
             )
         }
         TokenTree::Group(group) => TokenTree::Group(Group::new(group.delimiter(), renamed(group.stream(), names))),

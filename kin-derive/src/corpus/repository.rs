@@ -35,8 +35,8 @@ impl<'ast> Visit<'ast> for Finder {
             return;
         }
         let ours = |attribute: &syn::Attribute| attribute.path().is_ident("mechanism");
-        let Some(place) = item.attrs.iter().position(ours) else { return };
-        let attribute = item.attrs.remove(place);
+        let Some(index) = item.attrs.iter().position(ours) else { return };
+        let attribute = item.attrs.remove(index);
         let args = attribute.meta.require_list().map(|list| list.tokens.clone()).unwrap_or_default();
         self.found.push(Found { name: item.ident.to_string(), args, item: item.to_token_stream() });
     }

@@ -297,8 +297,8 @@ impl Emitter<'_> {
         match self.rolled.sources[source.index()] {
             Source::Number(bits) => number(bits.value()),
             Source::Table(number) => {
-                let (table, place) = (table(number), self.member.index(0, 1));
-                quote! { <__T as __kin::Scalar>::from_f64(#table[#place]) }
+                let (table, index) = (table(number), self.member.index(0, 1));
+                quote! { <__T as __kin::Scalar>::from_f64(#table[#index]) }
             }
             Source::Load(symbol, step) => {
                 let constant = !self.member.varies || step == 0;
@@ -312,8 +312,8 @@ impl Emitter<'_> {
                 quote! { #name }
             }
             Source::Element { array: number, first, step } => {
-                let (array, place) = (array(number), self.member.index(first, step));
-                quote! { #array[#place] }
+                let (array, index) = (array(number), self.member.index(first, step));
+                quote! { #array[#index] }
             }
         }
     }

@@ -17,10 +17,10 @@ pub(crate) fn handles(lowered: &Lowered, system: &KinematicSystem) -> TokenStrea
         let places = places(set.bodies.iter().map(|b| b.family.0), family);
         constants.extend(constant(lowered, &body.name, body.origin, body.len, "Body", &places));
     }
-    let mut place = set.coordinates.len() - mechanism.scalars.iter().map(|s| s.len.unwrap_or(1)).sum::<usize>();
+    let mut index = set.coordinates.len() - mechanism.scalars.iter().map(|s| s.len.unwrap_or(1)).sum::<usize>();
     for scalar in &mechanism.scalars {
-        let places: Vec<usize> = (place..place + scalar.len.unwrap_or(1)).collect();
-        place += places.len();
+        let places: Vec<usize> = (index..index + scalar.len.unwrap_or(1)).collect();
+        index += places.len();
         constants.extend(constant(lowered, &scalar.name, scalar.origin, scalar.len, "Coordinate", &places));
     }
     for (family, point) in mechanism.points.iter().enumerate() {
@@ -33,10 +33,10 @@ pub(crate) fn handles(lowered: &Lowered, system: &KinematicSystem) -> TokenStrea
         let len = define.range.map(|_| places.len());
         constants.extend(constant(lowered, &define.name, define.origin, len, "Quantity", &places));
     }
-    let mut place = 0;
+    let mut index = 0;
     for input in &mechanism.inputs {
-        let places: Vec<usize> = (place..place + input.len.unwrap_or(1)).collect();
-        place += places.len();
+        let places: Vec<usize> = (index..index + input.len.unwrap_or(1)).collect();
+        index += places.len();
         constants.extend(constant(lowered, &input.name, input.origin, input.len, "Input", &places));
     }
     let name = &lowered.item.ident;
@@ -80,7 +80,7 @@ pub(crate) fn placeholders(lowered: &Lowered) -> TokenStream {
 
 /// The indices of a family's members.
 fn places(families: impl Iterator<Item = usize>, family: usize) -> Vec<usize> {
-    families.enumerate().filter(|(_, f)| *f == family).map(|(place, _)| place).collect()
+    families.enumerate().filter(|(_, f)| *f == family).map(|(index, _)| index).collect()
 }
 
 fn constant(

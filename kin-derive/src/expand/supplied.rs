@@ -16,7 +16,7 @@ pub(crate) fn helpers(lowered: &Lowered) -> TokenStream {
     for (number, field) in fields(lowered).enumerate().filter(|(_, field)| field.len != Some(0)) {
         let (helper, ident, ty) = (helper(number), &field.ident, function_type(field));
         let derivatives = derivatives_helper(number);
-        let (place, function) = match field.len {
+        let (index, function) = match field.len {
             None => (None, quote! { &self.#ident }),
             Some(len) => {
                 let others = (0..len - 1).map(Literal::usize_unsuffixed);
@@ -25,10 +25,10 @@ pub(crate) fn helpers(lowered: &Lowered) -> TokenStream {
                 (Some(quote! { k: usize, }), function)
             }
         };
-        let head = quote! { fn #helper(&self, #place x: f64) -> [f64; 3] };
+        let head = quote! { fn #helper(&self, #index x: f64) -> [f64; 3] };
         bodies.push(quote! { #[inline] #head { <#ty as __kin::ScalarFunction>::evaluate(#function, x) } });
         heads.push(head);
-        let head = quote! { fn #derivatives(&self, #place x: f64, out: &mut [f64]) -> usize };
+        let head = quote! { fn #derivatives(&self, #index x: f64, out: &mut [f64]) -> usize };
         bodies.push(quote! { #[inline] #head { <#ty as __kin::ScalarFunction>::derivatives(#function, x, out) } });
         heads.push(head);
     }

@@ -151,9 +151,9 @@ impl Writer {
         for (kind, cells) in entries {
             count += 1;
             if has_kinds {
-                let place = kinds.iter().position(|(other, _)| *other == kind).unwrap_or(kinds.len());
-                packed.word(place);
-                if place == kinds.len() {
+                let index = kinds.iter().position(|(other, _)| *other == kind).unwrap_or(kinds.len());
+                packed.word(index);
+                if index == kinds.len() {
                     let blank = tokens(&kind, cells.each_ref().map(Cell::blank));
                     kinds.push((kind, blank));
                 }

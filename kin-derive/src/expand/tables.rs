@@ -232,10 +232,10 @@ fn pattern(pattern: &Pattern, writer: Writer) -> TokenStream {
     let rows = pattern.rows;
     let entries = pattern.entries.iter().map(|(row, column)| [*row, *column].map(Cell::Word));
     let entries = writer.alike("entries", entries, |[row, column]| quote! { (#row, #column) });
-    let constants = pattern.constants.iter().map(|(place, value)| (*value, [Cell::Word(*place)]));
-    let constants = writer.table("constants", constants, |value, [place]| {
+    let constants = pattern.constants.iter().map(|(index, value)| (*value, [Cell::Word(*index)]));
+    let constants = writer.table("constants", constants, |value, [index]| {
         let value = literal(*value);
-        quote! { (#place, #value) }
+        quote! { (#index, #value) }
     });
     quote! { __kin::Pattern { rows: #rows, entries: #entries, constants: #constants } }
 }

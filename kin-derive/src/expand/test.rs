@@ -29,8 +29,8 @@ pub(super) fn cross_check(lowered: &Lowered) -> TokenStream {
 
 fn snake_case(name: &str) -> String {
     let mut out = String::new();
-    for (place, c) in name.trim_start_matches("r#").char_indices() {
-        if c.is_uppercase() && place > 0 && !out.ends_with('_') {
+    for (index, c) in name.trim_start_matches("r#").char_indices() {
+        if c.is_uppercase() && index > 0 && !out.ends_with('_') {
             out.push('_');
         }
         out.extend(c.to_lowercase());

@@ -62,8 +62,8 @@ impl Answer {
         let at = Instant { t: equations.t, inputs: &equations.inputs };
         let solved = Solved { q, q_dot, q_ddot, margins };
         equations.system.solve(&at, modes, start, depth, solved).map_err(|_| None)?;
-        if let Some(place) = self.margins.iter().position(|margin| *margin <= Plan::SMALLEST_MARGIN) {
-            return Err(self.limit(equations, place));
+        if let Some(index) = self.margins.iter().position(|margin| *margin <= Plan::SMALLEST_MARGIN) {
+            return Err(self.limit(equations, index));
         }
         let mut parts = [&self.margins, &self.q, &self.q_dot, &self.q_ddot].into_iter().take(2 + depth as usize);
         if parts.all(|part| part.iter().all(|x| x.is_finite())) { Ok(()) } else { Err(None) }

@@ -48,8 +48,8 @@ pub(crate) fn fit_inputs(
         let by_q = equations.scaled(&all);
         let mut matrix = DMatrix::zeros(rows, n + places.len());
         matrix.view_mut((0, 0), (rows, n)).copy_from(&by_q);
-        for (k, &place) in places.iter().enumerate() {
-            let phi_u = equations.along(Some(place), |equations| {
+        for (k, &index) in places.iter().enumerate() {
+            let phi_u = equations.along(Some(index), |equations| {
                 equations.evaluate(Subset::TIME_DERIVATIVE, &q, None)?;
                 Ok(equations.phi_t.clone())
             })?;
@@ -61,8 +61,8 @@ pub(crate) fn fit_inputs(
         let most = step.rows(0, n).amax();
         let share = if most > TURN { TURN / most } else { 1.0 };
         q.iter_mut().enumerate().for_each(|(k, q)| *q += share * equations.scale.columns[k] * step[k]);
-        for (k, &place) in places.iter().enumerate() {
-            equations.inputs[place].value += share * weights[k] * step[n + k];
+        for (k, &index) in places.iter().enumerate() {
+            equations.inputs[index].value += share * weights[k] * step[n + k];
         }
     }
     Ok(false)

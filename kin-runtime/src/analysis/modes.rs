@@ -77,7 +77,7 @@ pub(crate) fn assemble_in(equations: &mut Equations<'_>, wanted: &WantedAssembly
     let mut signs = Vec::new();
     by_plan::modes(equations, &near, &mut signs);
     let found = signs.clone();
-    wanted.modes.iter().for_each(|&(place, sign)| signs[place] = sign.value());
+    wanted.modes.iter().for_each(|&(index, sign)| signs[index] = sign.value());
     if assembled.is_ok() && found == signs {
         return assembled;
     }
@@ -90,8 +90,8 @@ pub(crate) fn assemble_in(equations: &mut Equations<'_>, wanted: &WantedAssembly
 
 /// The error for requested modes that have no configuration.
 fn refusal(equations: &Equations<'_>, wanted: &WantedAssembly, limit: Option<Limit>) -> SolveError {
-    let name = |place: usize| equations.model.plan.modes.get(place).map_or("", |mode| mode.name);
-    let modes = wanted.modes.iter().map(|&(place, sign)| (name(place), sign)).collect();
+    let name = |index: usize| equations.model.plan.modes.get(index).map_or("", |mode| mode.name);
+    let modes = wanted.modes.iter().map(|&(index, sign)| (name(index), sign)).collect();
     SolveError::ModeNotAssembled { t: equations.t, modes, limit }
 }
 

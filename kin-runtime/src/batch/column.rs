@@ -119,12 +119,12 @@ pub(super) struct Block<'b, V> {
 impl<'a, M: Mechanism, V: Pack> Arguments<'a, M, V> {
     /// Buffers that contain the shared numbers.
     pub(super) fn new(configurations: &'a Configurations<'a>) -> Self {
-        let shared = |columns: &[Column<'_>], place: usize| columns.get(place).map_or(V::default(), Column::shared);
+        let shared = |columns: &[Column<'_>], index: usize| columns.get(index).map_or(V::default(), Column::shared);
         let numbers = Numbers {
-            parameters: Array::generate(|place| shared(configurations.parameters, place)),
+            parameters: Array::generate(|index| shared(configurations.parameters, index)),
             t: configurations.t.shared(),
-            q: Array::generate(|place| shared(configurations.q, place)),
-            q_dot: Array::generate(|place| shared(configurations.q_dot, place)),
+            q: Array::generate(|index| shared(configurations.q, index)),
+            q_dot: Array::generate(|index| shared(configurations.q_dot, index)),
         };
         let inputs = configurations.inputs.iter().map(|u| u.map(|column| column.shared()));
         let inputs = inputs.collect::<Vec<_>>().repeat(tile::<V>());
@@ -155,18 +155,18 @@ impl<'a, M: Mechanism, V: Pack> Arguments<'a, M, V> {
     fn read(&mut self, first: usize) {
         let Configurations { parameters, t, inputs, q, q_dot } = self.configurations;
         let blocks = &mut self.blocks;
-        for (place, column) in parameters.iter().enumerate() {
-            column.read(first, |k, numbers| blocks[k].parameters.as_mut()[place] = numbers);
+        for (index, column) in parameters.iter().enumerate() {
+            column.read(first, |k, numbers| blocks[k].parameters.as_mut()[index] = numbers);
         }
-        for (place, column) in q.iter().enumerate() {
-            column.read(first, |k, numbers| blocks[k].q.as_mut()[place] = numbers);
+        for (index, column) in q.iter().enumerate() {
+            column.read(first, |k, numbers| blocks[k].q.as_mut()[index] = numbers);
         }
-        for (place, column) in q_dot.iter().enumerate() {
-            column.read(first, |k, numbers| blocks[k].q_dot.as_mut()[place] = numbers);
+        for (index, column) in q_dot.iter().enumerate() {
+            column.read(first, |k, numbers| blocks[k].q_dot.as_mut()[index] = numbers);
         }
         t.read(first, |k, numbers| blocks[k].t = numbers);
-        for (place, column) in inputs.iter().enumerate() {
-            let at = |k: usize| k * inputs.len() + place;
+        for (index, column) in inputs.iter().enumerate() {
+            let at = |k: usize| k * inputs.len() + index;
             column.value.read(first, |k, numbers| self.inputs[at(k)].value = numbers);
             column.rate.read(first, |k, numbers| self.inputs[at(k)].rate = numbers);
             column.acceleration.read(first, |k, numbers| self.inputs[at(k)].acceleration = numbers);
@@ -177,10 +177,10 @@ impl<'a, M: Mechanism, V: Pack> Arguments<'a, M, V> {
 impl Column<'_> {
     /// The number of one configuration.
     #[inline]
-    pub(super) fn at(&self, place: usize) -> f64 {
+    pub(super) fn at(&self, index: usize) -> f64 {
         match self {
             Self::Shared(value) => *value,
-            Self::Each(numbers) => numbers[place],
+            Self::Each(numbers) => numbers[index],
         }
     }
 

@@ -42,11 +42,11 @@ impl<M: Mechanism> ForceSolutions<M> {
     ///
     /// # Panics
     /// If there is no such index.
-    pub fn numbers(&self, place: usize) -> impl Iterator<Item = f64> {
+    pub fn numbers(&self, index: usize) -> impl Iterator<Item = f64> {
         let stride = Self::stride();
-        assert!(place < stride, "number {place} of {stride}");
+        assert!(index < stride, "number {index} of {stride}");
         let blocks = self.blocks.chunks_exact(stride.max(1));
-        blocks.flat_map(move |block| Octet::each(|lane| block[place].lane(lane))).take(self.count)
+        blocks.flat_map(move |block| Octet::each(|lane| block[index].lane(lane))).take(self.count)
     }
 }
 

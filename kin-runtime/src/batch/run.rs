@@ -53,13 +53,13 @@ pub(super) fn drive<T: Send, S>(
 ) -> Result<(), BatchError> {
     let &Shape { count, width, stride, chunk } = shape;
     let (done, stopped) = (AtomicUsize::new(0), AtomicBool::new(false));
-    let each = |scratch: &mut S, place: usize, out: &mut [T]| {
+    let each = |scratch: &mut S, index: usize, out: &mut [T]| {
         if stopped.load(Ordering::Relaxed) {
             return;
         }
-        let start = place * chunk * width;
-        for (place, out) in out.chunks_mut(stride).enumerate() {
-            block(start + place * width, scratch, out);
+        let start = index * chunk * width;
+        for (index, out) in out.chunks_mut(stride).enumerate() {
+            block(start + index * width, scratch, out);
         }
         let own = (out.len() * width).div_ceil(stride).min(count - start);
         let done = done.fetch_add(own, Ordering::Relaxed) + own;

@@ -76,8 +76,8 @@ impl SensitivitySolutions {
         1 + measure * self.width()
     }
 
-    fn column(&self, place: usize) -> impl Iterator<Item = f64> {
-        self.numbers.iter().skip(place).step_by(self.stride()).copied()
+    fn column(&self, index: usize) -> impl Iterator<Item = f64> {
+        self.numbers.iter().skip(index).step_by(self.stride()).copied()
     }
 
     /// Checks that the room is for lists of these lengths.

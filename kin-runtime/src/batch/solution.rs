@@ -90,10 +90,10 @@ impl<M: Mechanism> Solutions<M> {
         if self.count == count { Ok(()) } else { Err(LengthError { what, expected: count, found: self.count }) }
     }
 
-    /// Block number `place`.
-    pub(super) fn block(&self, place: usize) -> SolvedBlock<'_> {
+    /// Block number `index`.
+    pub(super) fn block(&self, index: usize) -> SolvedBlock<'_> {
         let n = M::COORDINATES;
-        let block = &self.blocks[place * Self::STRIDE..][..Self::STRIDE];
+        let block = &self.blocks[index * Self::STRIDE..][..Self::STRIDE];
         let (q, q_dot, q_ddot) = (&block[..n], &block[n..2 * n], &block[2 * n..3 * n]);
         SolvedBlock { q, q_dot, q_ddot, good: &block[Self::GOOD] }
     }
@@ -134,9 +134,9 @@ impl<M: Mechanism> Solutions<M> {
     }
 
     /// A number for every configuration, by its index in the blocks.
-    fn column(&self, place: usize) -> impl Iterator<Item = f64> {
+    fn column(&self, index: usize) -> impl Iterator<Item = f64> {
         let blocks = self.blocks.chunks_exact(Self::STRIDE);
-        blocks.flat_map(move |block| Octet::each(|lane| block[place].lane(lane))).take(self.count)
+        blocks.flat_map(move |block| Octet::each(|lane| block[index].lane(lane))).take(self.count)
     }
 }
 

@@ -122,13 +122,13 @@ pub(super) fn run(args: &AnimateArgs, engine: &mut dyn Engine, session: &mut Ses
     let degrees = args.motion.angles.degrees;
     let drawn = Drawn { engine, targets: &targets, forces: args.forces };
     let mut runs = vec![drawn.run(&setup, (&trajectory.states, &motions, along_arc), columns, choice.own, note)?];
-    for (place, (name, asked)) in choice.others.iter().enumerate() {
-        watch.go_on((1 + place) * instants.len());
+    for (index, (name, asked)) in choice.others.iter().enumerate() {
+        watch.go_on((1 + index) * instants.len());
         // Other modes that do not close are left out. That is no error, since the requested motion exists.
         let Ok(also) = (Walk { setup: asked, ..walk }).kept() else { continue };
         let states = &also.trajectory.states;
         if watch.interrupted() {
-            ended = Some(Failure::Interrupted(format!("{place} of {} other modes finished", choice.others.len())));
+            ended = Some(Failure::Interrupted(format!("{index} of {} other modes finished", choice.others.len())));
             break;
         }
         if states.len() > 1 {
@@ -177,8 +177,8 @@ const DRIVERS: usize = 3;
 
 /// The columns of the driven quantities.
 fn drivers(model: &'static Model, columns: &[ColumnInfo]) -> Vec<usize> {
-    let place = |driven: Measure| columns.iter().position(|column| column.name == driven.name());
-    Measure::driven(model).into_iter().filter_map(place).take(DRIVERS).collect()
+    let index = |driven: Measure| columns.iter().position(|column| column.name == driven.name());
+    Measure::driven(model).into_iter().filter_map(index).take(DRIVERS).collect()
 }
 
 /// What the motions of a page or a picture have in common.

@@ -115,8 +115,8 @@ fn closes(model: &Model, all: Option<&Assemblies>, signs: &[Sign]) -> bool {
 fn combinations(own: &[Sign]) -> Vec<Vec<Sign>> {
     let free = own.len().min(FEW);
     let combination = |number: usize| {
-        let flip = |(place, sign): (usize, &Sign)| {
-            if place < free && number >> place & 1 == 1 { sign.flipped() } else { *sign }
+        let flip = |(index, sign): (usize, &Sign)| {
+            if index < free && number >> index & 1 == 1 { sign.flipped() } else { *sign }
         };
         own.iter().enumerate().map(flip).collect()
     };

@@ -289,11 +289,11 @@ fn free(text: &str, model: &Model, parameters: &[f64]) -> Result<Wish, Failure> 
         Some((name, bounds)) => (name.trim(), Some(bounds)),
         None => (text, None),
     };
-    let place = find(model, OPTION, Kind::Parameter, name)?;
+    let index = find(model, OPTION, Kind::Parameter, name)?;
     let bound = |text: &str| values::number(&format!("{OPTION} {name}"), text, Measured::parameter(model, name));
     let (low, high) = match bounds.map(|bounds| bounds.split_once("..")) {
         None => {
-            let value = parameters.get(place).copied().unwrap_or(0.0);
+            let value = parameters.get(index).copied().unwrap_or(0.0);
             (0.5 * value).min(2.0 * value)..=(0.5 * value).max(2.0 * value)
         }
         Some(Some((low, high))) => bound(low)?..=bound(high)?,

@@ -302,10 +302,10 @@ impl<M: Mechanism + Default> Engine for Bound<M> {
     ) -> Result<crate::design::Designed<()>, crate::design::DesignError> {
         let modes = M::model().plan.modes;
         let begin =
-            setup.modes.iter().try_fold(crate::design::Design::new(&self.mechanism), |design, &(place, sign)| {
-                design.mode(modes[place].name, Some(sign))
+            setup.modes.iter().try_fold(crate::design::Design::new(&self.mechanism), |design, &(index, sign)| {
+                design.mode(modes[index].name, Some(sign))
             })?;
-        let begin = setup.guesses.iter().fold(begin, |design, &(place, value)| design.guess(place, value));
+        let begin = setup.guesses.iter().fold(begin, |design, &(index, value)| design.guess(index, value));
         Ok(wishes.of(begin)?.search(search)?.map(|_| ()))
     }
 

@@ -145,13 +145,13 @@ impl Names {
 
 /// A coordinate that no driver prescribes directly: the last angle, or else the last coordinate.
 fn undriven(model: &Model) -> Option<&'static str> {
-    let simply_driven = |place: usize| {
+    let simply_driven = |index: usize| {
         model.rows.iter().enumerate().filter(|(_, row)| row.driving || row.rheonomic).any(|(row, _)| {
             let mut entries = model.constraint_pattern.entries.iter().filter(|(r, _)| *r == row);
-            entries.next().is_some_and(|(_, column)| *column == place) && entries.next().is_none()
+            entries.next().is_some_and(|(_, column)| *column == index) && entries.next().is_none()
         })
     };
-    let mut free = model.coordinates.iter().enumerate().filter(|(place, _)| !simply_driven(*place)).rev();
+    let mut free = model.coordinates.iter().enumerate().filter(|(index, _)| !simply_driven(*index)).rev();
     let last = free.clone().next();
     free.find(|(_, c)| c.kind.is_angle()).or(last).map(|(_, c)| c.name).or(model.coordinates.first().map(|c| c.name))
 }

@@ -111,8 +111,8 @@ pub(super) fn find(model: &Model, option: &str, kind: Kind, name: &str) -> Resul
 }
 
 fn search(option: &str, kind: Kind, name: &str, names: &[&str], elsewhere: Option<&str>) -> Result<usize, Failure> {
-    if let Some(place) = names.iter().position(|n| *n == name) {
-        return Ok(place);
+    if let Some(index) = names.iter().position(|n| *n == name) {
+        return Ok(index);
     }
     let what = kind.singular();
     if names.is_empty() {

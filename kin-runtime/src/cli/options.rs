@@ -67,9 +67,9 @@ impl SetupArgs {
         let [set, file_modes] = ledger.take(expanded("--set", &self.set)).unwrap_or_default();
         let number =
             |name: &str, value: &str| values::number(&format!("--set {name}"), value, Measured::parameter(model, name));
-        for (place, value) in values::of_names(&mut ledger, ("--set", Kind::Parameter, "0.12"), &set, model, number) {
-            if !engine.set_parameter(place, value) {
-                ledger.fault("--set", format!("`{}` cannot be set", model.parameters[place].name));
+        for (index, value) in values::of_names(&mut ledger, ("--set", Kind::Parameter, "0.12"), &set, model, number) {
+            if !engine.set_parameter(index, value) {
+                ledger.fault("--set", format!("`{}` cannot be set", model.parameters[index].name));
             }
         }
         let number = |name: &str, value: &str| {
@@ -113,7 +113,7 @@ impl SetupArgs {
             defaults.chain(std::iter::repeat(None)).take(model.inputs.len()).collect();
         for (name, signal) in ledger.take(values::inputs("--input", &self.input, model)).unwrap_or_default() {
             let found = ledger.take(find(model, "--input", Kind::Input, &name));
-            if let Some(slot) = found.and_then(|place| inputs.get_mut(place)) {
+            if let Some(slot) = found.and_then(|index| inputs.get_mut(index)) {
                 *slot = Some(signal);
             }
         }

@@ -128,9 +128,9 @@ pub(super) fn run(args: &PlotArgs, engine: &mut dyn Engine, session: &mut Sessio
     let toleranced = if args.tolerance.is_empty() { None } else { Some((&wanted[..], &tolerances[..])) };
     let watch = session.watch();
     let (mut runs, mut failure) = (Vec::new(), None);
-    for (place, choice) in choices.iter().enumerate() {
+    for (index, choice) in choices.iter().enumerate() {
         choice.set(engine);
-        let one = one(args, &*engine, &task, (&measures, toleranced), (place, choices.len()), session);
+        let one = one(args, &*engine, &task, (&measures, toleranced), (index, choices.len()), session);
         let name = choice.name(model);
         match one {
             Ok((columns, worst, limits, ended)) => {
@@ -149,7 +149,7 @@ pub(super) fn run(args: &PlotArgs, engine: &mut dyn Engine, session: &mut Sessio
         }
         if watch.interrupted() {
             let motions = count(choices.len(), "motion");
-            failure = Some(Failure::Interrupted(format!("{place} of {motions} finished, the next one in part")));
+            failure = Some(Failure::Interrupted(format!("{index} of {motions} finished, the next one in part")));
             break;
         }
     }
@@ -219,11 +219,11 @@ fn default_curves(model: &Model, names: &[String], infos: &[ColumnInfo], numbers
         let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(*x), high.max(*x)));
         (high - low).max(0.0)
     };
-    let place = |name: &str| names.iter().position(|other| other == name).map(|k| k + 1);
+    let index = |name: &str| names.iter().position(|other| other == name).map(|k| k + 1);
     let paths = model
         .points
         .iter()
-        .filter_map(|point| Some((place(&format!("{}.x", point.name))?, place(&format!("{}.y", point.name))?)));
+        .filter_map(|point| Some((index(&format!("{}.x", point.name))?, index(&format!("{}.y", point.name))?)));
     let paths: Vec<(usize, usize)> = paths.filter(|&(x, y)| range(x).max(range(y)) > 0.0).collect();
     let Some(&(x, y)) = paths.first() else {
         return shown(model, &numbers[1..]).into_iter().map(|k| Wanted { x: 0, y: k + 1, path: false }).collect();
@@ -249,7 +249,7 @@ fn moved_unevenly(model: &Model, numbers: &[Vec<f64>]) -> Vec<usize> {
 /// The requested curves; columns that are not standard are added to `measures`. All errors are reported at once.
 fn wanted(model: &'static Model, what: &[String], measures: &mut Vec<Measure>) -> Result<Vec<Wanted>, Failure> {
     let carried = || model.points.iter().map(|p| p.name).chain(model.bodies.iter().map(|b| b.name));
-    let mut place = |measure: Measure| {
+    let mut index = |measure: Measure| {
         let found = measures.iter().position(|other| *other == measure);
         found.unwrap_or_else(|| {
             measures.push(measure);
@@ -263,22 +263,22 @@ fn wanted(model: &'static Model, what: &[String], measures: &mut Vec<Measure>) -
             // The two components of a force are drawn with equal axes.
             let path = x.strip_suffix(".force_x").is_some_and(|joint| y.strip_suffix(".force_y") == Some(joint));
             let [x, y] = [x, y].map(|name| ledger.take(find_quantity(model, name)));
-            wanted.extend(x.zip(y).map(|(x, y)| Wanted { x: place(x), y: place(y), path }));
+            wanted.extend(x.zip(y).map(|(x, y)| Wanted { x: index(x), y: index(y), path }));
             continue;
         }
         let axis = |axis: &str| Measure::named(model, &format!("{what}.{axis}"));
         if let (None, true, Some(x), Some(y)) =
             (Measure::named(model, what), carried().any(|name| name == what), axis("x"), axis("y"))
         {
-            wanted.push(Wanted { x: place(x), y: place(y), path: true });
+            wanted.push(Wanted { x: index(x), y: index(y), path: true });
             continue;
         }
         if let (None, Some(x), Some(y)) = (Measure::named(model, what), axis("force_x"), axis("force_y")) {
-            wanted.push(Wanted { x: place(x), y: place(y), path: true });
+            wanted.push(Wanted { x: index(x), y: index(y), path: true });
             continue;
         }
         let found = ledger.take(find_quantity(model, what));
-        wanted.extend(found.map(|y| Wanted { x: 0, y: place(y), path: false }));
+        wanted.extend(found.map(|y| Wanted { x: 0, y: index(y), path: false }));
     }
     ledger.close(Some(wanted))
 }
@@ -289,7 +289,7 @@ fn panels(units: Units, wanted: &[Wanted], infos: &[ColumnInfo], runs: &[Curves]
     let name = |k: usize| if k == 0 { "t" } else { infos[k - 1].name.as_str() };
     let unit = |k: usize| if k == 0 { time } else { infos[k - 1].unit.as_deref() };
     let mut panels: Vec<(Vec<Wanted>, Panel)> = Vec::new();
-    for (place, &want) in wanted.iter().enumerate() {
+    for (index, &want) in wanted.iter().enumerate() {
         let curves = runs.iter().map(|run| {
             let points = run.columns[want.x].iter().copied().zip(run.columns[want.y].iter().copied());
             let own = if want.path { name(want.y).trim_end_matches("_y").trim_end_matches(".y") } else { name(want.y) };
@@ -298,7 +298,7 @@ fn panels(units: Units, wanted: &[Wanted], infos: &[ColumnInfo], runs: &[Curves]
                 .filter(|name| !name.is_empty() && (wanted.len() > 1 || *name != own))
                 .collect();
             let name = if names.is_empty() { own.to_owned() } else { names.join(", ") };
-            let bands = run.worst.get(place).filter(|_| !want.path && want.x == 0);
+            let bands = run.worst.get(index).filter(|_| !want.path && want.x == 0);
             let known = |((x, y), half): &((f64, f64), f64)| x.is_finite() && y.is_finite() && half.is_finite();
             match bands {
                 Some(halves) => {

@@ -256,9 +256,9 @@ fn csv(motions: &Motions<'_>, run: &mut Run<'_>, out: &mut dyn Write) -> io::Res
     let names = varied.into_iter().flatten().chain(motions.measures.iter().map(Measure::name));
     let mut csv = CsvRows::new(names, out)?;
     let mut failed = None;
-    for (place, choice) in motions.choices.iter().enumerate() {
+    for (index, choice) in motions.choices.iter().enumerate() {
         let values: Vec<f64> = choice.pairs(model).map(|(_, value)| value).collect();
-        motions.follow((place, choice), run, |walk| {
+        motions.follow((index, choice), run, |walk| {
             walk.each(&mut |row| match csv.row(values.iter().chain(row.values).copied()) {
                 Ok(()) => {
                     motions.count(1);
@@ -280,10 +280,10 @@ fn csv(motions: &Motions<'_>, run: &mut Run<'_>, out: &mut dyn Write) -> io::Res
 fn json(motions: &Motions<'_>, run: &mut Run<'_>, out: &mut dyn Write) -> io::Result<()> {
     let (model, degrees) = (run.engine.model(), motions.args.motion.angles.degrees);
     let shared = RefCell::new(run);
-    let record = |place: usize, write: &mut dyn FnMut(&SweepRecord<'_>)| {
+    let record = |index: usize, write: &mut dyn FnMut(&SweepRecord<'_>)| {
         let run = &mut **shared.borrow_mut();
-        let choice = &motions.choices[place];
-        motions.follow((place, choice), run, |walk| {
+        let choice = &motions.choices[index];
+        motions.follow((index, choice), run, |walk| {
             let moved = RefCell::new(None);
             let each = |visit: Visit<'_>| {
                 let walk = Walk { measures: if motions.unnamed { &[] } else { &motions.measures[1..] }, ..*walk };
@@ -330,8 +330,8 @@ fn json(motions: &Motions<'_>, run: &mut Run<'_>, out: &mut dyn Write) -> io::Re
 fn text(motions: &Motions<'_>, run: &mut Run<'_>) -> String {
     let model = run.engine.model();
     let mut out = String::new();
-    for (place, choice) in motions.choices.iter().enumerate() {
-        motions.follow((place, choice), run, |walk| {
+    for (index, choice) in motions.choices.iter().enumerate() {
+        motions.follow((index, choice), run, |walk| {
             let moved = walk.kept()?;
             let rows = moved.columns.first().map_or(0, Vec::len);
             motions.count(rows);

@@ -18,10 +18,10 @@ pub(super) fn tolerances(texts: &[String], model: &Model) -> Result<Vec<f64>, Fa
     let example = values::example_of(Kind::Parameter, model, "0.001");
     for (name, value) in ledger.take(values::assignments(OPTION, &example, texts)).unwrap_or_default() {
         // If the name is no parameter, its unit is not known.
-        let Some(place) = ledger.take(find(model, OPTION, Kind::Parameter, &name)) else { continue };
+        let Some(index) = ledger.take(find(model, OPTION, Kind::Parameter, &name)) else { continue };
         let value = values::number(&format!("{OPTION} {name}"), &value, Measured::parameter(model, &name));
         if let Some(value) = ledger.take(value) {
-            all[place] = value;
+            all[index] = value;
         }
     }
     ledger.close(Some(all))

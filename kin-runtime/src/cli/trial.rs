@@ -78,13 +78,13 @@ impl Trial {
             if mobility.degrees_of_freedom_left == 0 {
                 break;
             }
-            let &place = mobility.could_be_given.first()?;
-            let signal = Signal { value: shortened(state.q[place]), rate: 0.1, acceleration: 0.0 };
-            setup.given.push((place, Signal { rate: slow(&signal).parse().unwrap_or(0.1), ..signal }));
+            let &index = mobility.could_be_given.first()?;
+            let signal = Signal { value: shortened(state.q[index]), rate: 0.1, acceleration: 0.0 };
+            setup.given.push((index, Signal { rate: slow(&signal).parse().unwrap_or(0.1), ..signal }));
         }
         if !setup.given.is_empty() {
-            let texts = setup.given.iter().map(|(place, s)| {
-                format!("{}={}:{}", model.coordinates[*place].name, rounded(s.value), rounded(s.rate))
+            let texts = setup.given.iter().map(|(index, s)| {
+                format!("{}={}:{}", model.coordinates[*index].name, rounded(s.value), rounded(s.rate))
             });
             let texts: Vec<String> = texts.collect();
             trial.needed.push_str(&format!(" --given {}", quoted(texts.join(","))));
@@ -154,11 +154,11 @@ fn inputs(engine: &dyn Engine) -> Option<Setup> {
     let number = candidates.len();
     // First the same value for all inputs, then all combinations.
     let alike = (0..number).map(|k| vec![candidates[k]; count]);
-    let combination = |mut place: usize| -> Vec<f64> {
+    let combination = |mut index: usize| -> Vec<f64> {
         (0..count)
             .map(|_| {
-                let value = candidates[place % number];
-                place /= number;
+                let value = candidates[index % number];
+                index /= number;
                 value
             })
             .collect()
@@ -171,20 +171,20 @@ fn inputs(engine: &dyn Engine) -> Option<Setup> {
 fn varied(engine: &mut dyn Engine, setup: &Setup) -> Option<String> {
     let model: &Model = engine.model();
     let began = Instant::now();
-    for (place, value) in engine.parameters().into_iter().enumerate().filter(|(_, value)| value.is_finite()).take(8) {
+    for (index, value) in engine.parameters().into_iter().enumerate().filter(|(_, value)| value.is_finite()).take(8) {
         if began.elapsed() >= PATIENCE {
             return None;
         }
         let by = if value == 0.0 { 0.1 } else { 0.1 * value.abs() };
         let [low, high] = [shortened(value - by), shortened(value + by)];
         let moves = |engine: &mut dyn Engine, value: f64| {
-            let end = engine.set_parameter(place, value).then(|| natural_end(&*engine, setup, 0.0));
+            let end = engine.set_parameter(index, value).then(|| natural_end(&*engine, setup, 0.0));
             end.and_then(|end| reached(&*engine, setup, end)).is_some()
         };
         let both = moves(engine, low) && moves(engine, high);
-        engine.set_parameter(place, value);
+        engine.set_parameter(index, value);
         if both && low < high {
-            return Some(format!("{}={}..{}:5", model.parameters[place].name, rounded(low), rounded(high)));
+            return Some(format!("{}={}..{}:5", model.parameters[index].name, rounded(low), rounded(high)));
         }
     }
     None

@@ -32,9 +32,9 @@ fn slowest(engine: &dyn Engine, setup: &Setup, from: f64, counts: &dyn Fn(&str) 
     let (state, _) = driven_state(engine, setup, from, true).ok()?;
     let angle = |column: usize| model.coordinates.get(column).is_some_and(|coordinate| !coordinate.kind.is_length());
     let driven =
-        model.rows.iter().enumerate().filter(|(_, row)| row.driving || row.rheonomic).filter_map(|(place, row)| {
+        model.rows.iter().enumerate().filter(|(_, row)| row.driving || row.rheonomic).filter_map(|(index, row)| {
             model.joints.get(row.joint).filter(|joint| counts(joint.name))?;
-            let mut entries = model.constraint_pattern.entries.iter().filter(|(row, _)| *row == place);
+            let mut entries = model.constraint_pattern.entries.iter().filter(|(row, _)| *row == index);
             match (entries.next(), entries.next()) {
                 (Some(&(_, column)), None) if angle(column) => Some(column),
                 _ => None,

@@ -57,8 +57,8 @@ impl VaryArgs {
 impl Choice {
     /// Gives the parameters these values.
     pub(super) fn set(&self, engine: &mut dyn Engine) {
-        for &(place, value) in &self.0 {
-            engine.set_parameter(place, value);
+        for &(index, value) in &self.0 {
+            engine.set_parameter(index, value);
         }
     }
 
@@ -71,6 +71,6 @@ impl Choice {
     /// The parameters with their values.
     pub(super) fn pairs(&self, model: &Model) -> impl Iterator<Item = (&'static str, f64)> {
         let parameters = model.parameters;
-        self.0.iter().map(move |&(place, value)| (parameters[place].name, value))
+        self.0.iter().map(move |&(index, value)| (parameters[index].name, value))
     }
 }

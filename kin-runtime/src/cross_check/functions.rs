@@ -59,7 +59,7 @@ impl FunctionChecks {
     /// Compares the function of this name at `x`.
     pub(super) fn compare(&mut self, name: &'static str, function: &dyn Fn(f64) -> Option<[f64; 3]>, x: f64) {
         let function = |x: f64| function(x).unwrap_or([f64::NAN; 3]);
-        let place = self.checks.iter().position(|check| check.function == name).unwrap_or_else(|| {
+        let index = self.checks.iter().position(|check| check.function == name).unwrap_or_else(|| {
             self.checks.push(FunctionCheck {
                 function: name,
                 arguments: 0,
@@ -72,7 +72,7 @@ impl FunctionChecks {
             });
             self.checks.len() - 1
         });
-        let check = &mut self.checks[place];
+        let check = &mut self.checks[index];
         let found = [(0, "f′"), (1, "f″")].map(|(order, derivative)| (derivative, agreement(&function, order, x)));
         if found.iter().all(|(_, agreement)| agreement.is_none()) {
             check.skipped += 1;
@@ -147,7 +147,7 @@ fn agreement(function: &impl Fn(f64) -> [f64; 3], order: usize, x: f64) -> Optio
 
 /// The agreement on the interval from `x` to `end`; `None` where rounding errors dominate or the function has no value.
 fn over(function: &impl Fn(f64) -> [f64; 3], order: usize, x: f64, end: f64) -> Option<Agreement> {
-    let samples = NODES.map(|(place, _)| function(x + place * (end - x)));
+    let samples = NODES.map(|(index, _)| function(x + index * (end - x)));
     let [first, last] = [samples[0][order], samples[4][order]];
     let given: f64 = samples.iter().zip(NODES).map(|(sample, (_, weight))| weight * sample[order + 1]).sum();
     let differences = (last - first) / (end - x);

@@ -64,19 +64,19 @@ impl<M: Mechanism> Design<M> {
     /// [`UnknownParameter`](DesignError::UnknownParameter), [`Bounds`](DesignError::Bounds),
     /// [`Twice`](DesignError::Twice).
     pub fn free(mut self, parameter: &str, bounds: RangeInclusive<f64>) -> Result<Self, DesignError> {
-        let place = variables::place::<M>(parameter)?;
+        let index = variables::parameter_index::<M>(parameter)?;
         let (low, high) = bounds.into_inner();
         if !(low.is_finite() && high.is_finite() && low < high) {
             return Err(DesignError::Bounds { parameter: parameter.to_owned(), low, high });
         }
-        self.is_new(place, parameter)?;
-        self.free.push(Free { places: vec![place], low, high });
+        self.is_new(index, parameter)?;
+        self.free.push(Free { places: vec![index], low, high });
         Ok(self)
     }
 
     /// An error if a parameter has bounds or is kept equal already.
-    fn is_new(&self, place: usize, parameter: &str) -> Result<(), DesignError> {
-        match self.free.iter().any(|free| free.places.contains(&place)) {
+    fn is_new(&self, index: usize, parameter: &str) -> Result<(), DesignError> {
+        match self.free.iter().any(|free| free.places.contains(&index)) {
             true => Err(DesignError::Twice { parameter: parameter.to_owned() }),
             false => Ok(()),
         }
@@ -88,12 +88,12 @@ impl<M: Mechanism> Design<M> {
     /// [`UnknownParameter`](DesignError::UnknownParameter), [`NotFree`](DesignError::NotFree),
     /// [`Twice`](DesignError::Twice).
     pub fn equal(mut self, parameter: &str, to: &str) -> Result<Self, DesignError> {
-        let (place, leader) = (variables::place::<M>(parameter)?, variables::place::<M>(to)?);
+        let (index, leader) = (variables::parameter_index::<M>(parameter)?, variables::parameter_index::<M>(to)?);
         let Some(leader) = self.free.iter().position(|free| free.places.contains(&leader)) else {
             return Err(DesignError::NotFree { parameter: to.to_owned() });
         };
-        self.is_new(place, parameter)?;
-        self.free[leader].places.push(place);
+        self.is_new(index, parameter)?;
+        self.free[leader].places.push(index);
         Ok(self)
     }
 
@@ -326,12 +326,12 @@ impl<M: Mechanism> Design<M> {
     /// [`UnknownMode`](DesignError::UnknownMode).
     pub fn mode(mut self, mode: &str, sign: Option<Sign>) -> Result<Self, DesignError> {
         let modes = M::model().plan.modes;
-        let Some(place) = modes.iter().position(|info| info.name == mode) else {
+        let Some(index) = modes.iter().position(|info| info.name == mode) else {
             let modes = modes.iter().map(|info| info.name).collect();
             return Err(DesignError::UnknownMode { mode: mode.to_owned(), modes });
         };
-        self.modes.retain(|(other, _)| *other != place);
-        self.modes.push((place, sign));
+        self.modes.retain(|(other, _)| *other != index);
+        self.modes.push((index, sign));
         Ok(self)
     }
 

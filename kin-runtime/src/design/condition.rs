@@ -2,7 +2,7 @@
 
 use super::error::DesignError;
 use super::objective::Quantity;
-use super::variables::place;
+use super::variables::parameter_index;
 use crate::measure::Measure;
 use crate::mechanism::Mechanism;
 use core::ops::RangeInclusive;
@@ -51,7 +51,7 @@ impl Condition {
             factor => format!("{factor:+} {name}"),
         };
         let name = format!("{} >= {least}", terms.iter().map(written).collect::<Vec<_>>().join(" "));
-        let terms = terms.iter().map(|(name, factor)| Ok((place::<M>(name)?, *factor)));
+        let terms = terms.iter().map(|(name, factor)| Ok((parameter_index::<M>(name)?, *factor)));
         Ok(Self::Sum { name, terms: terms.collect::<Result<_, DesignError>>()?, least })
     }
 

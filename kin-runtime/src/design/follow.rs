@@ -74,7 +74,7 @@ impl<M: Mechanism> Motion for Follow<'_, M> {
 impl<'d, M: Mechanism> Follow<'d, M> {
     pub(crate) fn new(design: &'d Design<M>, mechanism: &'d M, branch: &'d Branch) -> Self {
         let free = design.free.iter().enumerate();
-        let all = free.flat_map(|(k, free)| free.places.iter().map(move |&place| (place, (k, free.width()))));
+        let all = free.flat_map(|(k, free)| free.places.iter().map(move |&index| (index, (k, free.width()))));
         let (places, moved_by) = all.unzip();
         Self { design, mechanism, branch, places, moved_by }
     }

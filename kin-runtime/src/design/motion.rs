@@ -37,8 +37,8 @@ impl<M: Mechanism> Design<M> {
     /// The mechanism with which the search begins.
     pub(crate) fn mechanism(&self) -> M {
         let mut mechanism = (self.make)();
-        for (place, value) in self.parameters.iter().enumerate() {
-            mechanism.set_parameter(place, *value);
+        for (index, value) in self.parameters.iter().enumerate() {
+            mechanism.set_parameter(index, *value);
         }
         mechanism
     }
@@ -86,10 +86,10 @@ impl Rows<'_> {
         let mut evaluated = Evaluated::default();
         let mut first = self.free.len();
         // Sums of parameters are evaluated first, at little cost: a design that violates one is not followed.
-        for (place, condition) in conditions.iter().enumerate() {
+        for (index, condition) in conditions.iter().enumerate() {
             if let Condition::Sum { terms, least, .. } = condition {
                 evaluated.slacks.push(self.sum(parameters, terms, *least));
-                evaluated.conditions.push(place);
+                evaluated.conditions.push(index);
             }
         }
         if evaluated.slacks.iter().any(|slack| slack.value <= 0.0) {
@@ -111,7 +111,7 @@ impl Rows<'_> {
             }
             evaluated.times.push(instants.times);
         }
-        for (place, condition) in conditions.iter().enumerate() {
+        for (index, condition) in conditions.iter().enumerate() {
             let before = evaluated.slacks.len();
             match condition {
                 Condition::Sum { .. } => {}
@@ -120,7 +120,7 @@ impl Rows<'_> {
                     self.range(times, of, [*low, *high], &mut evaluated.slacks)?;
                 }
             }
-            evaluated.conditions.resize(evaluated.conditions.len() + evaluated.slacks.len() - before, place);
+            evaluated.conditions.resize(evaluated.conditions.len() + evaluated.slacks.len() - before, index);
         }
         Ok(evaluated)
     }
@@ -141,15 +141,15 @@ impl Rows<'_> {
 
     /// Σ factor · parameter − least, relative to the widths of the parameters' bounds.
     fn sum(&self, parameters: &[f64], terms: &[(usize, f64)], least: f64) -> Row {
-        let free = |place: usize| self.free.iter().position(|free| free.places.contains(&place));
-        let width = |place: usize| free(place).map_or(0.0, |free| self.free[free].width());
-        let size: f64 = terms.iter().map(|(place, factor)| factor.abs() * width(*place)).sum();
+        let free = |index: usize| self.free.iter().position(|free| free.places.contains(&index));
+        let width = |index: usize| free(index).map_or(0.0, |free| self.free[free].width());
+        let size: f64 = terms.iter().map(|(index, factor)| factor.abs() * width(*index)).sum();
         let size = if size > 0.0 { size } else { 1.0 };
-        let value = terms.iter().map(|(place, factor)| factor * parameters[*place]).sum::<f64>() - least;
+        let value = terms.iter().map(|(index, factor)| factor * parameters[*index]).sum::<f64>() - least;
         let mut row = self.row(value / size);
-        for (place, factor) in terms {
-            if let (Some(variable), true) = (free(*place), self.slopes) {
-                row.by[variable] += factor * width(*place) / size;
+        for (index, factor) in terms {
+            if let (Some(variable), true) = (free(*index), self.slopes) {
+                row.by[variable] += factor * width(*index) / size;
             }
         }
         row
@@ -175,11 +175,11 @@ impl Rows<'_> {
                 })?;
                 let begin = misses.len();
                 for (chunk, seen) in seen.iter().enumerate() {
-                    for (place, number) in residuals(seen).into_iter().enumerate() {
+                    for (index, number) in residuals(seen).into_iter().enumerate() {
                         if chunk == 0 {
                             misses.push(self.row(number.value()));
                         }
-                        if let Some(row) = misses.get_mut(begin + place) {
+                        if let Some(row) = misses.get_mut(begin + index) {
                             self.add(row, chunk * WIDTH, number);
                         }
                     }
@@ -210,18 +210,18 @@ impl Rows<'_> {
     ) -> Result<(), SolveError> {
         let (begin, each) = (misses.len(), objective.of.len());
         self.follow.each(&at.times, self.slopes, objective.needs(), &mut |instant, first, varied| {
-            for (place, quantity) in objective.of.iter().enumerate() {
+            for (index, quantity) in objective.of.iter().enumerate() {
                 let number = quantity.varied(self.follow.model(), varied).unwrap_or(UNKNOWN);
-                let weight = weights[place];
+                let weight = weights[index];
                 if first == 0 {
-                    let mut row = self.row(weight * quantity.miss(number.value(), values[instant][place]));
+                    let mut row = self.row(weight * quantity.miss(number.value(), values[instant][index]));
                     if let (Some(chain), true) = (at.moved_by, self.slopes) {
                         let rate = weight * quantity.rate(self.follow.model(), varied);
                         chain.moving(instant).for_each(|(variable, factor)| row.by[variable] += rate * factor);
                     }
                     misses.push(row);
                 }
-                self.add(&mut misses[begin + instant * each + place], first, number * Number::from_f64(weight));
+                self.add(&mut misses[begin + instant * each + index], first, number * Number::from_f64(weight));
             }
         })
     }

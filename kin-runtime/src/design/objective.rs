@@ -61,9 +61,9 @@ impl Quantity {
 
     /// x, y and φ of a body.
     pub(crate) fn pose<M: Mechanism>(name: &str) -> Result<Vec<Self>, DesignError> {
-        let place = M::model().bodies.iter().position(|info| info.name == name);
-        let place = place.ok_or_else(|| DesignError::UnknownQuantity { quantity: name.to_owned() })?;
-        Ok((0..3).map(|axis| Self::Pose(place, axis)).collect())
+        let index = M::model().bodies.iter().position(|info| info.name == name);
+        let index = index.ok_or_else(|| DesignError::UnknownQuantity { quantity: name.to_owned() })?;
+        Ok((0..3).map(|axis| Self::Pose(index, axis)).collect())
     }
 
     /// What its value needs.
@@ -78,7 +78,7 @@ impl Quantity {
     pub(crate) fn varied(&self, model: &Model, varied: &Varied) -> Option<Number> {
         match self {
             Self::Named(measure) | Self::Angle(measure) => measure.varied(model, varied),
-            Self::Pose(place, axis) => Some(varied.observed.get(model.bodies[*place].observables[*axis])?.value),
+            Self::Pose(index, axis) => Some(varied.observed.get(model.bodies[*index].observables[*axis])?.value),
         }
     }
 

@@ -133,9 +133,9 @@ impl<M: Mechanism> Design<M> {
         let solver = Solver::new(&mechanism);
         let at = instant.into();
         let found = solver.assemble(&at).ok().and_then(|q| solver.modes(&at, &q).ok());
-        let guessed = |place: usize| found.as_ref()?.get(place).and_then(|mode| mode.sign);
-        let asked = |place: usize| self.modes.iter().find(|(other, _)| *other == place).map(|(_, sign)| *sign);
-        (0..modes.len()).map(|place| (place, asked(place).unwrap_or_else(|| guessed(place)))).collect()
+        let guessed = |index: usize| found.as_ref()?.get(index).and_then(|mode| mode.sign);
+        let asked = |index: usize| self.modes.iter().find(|(other, _)| *other == index).map(|(_, sign)| *sign);
+        (0..modes.len()).map(|index| (index, asked(index).unwrap_or_else(|| guessed(index)))).collect()
     }
 
     /// What is reported of a design with these slacks.
@@ -146,11 +146,11 @@ impl<M: Mechanism> Design<M> {
         let places = self.free.iter().flat_map(|free| free.places.iter().copied());
         let evaluated = self.evaluated(&end.variables, &end.branch, false).unwrap_or_default();
         Designed {
-            parameters: places.map(|place| (model.parameters[place].name, values.as_ref()[place])).collect(),
+            parameters: places.map(|index| (model.parameters[index].name, values.as_ref()[index])).collect(),
             error: end.error,
             least: (self as &dyn Problem).is_least().then_some(evaluated.least),
             times: evaluated.times,
-            modes: end.branch.modes.iter().map(|&(place, sign)| (model.plan.modes[place].name, sign)).collect(),
+            modes: end.branch.modes.iter().map(|&(index, sign)| (model.plan.modes[index].name, sign)).collect(),
             slacks,
             starts: 0,
             assembled: 0,

@@ -29,7 +29,7 @@ impl Free {
 }
 
 /// The index of a parameter.
-pub(crate) fn place<M: Mechanism>(parameter: &str) -> Result<usize, DesignError> {
+pub(crate) fn parameter_index<M: Mechanism>(parameter: &str) -> Result<usize, DesignError> {
     let parameters = M::model().parameters;
     parameters.iter().position(|info| info.name == parameter).ok_or_else(|| DesignError::UnknownParameter {
         parameter: parameter.to_owned(),
@@ -55,8 +55,8 @@ pub(crate) struct Chain {
 
 impl Chain {
     /// The variables that move the instant at a place, with ∂t/∂variable.
-    pub(crate) fn moving(self, place: usize) -> impl Iterator<Item = (usize, f64)> {
-        let gaps = (1..=place).map(move |k| (self.first + k, self.sign * self.period));
+    pub(crate) fn moving(self, index: usize) -> impl Iterator<Item = (usize, f64)> {
+        let gaps = (1..=index).map(move |k| (self.first + k, self.sign * self.period));
         core::iter::once((self.first, FIRST * self.period)).chain(gaps)
     }
 }

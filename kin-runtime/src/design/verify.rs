@@ -27,14 +27,14 @@ impl<M: Mechanism> Design<M> {
         let mechanism = self.mechanism_at(variables);
         let follow = Follow::new(self, &mechanism, branch);
         let evaluated = self.evaluated(variables, branch, false).unwrap_or_default();
-        let at_instants = |place: usize| {
-            let own = evaluated.conditions.iter().zip(&evaluated.slacks).filter(|(other, _)| **other == place);
+        let at_instants = |index: usize| {
+            let own = evaluated.conditions.iter().zip(&evaluated.slacks).filter(|(other, _)| **other == index);
             own.map(|(_, slack)| slack.value).fold(f64::INFINITY, f64::min)
         };
-        let slack = |(place, condition): (usize, &Condition)| {
+        let slack = |(index, condition): (usize, &Condition)| {
             let (times, needs) = match condition {
                 Condition::Sum { .. } => {
-                    return Ok(Slack { condition: condition.name(), slack: at_instants(place), at: None });
+                    return Ok(Slack { condition: condition.name(), slack: at_instants(index), at: None });
                 }
                 Condition::Margins { times, .. } => (times, Needs::LEAST),
                 Condition::Range { times, of, .. } => (times, of.needs()),

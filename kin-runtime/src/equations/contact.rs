@@ -88,8 +88,8 @@ fn at_centre(equations: &mut Equations<'_>, joint: &JointInfo, q: &[f64]) -> Opt
 
 /// The first roller on a curve with c′ = 0 at q, on the common scale.
 pub(crate) fn at_a_standstill(equations: &Equations<'_>, q: &[f64]) -> Option<SolveError> {
-    rollers(equations).find_map(|(place, joint)| {
-        let (column, _, speed) = speed(equations, place, q)?;
+    rollers(equations).find_map(|(index, joint)| {
+        let (column, _, speed) = speed(equations, index, q)?;
         let length = equations.scale.length;
         let still = speed * equations.scale.columns[column] <= equations.options.rank_tolerance * length;
         let what = Degeneracy::Direction { parameter: equations.model.coordinates[column].name, value: q[column] };
@@ -100,11 +100,11 @@ pub(crate) fn at_a_standstill(equations: &Equations<'_>, q: &[f64]) -> Option<So
 /// The first row of a roller whose curve turns so far between two configurations that the roller may have changed its
 /// side: at a cusp the normal reverses its direction, and the roller with it, although Φ = 0 holds on both sides.
 pub(crate) fn turned_about(equations: &Equations<'_>, from: &[f64], to: &[f64]) -> Option<usize> {
-    rollers(equations).find_map(|(place, joint)| {
+    rollers(equations).find_map(|(index, joint)| {
         let column = parameter(equations, joint)?;
         let direction = |k: u32| {
             let value = from[column] + f64::from(k) / f64::from(SAMPLES) * (to[column] - from[column]);
-            let [x, y] = tangent(equations, place, value)?;
+            let [x, y] = tangent(equations, index, value)?;
             let speed = x.hypot(y);
             Some([x / speed, y / speed])
         };

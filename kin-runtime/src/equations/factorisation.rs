@@ -76,7 +76,7 @@ impl Equations<'_> {
         let mut lu = Box::<NumericLu>::default();
         let entries = places.iter().zip(ordered.entries());
         let value =
-            |(&place, &(i, j)): (&usize, &(usize, usize))| self.phi_q[place] * self.scale.rows[rows[i]] * sizes[j];
+            |(&index, &(i, j)): (&usize, &(usize, usize))| self.phi_q[index] * self.scale.rows[rows[i]] * sizes[j];
         lu.values.extend(entries.map(value));
         ordered.factorise(&mut lu).then(|| Factorization::sparse_quick(lu, sizes.to_vec()))?
     }

@@ -88,8 +88,8 @@ impl<R, J> Evaluation<R, J> {
     {
         let zero = T::from_f64(0.0);
         let (rows, mut phi_q) = (R::filled(zero), J::filled(zero));
-        for &(place, value) in pattern.constants {
-            if let Some(entry) = phi_q.as_mut().get_mut(place) {
+        for &(index, value) in pattern.constants {
+            if let Some(entry) = phi_q.as_mut().get_mut(index) {
                 *entry = T::from_f64(value);
             }
         }

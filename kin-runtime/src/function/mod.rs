@@ -65,7 +65,7 @@ pub trait ScalarFunction {
     /// implementation gives derivatives up to the second.
     fn derivatives(&self, x: f64, out: &mut [f64]) -> usize {
         let known = self.evaluate(x);
-        out.iter_mut().zip(known).map(|(place, value)| *place = value).count()
+        out.iter_mut().zip(known).map(|(index, value)| *index = value).count()
     }
 }
 

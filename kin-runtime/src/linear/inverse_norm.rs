@@ -29,9 +29,9 @@ pub(crate) fn inverse_norm(inverse: &impl Inverse, work: &mut [f64]) -> f64 {
     }
     let (both, rest) = work.split_at_mut(2 * n);
     let (gradient, signs) = rest.split_at_mut(n);
-    for (place, both) in both.as_chunks_mut::<2>().0.iter_mut().enumerate() {
-        let guard = 1.0 + place as f64 / (n - 1).max(1) as f64;
-        *both = [1.0 / n as f64, if place % 2 == 0 { guard } else { -guard }];
+    for (index, both) in both.as_chunks_mut::<2>().0.iter_mut().enumerate() {
+        let guard = 1.0 + index as f64 / (n - 1).max(1) as f64;
+        *both = [1.0 / n as f64, if index % 2 == 0 { guard } else { -guard }];
     }
     inverse.solve::<2>(both);
     let mut sums = [0.0; 2];

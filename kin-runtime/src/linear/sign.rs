@@ -12,23 +12,23 @@ pub(crate) fn positive_determinant(matrix: &mut DMatrix<f64>, trust: f64) -> Opt
     for k in 0..n {
         let (done, rest) = entries.split_at_mut((k + 1) * n);
         let column = &mut done[k * n..];
-        let mut place = k;
+        let mut index = k;
         for row in k + 1..n {
-            if column[row].abs() > column[place].abs() {
-                place = row;
+            if column[row].abs() > column[index].abs() {
+                index = row;
             }
         }
-        let pivot = column[place];
-        positive ^= (pivot < 0.0) ^ (place != k);
+        let pivot = column[index];
+        positive ^= (pivot < 0.0) ^ (index != k);
         (smallest, largest) = (smallest.min(pivot.abs()), largest.max(pivot.abs()));
         if pivot == 0.0 || pivot.is_nan() {
             return None;
         }
-        column.swap(k, place);
+        column.swap(k, index);
         let inverse = 1.0 / pivot;
         column[k + 1..].iter_mut().for_each(|x| *x *= inverse);
         for other in rest.chunks_exact_mut(n) {
-            other.swap(k, place);
+            other.swap(k, index);
             let factor = other[k];
             if factor != 0.0 {
                 other[k + 1..].iter_mut().zip(&column[k + 1..]).for_each(|(x, c)| *x -= factor * c);

@@ -194,16 +194,16 @@ pub fn iterate<T: Scalar, const N: usize, const M: usize>(
         let steps = correction(x);
         // Never 0, so that the iteration also converges if all lengths are 0.
         let mut length = T::from_f64(f64::from(f32::MIN_POSITIVE));
-        for ((place, step), is_length) in places.into_iter().zip(steps).zip(lengths) {
-            x[place] = x[place] - step;
+        for ((index, step), is_length) in places.into_iter().zip(steps).zip(lengths) {
+            x[index] = x[index] - step;
             if is_length {
-                length = length + x[place].abs();
+                length = length + x[index].abs();
             }
         }
         let mut last = true;
         rounding = true;
-        for ((place, step), is_length) in places.into_iter().zip(steps).zip(lengths) {
-            let relative = step / (T::from_f64(1.0) + x[place].abs());
+        for ((index, step), is_length) in places.into_iter().zip(steps).zip(lengths) {
+            let relative = step / (T::from_f64(1.0) + x[index].abs());
             last &= relative.is_within(last_step) && (!is_length || (step / length).is_within(last_step));
             rounding &= relative.is_within(rounding_step);
         }

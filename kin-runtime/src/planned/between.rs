@@ -107,12 +107,12 @@ pub(crate) fn certainty_of_rates<V: Compare>(
     h: f64,
 ) -> V {
     let (plan, coordinates) = (&model.plan, model.coordinates);
-    let has_sign = |place: usize| plan.modes.iter().chain(plan.orientations).any(|group| group.step == place);
+    let has_sign = |index: usize| plan.modes.iter().chain(plan.orientations).any(|group| group.step == index);
     let mut certainty = V::from_f64(1.0);
-    for (place, step) in plan.steps.iter().enumerate() {
+    for (index, step) in plan.steps.iter().enumerate() {
         let unknowns = match step.kind {
             StepKind::Newton(unknowns) => unknowns,
-            _ if with_closed && has_sign(place) => usize::MAX,
+            _ if with_closed && has_sign(index) => usize::MAX,
             _ => continue,
         };
         let (mut lengths, mut angles) = ([V::from_f64(0.0); 2], [V::from_f64(0.0); 2]);

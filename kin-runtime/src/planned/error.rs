@@ -272,8 +272,8 @@ pub enum PlanError {
 impl PlanError {
     /// The error for a negative length, given its index among the lengths that joints prescribe.
     #[cold]
-    pub(super) fn negative_length(model: &Model, t: f64, place: usize, length: f64) -> Self {
-        let joint = model.joints.iter().filter(|joint| joint.keeps_distance()).nth(place);
+    pub(super) fn negative_length(model: &Model, t: f64, index: usize, length: f64) -> Self {
+        let joint = model.joints.iter().filter(|joint| joint.keeps_distance()).nth(index);
         Self::NegativeLength { t, joint: joint.map_or("", |joint| joint.name), length }
     }
 

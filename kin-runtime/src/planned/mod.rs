@@ -181,16 +181,16 @@ impl<'m, M: Mechanism> Planned<'m, M> {
     /// The sign of a mode, and its flag in `requested`.
     fn mode_mut(&mut self, mode: ModeKey<'_>) -> Result<(&mut f64, &mut f64), PlanError> {
         let modes = M::model().plan.modes;
-        let place = mode.place(modes).ok_or(PlanError::UnknownMode { modes })?;
+        let index = mode.place(modes).ok_or(PlanError::UnknownMode { modes })?;
         let follower = &mut self.follower;
-        let both = follower.branch.modes.as_mut().get_mut(place).zip(follower.requested.as_mut().get_mut(place));
+        let both = follower.branch.modes.as_mut().get_mut(index).zip(follower.requested.as_mut().get_mut(index));
         both.ok_or(PlanError::UnknownMode { modes })
     }
 
     /// The sign of a mode: as requested since the last accepted state, or else that of this state.
     pub fn mode<'k>(&self, mode: impl Into<ModeKey<'k>>) -> Option<Sign> {
-        let place = mode.into().place(M::model().plan.modes)?;
-        self.follower.modes().as_ref().get(place).copied().and_then(Sign::of)
+        let index = mode.into().place(M::model().plan.modes)?;
+        self.follower.modes().as_ref().get(index).copied().and_then(Sign::of)
     }
 
     /// The signs of all modes, in the order of [`Plan::modes`](crate::plan::Plan::modes).

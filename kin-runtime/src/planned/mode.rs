@@ -82,8 +82,8 @@ impl<'a> From<&'a str> for ModeKey<'a> {
 }
 
 impl From<usize> for ModeKey<'_> {
-    fn from(place: usize) -> Self {
-        Self::Index(place)
+    fn from(index: usize) -> Self {
+        Self::Index(index)
     }
 }
 

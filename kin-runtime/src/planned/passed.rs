@@ -35,10 +35,10 @@ impl<'c> Passed<'c> {
     /// requests nothing).
     pub(crate) fn new(kept: &'c [f64], branch_values: &[f64], requested: &[f64]) -> Self {
         let (mut near, mut count) = ([0; MOST], 0);
-        for (place, (sign, value)) in kept.iter().zip(branch_values).enumerate() {
-            let free = requested.get(place).is_none_or(|requested| *requested == 0.0);
+        for (index, (sign, value)) in kept.iter().zip(branch_values).enumerate() {
+            let free = requested.get(index).is_none_or(|requested| *requested == 0.0);
             if free && (value.abs() < NEAR || sign * value < 0.0) && count < MOST {
-                near[count] = place;
+                near[count] = index;
                 count += 1;
             }
         }
@@ -54,9 +54,9 @@ impl<'c> Passed<'c> {
     /// Writes the signs of an attempt.
     pub(crate) fn signs(&self, attempt: u32, signs: &mut [f64]) {
         signs.copy_from_slice(self.kept);
-        for (bit, &place) in self.near[..self.count].iter().enumerate() {
+        for (bit, &index) in self.near[..self.count].iter().enumerate() {
             if attempt >> bit & 1 == 1 {
-                signs[place] = -signs[place];
+                signs[index] = -signs[index];
             }
         }
     }
@@ -65,7 +65,7 @@ impl<'c> Passed<'c> {
 /// True where the margins show that a redundant row is not satisfied.
 pub(crate) fn is_missed(plan: &Plan, margins: &[f64]) -> bool {
     let steps = plan.steps.iter().filter(|step| step.kind == StepKind::RedundantRows);
-    steps.flat_map(|step| step.margins.0..step.margins.1).any(|place| margins[place] <= Plan::SMALLEST_MARGIN)
+    steps.flat_map(|step| step.margins.0..step.margins.1).any(|index| margins[index] <= Plan::SMALLEST_MARGIN)
 }
 
 #[cfg(test)]

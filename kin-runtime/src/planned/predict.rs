@@ -158,11 +158,11 @@ mod tests {
     fn the_largest_turn_is_found_at_every_place() {
         for count in 1..=23 {
             let zeros = vec![0.0; count];
-            for place in 0..count {
+            for index in 0..count {
                 for change in [0.7, -0.7] {
                     let (mut to, mut weights) = (zeros.clone(), vec![1.0; count]);
-                    to[place] = change;
-                    weights[place] = 0.5;
+                    to[index] = change;
+                    weights[index] = 0.5;
                     assert_eq!([0.35; 2], [turned(&to, &zeros, &weights), turned(&zeros, &to, &weights)]);
                     assert_eq!(0.35, parabola(&mut zeros.clone(), [&zeros, &to, &zeros], &weights, 1.0));
                 }

@@ -25,18 +25,17 @@ pub struct Step {
 }
 
 impl Step {
-    /// The step at `place` of [`Plan::steps`](crate::plan::Plan::steps); `None` where that is out of range.
-    pub fn new(model: &'static Model, place: usize) -> Option<Self> {
-        let step = model.plan.steps.get(place)?;
-        let place_as_u32 = u32::try_from(place).ok()?;
-        Some(Self { model, place: place_as_u32, closes: step.kind == StepKind::Closure })
+    /// The step at `index` of [`Plan::steps`](crate::plan::Plan::steps); `None` where that is out of range.
+    pub fn new(model: &'static Model, index: usize) -> Option<Self> {
+        let step = model.plan.steps.get(index)?;
+        Some(Self { model, place: u32::try_from(index).ok()?, closes: step.kind == StepKind::Closure })
     }
 
     /// The step to which a margin belongs.
     pub fn of_margin(model: &'static Model, margin: usize) -> Option<Self> {
         let closes = model.plan.modes.iter().any(|mode| mode.margin == margin);
-        let place = u32::try_from(model.plan.step_of_margin(margin)?).ok()?;
-        Some(Self { model, place, closes })
+        let index = u32::try_from(model.plan.step_of_margin(margin)?).ok()?;
+        Some(Self { model, place: index, closes })
     }
 
     /// The index of the step in [`Plan::steps`](crate::plan::Plan::steps).
@@ -102,9 +101,9 @@ impl Step {
         if self.model.coordinates.len() > COORDINATES {
             return needed;
         }
-        for (place, step) in self.model.plan.steps[..=self.place()].iter().enumerate().rev() {
+        for (index, step) in self.model.plan.steps[..=self.place()].iter().enumerate().rev() {
             let gives = step.coordinates.iter().any(|&(k, _)| contains(&needed, k));
-            if place != self.place() && !gives {
+            if index != self.place() && !gives {
                 continue;
             }
             for &(row, k) in self.model.constraint_pattern.entries {
@@ -183,7 +182,7 @@ mod tests {
     #[test]
     fn a_step_is_known_by_its_mechanism_and_its_place() {
         let model = PlannedFourBar::model();
-        let step = |place: usize| Step::new(model, place).unwrap();
+        let step = |index: usize| Step::new(model, index).unwrap();
         assert!(step(2) == step(2) && step(0) != step(1));
         assert_eq!(
             (Some(step(2)), None, None),
@@ -199,11 +198,11 @@ mod tests {
 
     #[test]
     fn a_step_names_what_belongs_to_it() {
-        let step = |place: usize| Step::new(PlannedFourBar::model(), place).unwrap();
+        let step = |index: usize| Step::new(PlannedFourBar::model(), index).unwrap();
         // The driver of the crank also drives the dyad that is attached to it.
-        assert!((0..3).all(|place| step(place).drivers().eq(["drive"])));
-        assert_eq!([false, false, true], [0, 1, 2].map(|place| step(place).closes()));
-        assert!((0..3).all(|place| !step(place).checks_redundant_rows()));
+        assert!((0..3).all(|index| step(index).drivers().eq(["drive"])));
+        assert_eq!([false, false, true], [0, 1, 2].map(|index| step(index).closes()));
+        assert!((0..3).all(|index| !step(index).checks_redundant_rows()));
         assert!(step(2).bodies().eq(["coupler", "rocker"]) && step(2).joints().eq(["A", "B", "D"]));
         assert!(step(0).bodies().eq(["crank"]) && step(0).joints().eq(["drive"]));
     }

@@ -18,7 +18,7 @@ pub(crate) fn record(model: &'static Model, known: Option<&[Mode]>) -> Record {
 }
 
 fn steps(model: &'static Model) -> impl Iterator<Item = Step> {
-    (0..model.plan.steps.len()).filter_map(move |place| Step::new(model, place))
+    (0..model.plan.steps.len()).filter_map(move |index| Step::new(model, index))
 }
 
 /// The modes of a configuration, or all modes without signs and closures.

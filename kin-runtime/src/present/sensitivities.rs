@@ -37,9 +37,9 @@ pub(crate) fn text(found: &Sensitivities, values: &[f64]) -> String {
         order
     };
     let mut out = String::new();
-    for (place, point) in model.points.iter().enumerate() {
-        let order = ranked(&|by| by.points[place].r[0].hypot(by.points[place].r[1]));
-        let of = |axis: usize| order.iter().map(move |&(k, _)| found.by[k].points[place].r[axis]);
+    for (index, point) in model.points.iter().enumerate() {
+        let order = ranked(&|by| by.points[index].r[0].hypot(by.points[index].r[1]));
+        let of = |axis: usize| order.iter().map(move |&(k, _)| found.by[k].points[index].r[axis]);
         let table = Table::new()
             .words("parameter", order.iter().map(|&(k, _)| found.by[k].parameter))
             .numbers("value", order.iter().map(|&(k, _)| values.get(k).copied().unwrap_or(f64::NAN)))

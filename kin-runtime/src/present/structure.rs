@@ -72,8 +72,8 @@ fn operations(count: OperationCount) -> Record {
 
 /// Joints that have a driving row.
 pub(crate) fn drivers(model: &Model) -> Vec<&'static str> {
-    let drives = |place: usize| model.rows.iter().any(|r| r.joint == place && r.driving);
-    model.joints.iter().enumerate().filter(|(place, _)| drives(*place)).map(|(_, j)| j.name).collect()
+    let drives = |index: usize| model.rows.iter().any(|r| r.joint == index && r.driving);
+    model.joints.iter().enumerate().filter(|(index, _)| drives(*index)).map(|(_, j)| j.name).collect()
 }
 
 /// Rows that are redundant for all dimensions.
@@ -143,14 +143,14 @@ fn parameters(model: &Model, values: &[f64]) -> Vec<Record> {
 }
 
 fn joints(model: &Model) -> Vec<Record> {
-    let record = |(place, joint): (usize, &crate::model::JointInfo)| {
+    let record = |(index, joint): (usize, &crate::model::JointInfo)| {
         record! {
             name: joint.name,
             kind: joint.kind.keyword(),
             between: joint.frames.iter().flatten().map(|f| frame_name(model, *f)).collect::<Vec<_>>(),
             // The carrier of gears, the pinion of a rack.
             third_body: third_body(model, joint),
-            rows: model.rows.iter().filter(|r| r.joint == place).map(|r| r.name).collect::<Vec<_>>(),
+            rows: model.rows.iter().filter(|r| r.joint == index).map(|r| r.name).collect::<Vec<_>>(),
             quantities: joint.quantities.iter().map(|q| q.name).collect::<Vec<_>>(),
         }
     };

@@ -45,14 +45,14 @@ impl Table {
     }
 
     fn push(&mut self, header: &str, align: Align, cells: impl Iterator<Item = String>) {
-        let place = self.columns.len();
+        let index = self.columns.len();
         self.columns.push((header.to_owned(), align));
         for (i, cell) in cells.enumerate() {
             while self.rows.len() <= i {
                 self.rows.push(Vec::new());
             }
             if let Some(row) = self.rows.get_mut(i) {
-                row.resize(place, String::new());
+                row.resize(index, String::new());
                 row.push(cell);
             }
         }

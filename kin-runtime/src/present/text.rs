@@ -75,8 +75,8 @@ pub(crate) fn parameters(model: &Model, values: &[f64]) -> String {
 /// Joints and drivers with their rows; rows of the same class are on one line.
 pub(crate) fn rows(model: &Model) -> String {
     let mut lines: Vec<[String; 5]> = Vec::new();
-    for (place, joint) in model.joints.iter().enumerate() {
-        let own: Vec<_> = model.rows.iter().filter(|r| r.joint == place).collect();
+    for (index, joint) in model.joints.iter().enumerate() {
+        let own: Vec<_> = model.rows.iter().filter(|r| r.joint == index).collect();
         for group in own.chunk_by(|a, b| a.classes() == b.classes() && a.driving == b.driving) {
             let Some(first) = group.first() else { continue };
             let bodies: Vec<&str> = joint.frames.iter().flatten().map(|f| frame_name(model, *f)).collect();
@@ -113,7 +113,7 @@ fn short<'a>(row: &'a str, joint: &str) -> &'a str {
 pub(crate) fn frame_name(model: &Model, frame: Frame) -> &'static str {
     match frame {
         Frame::Ground => "ground",
-        Frame::Body(place) => model.bodies.get(place).map_or("?", |b| b.name),
+        Frame::Body(index) => model.bodies.get(index).map_or("?", |b| b.name),
     }
 }
 

@@ -54,11 +54,11 @@ impl Square {
         }
         let (mut entries, mut sources) = (Cow::Borrowed(model.constraint_pattern.entries), None);
         if !(left_out.is_empty() && given.is_empty()) {
-            let place = |row: usize| {
+            let index = |row: usize| {
                 (!left_out.contains(&row)).then(|| row - left_out.iter().filter(|&&other| other < row).count())
             };
             let own = entries.iter().enumerate();
-            let kept = own.filter_map(|(k, &(row, column))| Some(((place(row)?, column), Some(k))));
+            let kept = own.filter_map(|(k, &(row, column))| Some(((index(row)?, column), Some(k))));
             let given_rows = given.iter().enumerate().map(|(k, &(column, _))| ((rows + k, column), None));
             let (kept, indices): (Vec<_>, Vec<_>) = kept.chain(given_rows).unzip();
             (entries, sources) = (Cow::Owned(kept), Some(indices));
@@ -85,7 +85,7 @@ impl Square {
     /// The entries of Φ_q that are literal constants.
     pub(super) fn constants(&self) -> impl Iterator<Item = Option<f64>> {
         let constants = self.model.constraint_pattern.constants;
-        let value = move |k: usize| constants.iter().find(|(place, _)| *place == k).map(|(_, value)| *value);
+        let value = move |k: usize| constants.iter().find(|(index, _)| *index == k).map(|(_, value)| *value);
         (0..self.entries.len()).map(move |entry| self.source(entry).map_or(Some(1.0), value))
     }
 

@@ -70,15 +70,15 @@ impl NewtonStep {
             column.extend(a.iter().map(|row| row[k]));
             inverse.times_to(column, product);
         }
-        for (i, place) in across.enumerate() {
+        for (i, index) in across.enumerate() {
             let of = |k: usize| columns[k * m + i];
-            if of(place).contains(0.0) {
+            if of(index).contains(0.0) {
                 continue;
             }
-            let others = &mut (0..n).filter(|&k| k != place).map(|k| of(k) * (now[k] - centre[k]));
-            let newton = centre[place] - (newton[i] + sum(others)) / of(place);
-            match now[place].intersection(newton) {
-                Some(smaller) => now[place] = smaller,
+            let others = &mut (0..n).filter(|&k| k != index).map(|k| of(k) * (now[k] - centre[k]));
+            let newton = centre[index] - (newton[i] + sum(others)) / of(index);
+            match now[index].intersection(newton) {
+                Some(smaller) => now[index] = smaller,
                 None if newton.is_defined() => return Shrunk::Empty,
                 None => {}
             }

@@ -104,10 +104,10 @@ impl Reduced {
 }
 
 fn total(sum: &Sum, numbers: &[Interval]) -> Interval {
-    let term = |&(place, factor): &(usize, f64)| match factor {
-        1.0 => numbers[place],
-        -1.0 => -numbers[place],
-        _ => Interval::from(factor) * numbers[place],
+    let term = |&(index, factor): &(usize, f64)| match factor {
+        1.0 => numbers[index],
+        -1.0 => -numbers[index],
+        _ => Interval::from(factor) * numbers[index],
     };
     let mut terms = sum.iter().map(term);
     let first = terms.next().unwrap_or(Interval::new(0.0, 0.0));

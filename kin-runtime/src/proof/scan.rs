@@ -59,8 +59,8 @@ pub(crate) fn refined(
 ) -> Vec<Stretch> {
     let [coarse, fine] = narrowest;
     let mut smooth: Vec<Stretch> = Vec::new();
-    for (place, stretch) in stretches_found.iter().enumerate() {
-        let beside = [place.checked_sub(1), Some(place + 1)].map(|k| stretches_found.get(k?).map(|beside| beside.seen));
+    for (index, stretch) in stretches_found.iter().enumerate() {
+        let beside = [index.checked_sub(1), Some(index + 1)].map(|k| stretches_found.get(k?).map(|beside| beside.seen));
         match beside {
             [Some(unknown @ Seen::Unknown(_)), Some(Seen::Unknown(_))]
                 if stretch.to - stretch.from < 100.0 * coarse =>
@@ -71,8 +71,8 @@ pub(crate) fn refined(
         }
     }
     let mut known = Vec::new();
-    for (place, stretch) in smooth.iter().enumerate() {
-        let beside = [place.checked_sub(1), Some(place + 1)].map(|k| smooth.get(k?).map(|beside| beside.seen));
+    for (index, stretch) in smooth.iter().enumerate() {
+        let beside = [index.checked_sub(1), Some(index + 1)].map(|k| smooth.get(k?).map(|beside| beside.seen));
         let is_limit = matches!(stretch.seen, Seen::Unknown(_))
             && matches!(beside, [Some(Seen::Closed), Some(Seen::Open(_))] | [Some(Seen::Open(_)), Some(Seen::Closed)]);
         if is_limit {

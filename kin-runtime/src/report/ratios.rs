@@ -165,8 +165,8 @@ fn distances(equations: &Equations<'_>) -> Result<Vec<(usize, f64)>, SolveError>
     let numbers = equations.system.geometry(&at)?;
     let value = |joint: &JointInfo| {
         let has = |role| joint.geometry.iter().find(|g| g.role == role);
-        let place = has(Role::P).and(has(Role::Q)).and(has(Role::Value))?.offset;
-        numbers.get(place).map(|&f| (joint.first_row, f))
+        let index = has(Role::P).and(has(Role::Q)).and(has(Role::Value))?.offset;
+        numbers.get(index).map(|&f| (joint.first_row, f))
     };
     let squared = |joint: &&JointInfo| matches!(joint.kind, JointKind::Distance | JointKind::Driver);
     Ok(equations.model.joints.iter().filter(squared).filter_map(value).collect())

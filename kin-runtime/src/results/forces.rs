@@ -221,7 +221,7 @@ impl Forces {
     pub fn body(&self, frame: Frame) -> &'static str {
         match frame {
             Frame::Ground => "ground",
-            Frame::Body(place) => self.model.bodies.get(place).map_or("", |body| body.name),
+            Frame::Body(index) => self.model.bodies.get(index).map_or("", |body| body.name),
         }
     }
 }

@@ -65,8 +65,8 @@ impl State {
     }
 
     /// The coordinate at an index of q with its rate and acceleration.
-    pub(crate) fn rates(&self, place: usize) -> Signal {
-        Signal { value: self.q[place], rate: self.q_dot[place], acceleration: self.q_ddot[place] }
+    pub(crate) fn rates(&self, index: usize) -> Signal {
+        Signal { value: self.q[index], rate: self.q_dot[index], acceleration: self.q_ddot[index] }
     }
 
     /// q, q̇ and q̈ as nalgebra views, without a copy.

@@ -138,7 +138,7 @@ macro_rules! scalar_of_expansion {
             }
 
             fn lift(self, f: impl Fn(f64) -> [f64; 3]) -> [Self; 3] {
-                let known = |x: f64, out: &mut [f64]| out.iter_mut().zip(f(x)).map(|(place, f)| *place = f).count();
+                let known = |x: f64, out: &mut [f64]| out.iter_mut().zip(f(x)).map(|(index, f)| *index = f).count();
                 self.compose(usize::MAX, &f, known)
             }
         }

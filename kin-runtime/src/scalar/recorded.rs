@@ -43,14 +43,14 @@ pub(crate) fn variables(values: impl IntoIterator<Item = f64>) -> Vec<Recorded> 
 pub(crate) fn accumulate(results: impl IntoIterator<Item = (Recorded, f64)>, gradient: &mut [f64]) {
     OPERATIONS.with_borrow(|operations| {
         let mut by = vec![0.0; operations.len()];
-        let mut add = |place: u32, weight: f64| {
-            if let Some(by) = by.get_mut(place as usize) {
+        let mut add = |index: u32, weight: f64| {
+            if let Some(by) = by.get_mut(index as usize) {
                 *by += weight;
             }
         };
         results.into_iter().for_each(|(result, weight)| add(result.place, weight));
-        for (place, operation) in operations.iter().enumerate().rev() {
-            let weight = by[place];
+        for (index, operation) in operations.iter().enumerate().rev() {
+            let weight = by[index];
             if weight != 0.0 {
                 for (of, slope) in operation.of.into_iter().zip(operation.slopes) {
                     if let Some(by) = by.get_mut(of as usize) {

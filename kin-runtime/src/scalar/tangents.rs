@@ -83,10 +83,10 @@ impl<const W: usize> Tangents<W> {
         Self { value, by }
     }
 
-    /// The parameter at `place` itself: its derivative is 1 there and 0 elsewhere.
+    /// The parameter at `index` itself: its derivative is 1 there and 0 elsewhere.
     #[inline]
-    pub fn variable(value: f64, place: usize) -> Self {
-        Self::new(value, core::array::from_fn(|k| if k == place { 1.0 } else { 0.0 }))
+    pub fn variable(value: f64, index: usize) -> Self {
+        Self::new(value, core::array::from_fn(|k| if k == index { 1.0 } else { 0.0 }))
     }
 
     /// The value.

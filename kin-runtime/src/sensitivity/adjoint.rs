@@ -96,8 +96,8 @@ impl<M: Mechanism> Solver<'_, M> {
         }
         match gradient.iter().position(|by| !by.is_finite()) {
             None => Ok(()),
-            Some(place) => {
-                let parameter = M::model().parameters[place].name;
+            Some(index) => {
+                let parameter = M::model().parameters[index].name;
                 Err(SolveError::NoSensitivity { t: state.t, parameter, row_name: None })
             }
         }

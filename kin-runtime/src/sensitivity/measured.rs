@@ -94,11 +94,11 @@ impl<M: Mechanism> Solver<'_, M> {
             slopes.clear();
             column_values(model, by.forces.as_ref(), &mut slopes);
             for (measure, all) in measures.iter().zip(&mut *all) {
-                let Some(place) = measure.force() else { continue };
-                all[k] = match magnitude_parts(measure.name(), place) {
+                let Some(index) = measure.force() else { continue };
+                all[k] = match magnitude_parts(measure.name(), index) {
                     // |f| = √(x² + y²).
-                    Some([x, y]) => (at[x] * slopes[x] + at[y] * slopes[y]) / at[place],
-                    None => slopes[place],
+                    Some([x, y]) => (at[x] * slopes[x] + at[y] * slopes[y]) / at[index],
+                    None => slopes[index],
                 };
             }
         }

@@ -66,9 +66,9 @@ impl<'m, M: Mechanism> Varying<'m, M> {
         self.t = Number::from_f64(at.t);
         self.inputs = M::Inputs::generate(|k| at.inputs.get(k).copied().unwrap_or_default().map(Number::from_f64));
         self.parameters = M::Parameters::generate(|k| Number::from_f64(values.get(k).copied().unwrap_or_default()));
-        for (place, &parameter) in parameters.iter().take(WIDTH).enumerate() {
+        for (index, &parameter) in parameters.iter().take(WIDTH).enumerate() {
             if let Some(number) = self.parameters.as_mut().get_mut(parameter) {
-                *number = Number::variable(number.value(), place);
+                *number = Number::variable(number.value(), index);
             }
         }
     }

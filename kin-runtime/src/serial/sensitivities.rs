@@ -59,9 +59,9 @@ impl<'a> Record<'a> {
         let Sensitivities { t, model, by, .. } = sensitivities;
         let vectors = |of: fn(&Sensitivity) -> &[f64]| by.iter().map(|by| (by.parameter, of(by))).collect();
         let joints = model.joints.iter().enumerate().filter(|(_, joint)| !joint.quantities.is_empty());
-        let joint = |(place, joint): (usize, &'static crate::model::JointInfo)| {
+        let joint = |(index, joint): (usize, &'static crate::model::JointInfo)| {
             let quantities = joint.quantities.iter().enumerate();
-            let all = quantities.map(|(k, info)| (info.name, each(by, |by| by.joints[place][k])));
+            let all = quantities.map(|(k, info)| (info.name, each(by, |by| by.joints[index][k])));
             (joint.name, all.collect())
         };
         let forces = by.first().and_then(|by| by.forces.as_ref());

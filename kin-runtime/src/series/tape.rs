@@ -88,10 +88,10 @@ impl Tape {
         match series {
             Series::Number(value) if k == 0 => value,
             Series::Number(_) => 0.0,
-            Series::At(_, place) => {
-                let value = self.numbers.borrow()[place * self.stride + k];
+            Series::At(_, index) => {
+                let value = self.numbers.borrow()[index * self.stride + k];
                 if value.is_nan() {
-                    self.blame(&[place]);
+                    self.blame(&[index]);
                 }
                 value
             }
@@ -141,7 +141,7 @@ impl Tape {
     #[cold]
     fn blame(&self, places: &[usize]) {
         let sources = self.sources.borrow();
-        let unknown = sources.iter().find(|(place, _)| places.contains(place)).map(|(_, missing)| *missing);
+        let unknown = sources.iter().find(|(index, _)| places.contains(index)).map(|(_, missing)| *missing);
         self.missing.set(self.missing.get().or(unknown));
     }
 
@@ -179,7 +179,7 @@ impl Series<'_> {
     fn value(self) -> f64 {
         match self {
             Self::Number(value) => value,
-            Self::At(tape, place) => tape.numbers.borrow()[place * tape.stride],
+            Self::At(tape, index) => tape.numbers.borrow()[index * tape.stride],
         }
     }
 }
@@ -196,11 +196,11 @@ impl Expansion for Series<'_> {
         // Operations on plain numbers are handled before: at least one argument is a series.
         let Some(tape) = tape else { return [Self::Number(f64::NAN); O] };
         let places = x.map(|x| match x {
-            Self::At(_, place) => place,
+            Self::At(_, index) => index,
             Self::Number(value) => {
-                let place = tape.next.get();
+                let index = tape.next.get();
                 tape.leaf(|k| if k == 0 { value } else { 0.0 });
-                place
+                index
             }
         });
         tape.record(recurrence, places)
@@ -243,7 +243,7 @@ scalar_of_expansion! { ['a] Series<'a> {
     ) -> [Self; 3] {
         match self {
             Self::Number(x) => f(x).map(Self::Number),
-            Self::At(tape, place) => tape.supplied(number, derivatives, place),
+            Self::At(tape, index) => tape.supplied(number, derivatives, index),
         }
     }
 } }

@@ -28,17 +28,17 @@ impl Guess<'_> {
     pub(super) fn write_modes(&self, modes: &mut [f64], room: [&mut [f64]; 2], closed: &mut Closed<'_>) -> Option<()> {
         let [plus, minus] = room;
         let plan = &self.model.plan;
-        if !self.starts_iterations() || self.modes.iter().any(|(_, place, _)| place.is_none()) {
+        if !self.starts_iterations() || self.modes.iter().any(|(_, index, _)| index.is_none()) {
             return None;
         }
-        for (place, mode) in plan.modes.iter().enumerate() {
-            if let Some((.., sign)) = self.modes.iter().rev().find(|(_, asked, _)| *asked == Some(place)) {
-                modes[place] = sign.value();
+        for (index, mode) in plan.modes.iter().enumerate() {
+            if let Some((.., sign)) = self.modes.iter().rev().find(|(_, asked, _)| *asked == Some(index)) {
+                modes[index] = sign.value();
                 continue;
             }
             let steps = self.steps_of(mode.step)?;
             for (q, sign) in [(&mut *plus, 1.0), (&mut *minus, -1.0)] {
-                modes[place] = sign;
+                modes[index] = sign;
                 closed(modes, q)?;
             }
             let farther: f64 = steps.iter().map(|step| self.farther(step.coordinates, plus, minus)).sum();
@@ -47,7 +47,7 @@ impl Guess<'_> {
             if !is_decided {
                 return None;
             }
-            modes[place] = -farther.signum();
+            modes[index] = -farther.signum();
         }
         Some(())
     }

@@ -351,8 +351,8 @@ fn wanted_assembly(
     guess: Vec<Option<f64>>,
     modes: &[(String, Option<usize>, Sign)],
 ) -> Result<WantedAssembly, SolveError> {
-    let place = |(mode, place, sign): &(String, Option<usize>, Sign)| match place {
-        Some(place) => Ok((*place, *sign)),
+    let index = |(mode, index, sign): &(String, Option<usize>, Sign)| match index {
+        Some(index) => Ok((*index, *sign)),
         None => {
             if let Some(why) = plan.absent {
                 return Err(SolveError::Plan(PlanError::NoPlan { why }));
@@ -361,5 +361,5 @@ fn wanted_assembly(
             Err(SolveError::UnknownMode { mode: mode.clone(), modes })
         }
     };
-    Ok(WantedAssembly { guess, modes: modes.iter().map(place).collect::<Result<_, _>>()? })
+    Ok(WantedAssembly { guess, modes: modes.iter().map(index).collect::<Result<_, _>>()? })
 }

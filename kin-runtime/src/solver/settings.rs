@@ -121,8 +121,8 @@ impl<M: Mechanism> fmt::Display for Solver<'_, M> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let coordinates = M::model().coordinates;
         write!(f, "solver of {}", M::model().name)?;
-        for (place, signal) in &self.given {
-            write!(f, ", {} = {}", coordinates.get(*place).map_or("?", |c| c.name), signal.value)?;
+        for (index, signal) in &self.given {
+            write!(f, ", {} = {}", coordinates.get(*index).map_or("?", |c| c.name), signal.value)?;
         }
         self.modes.iter().try_for_each(|(mode, _, sign)| write!(f, ", mode {mode} = {sign}"))
     }

@@ -31,9 +31,9 @@ pub(super) fn write(
 ) -> Vec<Formulas> {
     let jets = total_derivatives(&mut graph, roots);
     let mut naming = Naming::new(&system.set);
-    for (place, mode) in (0..).zip(&listed.modes) {
+    for (index, mode) in (0..).zip(&listed.modes) {
         let name = naming.fresh("sigma", mode.step.number());
-        naming.modes.insert(place, name);
+        naming.modes.insert(index, name);
     }
     let mut writer = Writer { system, graph, listed, roots, jets, naming, out: Vec::new() };
     items.iter().for_each(|item| writer.item(item));
@@ -89,8 +89,8 @@ impl Writer<'_> {
             StepKind::Newton(n) => what.push_str(&format!(": {n} unknowns by Newton's iteration, which brings g to 0")),
             _ => what.push_str(&format!(": dyad {group}, in closed form")),
         }
-        for place in modes.clone() {
-            let name = &self.listed.modes[place].name;
+        for index in modes.clone() {
+            let name = &self.listed.modes[index].name;
             what.push_str(&format!(", σ = ±1 the sign of mode {name}"));
         }
         if !singular.is_empty() {
@@ -206,8 +206,8 @@ impl Writer<'_> {
 
     /// Defines w = σ √inside.
     fn root(&mut self, inside: ExprId, number: usize) -> ExprId {
-        let place = self.listed.modes.iter().position(|mode| mode.step.number() == number).unwrap_or(0);
-        let mode = self.graph.symbol(Symbol::Mode(place as u32));
+        let index = self.listed.modes.iter().position(|mode| mode.step.number() == number).unwrap_or(0);
+        let mode = self.graph.symbol(Symbol::Mode(index as u32));
         let root = self.graph.call(Function::Sqrt, inside);
         let value = self.graph.mul(mode, root);
         let name = self.naming.fresh("w", number);
@@ -309,9 +309,9 @@ impl Writer<'_> {
         let minus_two = self.graph.number(-2.0);
         let below = self.graph.mul(minus_two, e);
         let mut centre = [lx, ly];
-        for (place, letter) in ["u", "v"].into_iter().enumerate() {
-            let (name, value) = (self.naming.fresh(letter, number), self.graph.div(centre[place], below));
-            centre[place] = self.define(0, name, value);
+        for (index, letter) in ["u", "v"].into_iter().enumerate() {
+            let (name, value) = (self.naming.fresh(letter, number), self.graph.div(centre[index], below));
+            centre[index] = self.define(0, name, value);
         }
         let graph = &mut self.graph;
         let off = graph.plain_dot([nx, ny], centre);

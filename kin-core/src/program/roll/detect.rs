@@ -55,8 +55,8 @@ fn next_alike(stream: &Stream) -> Vec<Option<usize>> {
     let mut next = vec![None; stream.len()];
     for at in (0..stream.len()).rev() {
         let hash = hash_of(&[0, 1, 2].map(|k| kind(at + k)));
-        match places.find(hash, |place| alike(latest[place], at)) {
-            Some(place) => next[at] = Some(std::mem::replace(&mut latest[place], at)),
+        match places.find(hash, |index| alike(latest[index], at)) {
+            Some(index) => next[at] = Some(std::mem::replace(&mut latest[index], at)),
             None => {
                 places.insert(hash, latest.len());
                 latest.push(at);
@@ -129,7 +129,7 @@ impl Search<'_> {
     fn with_fewest_crossings(&self, span: Span) -> Span {
         let Span { start, period, count } = span;
         let mut crossing = vec![0_i64; period + 1];
-        for (place, item) in (start + period..start + 2 * period).enumerate() {
+        for (index, item) in (start + period..start + 2 * period).enumerate() {
             for operand in self.stream.operands(item) {
                 if let Operand::Item(at, _) = *operand
                     && at >= start
@@ -137,7 +137,7 @@ impl Search<'_> {
                 {
                     // A cut between item `at` and this item makes the value cross an iteration boundary.
                     let length = (item - at).min(period);
-                    let first = (place + period + 1 - length) % period;
+                    let first = (index + period + 1 - length) % period;
                     for k in 0..length {
                         crossing[(first + k) % period] += 1;
                     }
@@ -191,7 +191,7 @@ impl Search<'_> {
         if at(count - 1) >= start {
             // The values are computed by this loop; those of the first iterations may be computed before it.
             let before = (0..count).take_while(|k| at(*k) < start);
-            let straight = |place: i64| place >= 0 && self.loop_of[place as usize].is_none();
+            let straight = |index: i64| index >= 0 && self.loop_of[index as usize].is_none();
             return (step == span.period as i64 && before.map(at).all(straight)).then_some(count);
         }
         let of = |k: usize| self.loop_of.get(at(k) as usize).copied().flatten();

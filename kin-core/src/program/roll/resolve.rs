@@ -101,9 +101,9 @@ impl Resolver<'_> {
     fn find_arrays(&mut self, loops: &[Span]) {
         for span in pieces(self.stream, loops) {
             for item in span.start..span.start + span.period {
-                for (place, operand) in self.stream.operands(item).iter().enumerate() {
+                for (index, operand) in self.stream.operands(item).iter().enumerate() {
                     let Operand::Item(first, part) = *operand else { continue };
-                    let step = self.step(span, item, place);
+                    let step = self.step(span, item, index);
                     let Some(member) = self.array(span, first, step) else { continue };
                     let iteration =
                         |k: usize| (first as i64 + k as i64 * step - member.template as i64) / member.period as i64;
@@ -178,13 +178,13 @@ impl Resolver<'_> {
         }
     }
 
-    fn source(&mut self, span: Span, item: usize, place: usize) -> Source {
-        let step = self.step(span, item, place);
-        match self.stream.operands(item)[place] {
+    fn source(&mut self, span: Span, item: usize, index: usize) -> Source {
+        let step = self.step(span, item, index);
+        match self.stream.operands(item)[index] {
             Operand::Slot(_) => Source::Number(crate::expr::Bits::new(0.0)),
             Operand::Load(symbol) => Source::Load(symbol, step),
             Operand::Number(bits) => {
-                let literal = |k: usize| match self.stream.operands(item + k * span.period)[place] {
+                let literal = |k: usize| match self.stream.operands(item + k * span.period)[index] {
                     Operand::Number(bits) => bits,
                     _ => bits,
                 };

@@ -15,13 +15,13 @@ pub(super) fn straight(program: &Program) -> Rolled {
         }
         Action::Write(slot, source) => Step::Write { slot, step: 0, source },
     });
-    let sources = program.instructions.iter().enumerate().map(|(place, instruction)| match *instruction {
+    let sources = program.instructions.iter().enumerate().map(|(index, instruction)| match *instruction {
         Instruction::Number(bits) => Source::Number(bits),
         Instruction::Load(symbol) => Source::Load(symbol, 0),
         Instruction::SinOf(pair) => Source::Local(pair, Part::Sin),
         Instruction::CosOf(pair) => Source::Local(pair, Part::Cos),
         Instruction::SuppliedOf(triple, order) => Source::Local(triple, Part::Derivative(order)),
-        _ => Source::Local(Value(place as u32), Part::Whole),
+        _ => Source::Local(Value(index as u32), Part::Whole),
     });
     Rolled { pieces: vec![Piece::Straight(steps.collect())], sources: sources.collect(), ..Rolled::default() }
 }

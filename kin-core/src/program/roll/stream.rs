@@ -31,7 +31,7 @@ pub(super) fn actions(program: &Program, taken_together: impl Fn(&Instruction) -
         }
     }
     let mut waiting = Vec::new();
-    for (place, instruction) in program.instructions.iter().enumerate() {
+    for (index, instruction) in program.instructions.iter().enumerate() {
         if is_operand(instruction) {
             continue;
         }
@@ -39,9 +39,9 @@ pub(super) fn actions(program: &Program, taken_together: impl Fn(&Instruction) -
         if alone {
             actions.append(&mut waiting);
         }
-        actions.push(Action::Compute(Value(place as u32)));
+        actions.push(Action::Compute(Value(index as u32)));
         let written = if alone { &mut actions } else { &mut waiting };
-        written.append(&mut after[place]);
+        written.append(&mut after[index]);
     }
     actions.append(&mut waiting);
     actions
@@ -193,7 +193,7 @@ impl Builder<'_> {
             k += 1;
         }
         let hash = hash_of(&kind);
-        let number = self.places.find(hash, |place| self.kinds[place] == kind).unwrap_or_else(|| {
+        let number = self.places.find(hash, |index| self.kinds[index] == kind).unwrap_or_else(|| {
             self.places.insert(hash, self.kinds.len());
             self.kinds.push(kind);
             self.kinds.len() - 1

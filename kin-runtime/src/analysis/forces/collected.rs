@@ -10,8 +10,8 @@ use crate::state::State;
 pub(crate) fn collected(model: &'static Model, info: &ForceModel, state: &State, numbers: &Numbers) -> Forces {
     let Numbers { values, determined, given, sharing, .. } = numbers;
     let shown: Vec<bool> = determined.iter().map(|determined| *determined || *sharing == Sharing::LeastNorm).collect();
-    let wrench = |place: usize| Wrench { force: [values[place], values[place + 1]], moment: values[place + 2] };
-    let known = |place: usize| shown[place].then(|| values[place]);
+    let wrench = |index: usize| Wrench { force: [values[index], values[index + 1]], moment: values[index + 2] };
+    let known = |index: usize| shown[index].then(|| values[index]);
     let effort = |info: &EffortInfo| Effort {
         name: info.name,
         effort: known(info.place),
@@ -57,38 +57,38 @@ pub(crate) fn collected(model: &'static Model, info: &ForceModel, state: &State,
 }
 
 fn reaction_of(info: &ReactionInfo, values: &[f64], determined: &[bool], shown: &[bool]) -> Reaction {
-    let mut place = info.place;
+    let mut index = info.place;
     let mut next = |count: usize| {
-        place += count;
-        place - count
+        index += count;
+        index - count
     };
     let (point, force) = if info.has_force { (Some(next(2)), Some(next(2))) } else { (None, None) };
     let moment = info.has_moment.then(|| next(1));
     let couples: Vec<usize> = info.couples.iter().map(|_| next(1)).collect();
     let generalized: Vec<usize> = (0..info.generalized).map(|_| next(1)).collect();
     let [normal, tangential] = [info.has_normal, info.has_tangential].map(|there| there.then(|| next(1)));
-    let known = |places: &[usize]| places.iter().all(|&place| shown[place]);
-    let pair = |place: usize| [values[place], values[place + 1]];
-    let all: Vec<usize> = (info.place..place).collect();
+    let known = |places: &[usize]| places.iter().all(|&index| shown[index]);
+    let pair = |index: usize| [values[index], values[index + 1]];
+    let all: Vec<usize> = (info.place..index).collect();
     let couples_known = known(&couples);
     let generalized_known = known(&generalized);
     Reaction {
         name: info.name,
         on: info.on,
         point: point.map(pair),
-        force: force.filter(|&place| known(&[place, place + 1])).map(pair),
-        moment: moment.filter(|&place| known(&[place])).map(|place| values[place]),
+        force: force.filter(|&index| known(&[index, index + 1])).map(pair),
+        moment: moment.filter(|&index| known(&[index])).map(|index| values[index]),
         couples: match couples_known {
-            true => info.couples.iter().zip(couples).map(|(frame, place)| (*frame, values[place])).collect(),
+            true => info.couples.iter().zip(couples).map(|(frame, index)| (*frame, values[index])).collect(),
             false => Vec::new(),
         },
         generalized: if generalized_known {
-            generalized.iter().map(|&place| values[place]).collect()
+            generalized.iter().map(|&index| values[index]).collect()
         } else {
             Vec::new()
         },
-        normal: normal.filter(|&place| known(&[place])).map(|place| values[place]),
-        tangential: tangential.filter(|&place| known(&[place])).map(|place| values[place]),
-        determined: all.iter().all(|&place| determined[place]),
+        normal: normal.filter(|&index| known(&[index])).map(|index| values[index]),
+        tangential: tangential.filter(|&index| known(&[index])).map(|index| values[index]),
+        determined: all.iter().all(|&index| determined[index]),
     }
 }

@@ -72,13 +72,13 @@ impl Shared {
         // Minimise Σ (numbers + changes z)² + Σ (y + null z)² over z, with the numbers of joints and the rows that
         // exert nothing.
         let other: Vec<usize> = (0..self.least.len()).filter(|&row| !exerts(equations.model, info, row)).collect();
-        let forces: Vec<usize> = (0..count).filter(|&place| counted[place]).collect();
+        let forces: Vec<usize> = (0..count).filter(|&index| counted[index]).collect();
         let matrix = DMatrix::from_fn(forces.len() + other.len(), free, |i, j| match forces.get(i) {
-            Some(&place) => changes[(place, j)],
+            Some(&index) => changes[(index, j)],
             None => size * self.null[(other[i - forces.len()], j)],
         });
         let right = DVector::from_fn(matrix.nrows(), |i, _| match forces.get(i) {
-            Some(&place) => -here[place] * weights[place],
+            Some(&index) => -here[index] * weights[index],
             None => -self.least[other[i - forces.len()]],
         });
         let scale = matrix.amax().max(f64::MIN_POSITIVE);
@@ -114,16 +114,16 @@ fn weights(model: &Model, info: &ForceModel, length: f64) -> (DVector<f64>, Vec<
     let (mut weights, mut counted) = (DVector::from_element(info.count, 1.0), vec![false; info.count]);
     debug_assert!(model.forces.is_some());
     for reaction in info.reactions {
-        let mut place = reaction.place;
+        let mut index = reaction.place;
         if reaction.has_force {
-            place += 2;
-            for place in place..place + 2 {
-                (weights[place], counted[place]) = (length, true);
+            index += 2;
+            for index in index..index + 2 {
+                (weights[index], counted[index]) = (length, true);
             }
-            place += 2;
+            index += 2;
         }
         let moments = usize::from(reaction.has_moment) + reaction.couples.len();
-        counted[place..place + moments].fill(true);
+        counted[index..index + moments].fill(true);
     }
     (weights, counted)
 }

@@ -80,9 +80,9 @@ pub(super) fn run(args: &ExtremesArgs, engine: &mut dyn Engine, session: &mut Se
     let watch = session.watch();
     let (mut motions, mut failure) = (Vec::new(), None);
     let several = choices.len() > 1;
-    for (place, choice) in choices.iter().enumerate() {
+    for (index, choice) in choices.iter().enumerate() {
         choice.set(engine);
-        let found = one(args, &*engine, (&task, &wanted), (place, choices.len()), session);
+        let found = one(args, &*engine, (&task, &wanted), (index, choices.len()), session);
         let ended = match found {
             Ok((found, ended)) => {
                 let varied = several.then(|| choice.pairs(model).collect());

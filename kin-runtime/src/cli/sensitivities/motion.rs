@@ -80,7 +80,7 @@ impl Course {
         let toleranced = self.tolerances.iter().any(|tolerance| *tolerance != 0.0);
         let quantity = |(k, (measure, value)): (usize, (&Measure, Vec<f64>))| {
             let parameters = model.parameters.iter().enumerate();
-            let by = parameters.map(|(place, info)| (info.name, slopes.by(k, place).collect())).collect();
+            let by = parameters.map(|(index, info)| (info.name, slopes.by(k, index).collect())).collect();
             let deviations = if toleranced { slopes.deviations(k, &self.tolerances) } else { Vec::new() };
             Quantity { value, by, deviations, name: measure.name().to_owned() }
         };
@@ -109,13 +109,13 @@ fn text(model: &Model, times: &[f64], quantities: &[Quantity], values: &[f64]) -
     let [from, to] = [times.first(), times.last()].map(|t| t.copied().map_or_else(String::new, rounded));
     let when = if times.len() == 1 { format!("at t = {from}") } else { format!("from t = {from} to t = {to}") };
     let mut out = format!("{}, sensitivities {when}\n", model.name);
-    let t = |place: usize| times.get(place).copied().map_or_else(String::new, rounded);
+    let t = |index: usize| times.get(index).copied().map_or_else(String::new, rounded);
     // Along a motion the parameter that matters most; at one instant all that matter, in this order.
     let ranked = |quantity: &Quantity| {
         let percent = |k: usize| 0.01 * values.get(k).copied().unwrap_or(0.0).abs();
         let all = quantity.by.iter().enumerate().filter_map(|(k, (name, by))| {
-            let (place, size) = greatest(by.iter().map(|by| by.abs() * percent(k)))?;
-            (size > 0.0).then(|| (*name, place, size, by[place]))
+            let (index, size) = greatest(by.iter().map(|by| by.abs() * percent(k)))?;
+            (size > 0.0).then(|| (*name, index, size, by[index]))
         });
         let mut all: Vec<_> = all.collect();
         all.sort_by(|a, b| b.2.total_cmp(&a.2));

@@ -169,12 +169,12 @@ fn median_of_samples(values: &mut [f64; SAMPLES]) -> f64 {
     for k in 0..SAMPLES {
         let value = values[k];
         if value > 0.0 && value.is_finite() {
-            let mut place = positive;
-            while place > 0 && values[place - 1] > value {
-                values[place] = values[place - 1];
-                place -= 1;
+            let mut index = positive;
+            while index > 0 && values[index - 1] > value {
+                values[index] = values[index - 1];
+                index -= 1;
             }
-            values[place] = value;
+            values[index] = value;
             positive += 1;
         }
     }

@@ -88,8 +88,8 @@ impl Sequence {
             return None;
         }
         let x = if self.periodic { super::wrapped(x, start, end) } else { x };
-        let place = self.segments[1..].partition_point(|segment| segment.start <= x);
-        Some((&self.segments[place], x))
+        let index = self.segments[1..].partition_point(|segment| segment.start <= x);
+        Some((&self.segments[index], x))
     }
 }
 
@@ -100,7 +100,7 @@ impl ScalarFunction for Sequence {
             Some((segment, x)) => segment.derivatives(x, out),
             None => {
                 out.fill(0.0);
-                out.iter_mut().zip(self.evaluate(x)).for_each(|(place, value)| *place = value);
+                out.iter_mut().zip(self.evaluate(x)).for_each(|(index, value)| *index = value);
             }
         }
         out.len()
@@ -120,8 +120,8 @@ impl ScalarFunction for Sequence {
             // A dwell would ignore its argument, so NaN is handled here.
             return [f64::NAN; 3];
         }
-        let place = self.segments[1..].partition_point(|segment| segment.start <= x);
-        self.segments[place].evaluate(x)
+        let index = self.segments[1..].partition_point(|segment| segment.start <= x);
+        self.segments[index].evaluate(x)
     }
 }
 

@@ -172,7 +172,7 @@ impl ScalarFunction for CubicSpline {
             Outside::Cubic => x,
             Outside::Straight if x < start || x > end => {
                 out.fill(0.0);
-                out.iter_mut().zip(self.evaluate(x)).for_each(|(place, value)| *place = value);
+                out.iter_mut().zip(self.evaluate(x)).for_each(|(index, value)| *index = value);
                 return out.len();
             }
             Outside::Straight => x,

@@ -48,8 +48,8 @@ impl Remainder {
         own.iter().for_each(|entry| self.columns[entry.0].retain(|row| *row != pivot_row));
         for row in core::mem::take(&mut self.columns[pivot_column]) {
             let list = &mut self.rows[row];
-            let Some(place) = list.iter().position(|entry| entry.0 == pivot_column) else { continue };
-            let factor = list.swap_remove(place).1 / pivot;
+            let Some(index) = list.iter().position(|entry| entry.0 == pivot_column) else { continue };
+            let factor = list.swap_remove(index).1 / pivot;
             for &(column, value) in own.iter().filter(|entry| entry.0 != pivot_column) {
                 match list.iter_mut().find(|entry| entry.0 == column) {
                     Some(entry) => entry.1 -= factor * value,
@@ -96,7 +96,7 @@ impl Remainder {
                 }
             }
         }
-        best.map(|(place, ..)| place)
+        best.map(|(index, ..)| index)
     }
 
     /// The largest absolute value in a column.

@@ -78,7 +78,7 @@ impl NumericLu {
         let Self { values, numbers, inverse, .. } = self;
         numbers.clear();
         numbers.resize(lower + upper + n, 0.0);
-        symbolic.places.iter().zip(values.iter()).for_each(|(&place, value)| numbers[place as usize] += value);
+        symbolic.places.iter().zip(values.iter()).for_each(|(&index, value)| numbers[index as usize] += value);
         inverse.resize(n, 0.0);
         let mut largest = 0.0_f64;
         let (mut next, mut first) = (0, 0);

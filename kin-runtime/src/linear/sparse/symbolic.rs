@@ -46,9 +46,9 @@ impl SymbolicLu {
         for k in 0..symbolic.lower.len() {
             let (row, through) = symbolic.lower[k];
             let first = symbolic.upper.partition_point(|entry| entry.0 < through);
-            for place in first..symbolic.upper.partition_point(|entry| entry.0 <= through) {
-                let to = symbolic.place(row, symbolic.upper[place].1);
-                symbolic.updates.push((to, (symbolic.lower.len() + place) as u32));
+            for index in first..symbolic.upper.partition_point(|entry| entry.0 <= through) {
+                let to = symbolic.place(row, symbolic.upper[index].1);
+                symbolic.updates.push((to, (symbolic.lower.len() + index) as u32));
             }
             symbolic.ends.push(symbolic.updates.len() as u32);
         }
@@ -96,10 +96,10 @@ fn is_odd(permutation: &[usize]) -> bool {
     let mut seen = vec![false; permutation.len()];
     let mut odd = false;
     for start in 0..permutation.len() {
-        let mut place = start;
+        let mut index = start;
         let mut length = 0;
-        while !core::mem::replace(&mut seen[place], true) {
-            place = permutation[place];
+        while !core::mem::replace(&mut seen[index], true) {
+            index = permutation[index];
             length += 1;
         }
         odd ^= length > 0 && length % 2 == 0;

@@ -6,18 +6,18 @@ use nalgebra::{DMatrix, DVector};
 /// A regular matrix with a few entries per row: dense, and as pattern and values.
 fn random_matrix(random: &mut Random, n: usize) -> (DMatrix<f64>, Vec<(usize, usize)>, Vec<f64>) {
     let mut dense = DMatrix::zeros(n, n);
-    let place = |random: &mut Random| ((0.5 + 0.5 * random.symmetric()) * n as f64) as usize % n;
-    let shift = place(random);
+    let index = |random: &mut Random| ((0.5 + 0.5 * random.symmetric()) * n as f64) as usize % n;
+    let shift = index(random);
     for k in 0..n {
         dense[(k, (k + shift) % n)] = 1.0 + 0.5 * random.symmetric();
         for _ in 0..2 {
-            let column = place(random);
+            let column = index(random);
             dense[(k, column)] += random.symmetric();
         }
     }
     let entries: Vec<(usize, usize)> =
-        (0..n * n).map(|k| (k / n, k % n)).filter(|&place| dense[place] != 0.0).collect();
-    let values = entries.iter().map(|&place| dense[place]).collect();
+        (0..n * n).map(|k| (k / n, k % n)).filter(|&index| dense[index] != 0.0).collect();
+    let values = entries.iter().map(|&index| dense[index]).collect();
     (dense, entries, values)
 }
 
@@ -72,14 +72,14 @@ fn full_rank_is_claimed_only_where_it_is_revealed() {
             })
             .collect();
         let rest = entries.iter().zip(&values).filter(|((i, _), _)| i + 1 < n);
-        (entries, values) = rest.map(|(place, value)| (*place, *value)).unzip();
+        (entries, values) = rest.map(|(index, value)| (*index, *value)).unzip();
         entries.extend((0..n).map(|j| (n - 1, j)));
         let noise: Vec<f64> = (0..n).map(|_| random.symmetric()).collect();
         for digits in 0..=16 {
             let last = before.iter().zip(&noise).map(|(sum, noise)| sum + 10_f64.powi(-digits) * noise);
             let all: Vec<f64> = values.iter().copied().chain(last).collect();
             let mut dense = DMatrix::zeros(n, n);
-            entries.iter().zip(&all).for_each(|(&place, value)| dense[place] = *value);
+            entries.iter().zip(&all).for_each(|(&index, value)| dense[index] = *value);
             let revealed = Factorization::absolute(&dense, &vec![1.0; n], TOLERANCE);
             let claimed = factorised(&mut Ordered::new(n, entries.clone()), all)
                 .and_then(|found| Factorization::sparse_of_full_rank(Box::new(found), vec![1.0; n], TOLERANCE));

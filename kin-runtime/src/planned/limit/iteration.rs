@@ -41,10 +41,10 @@ impl<M: Mechanism> PlanFollower<M> {
         let plan = &M::model().plan;
         let given_by = |k: usize| plan.steps.iter().position(|step| step.coordinates.iter().any(|of| of.0 == k));
         let first = changes([here.q_dot.as_ref(), beyond.q_dot.as_ref()], 0.0).filter_map(given_by).min();
-        let is_iterated = |place: &usize| matches!(plan.steps[*place].kind, StepKind::Newton(_));
-        let place = first.or_else(|| (0..plan.steps.len()).find(is_iterated)).filter(is_iterated)?;
-        let margin = plan.orientations.iter().find(|group| group.step == place)?.margin;
-        let step = Step::new(M::model(), place)?;
+        let is_iterated = |index: &usize| matches!(plan.steps[*index].kind, StepKind::Newton(_));
+        let index = first.or_else(|| (0..plan.steps.len()).find(is_iterated)).filter(is_iterated)?;
+        let margin = plan.orientations.iter().find(|group| group.step == index)?.margin;
+        let step = Step::new(M::model(), index)?;
         let located = Some(Located { at: reached, kind: None });
         Some(Limit { step, margin: beyond.margins.as_ref()[margin], located })
     }

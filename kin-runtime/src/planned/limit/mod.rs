@@ -283,12 +283,12 @@ fn explain(
 /// The margin because of which a step was rejected, and the step of the plan to which it belongs; `None` where no step
 /// of the plan is at its limit.
 fn step_of(model: &'static Model, fault: Fault) -> Option<(usize, Step)> {
-    let place = match fault {
-        Fault::Margin(place) => place,
+    let index = match fault {
+        Fault::Margin(index) => index,
         Fault::Group(group) => model.plan.margin_of_group(group)?,
         Fault::Coarse | Fault::NonFinite => return None,
     };
-    Step::of_margin(model, place).map(|step| (place, step))
+    Step::of_margin(model, index).map(|step| (index, step))
 }
 
 /// The error of a step whose margin is not positive.

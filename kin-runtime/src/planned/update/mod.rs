@@ -129,7 +129,7 @@ impl<M: Mechanism> PlanFollower<M> {
         let Some(lengths) = lengths.as_mut().get_mut(..M::LENGTHS) else { return Ok(()) };
         mechanism.lengths_with(self.parameters.as_ref(), at, lengths)?;
         match lengths.iter().position(|length| *length < 0.0) {
-            Some(place) => Err(PlanError::negative_length(M::model(), at.t, place, lengths[place])),
+            Some(index) => Err(PlanError::negative_length(M::model(), at.t, index, lengths[index])),
             None => Ok(()),
         }
     }

@@ -25,7 +25,7 @@ pub(crate) enum Part {
 /// which they take part.
 pub(crate) fn sheet(model: &Model, chosen: &[usize], part: Part) -> Sheet {
     let all = model.joints.iter().enumerate();
-    let joints = all.filter(|(place, _)| part != Part::Solution && (chosen.is_empty() || chosen.contains(place)));
+    let joints = all.filter(|(index, _)| part != Part::Solution && (chosen.is_empty() || chosen.contains(index)));
     let takes_part = |step: &&StepText| {
         let own = model.plan.steps.get(step.step).map_or(&[][..], |step| step.joints);
         matches!(part, Part::All | Part::Solution)
@@ -83,12 +83,12 @@ fn joint(model: &Model, joint: &JointInfo) -> Joint {
     let points = [point(Role::P), point(Role::Q)];
     let mut of = Joint::new(&NamedJoint { kind: joint.kind, name: joint.name, frames, points });
     let rows = joint.first_row..joint.first_row + joint.rows;
-    of.rows = rows.filter_map(|place| row(model, place)).collect();
+    of.rows = rows.filter_map(|index| row(model, index)).collect();
     of
 }
 
-fn row(model: &Model, place: usize) -> Option<Row> {
-    let (info, text): (_, &EquationText) = (model.rows.get(place)?, model.equations.get(place)?);
+fn row(model: &Model, index: usize) -> Option<Row> {
+    let (info, text): (_, &EquationText) = (model.rows.get(index)?, model.equations.get(index)?);
     Some(Row {
         name: info.name.to_owned(),
         position: info.level == Level::Position,

@@ -79,8 +79,8 @@ impl Diagram {
             .with_cell_size(width, HEIGHTS[0])
             .with_plots(plots)
             .with_layouts(layouts);
-        for (place, panel) in self.panels.iter().enumerate() {
-            figure = figure.with_row_height(place % rows, height(panel));
+        for (index, panel) in self.panels.iter().enumerate() {
+            figure = figure.with_row_height(index % rows, height(panel));
         }
         if over_time { figure.with_shared_x_all().render() } else { figure.render() }
     }
@@ -125,10 +125,10 @@ fn plots(panel: &Panel) -> Vec<Plot> {
 }
 
 /// The colour of a curve among several: no two have the same.
-fn colour(place: usize, count: usize) -> String {
-    match COLOURS.get(place) {
+fn colour(index: usize, count: usize) -> String {
+    match COLOURS.get(index) {
         Some(colour) if count <= COLOURS.len() => (*colour).to_owned(),
-        _ => ColorMap::Viridis.map(MAP_END * place as f64 / (count.max(2) - 1) as f64),
+        _ => ColorMap::Viridis.map(MAP_END * index as f64 / (count.max(2) - 1) as f64),
     }
 }
 

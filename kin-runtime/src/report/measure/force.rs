@@ -23,8 +23,8 @@ pub(crate) fn column_values(model: &Model, forces: Option<&Forces>, out: &mut Ve
 }
 
 /// The columns of the components of a force whose magnitude is in a column of this name: they stand before it.
-pub(crate) fn magnitude_parts(name: &str, place: usize) -> Option<[usize; 2]> {
-    name.ends_with(".force").then(|| [place - 2, place - 1])
+pub(crate) fn magnitude_parts(name: &str, index: usize) -> Option<[usize; 2]> {
+    name.ends_with(".force").then(|| [index - 2, index - 1])
 }
 
 /// The dimension of the effort along a coordinate, given by its name; none for a mechanism without masses and loads.
@@ -65,7 +65,7 @@ fn visit(
     let ForceUnits { force, moment, energy, power } = info.units;
     let body = |frame: Frame| match frame {
         Frame::Ground => "ground",
-        Frame::Body(place) => model.bodies.get(place).map_or("", |body| body.name),
+        Frame::Body(index) => model.bodies.get(index).map_or("", |body| body.name),
     };
     for (k, effort) in info.efforts.iter().enumerate() {
         let value = forces.and_then(|forces| forces.efforts.get(k)?.effort);
@@ -76,11 +76,11 @@ fn visit(
         let (name, found) = (reaction.name, forces.and_then(|forces| forces.reactions.get(k)));
         if reaction.has_force {
             let [x, y] = found.and_then(|found| found.force).unwrap_or([f64::NAN; 2]);
-            let place = reaction.force().unwrap_or(reaction.place);
+            let index = reaction.force().unwrap_or(reaction.place);
             for (what, source, value) in [
-                ("force_x", Source::Force(place), x),
-                ("force_y", Source::Force(place + 1), y),
-                ("force", Source::ForceLength(place), x.hypot(y)),
+                ("force_x", Source::Force(index), x),
+                ("force_y", Source::Force(index + 1), y),
+                ("force", Source::ForceLength(index), x.hypot(y)),
             ] {
                 f(format!("{name}.{what}"), force, Some(source), value);
             }
@@ -103,7 +103,7 @@ fn visit(
         }
         if reaction.has_tangential {
             // The column after the normal part.
-            let source = reaction.normal().map(|place| Source::Force(place + 1));
+            let source = reaction.normal().map(|index| Source::Force(index + 1));
             let value = found.and_then(|found| found.tangential).unwrap_or(f64::NAN);
             f(format!("{name}.tangential"), force, source, value);
         }

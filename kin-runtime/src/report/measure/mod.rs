@@ -324,7 +324,7 @@ impl Measure {
         let driven = Self::driven(model);
         let is_output = |measure: &Self| match measure.of {
             Of::Speed(_) | Of::Transmission(_) => true,
-            Of::Coordinate(place) => measure.order == 0 && shows_motion(model, place),
+            Of::Coordinate(index) => measure.order == 0 && shows_motion(model, index),
             Of::Point(..) => measure.order == 0,
             Of::Observable(_) => {
                 measure.order == 0 && measure.dimension != Dimension::Angle || measure.is_define(model)

@@ -42,16 +42,16 @@ impl Measure {
         }
         match self.of {
             Of::Time => Some(state.t),
-            Of::Coordinate(place) => {
+            Of::Coordinate(index) => {
                 let list = [&state.q, &state.q_dot, &state.q_ddot][self.order];
-                Some(list.get(place).copied().unwrap_or(f64::NAN))
+                Some(list.get(index).copied().unwrap_or(f64::NAN))
             }
-            Of::Point(place, axis) => {
+            Of::Point(index, axis) => {
                 let of = |point: &PointMotion| [point.r, point.v, point.a][self.order][axis];
-                Some(state.points.get(place).map_or(f64::NAN, of))
+                Some(state.points.get(index).map_or(f64::NAN, of))
             }
-            Of::Speed(place) => Some(state.points.get(place).map_or(f64::NAN, |point| point.v[0].hypot(point.v[1]))),
-            Of::Input(place) => Some(state.inputs.get(place).map_or(f64::NAN, |input| of_order(*input, self.order))),
+            Of::Speed(index) => Some(state.points.get(index).map_or(f64::NAN, |point| point.v[0].hypot(point.v[1]))),
+            Of::Input(index) => Some(state.inputs.get(index).map_or(f64::NAN, |input| of_order(*input, self.order))),
             Of::Observable(_) | Of::Force(..) | Of::Effort(_) | Of::Transmission(_) => None,
         }
     }
@@ -120,13 +120,13 @@ pub(crate) fn values(
             let ratio = ratios.iter().find(|ratio| ratio.place == driver.place);
             ratio.map_or(f64::NAN, |ratio| of_ratio(equations, measure.of, ratio))
         }
-        (Of::Observable(place), _) => {
-            motion.as_ref().map_or(f64::NAN, |motion| of_order(of_observable(motion, place), measure.order))
+        (Of::Observable(index), _) => {
+            motion.as_ref().map_or(f64::NAN, |motion| of_order(of_observable(motion, index), measure.order))
         }
         (Of::Effort(along), _) => {
             loads.as_ref().and_then(|forces| effort(equations.model, forces, along)).unwrap_or(f64::NAN)
         }
-        (Of::Force(place, _), _) => of_forces.get(place).copied().unwrap_or(f64::NAN),
+        (Of::Force(index, _), _) => of_forces.get(index).copied().unwrap_or(f64::NAN),
         _ => measure.of_state(state).unwrap_or(f64::NAN),
     };
     Ok(measures.iter().map(value).collect())
@@ -135,9 +135,9 @@ pub(crate) fn values(
 /// The effort of an input or of a coordinate that is given.
 fn effort(model: &Model, forces: &Forces, along: Along) -> Option<f64> {
     match along {
-        Along::Input(place) => forces.inputs.get(place)?.effort,
-        Along::Given(place) => {
-            let (name, declared) = (model.coordinates[place].name, model.forces?.efforts.len());
+        Along::Input(index) => forces.inputs.get(index)?.effort,
+        Along::Given(index) => {
+            let (name, declared) = (model.coordinates[index].name, model.forces?.efforts.len());
             forces.efforts.iter().skip(declared).find(|effort| effort.name == name)?.effort
         }
     }
@@ -181,13 +181,13 @@ fn of_ratio(equations: &Equations<'_>, of: Of, ratio: &Ratio) -> f64 {
     let seen = |observable: usize| ratio.observed.get(observable).copied().unwrap_or(f64::NAN);
     let points = equations.model.points;
     match of {
-        Of::Coordinate(place) => ratio.first.get(place).copied().unwrap_or(f64::NAN),
-        Of::Point(place, axis) => seen(points[place].observables[axis]),
-        Of::Speed(place) => {
-            let [x, y] = points[place].observables.map(seen);
+        Of::Coordinate(index) => ratio.first.get(index).copied().unwrap_or(f64::NAN),
+        Of::Point(index, axis) => seen(points[index].observables[axis]),
+        Of::Speed(index) => {
+            let [x, y] = points[index].observables.map(seen);
             x.hypot(y)
         }
-        Of::Observable(place) => seen(place),
+        Of::Observable(index) => seen(index),
         Of::Time | Of::Input(_) | Of::Force(..) | Of::Effort(_) | Of::Transmission(_) => f64::NAN,
     }
 }

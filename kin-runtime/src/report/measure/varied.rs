@@ -66,20 +66,20 @@ impl Measure {
             return None;
         }
         let order = |signal: &Signal<T>| [signal.value, signal.rate, signal.acceleration].get(self.order).copied();
-        let observed = |place: usize| varied.observed.get(place);
+        let observed = |index: usize| varied.observed.get(index);
         match self.of {
-            Of::Coordinate(place) => [&varied.q, &varied.q_dot, &varied.q_ddot].get(self.order)?.get(place).copied(),
-            Of::Point(place, axis) => observed(model.points[place].observables[axis]).and_then(order),
-            Of::Speed(place) => {
-                let [x, y] = model.points[place].observables.map(observed);
+            Of::Coordinate(index) => [&varied.q, &varied.q_dot, &varied.q_ddot].get(self.order)?.get(index).copied(),
+            Of::Point(index, axis) => observed(model.points[index].observables[axis]).and_then(order),
+            Of::Speed(index) => {
+                let [x, y] = model.points[index].observables.map(observed);
                 let (x, y) = (x?.rate, y?.rate);
                 Some((x * x + y * y).sqrt())
             }
-            Of::Observable(place) => observed(place).and_then(order),
+            Of::Observable(index) => observed(index).and_then(order),
             Of::Transmission(pair) => transmission(model, &pair, varied),
-            Of::Force(_, Some(Source::Force(place))) => varied.forces.get(place).copied(),
-            Of::Force(_, Some(Source::ForceLength(place))) => {
-                let (x, y) = (*varied.forces.get(place)?, *varied.forces.get(place + 1)?);
+            Of::Force(_, Some(Source::Force(index))) => varied.forces.get(index).copied(),
+            Of::Force(_, Some(Source::ForceLength(index))) => {
+                let (x, y) = (*varied.forces.get(index)?, *varied.forces.get(index + 1)?);
                 Some((x * x + y * y).sqrt())
             }
             Of::Time | Of::Input(_) | Of::Effort(_) | Of::Force(..) => None,
@@ -99,7 +99,7 @@ fn transmission<T: Scalar>(model: &Model, pair: &Pair, varied: &Varied<T>) -> Op
 fn point<T: Scalar>(model: &Model, geometry: &Geometry, varied: &Varied<T>) -> Option<[T; 2]> {
     let &[u, v] = varied.geometry.get(geometry.offset..geometry.offset + 2)? else { return None };
     let Frame::Body(body) = geometry.frame else { return Some([u, v]) };
-    let [x, y, phi] = model.bodies[body].observables.map(|place| Some(varied.observed.get(place)?.value));
+    let [x, y, phi] = model.bodies[body].observables.map(|index| Some(varied.observed.get(index)?.value));
     let (x, y) = (x?, y?);
     let (sin, cos) = phi?.sin_cos();
     Some([x + cos * u - sin * v, y + sin * u + cos * v])

@@ -28,16 +28,16 @@ impl dyn AnySolver + '_ {
         let mut all = Collected { ranges: Vec::new(), limits: Vec::new() };
         for code in 0..1_usize << plan.modes.len() {
             let signs: Vec<f64> =
-                (0..plan.modes.len()).map(|place| if code >> place & 1 == 0 { 1.0 } else { -1.0 }).collect();
+                (0..plan.modes.len()).map(|index| if code >> index & 1 == 0 { 1.0 } else { -1.0 }).collect();
             let look = &mut |a: f64, b: f64| self.look([a, b], from, &signs, guess);
             let found = stretches(way, narrowest[0], MOST[0], look);
             let found = refined(&found, narrowest, MOST[1], look);
-            for (place, stretch) in found.iter().enumerate() {
+            for (index, stretch) in found.iter().enumerate() {
                 match stretch.seen {
                     Seen::Closed => all.ranges.push((signs.clone(), *stretch)),
                     Seen::Open(_) => {}
                     Seen::Unknown(margin) => {
-                        let neighbours = [place.checked_sub(1).map(|k| found[k]), found.get(place + 1).copied()];
+                        let neighbours = [index.checked_sub(1).map(|k| found[k]), found.get(index + 1).copied()];
                         all.limits.push(self.limit(from, &signs, margin, *stretch, neighbours));
                     }
                 }
@@ -133,7 +133,7 @@ impl dyn AnySolver + '_ {
 
     /// The limit that ends a motion in these modes, and the configuration there.
     fn approached(&self, start: &Instant<'_>, signs: &[f64], way: [f64; 2]) -> (Option<Limit>, Vec<f64>) {
-        let modes = signs.iter().enumerate().filter_map(|(place, &sign)| Some((place, Sign::of(sign)?)));
+        let modes = signs.iter().enumerate().filter_map(|(index, &sign)| Some((index, Sign::of(sign)?)));
         match self.moved(start, way, self.guesses(), &modes.collect::<Vec<_>>()) {
             Ok(_) => (None, Vec::new()),
             Err(end) => (end.limit, end.q),
@@ -212,9 +212,9 @@ impl Collected {
                 .collect::<Vec<usize>>()
         };
         for found in self.limits.iter().filter(|limit| limit.proven) {
-            let Some(place) = plan.modes.iter().position(|mode| mode.margin == found.margin) else { continue };
+            let Some(index) = plan.modes.iter().position(|mode| mode.margin == found.margin) else { continue };
             let mut other = found.signs.clone();
-            other[place] = -other[place];
+            other[index] = -other[index];
             let partner = self.limits.iter().find(|limit| {
                 let overlap = limit.stretch.from <= found.stretch.to && found.stretch.from <= limit.stretch.to;
                 limit.signs == other && limit.margin == found.margin && overlap
