@@ -31,7 +31,7 @@ pub(super) struct Hold {
     pub(super) body: usize,
     pub(super) component: Component,
     /// The index of v among the coordinates of free bodies.
-    pub(super) place: u32,
+    pub(super) coordinate: u32,
     pub(super) row: FreeRow,
 }
 
@@ -79,11 +79,11 @@ impl Equilibrium {
         let zero = graph.zero();
         let mut multipliers = vec![zero; self.holds.len()];
         for (k, hold) in self.holds.iter().enumerate().rev() {
-            let mut value = self.free.get(&hold.place).copied().unwrap_or(zero);
+            let mut value = self.free.get(&hold.coordinate).copied().unwrap_or(zero);
             let of_rows = self.rows.iter().zip(lambda).map(|(row, multiplier)| (row, *multiplier));
             let of_holds = self.holds.iter().map(|hold| &hold.row).zip(multipliers.iter().copied()).skip(k + 1);
             for (row, multiplier) in of_rows.chain(of_holds) {
-                if let Some(entry) = row.gradient.get(&hold.place) {
+                if let Some(entry) = row.gradient.get(&hold.coordinate) {
                     let product = graph.mul(*entry, multiplier);
                     value = graph.sub(value, product);
                 }
@@ -153,11 +153,11 @@ fn free_rows(bodies: &mut FreeBodies<'_>, set: &ConstraintSet) -> Vec<FreeRow> {
 /// The rows of held and carried coordinates.
 fn holds(bodies: &mut FreeBodies<'_>, set: &ConstraintSet) -> Vec<Hold> {
     let mut order: Vec<usize> = (0..set.bodies.len()).collect();
-    order.sort_by_key(|&place| depth(set, place));
+    order.sort_by_key(|&body| depth(set, body));
     let mut holds = Vec::new();
-    for place in order {
-        let (family, index) = set.bodies[place].family;
-        let places = bodies.places(Frame::Body(place));
+    for body in order {
+        let (family, index) = set.bodies[body].family;
+        let indices = bodies.indices(Frame::Body(body));
         for component in Component::ALL {
             let value = bodies.free(|a| {
                 let body = &a.mechanism.bodies[family];
@@ -173,10 +173,10 @@ fn holds(bodies: &mut FreeBodies<'_>, set: &ConstraintSet) -> Vec<Hold> {
             let Some(jet) = total_derivatives(graph, &[value]).pop() else { continue };
             let mut gradient: BTreeMap<u32, ExprId> =
                 jet.gradient.into_iter().map(|(k, entry)| (k, graph.neg(entry))).collect();
-            let place_of = places[component as usize];
-            gradient.insert(place_of, graph.number(1.0));
+            let coordinate = indices[component as usize];
+            gradient.insert(coordinate, graph.number(1.0));
             let row = FreeRow { gradient, partial_t: graph.neg(jet.partial_t) };
-            holds.push(Hold { body: place, component, place: place_of, row });
+            holds.push(Hold { body, component, coordinate, row });
         }
     }
     holds

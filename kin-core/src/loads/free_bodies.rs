@@ -58,8 +58,8 @@ impl<'m> FreeBodies<'m> {
             .map(|body| std::array::from_fn(|c| body.coordinates[c].unwrap_or_else(|| introduce(body.pose[c]))))
             .collect();
         let ground = [(); 3].map(|()| introduce(zero));
-        let mut symbols = |places: [u32; 3]| places.map(|k| a.graph.symbol(Symbol::Coordinate(k)));
-        let poses = bodies.iter().map(|places| Pose::Known(symbols(*places))).collect();
+        let mut symbols = |indices: [u32; 3]| indices.map(|k| a.graph.symbol(Symbol::Coordinate(k)));
+        let poses = bodies.iter().map(|indices| Pose::Known(symbols(*indices))).collect();
         let other = View { ground: symbols(ground), poses, defines: Default::default() };
         a.poses = set.bodies.iter().map(|body| Pose::Known(body.pose)).collect();
         Self { a, field: [zero; 2], other, ground, bodies, values }
@@ -89,7 +89,7 @@ impl<'m> FreeBodies<'m> {
     }
 
     /// The indices of x, y, φ of a frame among the coordinates of free bodies.
-    pub(super) fn places(&self, frame: Frame) -> [u32; 3] {
+    pub(super) fn indices(&self, frame: Frame) -> [u32; 3] {
         match frame {
             Frame::Ground => self.ground,
             Frame::Body(index) => self.bodies[index],

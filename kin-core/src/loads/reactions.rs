@@ -72,11 +72,11 @@ impl Writer<'_, '_> {
 
     /// The wrench of rows on a body, about the origin of the body.
     fn wrench(&mut self, rows: &[usize], frame: Frame) -> Wrench {
-        let places = self.bodies.places(frame);
-        places.map(|place| {
+        let indices = self.bodies.indices(frame);
+        indices.map(|index| {
             let mut sum = self.bodies.a.graph.zero();
             for &row in rows {
-                if let Some(&entry) = self.row(row).gradient.get(&place) {
+                if let Some(&entry) = self.row(row).gradient.get(&index) {
                     let graph = &mut self.bodies.a.graph;
                     let product = graph.mul(self.multipliers[row], entry);
                     sum = graph.sub(sum, product);
@@ -223,8 +223,8 @@ impl Writer<'_, '_> {
         let Some(family) = mechanism.joints.get(joint.family.0) else { return };
         let Some(Contact { normal, side, sticks }) = contact_of(&mut self.bodies.a, &family.operands) else { return };
         let gradient =
-            |row: &FreeRow, graph: &mut Graph, place: u32| row.gradient.get(&place).copied().unwrap_or(graph.zero());
-        let [x, y, _] = self.bodies.places(frame);
+            |row: &FreeRow, graph: &mut Graph, index: u32| row.gradient.get(&index).copied().unwrap_or(graph.zero());
+        let [x, y, _] = self.bodies.indices(frame);
         let first = self.row(joint.first_row).clone();
         let second = self.row(joint.first_row + joint.rows.min(2) - 1).clone();
         let graph = &mut self.bodies.a.graph;
@@ -274,8 +274,8 @@ impl Writer<'_, '_> {
         let frames: Vec<Frame> = frames.filter(|frame| Some(*frame) != but).collect();
         let mut couples = Vec::new();
         for frame in frames {
-            let places = self.bodies.places(frame);
-            let turns = rows.iter().any(|&row| places.iter().any(|place| self.row(row).gradient.contains_key(place)));
+            let indices = self.bodies.indices(frame);
+            let turns = rows.iter().any(|&row| indices.iter().any(|index| self.row(row).gradient.contains_key(index)));
             if turns {
                 let wrench = self.wrench(rows, frame);
                 let couple = match point {

@@ -153,8 +153,8 @@ fn has_few_minors(graph: &Graph, matrix: &[Vec<ExprId>]) -> bool {
 }
 
 /// For each of the given coordinates, whether it is a length.
-pub(super) fn lengths(coordinates: &[Coordinate], places: &[u32]) -> Vec<bool> {
-    places.iter().map(|&k| coordinates[k as usize].kind.is_length()).collect()
+pub(super) fn lengths(coordinates: &[Coordinate], indices: &[u32]) -> Vec<bool> {
+    indices.iter().map(|&k| coordinates[k as usize].kind.is_length()).collect()
 }
 
 /// A result without margin and orientation, for at most one unknown.

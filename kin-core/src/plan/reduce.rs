@@ -115,19 +115,19 @@ impl Reduction<'_> {
             }
             out.pivots.push(Pivot { row, coordinate, coefficient, value });
         }
-        let places: Vec<u32> = unknowns.iter().copied().collect();
+        let indices: Vec<u32> = unknowns.iter().copied().collect();
         let held: Vec<Vec<usize>> = rows
             .iter()
             .map(|row| {
                 let found = self.unknowns(&forms[row], &unknowns);
-                found.iter().filter_map(|k| places.binary_search(k).ok()).collect()
+                found.iter().filter_map(|k| indices.binary_search(k).ok()).collect()
             })
             .collect();
         let mut removable: Vec<(usize, BTreeSet<u32>)> =
             removable.iter().map(|&row| (row, self.written(row, &unknowns))).collect();
-        for (part_rows, part_unknowns) in blocks(&held, places.len()).ok()? {
+        for (part_rows, part_unknowns) in blocks(&held, indices.len()).ok()? {
             let part_rows: Vec<usize> = part_rows.into_iter().map(|index| rows[index]).collect();
-            let part_unknowns: BTreeSet<u32> = part_unknowns.into_iter().map(|index| places[index]).collect();
+            let part_unknowns: BTreeSet<u32> = part_unknowns.into_iter().map(|index| indices[index]).collect();
             // A redundant row is used in the part that solves for the last of its unknowns.
             removable.iter_mut().for_each(|(_, open)| open.retain(|k| !part_unknowns.contains(k)));
             let known = removable

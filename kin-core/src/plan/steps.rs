@@ -20,7 +20,7 @@ pub(super) struct StepList {
     /// The step of each margin.
     of_margins: Vec<StepId>,
     /// The final index of each margin, by the order in which margins were found; empty until they are numbered.
-    places: Vec<usize>,
+    indices: Vec<usize>,
 }
 
 impl StepList {
@@ -144,7 +144,7 @@ impl StepList {
     /// The [`Mode`] that describes a group whose determinant has a sign; `margin` is the provisional index of its margin.
     pub(super) fn oriented(&self, system: &KinematicSystem, step: StepId, margin: usize) -> Mode {
         let name = self.joined(system, step);
-        Mode { name, step, margin: self.places.get(margin).copied().unwrap_or(margin) }
+        Mode { name, step, margin: self.indices.get(margin).copied().unwrap_or(margin) }
     }
 
     /// Numbers the margins in the order of the steps. Returns the final index for each provisional one.
@@ -152,17 +152,17 @@ impl StepList {
         self.margins = self.of_margins.len();
         let mut order: Vec<usize> = (0..self.margins).collect();
         order.sort_by_key(|&found| self.of_margins[found]);
-        let mut places = vec![0; self.margins];
-        order.iter().enumerate().for_each(|(index, &found)| places[found] = index);
+        let mut indices = vec![0; self.margins];
+        order.iter().enumerate().for_each(|(index, &found)| indices[found] = index);
         let mut next = 0;
         for (number, step) in self.steps.iter_mut().enumerate() {
             let own = self.of_margins.iter().filter(|step| step.index() == number).count();
             step.margins = next..next + own;
             next += own;
         }
-        self.modes.iter_mut().for_each(|mode| mode.margin = places[mode.margin]);
-        self.places.clone_from(&places);
-        places
+        self.modes.iter_mut().for_each(|mode| mode.margin = indices[mode.margin]);
+        self.indices.clone_from(&indices);
+        indices
     }
 
     /// Adds a step for the redundant rows of each joint. Returns the step of every row, in the order of `rows`.

@@ -14,30 +14,30 @@ pub(crate) fn handles(lowered: &Lowered, system: &KinematicSystem) -> TokenStrea
     let set = &system.set;
     let mut constants = TokenStream::new();
     for (family, body) in mechanism.bodies.iter().enumerate() {
-        let places = places(set.bodies.iter().map(|b| b.family.0), family);
-        constants.extend(constant(lowered, &body.name, body.origin, body.len, "Body", &places));
+        let indices = indices(set.bodies.iter().map(|b| b.family.0), family);
+        constants.extend(constant(lowered, &body.name, body.origin, body.len, "Body", &indices));
     }
     let mut index = set.coordinates.len() - mechanism.scalars.iter().map(|s| s.len.unwrap_or(1)).sum::<usize>();
     for scalar in &mechanism.scalars {
-        let places: Vec<usize> = (index..index + scalar.len.unwrap_or(1)).collect();
-        index += places.len();
-        constants.extend(constant(lowered, &scalar.name, scalar.origin, scalar.len, "Coordinate", &places));
+        let indices: Vec<usize> = (index..index + scalar.len.unwrap_or(1)).collect();
+        index += indices.len();
+        constants.extend(constant(lowered, &scalar.name, scalar.origin, scalar.len, "Coordinate", &indices));
     }
     for (family, point) in mechanism.points.iter().enumerate() {
-        let places = places(set.points.iter().map(|p| p.family.0), family);
-        let len = point.range.map(|_| places.len());
-        constants.extend(constant(lowered, &point.name, point.origin, len, "Point", &places));
+        let indices = indices(set.points.iter().map(|p| p.family.0), family);
+        let len = point.range.map(|_| indices.len());
+        constants.extend(constant(lowered, &point.name, point.origin, len, "Point", &indices));
     }
     for (family, define) in mechanism.defines.iter().enumerate() {
-        let places = places(set.defines.iter().map(|d| d.family.0), family);
-        let len = define.range.map(|_| places.len());
-        constants.extend(constant(lowered, &define.name, define.origin, len, "Quantity", &places));
+        let indices = indices(set.defines.iter().map(|d| d.family.0), family);
+        let len = define.range.map(|_| indices.len());
+        constants.extend(constant(lowered, &define.name, define.origin, len, "Quantity", &indices));
     }
     let mut index = 0;
     for input in &mechanism.inputs {
-        let places: Vec<usize> = (index..index + input.len.unwrap_or(1)).collect();
-        index += places.len();
-        constants.extend(constant(lowered, &input.name, input.origin, input.len, "Input", &places));
+        let indices: Vec<usize> = (index..index + input.len.unwrap_or(1)).collect();
+        index += indices.len();
+        constants.extend(constant(lowered, &input.name, input.origin, input.len, "Input", &indices));
     }
     let name = &lowered.item.ident;
     let (impl_generics, type_generics, where_clause) = lowered.item.generics.split_for_impl();
@@ -79,7 +79,7 @@ pub(crate) fn placeholders(lowered: &Lowered) -> TokenStream {
 }
 
 /// The indices of a family's members.
-fn places(families: impl Iterator<Item = usize>, family: usize) -> Vec<usize> {
+fn indices(families: impl Iterator<Item = usize>, family: usize) -> Vec<usize> {
     families.enumerate().filter(|(_, f)| *f == family).map(|(index, _)| index).collect()
 }
 
@@ -89,7 +89,7 @@ fn constant(
     origin: Origin,
     len: Option<usize>,
     ty: &str,
-    places: &[usize],
+    indices: &[usize],
 ) -> TokenStream {
     let visibility = &lowered.item.vis;
     let span = lowered.span(origin);
@@ -98,8 +98,8 @@ fn constant(
     let doc = written.unwrap_or_else(|| format!(" The {} `{name}`.", ty.to_lowercase()));
     let ty = Ident::new(ty, Span::call_site());
     let (ty, value) = match len {
-        None => (quote! { __kin::#ty }, quote! { #(__kin::#ty(#places))* }),
-        Some(len) => (quote! { [__kin::#ty; #len] }, quote! { [#(__kin::#ty(#places)),*] }),
+        None => (quote! { __kin::#ty }, quote! { #(__kin::#ty(#indices))* }),
+        Some(len) => (quote! { [__kin::#ty; #len] }, quote! { [#(__kin::#ty(#indices)),*] }),
     };
     quote! {
         #[doc = #doc]
