@@ -1,7 +1,7 @@
 //! Special dimensions and starts: equal pulleys, a dimension of 0 by which the plan divides, a start beside a dead
 //! centre.
 
-use kin_runtime::{Instant, Kinematics, LimitKind, Options, Planned, mechanism};
+use kin_runtime::{Instant, Kinematics, LimitKind, Options, Planned, SolveError, mechanism};
 
 /// An arm whose platform a belt over equal pulleys keeps parallel, so that the angle of the platform does not depend on
 /// that of the arm.
@@ -201,5 +201,25 @@ fn a_limit_far_from_the_origin_is_the_one_at_the_origin() {
                 assert!((found.at().expect("located") - limit).abs() < 1e-9, "{ox}: {found}");
             }
         }
+    }
+}
+
+/// A pendulum, and a body that is nowhere at t = 1. No joint holds it.
+#[mechanism]
+#[bodies(rod)]
+#[body(shade, x = 1 / (1 - t), y = 0, phi = 0)]
+#[revolute(pin: ground @ (0, 0), rod @ (0, 0))]
+#[driver(drive: rod.phi = t)]
+struct Vanishing;
+
+/// The error names the body; no state with infinite numbers is returned.
+#[test]
+fn a_body_that_is_nowhere_is_named() {
+    let at = Instant::at(1.0);
+    let swept = Vanishing.kinematic_analysis(&[0.0, 0.5, 1.0]).unwrap_err().source;
+    let mut tracker = Vanishing.solver().tracker(&Instant::at(0.5)).unwrap();
+    let tracked = tracker.update(&at).map(|_| ()).unwrap_err();
+    for error in [Vanishing.state_at(&at).unwrap_err(), swept, tracked] {
+        assert!(matches!(error, SolveError::NonFinite { what: "observables", name: "shade", .. }), "{error}");
     }
 }
