@@ -97,7 +97,7 @@ impl<'m> Tracker<'m> {
         first: impl FnOnce(&mut Equations<'_>, &WantedAssembly) -> Result<Position, SolveError>,
     ) -> Result<Self, SolveError> {
         let wanted = solver.wanted()?;
-        let mut equations = Equations::new(system, solver.options, &solver.given, None, at)?;
+        let mut equations = Equations::new(system, solver.settings.options, &solver.settings.given, None, at)?;
         let follower = match by_plan {
             Some(state) => Continuation::new(&mut equations, state, None)?,
             None => begin(&mut equations, &wanted, first)?,

@@ -121,10 +121,10 @@ impl<'a, M: Mechanism, V: Pack> Arguments<'a, M, V> {
     pub(super) fn new(configurations: &'a Configurations<'a>) -> Self {
         let shared = |columns: &[Column<'_>], index: usize| columns.get(index).map_or(V::default(), Column::shared);
         let numbers = Numbers {
-            parameters: Array::generate(|index| shared(configurations.parameters, index)),
+            parameters: Array::generate(V::default(), |index| shared(configurations.parameters, index)),
             t: configurations.t.shared(),
-            q: Array::generate(|index| shared(configurations.q, index)),
-            q_dot: Array::generate(|index| shared(configurations.q_dot, index)),
+            q: Array::generate(V::default(), |index| shared(configurations.q, index)),
+            q_dot: Array::generate(V::default(), |index| shared(configurations.q_dot, index)),
         };
         let inputs = configurations.inputs.iter().map(|u| u.map(|column| column.shared()));
         let inputs = inputs.collect::<Vec<_>>().repeat(tile::<V>());

@@ -10,7 +10,7 @@ use crate::results::varied::{Number, Varied, WIDTH};
 use crate::scalar::Scalar;
 use crate::scalar::lanes::{Octet, Pack};
 use crate::sensitivity::measured::complete;
-use crate::sensitivity::{LARGEST, Varying, is_integrated, is_same, modes_at};
+use crate::sensitivity::{LARGEST, Variation, Varying, is_integrated, is_same, modes_at};
 use crate::signal::{Instant, Signal};
 use core::ops::ControlFlow;
 

@@ -170,17 +170,17 @@ where
     V: Fn(&mut S, &Moment<'_>) + Sync,
 {
     fn scratch(&self) -> Scratch<'a, M> {
-        let four = |_| Lanes::default();
+        let four = Lanes::default();
         Scratch {
             arguments: Arguments::new(self.configurations),
             inputs: alloc::vec![Signal::constant(Octet::default()); M::INPUTS],
             shown_inputs: alloc::vec![Signal::constant(Lanes::default()); M::INPUTS],
             motion: Box::new(Motion::nothing()),
             shown: Box::new(Shown {
-                parameters: Array::generate(four),
-                q: Array::generate(four),
-                q_dot: Array::generate(four),
-                q_ddot: Array::generate(four),
+                parameters: Array::filled(four),
+                q: Array::filled(four),
+                q_dot: Array::filled(four),
+                q_ddot: Array::filled(four),
             }),
         }
     }

@@ -2,7 +2,7 @@
 
 use super::closures::{self, Choice};
 use super::columns::{column_infos, shown};
-use super::engine::{Engine, Setup};
+use super::engine::Engine;
 use super::examples::{Help, Names};
 use super::failure::{Failure, Ledger};
 use super::instants::ArcArgs;
@@ -10,6 +10,7 @@ use super::moving::{Moved, Walk, note_motion};
 use super::output::{Form, OutputArgs};
 use super::places::places;
 use super::session::Session;
+use super::setup::Setup;
 use super::solved::{analysis, note_freedom};
 use super::task::{MotionArgs, Task};
 use crate::error::SolveError;

@@ -2,13 +2,14 @@
 
 use serde::Serialize;
 
-use super::engine::{Engine, Miss, Setup};
+use super::engine::{Engine, Miss};
 use super::examples::{Help, Names};
 use super::failure::{Failure, Ledger};
 use super::force_notes::pulls;
 use super::options::{FreedomArgs, SetupArgs};
 use super::output::{Form, OutputArgs, json};
 use super::session::Session;
+use super::setup::Setup;
 use super::solved::{analysis, driven_state, note_freedom};
 use super::task::{At, AtArgs};
 use super::values;

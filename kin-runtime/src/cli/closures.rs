@@ -1,7 +1,8 @@
 //! The ways in which a mechanism closes at the first instant of a motion, as a choice that a page offers.
 
-use super::engine::{Engine, Setup};
+use super::engine::Engine;
 use super::failure::Failure;
+use super::setup::Setup;
 use super::solved::analysis;
 use crate::assembly::{Assemblies, Assembly};
 use crate::model::Model;

@@ -1,6 +1,6 @@
 //! `design`: searches for dimensions with which the mechanism has a wanted motion.
 
-use super::engine::{Engine, Setup};
+use super::engine::Engine;
 use super::examples::{Help, Names};
 use super::failure::{Failure, Ledger, zip3};
 use super::names::{Kind, find};
@@ -9,6 +9,7 @@ use super::options::SetupArgs;
 use super::output::{Form, OutputArgs, json};
 use super::places::{PLACES, columns};
 use super::session::Session;
+use super::setup::Setup;
 use super::trial::quoted;
 use super::turns::{natural_end, turn_of};
 use super::values;

@@ -2,8 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use super::failure::Failure;
-use super::names::listing;
+use super::setup::Setup;
 use crate::assembly::Assemblies;
 use crate::certificate::{Certificate, Uncertified};
 use crate::cross_check::{CrossCheck, CrossCheckOptions};
@@ -18,7 +17,7 @@ use crate::model::Model;
 use crate::modes::Mode;
 use crate::motion::Motion;
 use crate::observer::Observer;
-use crate::planned::{OutOfRange, Sign};
+use crate::planned::OutOfRange;
 use crate::ranges::Ranges;
 use crate::ratios::VelocityRatios;
 use crate::sensitivities::Sensitivities;
@@ -26,54 +25,7 @@ use crate::solver::{ContactWatch, Solver};
 use crate::state::State;
 use crate::trajectory::Trajectory;
 use crate::transmission::TransmissionAngle;
-use crate::workspace::{Instant, Signal, Subset};
-
-/// Where the analysis starts and what is prescribed.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub(super) struct Setup {
-    /// Coordinates and the values at which assembly starts.
-    pub(super) guesses: Vec<(usize, f64)>,
-    /// Prescribed coordinates.
-    pub(super) given: Vec<(usize, Signal)>,
-    /// All inputs, at the first instant.
-    pub(super) inputs: Vec<Signal>,
-    /// The requested signs of modes, by their indices.
-    pub(super) modes: Vec<(usize, Sign)>,
-    /// The requested closure, by its number in the list that the command `modes` prints; counted from 1.
-    pub(super) closure: Option<usize>,
-    /// Names of inputs without a value.
-    pub(super) missing_inputs: Vec<&'static str>,
-    /// Whether forces that redundant rows leave undetermined are those of least norm.
-    pub(super) least_norm: bool,
-}
-
-impl Setup {
-    /// An error when an input has no value.
-    pub(super) fn complete(&self) -> Result<(), Failure> {
-        let Some(first) = self.missing_inputs.first() else { return Ok(()) };
-        let missing = listing("inputs without a value: ", &self.missing_inputs);
-        Err(Failure::option("--input", format!("{missing}\n  write --input {first}=value,rate,acceleration")))
-    }
-
-    /// An error if a closure is requested, for commands without a single instant at which closures have numbers.
-    pub(super) fn without_closure(self) -> Result<Self, Failure> {
-        match self.closure {
-            None => Ok(self),
-            Some(_) => {
-                Err(Failure::option("--mode", "closures have numbers at one instant only; name modes".to_owned()))
-            }
-        }
-    }
-
-    /// The inputs as functions of time; they have their values at `first` and constant acceleration.
-    fn inputs_from(&self, first: f64) -> impl Fn(f64, &mut [Signal]) {
-        move |t, out| {
-            for (to, u) in out.iter_mut().zip(&self.inputs) {
-                *to = u.after(t - first);
-            }
-        }
-    }
-}
+use crate::workspace::{Instant, Subset};
 
 /// The arc that a motion follows: the time at its start, the end of its interval of t, and the number of steps.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -183,11 +135,7 @@ impl<M: Mechanism> Bound<M> {
     }
 
     fn solver(&self, setup: &Setup) -> Solver<'_, M> {
-        let start = Solver::new(&self.mechanism);
-        let guessed = setup.guesses.iter().fold(start, |solver, &(place, value)| solver.with_guess(place, value));
-        let given = setup.given.iter().fold(guessed, |solver, &(place, signal)| solver.with_given(place, signal));
-        let chosen = setup.modes.iter().fold(given, |solver, &(place, sign)| solver.with_mode(place, sign));
-        if setup.least_norm { chosen.with_forces_of_least_norm() } else { chosen }
+        Solver { mechanism: &self.mechanism, settings: setup.settings(M::model()) }
     }
 }
 
@@ -246,9 +194,7 @@ impl<M: Mechanism + Default> Engine for Bound<M> {
     fn sweep_from(&self, setup: &Setup, first: f64, start: &[f64], times: &[f64]) -> Result<Trajectory, SolveError> {
         let inputs = setup.inputs_from(first);
         // Prescribed coordinates have their values at the first of these instants.
-        let elapsed = times.first().copied().unwrap_or(first) - first;
-        let given = setup.given.iter().map(|&(place, signal)| (place, signal.after(elapsed))).collect();
-        let later = Setup { given, ..setup.clone() };
+        let later = setup.after(times.first().copied().unwrap_or(first) - first);
         self.solver(&later).with_inputs(&inputs).sweep_from(start, times).map_err(|error| error.source)
     }
 
@@ -300,13 +246,9 @@ impl<M: Mechanism + Default> Engine for Bound<M> {
         wishes: &super::wishes::Wishes,
         search: &crate::design::Search<'_>,
     ) -> Result<crate::design::Designed<()>, crate::design::DesignError> {
-        let modes = M::model().plan.modes;
-        let begin =
-            setup.modes.iter().try_fold(crate::design::Design::new(&self.mechanism), |design, &(index, sign)| {
-                design.mode(modes[index].name, Some(sign))
-            })?;
-        let begin = setup.guesses.iter().fold(begin, |design, &(index, value)| design.guess(index, value));
-        Ok(wishes.of(begin)?.search(search)?.map(|_| ()))
+        let mut design = crate::design::Design::new(&self.mechanism);
+        wishes.add_to(setup, &mut design.task)?;
+        Ok(design.search(search)?.map(|_| ()))
     }
 
     fn certify(&self, setup: &Setup, state: &State) -> Result<Certificate, Uncertified> {

@@ -1,6 +1,7 @@
 //! Sentences about forces: contacts that would have to pull or that lift off, and why a force is not determined.
 
-use super::engine::{Engine, Setup};
+use super::engine::Engine;
+use super::setup::Setup;
 use crate::forces::{ContactChange, Forces, Reaction};
 use crate::measure::Measure;
 use crate::present::number::rounded;

@@ -1,12 +1,13 @@
 //! `forces`: the efforts of drivers and the reactions in joints at one instant.
 
-use super::engine::{Engine, Setup};
+use super::engine::Engine;
 use super::examples::{Help, Names};
 use super::failure::{Failure, Ledger};
 use super::force_notes::pulls;
 use super::options::SetupArgs;
 use super::output::{Form, OutputArgs, json};
 use super::session::Session;
+use super::setup::Setup;
 use super::solved::{analysis, driven_state, note_freedom, note_modes};
 use super::task::{At, AtArgs};
 use crate::analysis::forces::unbounded;

@@ -2,8 +2,9 @@
 
 use std::ops::ControlFlow;
 
-use super::engine::{Arc, Engine, Setup};
+use super::engine::{Arc, Engine};
 use super::failure::{Failure, Ledger};
+use super::setup::Setup;
 use super::solved::analysis;
 use super::turns::{natural_end, speed, turn};
 use super::values::{self, Moment};

@@ -1,12 +1,13 @@
 //! `limits`: the intervals of time in which the mechanism closes, mode by mode, and the dead centres at which they end.
 
-use super::engine::{Engine, Setup};
+use super::engine::Engine;
 use super::examples::{Help, Names};
 use super::failure::{Failure, Ledger, zip3};
 use super::instants::{Asked, End};
 use super::options::SetupArgs;
 use super::output::{Form, OutputArgs, json};
 use super::session::Session;
+use super::setup::Setup;
 use super::solved::analysis;
 use super::values;
 use crate::present::number::rounded;

@@ -71,6 +71,7 @@ mod program;
 mod report;
 mod sensitivities;
 mod session;
+mod setup;
 mod solve;
 mod solved;
 mod sweep;

@@ -3,12 +3,13 @@
 
 use std::ops::ControlFlow;
 
-use super::engine::{Arc, Engine, Setup};
+use super::engine::{Arc, Engine};
 use super::failure::Failure;
 use super::force_notes::{contact, missing_force};
 use super::instants::{Instants, Stop};
 use super::options::FreedomArgs;
 use super::session::Session;
+use super::setup::Setup;
 use super::solved::{analysis, driven_state, fully_driven, misfit, other_modes};
 use super::watch::Watch;
 use crate::arc::{ArcEnd, ArcPlace, SolutionArc};

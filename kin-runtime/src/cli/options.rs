@@ -1,9 +1,10 @@
 //! Options that several commands share, and what they mean for a mechanism.
 
-use super::engine::{Engine, Setup};
+use super::engine::Engine;
 use super::failure::{Failure, Ledger};
 use super::names::{Kind, find};
 use super::number::Measured;
+use super::setup::Setup;
 use super::values::{self, Moment};
 use crate::model::Model;
 use crate::workspace::Signal;

@@ -1,13 +1,14 @@
 //! `solve`: position, velocity and acceleration at one instant.
 
 use super::columns::quantities;
-use super::engine::{Engine, Setup};
+use super::engine::Engine;
 use super::examples::{Help, Names};
 use super::failure::{Failure, Ledger};
 use super::force_notes::missing_force;
 use super::options::{AngleArgs, FreedomArgs, SetupArgs};
 use super::output::{Destination, Form, OutputArgs, json};
 use super::session::Session;
+use super::setup::Setup;
 use super::solved::{Solved, analysis, driven_state, note_freedom, note_modes, note_start, solve};
 use super::task::{At, AtArgs};
 use crate::measure::{Measure, column_values};

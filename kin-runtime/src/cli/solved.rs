@@ -1,10 +1,11 @@
 //! One instant, solved, with everything that is reported about it.
 
 use super::degrees;
-use super::engine::{Engine, Setup};
+use super::engine::Engine;
 use super::failure::Failure;
 use super::names::listing;
 use super::session::Session;
+use super::setup::Setup;
 use crate::error::{Degeneracy, SolveError};
 use crate::mobility::Mobility;
 use crate::model::{Level, Model};

@@ -2,13 +2,14 @@
 //! of a motion.
 
 use super::closures::settled;
-use super::engine::{Engine, Setup};
+use super::engine::Engine;
 use super::failure::{Failure, Ledger, zip3};
 use super::instants::{ArcArgs, Asked, GridArgs, Instants, instant};
 use super::moving::Walk;
 use super::options::{AngleArgs, FreedomArgs, InstantArgs, SetupArgs};
 use super::output::{Destination, OutputArgs};
 use super::session::Session;
+use super::setup::Setup;
 use super::watch::Watch;
 use crate::measure::Measure;
 

@@ -1,9 +1,10 @@
 //! Tolerances of parameters, and the deviations that they cause along a motion.
 
-use super::engine::{Engine, Setup};
+use super::engine::Engine;
 use super::failure::{Failure, Ledger};
 use super::names::{Kind, find};
 use super::number::Measured;
+use super::setup::Setup;
 use super::values;
 use crate::measure::Measure;
 use crate::model::Model;

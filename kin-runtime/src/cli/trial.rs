@@ -3,7 +3,8 @@
 use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
-use super::engine::{Arc, Engine, Setup};
+use super::engine::{Arc, Engine};
+use super::setup::Setup;
 use super::turns::natural_end;
 use crate::model::Model;
 use crate::observer::Reached;

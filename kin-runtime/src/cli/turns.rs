@@ -1,6 +1,7 @@
 //! Cranks that are driven at constant speed, and how long their turns take.
 
-use super::engine::{Engine, Setup};
+use super::engine::Engine;
+use super::setup::Setup;
 use super::solved::driven_state;
 use std::f64::consts::TAU;
 

@@ -1,7 +1,8 @@
 //! The requirements of `design`, as data that do not depend on the mechanism's type.
 
-use crate::design::{Design, DesignError, Direction, Shortest};
-use crate::mechanism::Mechanism;
+use super::setup::Setup;
+use crate::design::{DesignError, Direction, Shortest, Task};
+use std::sync::Arc;
 
 /// Instants of a turn at which a search evaluates conditions; the result is tested between them, too.
 pub(super) const INSTANTS: usize = 37;
@@ -41,26 +42,28 @@ pub(super) struct Wishes {
 }
 
 impl Wishes {
-    /// The design of a mechanism.
-    pub(super) fn of<M: Mechanism>(&self, begin: Design<M>) -> Result<Design<M>, DesignError> {
+    /// Adds all of them to the task of a design, with the modes and guesses of a setup.
+    pub(super) fn add_to(&self, setup: &Setup, task: &mut Task) -> Result<(), DesignError> {
+        setup.modes.iter().for_each(|&(index, sign)| task.prescribe(index, Some(sign)));
+        task.guesses.extend(&setup.guesses);
         let period = self.period;
-        self.all.iter().try_fold(begin, |design, wish| match wish {
-            Wish::Free(name, low, high) => design.free(name, *low..=*high),
-            Wish::Equal(name, other) => design.equal(name, other),
-            Wish::PathAt(point, places) => design.path_at(point, places),
-            Wish::Path(point, places, direction) => design.path(point, places, period, *direction),
-            Wish::Function(name, values) => design.function(name, values),
+        self.all.iter().try_for_each(|wish| match wish {
+            Wish::Free(name, low, high) => task.free(name, *low..=*high),
+            Wish::Equal(name, other) => task.equal(name, other),
+            Wish::PathAt(point, places) => task.path_at(point, places),
+            Wish::Path(point, places, direction) => task.path(point, places, period, *direction),
+            Wish::Function(name, values) => task.function(name, values),
             Wish::Grashof(lengths, shortest) => {
-                design.grashof(core::array::from_fn(|k| lengths.get(k).map_or("", String::as_str)), *shortest)
+                task.grashof(core::array::from_fn(|k| lengths.get(k).map_or("", String::as_str)), *shortest)
             }
-            Wish::Turns => design.turns(period, INSTANTS, MARGIN),
-            Wish::Transmission(joint, least) => design.transmission(joint, *least, period, INSTANTS),
+            Wish::Turns => task.turns(period, INSTANTS, MARGIN),
+            Wish::Transmission(joint, least) => task.transmission(joint, *least, period, INSTANTS),
             Wish::Peak(name) => {
                 let times: Vec<f64> = (0..INSTANTS).map(|k| period * k as f64 / (INSTANTS - 1) as f64).collect();
                 let greatest = |at: &[Vec<f64>]| at.iter().flatten().map(|value| value.abs()).fold(0.0, f64::max);
-                design.least(&[name], &times, greatest)
+                task.least(&[name], &times, Arc::new(greatest))
             }
-            Wish::Range(name, low, high) => design.range(name, *low..=*high, period, INSTANTS),
+            Wish::Range(name, low, high) => task.range(name, *low..=*high, period, INSTANTS),
         })
     }
 }

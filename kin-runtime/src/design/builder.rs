@@ -1,9 +1,9 @@
 //! The description of a design: free parameters, objectives and conditions.
 
-use super::condition::{Condition, Shortest};
+use super::condition::Shortest;
 use super::error::DesignError;
-use super::objective::{Direction, Objective, Quantity};
-use super::variables::{self, Free};
+use super::objective::Direction;
+use super::task::Task;
 use crate::mechanism::Mechanism;
 use crate::planned::Sign;
 use crate::results::varied::Number;
@@ -16,27 +16,12 @@ use std::sync::Arc;
 pub struct Design<M: Mechanism> {
     /// Makes the mechanism whose parameters are set.
     pub(crate) make: fn() -> M,
-    /// The parameters with which the search begins.
-    pub(crate) parameters: Vec<f64>,
-    pub(crate) free: Vec<Free>,
-    pub(crate) objectives: Vec<Objective>,
-    pub(crate) conditions: Vec<Condition>,
-    /// Indices of modes; both signs are tried where none is prescribed.
-    pub(crate) modes: Vec<(usize, Option<Sign>)>,
-    pub(crate) guesses: Vec<(usize, f64)>,
+    pub(crate) task: Task,
 }
 
 impl<M: Mechanism> Clone for Design<M> {
     fn clone(&self) -> Self {
-        Self {
-            make: self.make,
-            parameters: self.parameters.clone(),
-            free: self.free.clone(),
-            objectives: self.objectives.clone(),
-            conditions: self.conditions.clone(),
-            modes: self.modes.clone(),
-            guesses: self.guesses.clone(),
-        }
+        Self { make: self.make, task: self.task.clone() }
     }
 }
 
@@ -47,15 +32,7 @@ impl<M: Mechanism> Design<M> {
     where
         M: Default,
     {
-        Self {
-            make: M::default,
-            parameters: mechanism.parameters::<f64>().as_ref().to_vec(),
-            free: Vec::new(),
-            objectives: Vec::new(),
-            conditions: Vec::new(),
-            modes: Vec::new(),
-            guesses: Vec::new(),
-        }
+        Self { make: M::default, task: Task::new(M::model(), mechanism.parameters::<f64>().as_ref().to_vec()) }
     }
 
     /// Lets a parameter vary within these bounds, in the unit of the parameter.
@@ -64,22 +41,8 @@ impl<M: Mechanism> Design<M> {
     /// [`UnknownParameter`](DesignError::UnknownParameter), [`Bounds`](DesignError::Bounds),
     /// [`Twice`](DesignError::Twice).
     pub fn free(mut self, parameter: &str, bounds: RangeInclusive<f64>) -> Result<Self, DesignError> {
-        let index = variables::parameter_index::<M>(parameter)?;
-        let (low, high) = bounds.into_inner();
-        if !(low.is_finite() && high.is_finite() && low < high) {
-            return Err(DesignError::Bounds { parameter: parameter.to_owned(), low, high });
-        }
-        self.is_new(index, parameter)?;
-        self.free.push(Free { places: vec![index], low, high });
+        self.task.free(parameter, bounds)?;
         Ok(self)
-    }
-
-    /// An error if a parameter has bounds or is kept equal already.
-    fn is_new(&self, index: usize, parameter: &str) -> Result<(), DesignError> {
-        match self.free.iter().any(|free| free.places.contains(&index)) {
-            true => Err(DesignError::Twice { parameter: parameter.to_owned() }),
-            false => Ok(()),
-        }
     }
 
     /// Keeps a parameter equal to one that is free.
@@ -88,12 +51,7 @@ impl<M: Mechanism> Design<M> {
     /// [`UnknownParameter`](DesignError::UnknownParameter), [`NotFree`](DesignError::NotFree),
     /// [`Twice`](DesignError::Twice).
     pub fn equal(mut self, parameter: &str, to: &str) -> Result<Self, DesignError> {
-        let (index, leader) = (variables::parameter_index::<M>(parameter)?, variables::parameter_index::<M>(to)?);
-        let Some(leader) = self.free.iter().position(|free| free.places.contains(&leader)) else {
-            return Err(DesignError::NotFree { parameter: to.to_owned() });
-        };
-        self.is_new(index, parameter)?;
-        self.free[leader].places.push(index);
+        self.task.equal(parameter, to)?;
         Ok(self)
     }
 
@@ -102,9 +60,7 @@ impl<M: Mechanism> Design<M> {
     /// # Errors
     /// [`UnknownQuantity`](DesignError::UnknownQuantity), [`NotFinite`](DesignError::NotFinite).
     pub fn path_at(mut self, point: &str, places: &[(f64, [f64; 2])]) -> Result<Self, DesignError> {
-        let axes = Quantity::point::<M>(point)?;
-        let wanted = places.iter().map(|(t, place)| (*t, place.to_vec()));
-        self.objectives.push(Objective::timed(axes, vec![1.0; 2], wanted)?);
+        self.task.path_at(point, places)?;
         Ok(self)
     }
 
@@ -122,9 +78,7 @@ impl<M: Mechanism> Design<M> {
         period: f64,
         direction: Direction,
     ) -> Result<Self, DesignError> {
-        let axes = Quantity::point::<M>(point)?;
-        let places = places.iter().map(|place| place.to_vec()).collect();
-        self.objectives.push(Objective::untimed(axes, places, period, direction)?);
+        self.task.path(point, places, period, direction)?;
         Ok(self)
     }
 
@@ -137,9 +91,7 @@ impl<M: Mechanism> Design<M> {
     /// [`UnknownQuantity`](DesignError::UnknownQuantity), [`NoDerivatives`](DesignError::NoDerivatives),
     /// [`NotFinite`](DesignError::NotFinite).
     pub fn function(mut self, quantity: &str, values: &[(f64, f64)]) -> Result<Self, DesignError> {
-        let of = Quantity::named::<M>(quantity)?;
-        let wanted = values.iter().map(|&(t, value)| (t, vec![value]));
-        self.objectives.push(Objective::timed(vec![of], vec![1.0], wanted)?);
+        self.task.function(quantity, values)?;
         Ok(self)
     }
 
@@ -149,9 +101,7 @@ impl<M: Mechanism> Design<M> {
     /// # Errors
     /// [`UnknownQuantity`](DesignError::UnknownQuantity), [`NotFinite`](DesignError::NotFinite).
     pub fn poses(mut self, body: &str, poses: &[(f64, [f64; 3])], arm: f64) -> Result<Self, DesignError> {
-        let axes = Quantity::pose::<M>(body)?;
-        let wanted = poses.iter().map(|(t, pose)| (*t, pose.to_vec()));
-        self.objectives.push(Objective::timed(axes, vec![1.0, 1.0, arm], wanted)?);
+        self.task.poses(body, poses, arm)?;
         Ok(self)
     }
 
@@ -198,8 +148,7 @@ impl<M: Mechanism> Design<M> {
         times: &[f64],
         residuals: impl Fn(&[Vec<Number>]) -> Vec<Number> + Send + Sync + 'static,
     ) -> Result<Self, DesignError> {
-        let of = quantities.iter().map(|name| Quantity::named::<M>(name)).collect::<Result<_, _>>()?;
-        self.objectives.push(Objective::zeros(of, times, Arc::new(residuals))?);
+        self.task.residuals(quantities, times, Arc::new(residuals))?;
         Ok(self)
     }
 
@@ -246,8 +195,7 @@ impl<M: Mechanism> Design<M> {
         times: &[f64],
         least: impl Fn(&[Vec<f64>]) -> f64 + Send + Sync + 'static,
     ) -> Result<Self, DesignError> {
-        let of = quantities.iter().map(|name| Quantity::named::<M>(name)).collect::<Result<_, _>>()?;
-        self.objectives.push(Objective::least(of, times, Arc::new(least))?);
+        self.task.least(quantities, times, Arc::new(least))?;
         Ok(self)
     }
 
@@ -256,7 +204,7 @@ impl<M: Mechanism> Design<M> {
     /// # Errors
     /// [`UnknownParameter`](DesignError::UnknownParameter).
     pub fn at_least(mut self, terms: &[(&str, f64)], least: f64) -> Result<Self, DesignError> {
-        self.conditions.push(Condition::sum::<M>(terms, least)?);
+        self.task.at_least(terms, least)?;
         Ok(self)
     }
 
@@ -268,7 +216,7 @@ impl<M: Mechanism> Design<M> {
     /// # Errors
     /// [`UnknownParameter`](DesignError::UnknownParameter).
     pub fn grashof(mut self, lengths: [&str; 4], shortest: Shortest) -> Result<Self, DesignError> {
-        self.conditions.extend(Condition::grashof::<M>(lengths, shortest)?);
+        self.task.grashof(lengths, shortest)?;
         Ok(self)
     }
 
@@ -281,7 +229,7 @@ impl<M: Mechanism> Design<M> {
     /// # Errors
     /// [`NotFinite`](DesignError::NotFinite).
     pub fn turns(mut self, period: f64, instants: usize, least: f64) -> Result<Self, DesignError> {
-        self.conditions.push(Condition::turns(period, instants, least)?);
+        self.task.turns(period, instants, least)?;
         Ok(self)
     }
 
@@ -300,8 +248,7 @@ impl<M: Mechanism> Design<M> {
         period: f64,
         instants: usize,
     ) -> Result<Self, DesignError> {
-        let name = quantity.to_owned();
-        self.conditions.push(Condition::range(name, Quantity::named::<M>(quantity)?, range, period, instants)?);
+        self.task.range(quantity, range, period, instants)?;
         Ok(self)
     }
 
@@ -315,7 +262,7 @@ impl<M: Mechanism> Design<M> {
     /// [`NoTransmission`](DesignError::NoTransmission) where the joint has no transmission angle;
     /// [`Bounds`](DesignError::Bounds), [`NotFinite`](DesignError::NotFinite).
     pub fn transmission(mut self, joint: &str, least: f64, period: f64, instants: usize) -> Result<Self, DesignError> {
-        self.conditions.extend(Condition::transmission::<M>(joint, least, period, instants)?);
+        self.task.transmission(joint, least, period, instants)?;
         Ok(self)
     }
 
@@ -325,20 +272,14 @@ impl<M: Mechanism> Design<M> {
     /// # Errors
     /// [`UnknownMode`](DesignError::UnknownMode).
     pub fn mode(mut self, mode: &str, sign: Option<Sign>) -> Result<Self, DesignError> {
-        let modes = M::model().plan.modes;
-        let Some(index) = modes.iter().position(|info| info.name == mode) else {
-            let modes = modes.iter().map(|info| info.name).collect();
-            return Err(DesignError::UnknownMode { mode: mode.to_owned(), modes });
-        };
-        self.modes.retain(|(other, _)| *other != index);
-        self.modes.push((index, sign));
+        self.task.mode(mode, sign)?;
         Ok(self)
     }
 
     /// Where assembly starts, as [`Solver::with_guess`](crate::Solver::with_guess).
     #[must_use]
     pub fn guess(mut self, coordinate: usize, value: f64) -> Self {
-        self.guesses.push((coordinate, value));
+        self.task.guesses.push((coordinate, value));
         self
     }
 }

@@ -4,7 +4,7 @@ use super::error::DesignError;
 use super::objective::Quantity;
 use super::variables::parameter_index;
 use crate::measure::Measure;
-use crate::mechanism::Mechanism;
+use crate::model::Model;
 use core::ops::RangeInclusive;
 
 /// Which length of a four-bar is the shortest.
@@ -41,7 +41,7 @@ fn spread(period: f64, instants: usize) -> Result<Vec<f64>, DesignError> {
 }
 
 impl Condition {
-    pub(crate) fn sum<M: Mechanism>(terms: &[(&str, f64)], least: f64) -> Result<Self, DesignError> {
+    pub(crate) fn sum(model: &'static Model, terms: &[(&str, f64)], least: f64) -> Result<Self, DesignError> {
         if !least.is_finite() || terms.iter().any(|(_, factor)| !factor.is_finite()) {
             return Err(DesignError::NotFinite { what: "a condition" });
         }
@@ -51,17 +51,21 @@ impl Condition {
             factor => format!("{factor:+} {name}"),
         };
         let name = format!("{} >= {least}", terms.iter().map(written).collect::<Vec<_>>().join(" "));
-        let terms = terms.iter().map(|(name, factor)| Ok((parameter_index::<M>(name)?, *factor)));
+        let terms = terms.iter().map(|(name, factor)| Ok((parameter_index(model, name)?, *factor)));
         Ok(Self::Sum { name, terms: terms.collect::<Result<_, DesignError>>()?, least })
     }
 
     /// With the shortest length s: s + a ≤ b + c for each other length a, which makes s the shortest.
-    pub(crate) fn grashof<M: Mechanism>(lengths: [&str; 4], shortest: Shortest) -> Result<Vec<Self>, DesignError> {
+    pub(crate) fn grashof(
+        model: &'static Model,
+        lengths: [&str; 4],
+        shortest: Shortest,
+    ) -> Result<Vec<Self>, DesignError> {
         let shortest = shortest as usize;
         let others = (0..4).filter(|k| *k != shortest);
         let condition = |long: usize| {
             let sign = |k: usize| if k == shortest || k == long { -1.0 } else { 1.0 };
-            Self::sum::<M>(&core::array::from_fn::<_, 4, _>(|k| (lengths[k], sign(k))), 0.0)
+            Self::sum(model, &core::array::from_fn::<_, 4, _>(|k| (lengths[k], sign(k))), 0.0)
         };
         others.map(condition).collect()
     }
@@ -87,13 +91,14 @@ impl Condition {
         Ok(Self::Range { name, of, low, high, times: spread(period, instants)? })
     }
 
-    pub(crate) fn transmission<M: Mechanism>(
+    pub(crate) fn transmission(
+        model: &'static Model,
         joint: &str,
         least: f64,
         period: f64,
         instants: usize,
     ) -> Result<Vec<Self>, DesignError> {
-        let angles = Measure::transmission_angles(M::model());
+        let angles = Measure::transmission_angles(model);
         let of_joint = |angle: &&Measure| {
             let end = angle.name().strip_prefix(joint).and_then(|end| end.strip_prefix(".transmission"));
             end.is_some_and(|end| end.is_empty() || end.starts_with('_'))

@@ -19,7 +19,7 @@ const NARROW: f64 = 1e-9;
 
 /// The objective as a function of the variables.
 struct Landscape<'d> {
-    design: &'d dyn Problem,
+    design: Problem<'d>,
     branch: &'d Branch,
     lower: Vec<f64>,
     upper: Vec<f64>,
@@ -28,7 +28,7 @@ struct Landscape<'d> {
 }
 
 /// Improves a design that keeps all conditions, generation by generation; the start where none is better.
-pub(super) fn evolve(design: &dyn Problem, start: End, effort: Effort) -> End {
+pub(super) fn evolve(design: Problem<'_>, start: End, effort: Effort) -> End {
     let count = start.variables.len();
     let size = if start.error == 0.0 { 1.0 } else { start.error.abs() };
     let worst = start.error + 10.0 * size;

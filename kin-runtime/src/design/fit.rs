@@ -49,7 +49,7 @@ pub(crate) const LAST: Effort =
 
 /// The least squares problem of one branch.
 struct Fit<'d> {
-    design: &'d dyn Problem,
+    design: Problem<'d>,
     branch: &'d Branch,
     lower: Vec<f64>,
     upper: Vec<f64>,
@@ -68,7 +68,7 @@ pub(crate) struct End {
 }
 
 /// The sum of squared misses of a design that keeps all conditions, plus the values that are to be least.
-pub(crate) fn error(design: &dyn Problem, variables: &[f64], branch: &Branch) -> Option<f64> {
+pub(crate) fn error(design: Problem<'_>, variables: &[f64], branch: &Branch) -> Option<f64> {
     let evaluated = design.evaluate(variables, branch, false).ok()?;
     let kept = evaluated.slacks.iter().all(|slack| slack.value > 0.0);
     let error = evaluated.misses.iter().map(|row| row.value * row.value).sum::<f64>() + evaluated.least;
@@ -76,7 +76,7 @@ pub(crate) fn error(design: &dyn Problem, variables: &[f64], branch: &Branch) ->
 }
 
 /// Descends from a design that keeps all conditions.
-pub(crate) fn descend(design: &dyn Problem, start: End, effort: Effort) -> End {
+pub(crate) fn descend(design: Problem<'_>, start: End, effort: Effort) -> End {
     let mut end = start;
     let nothing = NOTHING * design.wanted();
     for share in effort.shares {

@@ -1,21 +1,22 @@
 //! Follows a design along its motion: by the follower of the plan, or by a sweep where that is not possible.
 
 use super::builder::Design;
+use super::task::Task;
+use crate::analysis::modes::Mode;
 use crate::error::SolveError;
 use crate::measure::Needs;
 use crate::mechanism::Mechanism;
-use crate::model::Model;
 use crate::planned::Sign;
 use crate::planned::follower::{Control, PlanFollower};
 use crate::results::varied::{Varied, WIDTH};
 use crate::sensitivity::measured::complete;
-use crate::sensitivity::{LARGEST, Variation, Varying, is_integrated};
-use crate::solver::Solver;
+use crate::sensitivity::{LARGEST, Variation, Varying, is_integrated, vary as vary_state};
+use crate::solver::{Settings, Solver};
 use crate::workspace::Instant;
 
 /// Receives the index of an instant, the index of the first parameter with respect to which the numbers have
 /// derivatives, and the numbers.
-type See<'s> = dyn FnMut(usize, usize, &Varied) + 's;
+pub(crate) type See<'s> = dyn FnMut(usize, usize, &Varied) + 's;
 
 /// What is fixed in one descent: the signs of modes, and the directions of paths.
 #[derive(Clone, Debug)]
@@ -24,110 +25,151 @@ pub(crate) struct Branch {
     pub(crate) forward: bool,
 }
 
-/// A motion, without the type of its mechanism.
-pub(crate) trait Motion {
-    fn model(&self) -> &'static Model;
-    /// For every parameter that varies the index of its variable, and its derivative with respect to that.
-    fn moved_by(&self) -> &[(usize, f64)];
+/// The mechanisms of one type, which differ in their parameters: all that a search needs to know of the type.
+pub(crate) trait Family: Sync {
+    /// The modes to which the guesses lead at an instant; none where the mechanism does not assemble.
+    fn guessed(&self, task: &Task, t: f64) -> Option<Vec<Mode>>;
+    /// As [`Motion::each`].
+    fn each(
+        &self,
+        motion: &Motion<'_>,
+        times: &[f64],
+        varying: &[usize],
+        needs: Needs,
+        see: &mut See<'_>,
+    ) -> Result<(), SolveError>;
+}
+
+/// The motion of a mechanism whose parameters are set.
+pub(crate) struct Motion<'d> {
+    family: &'d dyn Family,
+    pub(crate) task: &'d Task,
+    branch: &'d Branch,
+    pub(crate) parameters: Vec<f64>,
+    /// Indices of the parameters that vary.
+    indices: Vec<usize>,
+    /// For every one of them the index of its variable, and its derivative with respect to that.
+    pub(crate) moved_by: Vec<(usize, f64)>,
+}
+
+impl<'d> Motion<'d> {
+    pub(crate) fn new(family: &'d dyn Family, task: &'d Task, variables: &[f64], branch: &'d Branch) -> Self {
+        let free = task.free.iter().enumerate();
+        let all = free.flat_map(|(k, free)| free.indices.iter().map(move |&index| (index, (k, free.width()))));
+        let (indices, moved_by) = all.unzip();
+        Self { family, task, branch, parameters: task.parameters_at(variables), indices, moved_by }
+    }
+
     /// Follows the motion over these instants. Without slopes `see` receives only the first group of parameters.
     ///
     /// # Errors
     /// Why the mechanism does not move through all of them.
-    fn each(&self, times: &[f64], slopes: bool, needs: Needs, see: &mut See<'_>) -> Result<(), SolveError>;
+    pub(crate) fn each(&self, times: &[f64], slopes: bool, needs: Needs, see: &mut See<'_>) -> Result<(), SolveError> {
+        let varying = if slopes { &self.indices } else { &self.indices[..self.indices.len().min(WIDTH)] };
+        self.family.each(self, times, varying, needs, see)
+    }
 }
 
-/// A mechanism that is followed.
-pub(crate) struct Follow<'d, M: Mechanism> {
-    design: &'d Design<M>,
-    mechanism: &'d M,
-    branch: &'d Branch,
-    /// Parameters that vary, indices in the mechanism.
-    places: Vec<usize>,
-    /// For every one of them the index of its variable, and its derivative with respect to that.
-    moved_by: Vec<(usize, f64)>,
-}
-
-impl<M: Mechanism> Motion for Follow<'_, M> {
-    fn model(&self) -> &'static Model {
-        M::model()
+impl<M: Mechanism> Family for Design<M> {
+    fn guessed(&self, task: &Task, t: f64) -> Option<Vec<Mode>> {
+        let (mechanism, at) = (self.mechanism(&task.parameters), Instant::at(t));
+        let solver = begun(&mechanism, &task.guesses, &[]);
+        solver.modes(&at, &solver.assemble(&at).ok()?).ok()
     }
 
-    fn moved_by(&self) -> &[(usize, f64)] {
-        &self.moved_by
-    }
-
-    fn each(&self, times: &[f64], slopes: bool, needs: Needs, see: &mut See<'_>) -> Result<(), SolveError> {
+    fn each(
+        &self,
+        motion: &Motion<'_>,
+        times: &[f64],
+        varying: &[usize],
+        needs: Needs,
+        see: &mut See<'_>,
+    ) -> Result<(), SolveError> {
         let Some(&first) = times.first() else { return Ok(()) };
+        let mechanism = self.mechanism(&motion.parameters);
+        let solver = begun(&mechanism, &motion.task.guesses, &motion.branch.modes);
         let plan = &M::model().plan;
         let determined = !plan.has_redundant_rows() && !is_integrated(M::model());
         if determined && M::COORDINATES <= LARGEST {
-            match self.solver().follower(&Instant::at(first)) {
-                Some(Ok(follower)) => return self.by_plan(follower, times, slopes, needs, see),
+            match solver.follower(&Instant::at(first)) {
+                Some(Ok(follower)) => return by_plan(&mechanism, follower, times, varying, needs, see),
                 Some(Err(error)) => return Err(error.into()),
                 None => {}
             }
         }
-        self.by_sweep(times, slopes, needs, see)
+        by_sweep(&solver, times, varying, needs, see)
     }
 }
 
-impl<'d, M: Mechanism> Follow<'d, M> {
-    pub(crate) fn new(design: &'d Design<M>, mechanism: &'d M, branch: &'d Branch) -> Self {
-        let free = design.free.iter().enumerate();
-        let all = free.flat_map(|(k, free)| free.places.iter().map(move |&index| (index, (k, free.width()))));
-        let (places, moved_by) = all.unzip();
-        Self { design, mechanism, branch, places, moved_by }
-    }
+/// A solver that starts from these guesses in these modes.
+fn begun<'m, M: Mechanism>(mechanism: &'m M, guesses: &[(usize, f64)], modes: &[(usize, Sign)]) -> Solver<'m, M> {
+    Solver { mechanism, settings: Settings::default().started(M::model(), guesses, modes) }
+}
 
-    fn solver(&self) -> Solver<'_, M> {
-        let solver = Solver::new(self.mechanism);
-        let solver = self.design.guesses.iter().fold(solver, |solver, &(place, value)| solver.with_guess(place, value));
-        self.branch.modes.iter().fold(solver, |solver, &(place, sign)| solver.with_mode(place, sign))
-    }
-
-    /// The parameters with respect to which numbers have derivatives.
-    fn varying(&self, slopes: bool) -> &[usize] {
-        if slopes { &self.places } else { &self.places[..self.places.len().min(WIDTH)] }
-    }
-
-    fn by_plan(
-        &self,
-        mut follower: PlanFollower<M>,
-        times: &[f64],
-        slopes: bool,
-        needs: Needs,
-        see: &mut See<'_>,
-    ) -> Result<(), SolveError> {
-        let (mut varying, mut varied) = (Varying::new(self.mechanism), Varied::default());
-        for (k, &t) in times.iter().enumerate() {
-            let at = Instant::at(t);
-            if k > 0 {
-                follower.update(self.mechanism, &at, &Control::USUAL)?;
-            }
-            let q = follower.state().q;
-            for (group, places) in self.varying(slopes).chunks(WIDTH).enumerate() {
-                varying.begin(&at, places);
-                varying.solve_from(follower.modes().of_closures(), q.as_ref(), needs.depth, &mut varied)?;
-                complete(&mut varying, &mut varied, needs)?;
-                see(k, group * WIDTH, &varied);
-            }
+fn by_plan<M: Mechanism>(
+    mechanism: &M,
+    mut follower: PlanFollower<M>,
+    times: &[f64],
+    varying: &[usize],
+    needs: Needs,
+    see: &mut See<'_>,
+) -> Result<(), SolveError> {
+    let (mut variation, mut varied) = (Varying::new(mechanism), Varied::default());
+    for (k, &t) in times.iter().enumerate() {
+        let at = Instant::at(t);
+        if k > 0 {
+            follower.update(mechanism, &at, &Control::USUAL)?;
         }
-        Ok(())
+        let state = follower.state();
+        vary(
+            &mut variation,
+            &at,
+            (k, state.q.as_ref(), follower.modes().of_closures()),
+            varying,
+            needs,
+            &mut varied,
+            see,
+        )?;
     }
+    Ok(())
+}
 
-    fn by_sweep(&self, times: &[f64], slopes: bool, needs: Needs, see: &mut See<'_>) -> Result<(), SolveError> {
-        let solver = self.solver();
-        let trajectory = solver.sweep(times).map_err(|error| error.source)?;
-        let mut varying = Varying::new(self.mechanism);
-        for (k, state) in trajectory.states.iter().enumerate() {
-            let mut first = 0;
-            solver.vary(&mut varying, state, self.varying(slopes), &mut |variation, places, varied| {
-                complete(variation, varied, Needs { observed: false, ..needs })?;
-                see(k, first, varied);
-                first += places.len();
-                Ok(())
-            })?;
-        }
-        Ok(())
+/// Varies a state in its modes, one group of parameters after the other; `index` is that of its instant.
+fn vary(
+    variation: &mut dyn Variation,
+    at: &Instant<'_>,
+    (index, q, modes): (usize, &[f64], &[f64]),
+    varying: &[usize],
+    needs: Needs,
+    varied: &mut Varied,
+    see: &mut See<'_>,
+) -> Result<(), SolveError> {
+    for (group, parameters) in varying.chunks(WIDTH).enumerate() {
+        variation.begin(at, parameters);
+        variation.solve_from(modes, q, needs.depth, varied)?;
+        complete(variation, varied, needs)?;
+        see(index, group * WIDTH, varied);
     }
+    Ok(())
+}
+
+fn by_sweep<M: Mechanism>(
+    solver: &Solver<'_, M>,
+    times: &[f64],
+    varying: &[usize],
+    needs: Needs,
+    see: &mut See<'_>,
+) -> Result<(), SolveError> {
+    let trajectory = solver.sweep(times).map_err(|error| error.source)?;
+    let mut variation = Varying::new(solver.mechanism);
+    for (k, state) in trajectory.states.iter().enumerate() {
+        let mut first = 0;
+        vary_state(solver, &mut variation, state, varying, &mut |variation, indices, varied| {
+            complete(variation, varied, Needs { observed: false, ..needs })?;
+            see(k, first, varied);
+            first += indices.len();
+            Ok(())
+        })?;
+    }
+    Ok(())
 }

@@ -52,6 +52,7 @@ mod objective;
 mod problem;
 mod result;
 mod search;
+mod task;
 mod text;
 mod variables;
 mod verify;
@@ -63,3 +64,5 @@ pub use error::DesignError;
 pub use objective::Direction;
 pub use result::{Designed, Slack};
 pub use search::{Progress, Search};
+#[cfg(feature = "cli")]
+pub(crate) use task::Task;

@@ -1,13 +1,13 @@
 //! The evaluation of a design: its misses (differences from what is wanted), its slacks, and the derivatives of both.
 
-use super::builder::Design;
 use super::condition::Condition;
-use super::follow::{Branch, Follow, Motion};
+use super::follow::{Branch, Motion};
 use super::objective::{Least, Objective, Quantity, Wanted};
-use super::variables::{Free, Instants, instants};
+use super::problem::Problem;
+use super::task::Task;
+use super::variables::{Instants, instants};
 use crate::error::SolveError;
 use crate::measure::Needs;
-use crate::mechanism::Mechanism;
 use crate::model::Model;
 use crate::results::varied::{Number, Varied, WIDTH};
 use crate::scalar::Scalar;
@@ -33,62 +33,35 @@ pub(crate) struct Evaluated {
     pub(crate) times: Vec<Vec<f64>>,
 }
 
-impl<M: Mechanism> Design<M> {
-    /// The mechanism with which the search begins.
-    pub(crate) fn mechanism(&self) -> M {
-        let mut mechanism = (self.make)();
-        for (index, value) in self.parameters.iter().enumerate() {
-            mechanism.set_parameter(index, *value);
-        }
-        mechanism
-    }
-
-    /// The mechanism with these variables.
-    pub(crate) fn mechanism_at(&self, variables: &[f64]) -> M {
-        let mut mechanism = self.mechanism();
-        for (free, variable) in self.free.iter().zip(variables) {
-            for &place in &free.places {
-                mechanism.set_parameter(place, free.low + free.width() * variable);
-            }
-        }
-        mechanism
-    }
-
+impl Problem<'_> {
     /// All misses and slacks, with derivatives if `slopes`.
     ///
     /// # Errors
     /// Why the mechanism does not assemble all the way.
-    pub(crate) fn evaluated(&self, variables: &[f64], branch: &Branch, slopes: bool) -> Result<Evaluated, SolveError> {
-        let mechanism = self.mechanism_at(variables);
-        let (follow, parameters) = (Follow::new(self, &mechanism, branch), mechanism.parameters::<f64>());
-        let rows = Rows { follow: &follow, free: &self.free, slopes, variables: variables.len() };
-        rows.evaluated(parameters.as_ref(), &self.objectives, &self.conditions, variables, branch.forward)
+    pub(crate) fn evaluate(&self, variables: &[f64], branch: &Branch, slopes: bool) -> Result<Evaluated, SolveError> {
+        let motion = self.motion(variables, branch);
+        let rows = Rows { motion: &motion, task: self.task, slopes, variables: variables.len() };
+        rows.evaluated(variables, branch.forward)
     }
 }
 
 /// Misses and slacks of a mechanism that is followed.
 struct Rows<'f> {
-    follow: &'f dyn Motion,
-    free: &'f [Free],
+    motion: &'f Motion<'f>,
+    task: &'f Task,
     slopes: bool,
     variables: usize,
 }
 
 impl Rows<'_> {
-    fn evaluated(
-        &self,
-        parameters: &[f64],
-        objectives: &[Objective],
-        conditions: &[Condition],
-        variables: &[f64],
-        forward: bool,
-    ) -> Result<Evaluated, SolveError> {
+    fn evaluated(&self, variables: &[f64], forward: bool) -> Result<Evaluated, SolveError> {
+        let Task { free, objectives, conditions, .. } = self.task;
         let mut evaluated = Evaluated::default();
-        let mut first = self.free.len();
+        let mut first = free.len();
         // Sums of parameters are evaluated first, at little cost: a design that violates one is not followed.
         for (index, condition) in conditions.iter().enumerate() {
             if let Condition::Sum { terms, least, .. } = condition {
-                evaluated.slacks.push(self.sum(parameters, terms, *least));
+                evaluated.slacks.push(self.sum(terms, *least));
                 evaluated.conditions.push(index);
             }
         }
@@ -133,19 +106,19 @@ impl Rows<'_> {
     /// Adds the derivatives with respect to the parameters that vary, from the index `first` on.
     fn add(&self, row: &mut Row, first: usize, number: Number) {
         if self.slopes {
-            for (by, &(variable, width)) in number.by().iter().zip(&self.follow.moved_by()[first..]) {
+            for (by, &(variable, width)) in number.by().iter().zip(&self.motion.moved_by[first..]) {
                 row.by[variable] += width * by;
             }
         }
     }
 
     /// Σ factor · parameter − least, relative to the widths of the parameters' bounds.
-    fn sum(&self, parameters: &[f64], terms: &[(usize, f64)], least: f64) -> Row {
-        let free = |index: usize| self.free.iter().position(|free| free.places.contains(&index));
-        let width = |index: usize| free(index).map_or(0.0, |free| self.free[free].width());
+    fn sum(&self, terms: &[(usize, f64)], least: f64) -> Row {
+        let free = |index: usize| self.task.free.iter().position(|free| free.indices.contains(&index));
+        let width = |index: usize| free(index).map_or(0.0, |free| self.task.free[free].width());
         let size: f64 = terms.iter().map(|(index, factor)| factor.abs() * width(*index)).sum();
         let size = if size > 0.0 { size } else { 1.0 };
-        let value = terms.iter().map(|(index, factor)| factor * parameters[*index]).sum::<f64>() - least;
+        let value = terms.iter().map(|(index, factor)| factor * self.motion.parameters[*index]).sum::<f64>() - least;
         let mut row = self.row(value / size);
         for (index, factor) in terms {
             if let (Some(variable), true) = (free(*index), self.slopes) {
@@ -167,10 +140,10 @@ impl Rows<'_> {
         match &objective.wanted {
             Wanted::Values(values, weights) => self.values(objective, at, (values, weights), misses),
             Wanted::Zeros(residuals) => {
-                let chunks = if self.slopes { self.follow.moved_by().len().div_ceil(WIDTH) } else { 1 };
+                let chunks = if self.slopes { self.motion.moved_by.len().div_ceil(WIDTH) } else { 1 };
                 let mut seen = vec![vec![Vec::new(); at.times.len()]; chunks];
-                self.follow.each(&at.times, self.slopes, objective.needs(), &mut |instant, first, varied| {
-                    let of = objective.of.iter().map(|quantity| quantity.varied(self.follow.model(), varied));
+                self.motion.each(&at.times, self.slopes, objective.needs(), &mut |instant, first, varied| {
+                    let of = objective.of.iter().map(|quantity| quantity.varied(self.task.model, varied));
                     seen[first / WIDTH][instant] = of.map(|number| number.unwrap_or(UNKNOWN)).collect();
                 })?;
                 let begin = misses.len();
@@ -193,8 +166,8 @@ impl Rows<'_> {
     /// A number that is to be least.
     fn least(&self, objective: &Objective, at: &Instants, of: &Least) -> Result<f64, SolveError> {
         let mut seen = vec![Vec::new(); at.times.len()];
-        self.follow.each(&at.times, false, objective.needs(), &mut |instant, _, varied| {
-            let values = objective.of.iter().map(|quantity| quantity.varied(self.follow.model(), varied));
+        self.motion.each(&at.times, false, objective.needs(), &mut |instant, _, varied| {
+            let values = objective.of.iter().map(|quantity| quantity.varied(self.task.model, varied));
             seen[instant] = values.map(|number| number.map_or(f64::NAN, Number::value)).collect();
         })?;
         Ok(of(&seen))
@@ -209,14 +182,14 @@ impl Rows<'_> {
         misses: &mut Vec<Row>,
     ) -> Result<(), SolveError> {
         let (begin, each) = (misses.len(), objective.of.len());
-        self.follow.each(&at.times, self.slopes, objective.needs(), &mut |instant, first, varied| {
+        self.motion.each(&at.times, self.slopes, objective.needs(), &mut |instant, first, varied| {
             for (index, quantity) in objective.of.iter().enumerate() {
-                let number = quantity.varied(self.follow.model(), varied).unwrap_or(UNKNOWN);
+                let number = quantity.varied(self.task.model, varied).unwrap_or(UNKNOWN);
                 let weight = weights[index];
                 if first == 0 {
                     let mut row = self.row(weight * quantity.miss(number.value(), values[instant][index]));
                     if let (Some(chain), true) = (at.moved_by, self.slopes) {
-                        let rate = weight * quantity.rate(self.follow.model(), varied);
+                        let rate = weight * quantity.rate(self.task.model, varied);
                         chain.moving(instant).for_each(|(variable, factor)| row.by[variable] += rate * factor);
                     }
                     misses.push(row);
@@ -235,7 +208,7 @@ impl Rows<'_> {
         of: &dyn Fn(&Varied, &mut Vec<Number>),
     ) -> Result<(), SolveError> {
         let (mut begin, mut numbers) = (slacks.len(), Vec::new());
-        self.follow.each(times, self.slopes, needs, &mut |_, first, varied| {
+        self.motion.each(times, self.slopes, needs, &mut |_, first, varied| {
             numbers.clear();
             of(varied, &mut numbers);
             if first == 0 {
@@ -253,7 +226,7 @@ impl Rows<'_> {
     }
 
     fn range(&self, times: &[f64], of: &Quantity, ends: [f64; 2], slacks: &mut Vec<Row>) -> Result<(), SolveError> {
-        self.slacks(times, of.needs(), slacks, &|varied, out| range_slacks(self.follow.model(), varied, of, ends, out))
+        self.slacks(times, of.needs(), slacks, &|varied, out| range_slacks(self.task.model, varied, of, ends, out))
     }
 }
 

@@ -3,7 +3,6 @@
 
 use super::error::DesignError;
 use crate::measure::{Measure, Needs};
-use crate::mechanism::Mechanism;
 use crate::model::Model;
 use crate::results::varied::{Number, Varied};
 use core::f64::consts::TAU;
@@ -35,8 +34,7 @@ pub(crate) enum Quantity {
 
 impl Quantity {
     /// The quantity of this name.
-    pub(crate) fn named<M: Mechanism>(name: &str) -> Result<Self, DesignError> {
-        let model = M::model();
+    pub(crate) fn named(model: &'static Model, name: &str) -> Result<Self, DesignError> {
         if let Some(measure) = Measure::named(model, name) {
             if !measure.has_derivatives() {
                 return Err(DesignError::NoDerivatives { quantity: name.to_owned() });
@@ -52,16 +50,16 @@ impl Quantity {
     }
 
     /// Both components of a point.
-    pub(crate) fn point<M: Mechanism>(name: &str) -> Result<Vec<Self>, DesignError> {
-        if !M::model().points.iter().any(|info| info.name == name) {
+    pub(crate) fn point(model: &'static Model, name: &str) -> Result<Vec<Self>, DesignError> {
+        if !model.points.iter().any(|info| info.name == name) {
             return Err(DesignError::UnknownQuantity { quantity: name.to_owned() });
         }
-        ["x", "y"].iter().map(|axis| Self::named::<M>(&format!("{name}.{axis}"))).collect()
+        ["x", "y"].iter().map(|axis| Self::named(model, &format!("{name}.{axis}"))).collect()
     }
 
     /// x, y and φ of a body.
-    pub(crate) fn pose<M: Mechanism>(name: &str) -> Result<Vec<Self>, DesignError> {
-        let index = M::model().bodies.iter().position(|info| info.name == name);
+    pub(crate) fn pose(model: &'static Model, name: &str) -> Result<Vec<Self>, DesignError> {
+        let index = model.bodies.iter().position(|info| info.name == name);
         let index = index.ok_or_else(|| DesignError::UnknownQuantity { quantity: name.to_owned() })?;
         Ok((0..3).map(|axis| Self::Pose(index, axis)).collect())
     }

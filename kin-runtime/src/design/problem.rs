@@ -1,51 +1,34 @@
-//! A design without its mechanism's type: what searches and descents work on, so that they are compiled once, in this crate.
+//! Misses and slacks as functions of the variables: what searches and descents work on.
 
-use super::builder::Design;
-use super::follow::Branch;
-use super::motion::Evaluated;
+use super::follow::{Branch, Family, Motion};
 use super::objective::{Objective, Wanted};
-use super::variables::Free;
-use crate::error::SolveError;
-use crate::mechanism::Mechanism;
+use super::task::Task;
 
-/// Misses and slacks as functions of the variables.
-pub(crate) trait Problem: Sync {
-    fn free(&self) -> &[Free];
-    fn objectives(&self) -> &[Objective];
-    /// All misses and slacks, with derivatives if `slopes`.
-    ///
-    /// # Errors
-    /// Why the mechanism does not assemble all the way.
-    fn evaluate(&self, variables: &[f64], branch: &Branch, slopes: bool) -> Result<Evaluated, SolveError>;
+/// A task for the mechanisms of one type. Searches of all types are compiled once, in this crate.
+#[derive(Clone, Copy)]
+pub(crate) struct Problem<'p> {
+    pub(crate) family: &'p dyn Family,
+    pub(crate) task: &'p Task,
 }
 
-impl<M: Mechanism> Problem for Design<M> {
-    fn free(&self) -> &[Free] {
-        &self.free
+impl<'p> Problem<'p> {
+    /// The motion with these variables.
+    pub(crate) fn motion(&self, variables: &[f64], branch: &'p Branch) -> Motion<'p> {
+        Motion::new(self.family, self.task, variables, branch)
     }
 
-    fn objectives(&self) -> &[Objective] {
-        &self.objectives
-    }
-
-    fn evaluate(&self, variables: &[f64], branch: &Branch, slopes: bool) -> Result<Evaluated, SolveError> {
-        self.evaluated(variables, branch, slopes)
-    }
-}
-
-impl dyn Problem + '_ {
     /// The sum of squares of the wanted values, relative to which errors are compared.
     pub(crate) fn wanted(&self) -> f64 {
-        self.objectives().iter().flat_map(Objective::weighted).map(|value| value * value).sum()
+        self.task.objectives.iter().flat_map(Objective::weighted).map(|value| value * value).sum()
     }
 
     /// The largest of the wanted values.
     pub(crate) fn size(&self) -> f64 {
-        self.objectives().iter().flat_map(Objective::weighted).map(f64::abs).fold(0.0, f64::max)
+        self.task.objectives.iter().flat_map(Objective::weighted).map(f64::abs).fold(0.0, f64::max)
     }
 
     /// Whether an objective is to be least and is no sum of squares.
     pub(crate) fn is_least(&self) -> bool {
-        self.objectives().iter().any(|objective| matches!(objective.wanted, Wanted::Least(_)))
+        self.task.objectives.iter().any(|objective| matches!(objective.wanted, Wanted::Least(_)))
     }
 }

@@ -4,15 +4,15 @@ use super::builder::Design;
 use super::error::DesignError;
 use super::evolution::evolve;
 use super::fit::{Effort, End, FIRST, GLANCE, LAST, NOTHING, SECOND, descend, error};
-use super::follow::Branch;
+use super::follow::{Branch, Family};
 use super::problem::Problem;
 use super::result::{Designed, Slack};
+use super::task::Task;
 use super::variables::FIRST as PERIODS;
 use crate::error::SolveError;
 use crate::mechanism::Mechanism;
 use crate::planned::Sign;
 use crate::random::Random;
-use crate::solver::Solver;
 use core::ops::ControlFlow;
 use core::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use rayon::prelude::*;
@@ -78,79 +78,96 @@ impl<M: Mechanism> Design<M> {
     /// for a mechanism with inputs; [`NoStart`](DesignError::NoStart) where no random design assembles all the way and
     /// keeps the conditions.
     pub fn search(&self, search: &Search<'_>) -> Result<Designed<M>, DesignError> {
-        if self.free.is_empty() {
-            return Err(DesignError::Nothing { what: "no parameter is free" });
-        }
-        if self.objectives.iter().all(|objective| objective.instants() == 0) {
-            return Err(DesignError::Nothing { what: "the design has no objective" });
-        }
-        let inputs = M::model().inputs;
-        if !inputs.is_empty() {
-            return Err(DesignError::Inputs { inputs: inputs.to_vec() });
-        }
-        let problem: &dyn Problem = self;
-        let modes = self.all_modes();
-        // Conditions are kept at instants; where they are broken between them, they are tightened by as much.
-        let mut tightened = self.clone();
-        let mut ends = Vec::new();
-        for _ in 0..ROUNDS {
-            let mut descents = Descents { design: &tightened, search, modes: &modes, stopped: AtomicBool::new(false) };
-            let found = descents.run(&mut ends);
-            let stopped = *descents.stopped.get_mut();
-            let Some(best) = found.first() else {
-                let drawn = search.starts * DRAWS;
-                return Err(DesignError::NoStart { drawn, why: problem.why(&modes, search.seed) });
-            };
-            let slacks = self.verified(&best.variables, &best.branch)?;
-            let broken = slacks.iter().any(|slack| slack.slack < 0.0);
-            if !broken || stopped {
-                let mut designed = self.designed(best, slacks);
-                designed.errors = found.iter().map(|end| end.error).collect();
-                let nothing = NOTHING * problem.wanted();
-                let same = |error: &&f64| match problem.is_least() {
-                    true => **error - best.error <= SAME * best.error.abs(),
-                    false => **error <= (1.0 + SAME) * best.error.max(nothing),
-                };
-                designed.met = designed.errors.iter().filter(same).count();
-                (designed.starts, designed.assembled, designed.finished) = (search.starts, ends.len(), found.len());
-                designed.stopped = stopped;
-                return Ok(designed);
-            }
-            for (condition, slack) in tightened.conditions.iter_mut().zip(&slacks) {
-                condition.tighten(TIGHTER * (-slack.slack).max(0.0));
-            }
-            // New starts are drawn if none of the old ones keeps the tightened conditions.
-            ends.retain(|end: &End| error(&tightened, &end.variables, &end.branch).is_some());
-        }
-        Err(DesignError::NotKept { rounds: ROUNDS })
+        let found = searched(self, &self.task, search)?;
+        Ok(found.map(|parameters| self.mechanism(&parameters)))
     }
 
+    /// The mechanism with these parameters.
+    pub(crate) fn mechanism(&self, parameters: &[f64]) -> M {
+        let mut mechanism = (self.make)();
+        for (index, value) in parameters.iter().enumerate() {
+            mechanism.set_parameter(index, *value);
+        }
+        mechanism
+    }
+}
+
+/// The parameters with the least sum of squared misses.
+pub(crate) fn searched(
+    family: &dyn Family,
+    task: &Task,
+    search: &Search<'_>,
+) -> Result<Designed<Vec<f64>>, DesignError> {
+    if task.free.is_empty() {
+        return Err(DesignError::Nothing { what: "no parameter is free" });
+    }
+    if task.objectives.iter().all(|objective| objective.instants() == 0) {
+        return Err(DesignError::Nothing { what: "the design has no objective" });
+    }
+    if !task.model.inputs.is_empty() {
+        return Err(DesignError::Inputs { inputs: task.model.inputs.to_vec() });
+    }
+    let problem = Problem { family, task };
+    let modes = problem.all_modes();
+    // Conditions are kept at instants; where they are broken between them, they are tightened by as much.
+    let mut tightened = task.clone();
+    let mut ends = Vec::new();
+    for _ in 0..ROUNDS {
+        let design = Problem { family, task: &tightened };
+        let mut descents = Descents { design, search, modes: &modes, stopped: AtomicBool::new(false) };
+        let found = descents.run(&mut ends);
+        let stopped = *descents.stopped.get_mut();
+        let Some(best) = found.first() else {
+            let drawn = search.starts * DRAWS;
+            return Err(DesignError::NoStart { drawn, why: problem.why(&modes, search.seed) });
+        };
+        let slacks = problem.verified(&best.variables, &best.branch)?;
+        let broken = slacks.iter().any(|slack| slack.slack < 0.0);
+        if !broken || stopped {
+            let mut designed = problem.designed(best, slacks);
+            designed.errors = found.iter().map(|end| end.error).collect();
+            let nothing = NOTHING * problem.wanted();
+            let same = |error: &&f64| match problem.is_least() {
+                true => **error - best.error <= SAME * best.error.abs(),
+                false => **error <= (1.0 + SAME) * best.error.max(nothing),
+            };
+            designed.met = designed.errors.iter().filter(same).count();
+            (designed.starts, designed.assembled, designed.finished) = (search.starts, ends.len(), found.len());
+            designed.stopped = stopped;
+            return Ok(designed);
+        }
+        for (condition, slack) in tightened.conditions.iter_mut().zip(&slacks) {
+            condition.tighten(TIGHTER * (-slack.slack).max(0.0));
+        }
+        // New starts are drawn if none of the old ones keeps the tightened conditions.
+        let design = Problem { family, task: &tightened };
+        ends.retain(|end: &End| error(design, &end.variables, &end.branch).is_some());
+    }
+    Err(DesignError::NotKept { rounds: ROUNDS })
+}
+
+impl Problem<'_> {
     /// Every mode of the plan with the prescribed sign, or else the one that the guesses lead to.
     fn all_modes(&self) -> Vec<(usize, Option<Sign>)> {
-        let modes = M::model().plan.modes;
-        let instant = self.objectives.iter().find_map(|objective| objective.times.first().copied()).unwrap_or(0.0);
-        let mechanism = self.mechanism();
-        let solver = Solver::new(&mechanism);
-        let at = instant.into();
-        let found = solver.assemble(&at).ok().and_then(|q| solver.modes(&at, &q).ok());
+        let Task { model, objectives, modes, .. } = self.task;
+        let instant = objectives.iter().find_map(|objective| objective.times.first().copied()).unwrap_or(0.0);
+        let found = self.family.guessed(self.task, instant);
         let guessed = |index: usize| found.as_ref()?.get(index).and_then(|mode| mode.sign);
-        let asked = |index: usize| self.modes.iter().find(|(other, _)| *other == index).map(|(_, sign)| *sign);
-        (0..modes.len()).map(|index| (index, asked(index).unwrap_or_else(|| guessed(index)))).collect()
+        let asked = |index: usize| modes.iter().find(|(other, _)| *other == index).map(|(_, sign)| *sign);
+        (0..model.plan.modes.len()).map(|index| (index, asked(index).unwrap_or_else(|| guessed(index)))).collect()
     }
 
     /// What is reported of a design with these slacks.
-    fn designed(&self, end: &End, slacks: Vec<Slack>) -> Designed<M> {
-        let mechanism = self.mechanism_at(&end.variables);
-        let values = mechanism.parameters::<f64>();
-        let model = M::model();
-        let places = self.free.iter().flat_map(|free| free.places.iter().copied());
-        let evaluated = self.evaluated(&end.variables, &end.branch, false).unwrap_or_default();
+    fn designed(&self, end: &End, slacks: Vec<Slack>) -> Designed<Vec<f64>> {
+        let (task, parameters) = (self.task, self.task.parameters_at(&end.variables));
+        let evaluated = self.evaluate(&end.variables, &end.branch, false).unwrap_or_default();
+        let modes = end.branch.modes.iter().map(|&(index, sign)| (task.model.plan.modes[index].name, sign));
         Designed {
-            parameters: places.map(|index| (model.parameters[index].name, values.as_ref()[index])).collect(),
+            parameters: task.varied(&parameters),
             error: end.error,
-            least: (self as &dyn Problem).is_least().then_some(evaluated.least),
+            least: self.is_least().then_some(evaluated.least),
             times: evaluated.times,
-            modes: end.branch.modes.iter().map(|&(index, sign)| (model.plan.modes[index].name, sign)).collect(),
+            modes: modes.collect(),
             slacks,
             starts: 0,
             assembled: 0,
@@ -158,20 +175,18 @@ impl<M: Mechanism> Design<M> {
             met: 0,
             errors: Vec::new(),
             stopped: false,
-            mechanism,
+            mechanism: parameters,
         }
     }
-}
 
-impl dyn Problem + '_ {
     /// Random variables.
     fn draw(&self, random: &mut Random, modes: &[(usize, Option<Sign>)]) -> (Vec<f64>, Branch) {
         let mut share = || 0.5 * (random.symmetric() + 1.0);
         // Bounds may be far wider than the wanted values are large: half of the draws are restricted to a smaller part
         // of them, of random width.
         let (size, near) = (self.size(), (2.0 * share() - 1.0).max(0.0));
-        let mut variables: Vec<f64> = self.free().iter().map(|free| free.drawn(size, near, share())).collect();
-        for objective in self.objectives().iter().filter(|objective| objective.free.is_some()) {
+        let mut variables: Vec<f64> = self.task.free.iter().map(|free| free.drawn(size, near, share())).collect();
+        for objective in self.task.objectives.iter().filter(|objective| objective.free.is_some()) {
             let count = objective.instants();
             // The first instant within one period; then equal gaps that do not fill the period.
             variables.push((1.0 + share()) / PERIODS);
@@ -193,14 +208,14 @@ impl dyn Problem + '_ {
         let mut found: Vec<End> = Vec::new();
         for _ in 0..DRAWS {
             let (variables, branch) = self.draw(&mut random, modes);
-            let Some(error) = error(self, &variables, &branch) else { continue };
+            let Some(error) = error(*self, &variables, &branch) else { continue };
             found.push(End { variables, error, branch });
             if found.len() == COMPARED {
                 break;
             }
         }
         found.sort_by(|a, b| a.error.total_cmp(&b.error));
-        let tried = found.into_iter().take(TRIED).map(|end| improved(self, end, GLANCE));
+        let tried = found.into_iter().take(TRIED).map(|end| improved(*self, end, GLANCE));
         tried.min_by(|a, b| a.error.total_cmp(&b.error))
     }
 
@@ -215,13 +230,13 @@ impl dyn Problem + '_ {
 }
 
 /// A design after a descent.
-fn improved(design: &dyn Problem, start: End, effort: Effort) -> End {
+fn improved(design: Problem<'_>, start: End, effort: Effort) -> End {
     if design.is_least() { evolve(design, start, effort) } else { descend(design, start, effort) }
 }
 
 /// The descents of a search.
 struct Descents<'s> {
-    design: &'s dyn Problem,
+    design: Problem<'s>,
     search: &'s Search<'s>,
     modes: &'s [(usize, Option<Sign>)],
     stopped: AtomicBool,

@@ -1,5 +1,6 @@
 //! Designs in words.
 
+use super::task::Task;
 use super::{Design, Direction, Search, Shortest, Slack};
 use crate::mechanism::Mechanism;
 use core::fmt;
@@ -7,8 +8,8 @@ use core::fmt;
 /// The numbers of free parameters, objectives and conditions.
 impl<M: Mechanism> fmt::Display for Design<M> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let [free, objectives, conditions] = [self.free.len(), self.objectives.len(), self.conditions.len()];
-        let name = M::model().name;
+        let Task { model, free, objectives, conditions, .. } = &self.task;
+        let (name, [free, objectives, conditions]) = (model.name, [free.len(), objectives.len(), conditions.len()]);
         write!(f, "design of {name}: {free} free parameters, {objectives} objectives, {conditions} conditions")
     }
 }

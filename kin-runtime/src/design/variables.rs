@@ -2,12 +2,12 @@
 
 use super::error::DesignError;
 use super::objective::{Direction, Objective};
-use crate::mechanism::Mechanism;
+use crate::model::Model;
 
 /// A free parameter, with those that are equal to it.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Free {
-    pub(crate) places: Vec<usize>,
+    pub(crate) indices: Vec<usize>,
     pub(crate) low: f64,
     pub(crate) high: f64,
 }
@@ -29,8 +29,8 @@ impl Free {
 }
 
 /// The index of a parameter.
-pub(crate) fn parameter_index<M: Mechanism>(parameter: &str) -> Result<usize, DesignError> {
-    let parameters = M::model().parameters;
+pub(crate) fn parameter_index(model: &'static Model, parameter: &str) -> Result<usize, DesignError> {
+    let parameters = model.parameters;
     parameters.iter().position(|info| info.name == parameter).ok_or_else(|| DesignError::UnknownParameter {
         parameter: parameter.to_owned(),
         parameters: parameters.iter().map(|info| info.name).collect(),

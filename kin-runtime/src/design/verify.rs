@@ -1,14 +1,13 @@
 //! Verifies the conditions of a design along its whole motion, not only at the instants that a search evaluates.
 
-use super::builder::Design;
 use super::condition::Condition;
 use super::error::DesignError;
-use super::follow::{Branch, Follow, Motion};
+use super::follow::{Branch, Motion};
 use super::motion::{margin_slacks, range_slacks};
+use super::problem::Problem;
 use super::result::Slack;
 use crate::error::SolveError;
 use crate::measure::Needs;
-use crate::mechanism::Mechanism;
 use crate::nonlinear::peak::peak;
 use crate::results::varied::{Number, Varied};
 
@@ -18,15 +17,14 @@ const STEPS: usize = 360;
 /// Slacks of one instant.
 type Slacks<'s> = dyn Fn(&Varied, &mut Vec<Number>) + 's;
 
-impl<M: Mechanism> Design<M> {
+impl Problem<'_> {
     /// The slack of every condition; of a condition on a period the least.
     ///
     /// # Errors
     /// [`Broken`](DesignError::Broken) where the mechanism does not move through all of a period.
     pub(crate) fn verified(&self, variables: &[f64], branch: &Branch) -> Result<Vec<Slack>, DesignError> {
-        let mechanism = self.mechanism_at(variables);
-        let follow = Follow::new(self, &mechanism, branch);
-        let evaluated = self.evaluated(variables, branch, false).unwrap_or_default();
+        let motion = self.motion(variables, branch);
+        let evaluated = self.evaluate(variables, branch, false).unwrap_or_default();
         let at_instants = |index: usize| {
             let own = evaluated.conditions.iter().zip(&evaluated.slacks).filter(|(other, _)| **other == index);
             own.map(|(_, slack)| slack.value).fold(f64::INFINITY, f64::min)
@@ -42,21 +40,21 @@ impl<M: Mechanism> Design<M> {
             let of = |varied: &Varied, out: &mut Vec<Number>| match condition {
                 Condition::Sum { .. } => {}
                 Condition::Margins { least, .. } => margin_slacks(varied, *least, out),
-                Condition::Range { of, low, high, .. } => range_slacks(M::model(), varied, of, [*low, *high], out),
+                Condition::Range { of, low, high, .. } => range_slacks(self.task.model, varied, of, [*low, *high], out),
             };
-            let (slack, at) = least(&follow, times.last().copied().unwrap_or(0.0), needs, &of)
+            let (slack, at) = least(&motion, times.last().copied().unwrap_or(0.0), needs, &of)
                 .map_err(|why| DesignError::Broken { condition: condition.name(), why: Box::new(why) })?;
             Ok(Slack { condition: condition.name(), slack, at: Some(at) })
         };
-        self.conditions.iter().enumerate().map(slack).collect()
+        self.task.conditions.iter().enumerate().map(slack).collect()
     }
 }
 
 /// The least slack from 0 to the end of a period, and where it is.
-fn least(follow: &dyn Motion, period: f64, needs: Needs, of: &Slacks<'_>) -> Result<(f64, f64), SolveError> {
+fn least(motion: &Motion<'_>, period: f64, needs: Needs, of: &Slacks<'_>) -> Result<(f64, f64), SolveError> {
     let slacks = |times: &[f64]| -> Result<Vec<Vec<f64>>, SolveError> {
         let (mut all, mut numbers) = (Vec::with_capacity(times.len()), Vec::new());
-        follow.each(times, false, needs, &mut |_, _, varied| {
+        motion.each(times, false, needs, &mut |_, _, varied| {
             numbers.clear();
             of(varied, &mut numbers);
             all.push(numbers.iter().map(|number| number.value()).collect());

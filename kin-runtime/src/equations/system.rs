@@ -250,7 +250,8 @@ impl<B: Borrow<M>, M: Mechanism> System for Evaluator<B, M> {
         turns: &mut [Interval],
     ) -> Result<(), LengthError> {
         if M::ROWS_CURVE {
-            let known: M::Parameters<Interval> = Array::generate(|k| Interval::from_f64(self.parameters.as_ref()[k]));
+            let known: M::Parameters<Interval> =
+                Array::generate(Interval::ZERO, |k| Interval::from_f64(self.parameters.as_ref()[k]));
             self.mechanism.borrow().turns_with(known.as_ref(), at, q, turns)?;
         }
         Ok(())

@@ -40,17 +40,25 @@ impl Subset {
 /// An array `[T; N]` of any length N.
 #[doc(hidden)]
 pub trait Array<T>: Copy + AsRef<[T]> + AsMut<[T]> {
-    /// The array of `f(0), f(1), …`.
-    fn generate(f: impl FnMut(usize) -> T) -> Self;
-    /// The array filled with `value`; it compiles faster than [`generate`](Self::generate).
+    /// The array of `f(0), f(1), …`. It is filled with `zero` first, because a loop compiles faster than a function that
+    /// builds an array.
+    fn generate(zero: T, f: impl FnMut(usize) -> T) -> Self;
+    /// The array filled with `value`.
     fn filled(value: T) -> Self;
     /// The list as an array, if it has the right length.
     fn view(list: &[T]) -> Option<&Self>;
 }
 
 impl<T: Copy, const N: usize> Array<T> for [T; N] {
-    fn generate(f: impl FnMut(usize) -> T) -> Self {
-        core::array::from_fn(f)
+    #[inline(always)]
+    fn generate(zero: T, mut f: impl FnMut(usize) -> T) -> Self {
+        let mut out = [zero; N];
+        let mut k = 0;
+        while k < N {
+            out[k] = f(k);
+            k += 1;
+        }
+        out
     }
 
     #[inline(always)]

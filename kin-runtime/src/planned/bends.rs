@@ -134,10 +134,10 @@ pub(crate) fn bends_are_followed<M: Mechanism>(
     span: Span<'_>,
     rotation: f64,
 ) -> Result<bool, LengthError> {
-    let known: M::Parameters<Interval> = Array::generate(|k| Interval::from_f64(parameters[k]));
+    let known: M::Parameters<Interval> = Array::generate(Interval::ZERO, |k| Interval::from_f64(parameters[k]));
     let ends = |k: usize| [&span.inputs[k], &at.inputs[k]];
     let of = |s: f64, q: &[f64]| {
-        let inputs = M::Inputs::<f64>::generate(|k| input_within(ends(k), s));
+        let inputs = M::Inputs::<f64>::generate(Signal::constant(0.0), |k| input_within(ends(k), s));
         let there = Instant { t: time_within(at.t, span.h, s), inputs: inputs.as_ref() };
         BranchValues::at(mechanism, parameters, &there, q)
     };
@@ -151,7 +151,7 @@ pub(crate) fn bends_are_followed<M: Mechanism>(
         rotation,
         [box_of_part.as_mut(), turns.as_mut()],
         &mut |place, part, turns| {
-            let inputs = M::Inputs::<Interval>::generate(|k| {
+            let inputs = M::Inputs::<Interval>::generate(Signal::constant(Interval::ZERO), |k| {
                 let [from, to] = ends(k).map(|input| input.map(Interval::from_f64));
                 input_within([&from, &to], place)
             });

@@ -70,7 +70,9 @@ pub(crate) fn certainty_at_places<M: Mechanism, V: Compare>(
     let first_group = if M::CLOSED_ROWS_TURN { 0 } else { M::model().plan.modes.len() };
     let of = |s: f64, q: &[V]| {
         let s = V::from_f64(s);
-        let inputs = M::Inputs::<V>::generate(|k| input_within([&from[k], &at.inputs[k]], s));
+        let inputs = M::Inputs::<V>::generate(Signal::constant(V::from_f64(0.0)), |k| {
+            input_within([&from[k], &at.inputs[k]], s)
+        });
         let there = Instant { t: time_within(at.t, h, s), inputs: inputs.as_ref() };
         BranchValues::at(mechanism, parameters, &there, q)
     };

@@ -112,19 +112,14 @@ impl<M: Mechanism> PlanFollower<M> {
             s = place;
             *sample = (w, s, from.q);
         }
-        let w = core::array::from_fn(|k| samples[k].0);
-        if !w.is_sorted_by(|a, b| a < b) {
-            return None;
+        let mut q = from.q;
+        // A loop, because a closure would be compiled again for every mechanism.
+        let mut seen = [(0.0, 0.0, &[][..]); SAMPLES];
+        for (seen, (w, s, q)) in seen.iter_mut().zip(&samples) {
+            *seen = (*w, *s, q.as_ref());
         }
-        let at_limit = Interpolation::new(w);
-        let (place, error, kind) = at_limit.limit(&core::array::from_fn(|k| samples[k].1), reach);
-        let mut found = Found::<M> { place, q: from.q, error, kind };
-        let q: &mut [f64] = found.q.as_mut();
-        for (k, q) in q.iter_mut().enumerate() {
-            let error;
-            (*q, error) = at_limit.value(&core::array::from_fn(|sample| samples[sample].2.as_ref()[k]));
-            found.error = found.error.max(error / (1.0 + samples[0].2.as_ref()[k].abs()));
-        }
+        let (place, error, kind) = interpolated(&seen, reach, q.as_mut())?;
+        let found = Found::<M> { place, q, error, kind };
         let is_there = group < M::model().plan.modes.len() || {
             let mut inputs = M::Inputs::<f64>::filled(Signal::constant(0.0));
             let at = Instant { t: course.at(place, inputs.as_mut()), inputs: inputs.as_ref() };
@@ -160,6 +155,26 @@ fn farther_back((at, s): (f64, f64), start: f64, stops_there: bool) -> f64 {
     let least = 4.0 * f64::EPSILON * at.abs().max(start.abs());
     let stride = if (at - s).abs() > least { at - s } else { least.copysign(at - start) };
     if stops_there && (stride > 0.0) == (s - stride < start) { start } else { s - stride }
+}
+
+/// The place, the error and the kind of the limit of samples (w, place, q); writes q there. `None` where w does not grow.
+fn interpolated(
+    samples: &[(f64, f64, &[f64]); SAMPLES],
+    reach: f64,
+    q: &mut [f64],
+) -> Option<(f64, f64, Option<LimitKind>)> {
+    let w = samples.map(|sample| sample.0);
+    if !w.is_sorted_by(|a, b| a < b) {
+        return None;
+    }
+    let at_limit = Interpolation::new(w);
+    let (place, mut worst, kind) = at_limit.limit(&samples.map(|sample| sample.1), reach);
+    for (k, q) in q.iter_mut().enumerate() {
+        let error;
+        (*q, error) = at_limit.value(&samples.map(|sample| sample.2[k]));
+        worst = f64::max(worst, error / (1.0 + samples[0].2[k].abs()));
+    }
+    Some((place, worst, kind))
 }
 
 /// One number of every sample; the nearest to the limit comes first.

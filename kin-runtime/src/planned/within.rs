@@ -52,7 +52,7 @@ pub(crate) fn certainty_within<M: Mechanism, V: Compare>(
     let mut margins = Margins::<M, V>::filled(V::from_f64(0.0));
     let mut inputs = M::Inputs::<f64>::filled(Signal::constant(0.0));
     let t = course.at(s + place * (next - s), inputs.as_mut());
-    let inputs = M::Inputs::<V>::generate(|k| inputs.as_ref()[k].map(V::from_f64));
+    let inputs = M::Inputs::<V>::generate(Signal::constant(V::from_f64(0.0)), |k| inputs.as_ref()[k].map(V::from_f64));
     on_cubic(cubic.as_mut(), ends, next - s, place);
     let [q_dot, q_ddot] = &mut rates;
     let solved =

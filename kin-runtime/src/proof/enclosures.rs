@@ -45,7 +45,9 @@ impl<'m, M: Mechanism> OverBoxes<'m, M> {
     /// At an instant with as many inputs as the mechanism has.
     pub(crate) fn new(mechanism: &'m M, at: &Instant<'_>) -> Self {
         let input = |k: usize| at.inputs.get(k).copied().unwrap_or_default();
-        let inputs = M::Inputs::<Interval>::generate(|k| input(k).map(<Interval as Scalar>::from_f64));
+        let inputs = M::Inputs::<Interval>::generate(Signal::constant(Interval::ZERO), |k| {
+            input(k).map(<Interval as Scalar>::from_f64)
+        });
         let t = Interval::from(at.t);
         Self { mechanism, parameters: mechanism.parameters(), start: (t, inputs), t, inputs, workspace: M::workspace() }
     }
@@ -56,7 +58,8 @@ impl<M: Mechanism> Enclosures for OverBoxes<'_, M> {
         let (start, inputs) = &self.start;
         let since = t - *start;
         self.t = t;
-        self.inputs = M::Inputs::<Interval>::generate(|k| inputs.as_ref()[k].after(since));
+        self.inputs =
+            M::Inputs::<Interval>::generate(Signal::constant(Interval::ZERO), |k| inputs.as_ref()[k].after(since));
     }
 
     fn evaluate(&mut self, subset: Subset, q: &[Interval], q_dot: &[Interval]) -> Result<Evaluated<'_>, LengthError> {
@@ -70,7 +73,9 @@ impl<M: Mechanism> Enclosures for OverBoxes<'_, M> {
 
     fn is_smooth(&self, q: &[Interval]) -> bool {
         let parameters = self.mechanism.parameters::<Smooth>();
-        let inputs = M::Inputs::<Smooth>::generate(|k| self.inputs.as_ref()[k].map(Smooth));
+        let inputs = M::Inputs::<Smooth>::generate(Signal::constant(Smooth(Interval::ZERO)), |k| {
+            self.inputs.as_ref()[k].map(Smooth)
+        });
         let at = Instant { t: Smooth(self.t), inputs: inputs.as_ref() };
         let q: Vec<Smooth> = q.iter().copied().map(Smooth).collect();
         let still = vec![Smooth(Interval::ZERO); q.len()];

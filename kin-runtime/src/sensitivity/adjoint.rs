@@ -64,7 +64,7 @@ impl<M: Mechanism> Solver<'_, M> {
             return Ok(gradient);
         }
         let model = M::model();
-        let usable = self.options.use_plan && self.given.is_empty() && model.plan.exists();
+        let usable = self.settings.options.use_plan && self.settings.given.is_empty() && model.plan.exists();
         let determined = !is_integrated(model) && !model.plan.has_redundant_rows();
         let differentiable = measures.iter().all(|measure| measure.has_derivatives() || measure.is_held());
         let backwards = usable && determined && differentiable && M::COORDINATES <= LARGEST;
@@ -131,7 +131,8 @@ impl<M: Mechanism> Work<M> {
         let number = Recorded::from_f64;
         let inputs: Vec<Signal<Recorded>> = state.inputs.iter().map(|input| input.map(number)).collect();
         let at = Instant { t: number(state.t), inputs: &inputs };
-        let start = M::Coordinates::<Recorded>::generate(|k| number(state.q.get(k).copied().unwrap_or(0.0)));
+        let start =
+            M::Coordinates::<Recorded>::generate(number(0.0), |k| number(state.q.get(k).copied().unwrap_or(0.0)));
         let signs: Vec<Recorded> = modes.of_closures().iter().map(|&sign| number(sign)).collect();
         let Varied { q, q_dot, q_ddot, margins, observed, geometry, forces } = &mut self.varied;
         margins.clear();

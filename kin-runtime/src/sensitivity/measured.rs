@@ -1,12 +1,16 @@
 //! Derivatives of quantities by name.
 
-use super::{Variation, Varying, observe};
+use super::{Variation, Varying, by, exist, observe, vary};
+use crate::analysis::forces::forces;
 use crate::error::SolveError;
+use crate::forces::Forces;
 use crate::measure::{Measure, Needs, column_values, magnitude_parts};
 use crate::mechanism::Mechanism;
+use crate::model::Model;
 use crate::results::varied::{Number, Varied};
 use crate::scalar::Scalar;
-use crate::solver::Solver;
+use crate::sensitivities::Sensitivities;
+use crate::solver::{AnySolver, Solver};
 use crate::state::State;
 
 impl<M: Mechanism> Solver<'_, M> {
@@ -56,53 +60,62 @@ impl<M: Mechanism> Solver<'_, M> {
         measures: &[Measure],
         parameters: &[usize],
     ) -> Result<Vec<Vec<f64>>, SolveError> {
-        if let Some(&index) = parameters.iter().find(|&&index| index >= M::PARAMETERS) {
-            return Err(SolveError::UnknownParameter { index, parameters: M::PARAMETERS });
-        }
-        // `vary` evaluates the observables, and forces follow below, with or without a closed form.
-        let geometry = measures.iter().any(|measure| measure.needs().geometry);
-        let needs = Needs { geometry, ..Needs::LEAST };
-        let mut all = vec![Vec::with_capacity(parameters.len()); measures.len()];
-        let mut varying = Varying::new(self.mechanism);
-        self.vary(&mut varying, state, parameters, &mut |variation, places, varied| {
-            complete(variation, varied, needs)?;
-            for (measure, by) in measures.iter().zip(&mut all) {
-                let held = if measure.is_held() { 0.0 } else { f64::NAN };
-                let number = measure.varied(M::model(), varied);
-                by.extend((0..places.len()).map(|lane| number.map_or(held, |number| number.by()[lane])));
-            }
-            Ok(())
-        })?;
-        if measures.iter().any(|measure| measure.force().is_some()) {
-            self.force_sensitivities(state, measures, parameters, &mut all)?;
-        }
-        Ok(all)
+        measured(self, &mut Varying::new(self.mechanism), state, measures, parameters)
     }
+}
 
-    /// Writes the derivatives of forces among the quantities.
-    fn force_sensitivities(
-        &self,
-        state: &State,
-        measures: &[Measure],
-        parameters: &[usize],
-        all: &mut [Vec<f64>],
-    ) -> Result<(), SolveError> {
-        let (model, by) = (M::model(), self.sensitivities_by(state, parameters)?);
-        let (mut at, mut slopes) = (Vec::new(), Vec::new());
-        column_values(model, self.forces(state).ok().as_ref(), &mut at);
-        for (k, by) in by.by.iter().enumerate() {
-            slopes.clear();
-            column_values(model, by.forces.as_ref(), &mut slopes);
-            for (measure, all) in measures.iter().zip(&mut *all) {
-                let Some(index) = measure.force() else { continue };
-                all[k] = match magnitude_parts(measure.name(), index) {
-                    // |f| = √(x² + y²).
-                    Some([x, y]) => (at[x] * slopes[x] + at[y] * slopes[y]) / at[index],
-                    None => slopes[index],
-                };
-            }
+/// As [`Solver::measure_sensitivities`].
+fn measured(
+    solver: &dyn AnySolver,
+    variation: &mut dyn Variation,
+    state: &State,
+    measures: &[Measure],
+    parameters: &[usize],
+) -> Result<Vec<Vec<f64>>, SolveError> {
+    let model = variation.model();
+    exist(model, parameters)?;
+    // `vary` evaluates the observables, and forces follow below, with or without a closed form.
+    let geometry = measures.iter().any(|measure| measure.needs().geometry);
+    let needs = Needs { geometry, ..Needs::LEAST };
+    let mut all = vec![Vec::with_capacity(parameters.len()); measures.len()];
+    vary(solver, variation, state, parameters, &mut |variation, chunk, varied| {
+        complete(variation, varied, needs)?;
+        for (measure, by) in measures.iter().zip(&mut all) {
+            let held = if measure.is_held() { 0.0 } else { f64::NAN };
+            let number = measure.varied(model, varied);
+            by.extend((0..chunk.len()).map(|lane| number.map_or(held, |number| number.by()[lane])));
         }
         Ok(())
+    })?;
+    if measures.iter().any(|measure| measure.force().is_some()) {
+        let by = by(solver, variation, state, parameters)?;
+        let mut equations = solver.equations_at(&state.instant())?;
+        let at = forces(&mut equations, state, solver.settings().sharing).ok();
+        write_forces(model, measures, (at.as_ref(), &by), &mut all);
+    }
+    Ok(all)
+}
+
+/// Writes the derivatives of forces among the quantities; `at` is the forces themselves.
+fn write_forces(
+    model: &Model,
+    measures: &[Measure],
+    (at, by): (Option<&Forces>, &Sensitivities),
+    all: &mut [Vec<f64>],
+) {
+    let (mut numbers, mut slopes) = (Vec::new(), Vec::new());
+    column_values(model, at, &mut numbers);
+    for (k, by) in by.by.iter().enumerate() {
+        slopes.clear();
+        column_values(model, by.forces.as_ref(), &mut slopes);
+        for (measure, all) in measures.iter().zip(&mut *all) {
+            let Some(index) = measure.force() else { continue };
+            all[k] = match magnitude_parts(measure.name(), index) {
+                // |f| = √(x² + y²).
+                Some([x, y]) => (numbers[x] * slopes[x] + numbers[y] * slopes[y]) / numbers[index],
+                None => slopes[index],
+            };
+        }
     }
 }
 

@@ -29,7 +29,7 @@ use crate::motion::{BodyMotion, PointMotion};
 use crate::plan::Plan;
 use crate::results::varied::{Number, Varied, WIDTH};
 use crate::sensitivities::{Sensitivities, Sensitivity};
-use crate::solver::Solver;
+use crate::solver::{AnySolver, Solver};
 use crate::state::State;
 use linear::Linear;
 #[cfg(any(feature = "simd", feature = "design"))]
@@ -92,44 +92,7 @@ impl<M: Mechanism> Solver<'_, M> {
     /// # Errors
     /// As [`sensitivities`](Self::sensitivities), and [`UnknownParameter`](SolveError::UnknownParameter).
     pub fn sensitivities_by(&self, state: &State, parameters: &[usize]) -> Result<Sensitivities, SolveError> {
-        if let Some(&index) = parameters.iter().find(|&&index| index >= M::PARAMETERS) {
-            return Err(SolveError::UnknownParameter { index, parameters: M::PARAMETERS });
-        }
-        let model = M::model();
-        let (mut varying, mut by, mut margins) = (Varying::new(self.mechanism), Vec::new(), Vec::new());
-        self.vary(&mut varying, state, parameters, &mut |variation, chunk, varied| {
-            let first = by.len();
-            by.extend((0..chunk.len()).map(|lane| reported(model, model.parameters[chunk[lane]].name, lane, varied)));
-            margins = varied.margins.iter().map(|margin| margin.value()).collect();
-            let Some(info) = model.forces else { return Ok(()) };
-            let mut equations = self.equations(&state.instant())?;
-            forces::forces(&mut equations, variation, info, state, varied, &mut by[first..]);
-            Ok(())
-        })?;
-        match by.iter().find(|by| !by.is_finite()) {
-            Some(by) => Err(SolveError::NoSensitivity { t: state.t, parameter: by.parameter, row_name: None }),
-            None => Ok(Sensitivities { t: state.t, model, margins, by }),
-        }
-    }
-
-    /// q, q̇, q̈ and the observables with their derivatives, for as many parameters at once as a number carries.
-    pub(crate) fn vary(
-        &self,
-        variation: &mut dyn Variation,
-        state: &State,
-        parameters: &[usize],
-        see: &mut See<'_>,
-    ) -> Result<(), SolveError> {
-        let mut all = Vec::new();
-        if !(self.given.is_empty() && planned(self.options.use_plan, variation, state, parameters, &mut all)?) {
-            by_rows(&mut self.equations(&state.instant())?, variation, state, parameters, &mut all)?;
-        }
-        for (chunk, varied) in parameters.chunks(WIDTH).zip(&mut all) {
-            variation.begin(&state.instant(), chunk);
-            observe(variation, varied)?;
-            see(variation, chunk, varied)?;
-        }
-        Ok(())
+        by(self, &mut Varying::new(self.mechanism), state, parameters)
     }
 
     /// [`sensitivities_by`](Self::sensitivities_by) at every state of a motion, in their order.
@@ -143,6 +106,62 @@ impl<M: Mechanism> Solver<'_, M> {
     ) -> Result<Vec<Sensitivities>, SolveError> {
         states.iter().map(|state| self.sensitivities_by(state, parameters)).collect()
     }
+}
+
+/// As [`Solver::sensitivities_by`].
+fn by(
+    solver: &dyn AnySolver,
+    variation: &mut dyn Variation,
+    state: &State,
+    parameters: &[usize],
+) -> Result<Sensitivities, SolveError> {
+    let model = variation.model();
+    exist(model, parameters)?;
+    let (mut by, mut margins) = (Vec::new(), Vec::new());
+    vary(solver, variation, state, parameters, &mut |variation, chunk, varied| {
+        let first = by.len();
+        by.extend((0..chunk.len()).map(|lane| reported(model, model.parameters[chunk[lane]].name, lane, varied)));
+        margins = varied.margins.iter().map(|margin| margin.value()).collect();
+        let Some(info) = model.forces else { return Ok(()) };
+        let mut equations = solver.equations_at(&state.instant())?;
+        forces::forces(&mut equations, variation, info, state, varied, &mut by[first..]);
+        Ok(())
+    })?;
+    match by.iter().find(|by| !by.is_finite()) {
+        Some(by) => Err(SolveError::NoSensitivity { t: state.t, parameter: by.parameter, row_name: None }),
+        None => Ok(Sensitivities { t: state.t, model, margins, by }),
+    }
+}
+
+/// An error if a parameter does not exist.
+fn exist(model: &Model, parameters: &[usize]) -> Result<(), SolveError> {
+    let count = model.parameters.len();
+    match parameters.iter().find(|&&index| index >= count) {
+        Some(&index) => Err(SolveError::UnknownParameter { index, parameters: count }),
+        None => Ok(()),
+    }
+}
+
+/// q, q̇, q̈ and the observables with their derivatives, for as many parameters at once as a number carries.
+pub(crate) fn vary(
+    solver: &dyn AnySolver,
+    variation: &mut dyn Variation,
+    state: &State,
+    parameters: &[usize],
+    see: &mut See<'_>,
+) -> Result<(), SolveError> {
+    let mut all = Vec::new();
+    let settings = solver.settings();
+    let is_free = settings.given.is_empty();
+    if !(is_free && planned(settings.options.use_plan, variation, state, parameters, &mut all)?) {
+        by_rows(&mut solver.equations_at(&state.instant())?, variation, state, parameters, &mut all)?;
+    }
+    for (chunk, varied) in parameters.chunks(WIDTH).zip(&mut all) {
+        variation.begin(&state.instant(), chunk);
+        observe(variation, varied)?;
+        see(variation, chunk, varied)?;
+    }
+    Ok(())
 }
 
 /// Receives the numbers that vary, for one chunk of the parameters after the other.

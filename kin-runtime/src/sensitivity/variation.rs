@@ -26,6 +26,15 @@ pub(crate) trait Variation {
     /// q, q̇ and q̈ by the plan from the q of a state in its modes, with margins; false where these are not decided, and for
     /// a mechanism that is too large.
     fn solve(&mut self, state: &State, varied: &mut Varied) -> Result<bool, LengthError>;
+    /// q and its rates up to `depth` by the plan, in these modes, from a q nearby; if a step iterates, from the
+    /// solution itself.
+    fn solve_from(
+        &mut self,
+        modes: &[f64],
+        start: &[f64],
+        depth: Depth,
+        varied: &mut Varied,
+    ) -> Result<(), LengthError>;
     /// Writes the numbers of the joints' geometry.
     fn write_geometry(&self, numbers: &mut Vec<Number>) -> Result<(), LengthError>;
     /// Evaluates Φ, Φ_q, Φ_t, γ, or a subset.
@@ -55,7 +64,7 @@ impl<'m, M: Mechanism> Varying<'m, M> {
             mechanism,
             t: Number::from_f64(0.0),
             parameters: mechanism.parameters(),
-            inputs: M::Inputs::generate(|_| Signal::constant(Number::from_f64(0.0))),
+            inputs: M::Inputs::filled(Signal::constant(Number::from_f64(0.0))),
             workspace: Box::new(M::workspace()),
             observations: Box::new(M::observations()),
         }
@@ -64,8 +73,10 @@ impl<'m, M: Mechanism> Varying<'m, M> {
     /// Varies these parameters, at most `WIDTH` of them, around the values of all parameters.
     pub(crate) fn vary_around(&mut self, values: &[f64], at: &Instant<'_>, parameters: &[usize]) {
         self.t = Number::from_f64(at.t);
-        self.inputs = M::Inputs::generate(|k| at.inputs.get(k).copied().unwrap_or_default().map(Number::from_f64));
-        self.parameters = M::Parameters::generate(|k| Number::from_f64(values.get(k).copied().unwrap_or_default()));
+        for (k, input) in self.inputs.as_mut().iter_mut().enumerate() {
+            *input = at.inputs.get(k).copied().unwrap_or_default().map(Number::from_f64);
+        }
+        write_numbers(values, self.parameters.as_mut());
         for (index, &parameter) in parameters.iter().take(WIDTH).enumerate() {
             if let Some(number) = self.parameters.as_mut().get_mut(parameter) {
                 *number = Number::variable(number.value(), index);
@@ -73,33 +84,22 @@ impl<'m, M: Mechanism> Varying<'m, M> {
         }
     }
 
-    /// q and its rates up to `depth` by the plan, in these modes, from a q nearby; if a step iterates, from the
-    /// solution itself.
-    pub(crate) fn solve_from(
-        &mut self,
-        modes: &[f64],
-        start: &[f64],
-        depth: Depth,
-        varied: &mut Varied,
-    ) -> Result<(), LengthError> {
-        let number = Number::from_f64;
-        let signs = M::Coordinates::<Number>::generate(|k| number(modes.get(k).copied().unwrap_or(0.0)));
-        let start = M::Coordinates::<Number>::generate(|k| number(start.get(k).copied().unwrap_or(0.0)));
-        let Varied { q, q_dot, q_ddot, margins, .. } = varied;
-        margins.clear();
-        margins.resize(M::model().plan.margins, number(0.0));
-        for list in [&mut *q, &mut *q_dot, &mut *q_ddot] {
-            list.clear();
-            list.resize(M::COORDINATES, number(0.0));
-        }
-        let solved = Solved { q, q_dot, q_ddot, margins };
-        let signs = &signs.as_ref()[..M::model().plan.modes.len()];
-        self.mechanism.solve_with(self.parameters.as_ref(), &self.at(), signs, start.as_ref(), depth, solved)
-    }
-
     fn at(&self) -> Instant<'_, Number> {
         Instant { t: self.t, inputs: self.inputs.as_ref() }
     }
+}
+
+/// Writes values as numbers that do not vary, 0 where there is no value.
+fn write_numbers(values: &[f64], numbers: &mut [Number]) {
+    for (k, number) in numbers.iter_mut().enumerate() {
+        *number = Number::from_f64(values.get(k).copied().unwrap_or(0.0));
+    }
+}
+
+/// Makes a list of zeros.
+fn zero(list: &mut Vec<Number>, length: usize) {
+    list.clear();
+    list.resize(length, Number::from_f64(0.0));
 }
 
 /// The signs of the modes of a state; none where a group is so near to its limit that they are not decided.
@@ -141,9 +141,28 @@ impl<M: Mechanism> Variation for Varying<'_, M> {
         Ok(true)
     }
 
+    fn solve_from(
+        &mut self,
+        modes: &[f64],
+        start: &[f64],
+        depth: Depth,
+        varied: &mut Varied,
+    ) -> Result<(), LengthError> {
+        let [mut signs, mut first] = [M::Coordinates::<Number>::filled(Number::from_f64(0.0)); 2];
+        write_numbers(modes, signs.as_mut());
+        write_numbers(start, first.as_mut());
+        let Varied { q, q_dot, q_ddot, margins, .. } = varied;
+        zero(margins, M::model().plan.margins);
+        for list in [&mut *q, &mut *q_dot, &mut *q_ddot] {
+            zero(list, M::COORDINATES);
+        }
+        let solved = Solved { q, q_dot, q_ddot, margins };
+        let signs = &signs.as_ref()[..M::model().plan.modes.len()];
+        self.mechanism.solve_with(self.parameters.as_ref(), &self.at(), signs, first.as_ref(), depth, solved)
+    }
+
     fn write_geometry(&self, numbers: &mut Vec<Number>) -> Result<(), LengthError> {
-        numbers.clear();
-        numbers.resize(M::model().geometry, Number::from_f64(0.0));
+        zero(numbers, M::model().geometry);
         self.mechanism.write_geometry(self.parameters.as_ref(), &self.at(), numbers)
     }
 

@@ -6,7 +6,7 @@ use crate::plan::{Depth, Solved};
 use crate::scalar::{Scalar, Taylor};
 use crate::solver::Solver;
 use crate::state::State;
-use crate::workspace::{Array, Instant};
+use crate::workspace::{Array, Instant, Signal};
 
 /// Largest number of coefficients of all coordinates together for which the series are on the stack: a plan computes
 /// about twenty values for each of them.
@@ -48,15 +48,16 @@ impl<M: Mechanism> Solver<'_, M> {
         let mut signals = Inputs::new(order, M::INPUTS);
         signals.begin(&at, further);
         let number = Taylor::<N>::from_f64;
-        let inputs = M::Inputs::<Taylor<N>>::generate(|k| {
+        let inputs = M::Inputs::<Taylor<N>>::generate(Signal::constant(number(0.0)), |k| {
             signals.signal(k, |coefficient| Taylor::new(core::array::from_fn(coefficient)))
         });
         let at = Instant { t: Taylor::variable(at.t), inputs: inputs.as_ref() };
         // There are never more modes than coordinates, nor more margins than rows.
         let signs = modes.of_closures();
-        let series_of_signs = M::Coordinates::<Taylor<N>>::generate(|k| number(signs.get(k).copied().unwrap_or(0.0)));
+        let series_of_signs =
+            M::Coordinates::<Taylor<N>>::generate(number(0.0), |k| number(signs.get(k).copied().unwrap_or(0.0)));
         // Iterations start at their solution.
-        let start = M::Coordinates::<Taylor<N>>::generate(|k| number(state.q[k]));
+        let start = M::Coordinates::<Taylor<N>>::generate(number(0.0), |k| number(state.q[k]));
         let [mut q, mut q_dot, mut q_ddot] = [M::Coordinates::filled(number(0.0)); 3];
         let mut margins = M::Rows::filled(number(0.0));
         let solved = Solved {

@@ -2,6 +2,7 @@
 
 use super::tape::{Missing, Series, Tape};
 use crate::mechanism::Mechanism;
+use crate::scalar::Scalar;
 use crate::workspace::{Array, Instant, Signal};
 
 /// Coefficients of time and of the inputs in powers of τ.
@@ -86,7 +87,9 @@ impl<'t, M: Mechanism> Setting<'t, M> {
                 1 => 1.0,
                 _ => 0.0,
             }),
-            inputs: Array::generate(|k| inputs.signal(k, |series| tape.source(inputs.known(k), series))),
+            inputs: Array::generate(Signal::constant(Series::from_f64(0.0)), |k| {
+                inputs.signal(k, |series| tape.source(inputs.known(k), series))
+            }),
             q: coordinates::<M>(derivatives, tape),
         }
     }
@@ -102,5 +105,5 @@ pub(super) fn coordinates<'t, M: Mechanism>(
     derivatives: &[M::Coordinates<f64>],
     tape: &'t Tape,
 ) -> M::Coordinates<Series<'t>> {
-    Array::generate(|k| tape.leaf(|order| derivatives[order].as_ref()[k] / factorial(order)))
+    Array::generate(Series::from_f64(0.0), |k| tape.leaf(|order| derivatives[order].as_ref()[k] / factorial(order)))
 }

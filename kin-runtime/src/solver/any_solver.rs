@@ -1,34 +1,36 @@
 //! The thin generic layer of searches: a solver without the type of its mechanism.
 //!
-//! Searches for closures and for ranges work on `dyn AnySolver`, so that they are compiled once, in this crate, and not
-//! again for every mechanism of the user.
+//! Searches for closures and for ranges, sensitivities and the watch of contacts work on `dyn AnySolver`, so that they
+//! are compiled once, in this crate, and not again for every mechanism of the user.
 
-use super::Solver;
+use super::{Settings, Solver};
 use crate::equations::Equations;
-use crate::error::SolveError;
+use crate::error::{SolveError, SweepError};
 use crate::mechanism::{LengthError, Mechanism};
 use crate::model::Model;
 use crate::plan::{Depth, Solved};
 use crate::planned::{Limit, Sign};
 use crate::proof::{Enclosures, OverBoxes, Winding};
+use crate::state::State;
+use crate::trajectory::Trajectory;
 use crate::workspace::{Instant, Signal};
 
 /// A solver without the type of its mechanism.
-pub(super) trait AnySolver {
+pub(crate) trait AnySolver {
     /// The names, rows and patterns of the mechanism.
     fn model(&self) -> &'static Model;
 
-    /// The guesses of the user.
-    fn guesses(&self) -> &[(usize, f64)];
-
-    /// Coordinates that are prescribed.
-    fn prescribed(&self) -> &[(usize, Signal)];
+    /// Options, guesses, prescribed coordinates, inputs.
+    fn settings(&self) -> &Settings<'_>;
 
     /// All guesses, 0 for coordinates without one; an error if one of them is for a coordinate that does not exist.
     fn start(&self) -> Result<Vec<f64>, SolveError>;
 
     /// The equations at an instant.
     fn equations_at(&self, at: &Instant<'_>) -> Result<Equations<'_>, SolveError>;
+
+    /// The state near a complete start, as [`Solver::state_from`].
+    fn state_near_start(&self, at: &Instant<'_>, start: &[f64]) -> Result<State, SolveError>;
 
     /// The rows over boxes (an interval for every coordinate), at an instant.
     fn boxes(&self, at: &Instant<'_>) -> Box<dyn Enclosures + '_>;
@@ -68,10 +70,10 @@ pub(super) trait AnySolver {
 
 /// What ended a motion.
 #[derive(Default)]
-pub(super) struct End {
-    pub(super) limit: Option<Limit>,
+pub(crate) struct End {
+    pub(crate) limit: Option<Limit>,
     /// q there; empty where it is not known.
-    pub(super) q: Vec<f64>,
+    pub(crate) q: Vec<f64>,
 }
 
 impl<M: Mechanism> AnySolver for Solver<'_, M> {
@@ -79,20 +81,20 @@ impl<M: Mechanism> AnySolver for Solver<'_, M> {
         M::model()
     }
 
-    fn guesses(&self) -> &[(usize, f64)] {
-        &self.guesses
-    }
-
-    fn prescribed(&self) -> &[(usize, Signal)] {
-        &self.given
+    fn settings(&self) -> &Settings<'_> {
+        &self.settings
     }
 
     fn start(&self) -> Result<Vec<f64>, SolveError> {
-        Ok(self.checked_guess()?.into_iter().map(|guess| guess.unwrap_or(0.0)).collect())
+        Ok(or_zero(self.checked_guess()?))
     }
 
     fn equations_at(&self, at: &Instant<'_>) -> Result<Equations<'_>, SolveError> {
         self.equations(at)
+    }
+
+    fn state_near_start(&self, at: &Instant<'_>, start: &[f64]) -> Result<State, SolveError> {
+        self.state_from(at, start)
     }
 
     fn boxes(&self, at: &Instant<'_>) -> Box<dyn Enclosures + '_> {
@@ -131,18 +133,30 @@ impl<M: Mechanism> AnySolver for Solver<'_, M> {
         guesses: &[(usize, f64)],
         modes: &[(usize, Sign)],
     ) -> Result<Vec<f64>, End> {
-        let later = |t: f64, out: &mut [Signal]| {
-            out.iter_mut().zip(start.inputs).for_each(|(out, u)| *out = u.after(t - start.t));
-        };
-        let solver = Solver::new(self.mechanism).with_options(self.options).with_inputs(&later);
-        let solver = guesses.iter().fold(solver, |solver, &(place, guess)| solver.with_guess(place, guess));
-        let solver = modes.iter().fold(solver, |solver, &(place, sign)| solver.with_mode(place, sign));
-        match solver.sweep(&way) {
-            Ok(trajectory) => Ok(trajectory.states.into_iter().next_back().map(|state| state.q).unwrap_or_default()),
-            Err(error) => {
-                let q = error.q_at_limit().map(<[f64]>::to_vec).unwrap_or_default();
-                Err(End { limit: error.source.limit().copied(), q })
-            }
+        let later = |t: f64, out: &mut [Signal]| continued(start, t, out);
+        let settings = Settings { options: self.settings.options, inputs: Some(&later), ..Settings::default() };
+        let settings = settings.started(M::model(), guesses, modes);
+        end_of(Solver { mechanism: self.mechanism, settings }.sweep(&way))
+    }
+}
+
+/// Numbers, 0 for those that are missing.
+fn or_zero(numbers: Vec<Option<f64>>) -> Vec<f64> {
+    numbers.into_iter().map(|number| number.unwrap_or(0.0)).collect()
+}
+
+/// Writes the inputs of an instant continued to a time with constant acceleration.
+fn continued(start: &Instant<'_>, t: f64, out: &mut [Signal]) {
+    out.iter_mut().zip(start.inputs).for_each(|(out, u)| *out = u.after(t - start.t));
+}
+
+/// q at the end of a sweep, or what ended it.
+fn end_of(sweep: Result<Trajectory, SweepError>) -> Result<Vec<f64>, End> {
+    match sweep {
+        Ok(trajectory) => Ok(trajectory.states.into_iter().next_back().map(|state| state.q).unwrap_or_default()),
+        Err(error) => {
+            let q = error.q_at_limit().map(<[f64]>::to_vec).unwrap_or_default();
+            Err(End { limit: error.source.limit().copied(), q })
         }
     }
 }

@@ -52,14 +52,14 @@ impl<M: Mechanism> Solver<'_, M> {
     /// degrees of freedom are left, there are rows of velocity level, or branches cross there;
     /// [`Stopped`](SolveError::Stopped) by an observer.
     pub fn sweep_along_arc(&self, from: f64, to: Option<f64>, steps: usize) -> Result<Trajectory, SolveError> {
-        let inputs = inputs_at(self.inputs, from, M::INPUTS);
+        let inputs = inputs_at(self.settings.inputs, from, M::INPUTS);
         let at = Instant { t: from, inputs: &inputs };
         if let Some(t) = to {
             self.equations(&Instant { t, inputs: &inputs })?;
         }
         let q = self.assemble(&at)?;
         let mut equations = self.equations(&at)?;
-        equations.observed = Observed::new(self.observer, steps + 1);
+        equations.observed = Observed::new(self.settings.observer, steps + 1);
         let (states, arc) = solution_arc(&mut equations, &q, Window { from, to }, steps)?;
         Ok(Trajectory { reached: states.len(), states, arc: Some(arc), ..Trajectory::new(M::model()) })
     }

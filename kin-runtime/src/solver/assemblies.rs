@@ -121,7 +121,7 @@ impl dyn AnySolver + '_ {
     pub(super) fn is_closed_form(&self) -> bool {
         let plan = &self.model().plan;
         let is_iterated = plan.steps.iter().any(|step| matches!(step.kind, StepKind::Newton(_)));
-        plan.exists() && self.prescribed().is_empty() && !is_iterated
+        plan.exists() && self.settings().given.is_empty() && !is_iterated
     }
 
     /// The closure that the plan gives with these signs, or why there is none.

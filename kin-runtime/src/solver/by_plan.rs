@@ -86,7 +86,8 @@ impl<M: Mechanism> Solver<'_, M> {
     /// True if the plan determines all coordinates and the geometry of the joints is not degenerate.
     pub(crate) fn goes_by_plan(&self, at: &Instant<'_>) -> bool {
         let model = M::model();
-        let usable = self.options.use_plan && self.given.is_empty() && self.options.check().is_ok();
+        let usable =
+            self.settings.options.use_plan && self.settings.given.is_empty() && self.settings.options.check().is_ok();
         usable && has_plan_for(model, at) && (!has_sizes(model) || self.is_sound(at))
     }
 
@@ -129,7 +130,7 @@ impl<M: Mechanism> Solver<'_, M> {
         let mut start = guess;
         write_zeros(start.as_mut());
         let (mut modes, [mut plus, mut minus]) = (Modes::<M>::filled(1.0), [start; 2]);
-        Guess { model: M::model(), q: guess.as_ref(), modes: &self.modes }.write_modes(
+        Guess { model: M::model(), q: guess.as_ref(), modes: &self.settings.modes }.write_modes(
             modes.of_closures_mut(),
             [plus.as_mut(), minus.as_mut()],
             &mut |modes, q| self.solved(parameters, at, start.as_ref(), modes, q, &mut Margins::filled(0.0)),
@@ -146,7 +147,7 @@ impl<M: Mechanism> Solver<'_, M> {
         let values = values.as_mut().get_mut(..own.len())?;
         self.mechanism.write_guesses(parameters.as_ref(), values).ok()?;
         let mut guess = M::Coordinates::<f64>::filled(f64::NAN);
-        write_guess(own, values, &self.guesses, guess.as_mut())?;
+        write_guess(own, values, &self.settings.guesses, guess.as_mut())?;
         Some(guess)
     }
 
@@ -229,7 +230,7 @@ impl<M: Mechanism> Solver<'_, M> {
         let mut lengths = M::Coordinates::<f64>::filled(0.0);
         write_lengths(model, lengths.as_mut());
         let [mut sizes, mut angles] = [M::Rows::<f64>::filled(0.0); 2];
-        let (tolerance, buffers) = (self.options.tolerance, [sizes.as_mut(), angles.as_mut()]);
+        let (tolerance, buffers) = (self.settings.options.tolerance, [sizes.as_mut(), angles.as_mut()]);
         let allowed = write_sizes(model, parts.phi_q, q, lengths.as_ref(), tolerance, buffers);
         closed_position(parts.phi, sizes.as_ref(), allowed)
     }
@@ -239,7 +240,10 @@ impl<M: Mechanism> Solver<'_, M> {
         let model = M::model();
         let mut lengths = M::Coordinates::<f64>::filled(0.0);
         write_lengths(model, lengths.as_mut());
-        let tolerances = Tolerances { position: self.options.tolerance, rates: self.options.consistency_tolerance };
+        let tolerances = Tolerances {
+            position: self.settings.options.tolerance,
+            rates: self.settings.options.consistency_tolerance,
+        };
         all_closed(model, parts, solution, lengths.as_ref(), tolerances)
     }
 

@@ -56,7 +56,7 @@ impl dyn AnySolver + '_ {
 
     /// The rows to which a certificate applies.
     pub(super) fn square(&self, at: &Instant<'_>, q: &[f64]) -> Result<Square, Uncertified> {
-        let (model, given) = (self.model(), self.prescribed());
+        let (model, given) = (self.model(), &self.settings().given);
         if at.inputs.len() != model.inputs.len() || given.iter().any(|&(k, _)| k >= model.coordinates.len()) {
             return Err(Uncertified::Malformed);
         }
@@ -73,7 +73,7 @@ impl dyn AnySolver + '_ {
 
     /// The rows of `redundant` if they are the same in every configuration: those that the plan leaves out, or none.
     pub(super) fn redundant_everywhere(&self) -> Option<Vec<usize>> {
-        let (model, given) = (self.model(), self.prescribed());
+        let (model, given) = (self.model(), &self.settings().given);
         match (model.rows.len() + given.len()).checked_sub(model.coordinates.len()) {
             None | Some(0) => Some(Vec::new()),
             Some(too_many) => {

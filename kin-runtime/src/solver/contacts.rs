@@ -1,6 +1,7 @@
 //! Loss of contact: the instants at which a normal force changes its sign.
 
-use super::Solver;
+use super::{AnySolver, Solver};
+use crate::analysis::forces::forces as forces_of;
 use crate::error::SolveError;
 use crate::forces::{ContactChange, Forces};
 use crate::mechanism::Mechanism;
@@ -117,25 +118,30 @@ impl<M: Mechanism> Solver<'_, M> {
 
     /// The next state of a motion that is watched.
     pub(crate) fn watch_contacts(&self, watch: &mut ContactWatch, state: &State) -> Result<(), SolveError> {
-        let forces = self.forces(state)?;
-        watch.push(state.clone(), &forces, &|t, near| {
-            let state = self.beside(t, near)?;
-            let normals = normals(&self.forces(&state).ok()?);
-            Some((state, normals))
-        });
-        Ok(())
+        watched(self, watch, state)
     }
+}
 
-    /// The state at an instant near another.
-    fn beside(&self, t: f64, near: &State) -> Option<State> {
-        let mut inputs = near.inputs.clone();
-        match self.inputs {
-            Some(function) => function(t, &mut inputs),
-            None => inputs.iter_mut().for_each(|input: &mut Signal| *input = input.after(t - near.t)),
-        }
-        let h = t - near.t;
-        let rates = near.q.iter().zip(&near.q_dot).zip(&near.q_ddot);
-        let start: Vec<f64> = rates.map(|((q, rate), acceleration)| q + h * (rate + 0.5 * h * acceleration)).collect();
-        self.state_from(&Instant { t, inputs: &inputs }, &start).ok()
+fn watched(solver: &dyn AnySolver, watch: &mut ContactWatch, state: &State) -> Result<(), SolveError> {
+    let forces =
+        |state: &State| forces_of(&mut solver.equations_at(&state.instant())?, state, solver.settings().sharing);
+    watch.push(state.clone(), &forces(state)?, &|t, near| {
+        let state = beside(solver, t, near)?;
+        let normals = normals(&forces(&state).ok()?);
+        Some((state, normals))
+    });
+    Ok(())
+}
+
+/// The state at an instant near another.
+fn beside(solver: &dyn AnySolver, t: f64, near: &State) -> Option<State> {
+    let mut inputs = near.inputs.clone();
+    match solver.settings().inputs {
+        Some(function) => function(t, &mut inputs),
+        None => inputs.iter_mut().for_each(|input: &mut Signal| *input = input.after(t - near.t)),
     }
+    let h = t - near.t;
+    let rates = near.q.iter().zip(&near.q_dot).zip(&near.q_ddot);
+    let start: Vec<f64> = rates.map(|((q, rate), acceleration)| q + h * (rate + 0.5 * h * acceleration)).collect();
+    solver.state_near_start(&Instant { t, inputs: &inputs }, &start).ok()
 }

@@ -18,7 +18,7 @@ impl<M: Mechanism> Solver<'_, M> {
     /// [`NonFinite`](SolveError::NonFinite) and [`Length`](SolveError::Length).
     pub fn cross_check(&self, options: &CrossCheckOptions) -> Result<CrossCheck, SolveError> {
         let (centre, length) = self.check_centre(options)?;
-        cross_check(self.mechanism, options, &centre, length, self.observer)
+        cross_check(self.mechanism, options, &centre, length, self.settings.observer)
     }
 
     /// Compares the plan with the equations, from the configurations given and from random ones around the guess, and
@@ -30,7 +30,7 @@ impl<M: Mechanism> Solver<'_, M> {
         let (centre, length) = self.check_centre(options)?;
         let mut system = Evaluator::<_, M>::new(self.mechanism);
         let newton = |at: &Instant<'_>, start: &[f64]| Self::new(self.mechanism).state_from(at, start);
-        plan_check(&mut system, options, &centre, length, self.observer, &newton)
+        plan_check(&mut system, options, &centre, length, self.settings.observer, &newton)
     }
 
     /// The guess as centre of random configurations, and their width in x and y. Checks the configurations of the

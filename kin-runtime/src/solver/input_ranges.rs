@@ -1,6 +1,6 @@
 //! The ranges of inputs in which the mechanism closes.
 
-use super::Solver;
+use super::{AnySolver, Solver};
 use crate::analysis::fit::fit_inputs;
 use crate::error::SolveError;
 use crate::mechanism::Mechanism;
@@ -25,15 +25,22 @@ impl<M: Mechanism> Solver<'_, M> {
     /// without a plan.
     pub fn out_of_range(&self, at: &Instant<'_>) -> Option<OutOfRange> {
         let guess = self.checked_guess().ok()?;
-        let fitted = |places: &[usize], values: &[Signal]| {
-            let at = Instant { t: at.t, inputs: values };
-            let mut equations = self.equations(&at).ok()?;
-            let fits = fit_inputs(&mut equations, &guess, places).ok()?;
-            fits.then_some(equations.inputs)
-        };
+        let fitted = |indices: &[usize], values: &[Signal]| fitted(self, at.t, &guess, (indices, values));
         let range_of = |inputs: &[Signal], input: Input| self.range_of(&Instant { t: at.t, inputs }, input).ok();
         out_of_range(at.inputs, M::INPUTS, &fitted, &range_of)
     }
+}
+
+/// Inputs that fit the guess, of which those with the given indices may vary.
+fn fitted(
+    solver: &dyn AnySolver,
+    t: f64,
+    guess: &[Option<f64>],
+    (indices, values): (&[usize], &[Signal]),
+) -> Option<Vec<Signal>> {
+    let mut equations = solver.equations_at(&Instant { t, inputs: values }).ok()?;
+    let fits = fit_inputs(&mut equations, guess, indices).ok()?;
+    fits.then_some(equations.inputs)
 }
 
 /// Inputs that fit the guess, of which those with the given indices may vary.

@@ -6,7 +6,6 @@ use crate::analysis::forces::Sharing;
 use crate::analysis::position::position;
 use crate::analysis::singular::explain;
 use crate::analysis::velocity::{factorize, velocity};
-use crate::course::InputFunction;
 use crate::equations::Equations;
 use crate::equations::scale::Scale;
 use crate::equations::system::Evaluator;
@@ -18,15 +17,13 @@ use crate::mobility::{Mobility, mobility};
 use crate::model::Point;
 use crate::modes::{Mode, WantedAssembly, assemble_in, modes};
 use crate::motion::Motion;
-use crate::observer::Observer;
-use crate::options::Options;
 use crate::plan::Plan;
 use crate::planned::{PlanError, Planned, Sign};
 use crate::ratios::{VelocityRatios, velocity_ratios};
 use crate::report::motion::{motion, point_jacobian};
 use crate::state::State;
 use crate::transmission::{TransmissionAngle, transmission_angles};
-use crate::workspace::{Instant, Signal};
+use crate::workspace::Instant;
 use nalgebra::DMatrix;
 
 mod any_solver;
@@ -45,8 +42,10 @@ mod settings;
 mod sweep;
 
 pub use crate::analysis::position::Position;
+pub(crate) use any_solver::AnySolver;
 #[cfg(feature = "cli")]
 pub(crate) use contacts::ContactWatch;
+pub(crate) use settings::Settings;
 
 /// Position, velocity and acceleration analysis of one mechanism.
 ///
@@ -59,23 +58,13 @@ pub(crate) use contacts::ContactWatch;
 /// [`with_given`](Self::with_given) or add drivers for one with a mechanical meaning.
 pub struct Solver<'m, M: Mechanism> {
     pub(crate) mechanism: &'m M,
-    pub(crate) options: Options,
-    pub(crate) guesses: Vec<(usize, f64)>,
-    pub(crate) given: Vec<(usize, Signal)>,
-    /// The requested modes, by name or index, and their signs.
-    modes: Vec<(String, Option<usize>, Sign)>,
-    pub(crate) inputs: InputFunction<'m>,
-    observer: Option<Observer<'m>>,
-    /// What to do about forces that redundant rows leave undetermined.
-    sharing: Sharing,
+    pub(crate) settings: Settings<'m>,
 }
 
 impl<'m, M: Mechanism> Solver<'m, M> {
     /// A solver with default options and the mechanism's own guesses.
     pub fn new(mechanism: &'m M) -> Self {
-        let (guesses, given, modes) = (Vec::new(), Vec::new(), Vec::new());
-        let sharing = Sharing::Undetermined;
-        Self { mechanism, options: Options::default(), guesses, given, modes, inputs: None, observer: None, sharing }
+        Self { mechanism, settings: Settings::default() }
     }
 
     /// Assembles the mechanism from the guesses; coordinates without a guess are found.
@@ -109,7 +98,7 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     /// # Errors
     /// As [`assemble`](Self::assemble), and [`Plan`](SolveError::Plan).
     pub fn planned(&self, at: &Instant<'_>) -> Result<Planned<'m, M>, SolveError> {
-        if !self.given.is_empty() {
+        if !self.settings.given.is_empty() {
             return Err(SolveError::Plan(PlanError::NoPlan { why: "coordinates are prescribed" }));
         }
         Ok(Planned::new(self.mechanism, at, &self.assemble(at)?)?)
@@ -186,7 +175,7 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     /// # Errors
     /// [`NonFinite`](SolveError::NonFinite) and [`Length`](SolveError::Length).
     pub fn motion(&self, state: &State) -> Result<Motion, SolveError> {
-        motion_at(&mut self.equations(&state.instant())?, state, self.sharing)
+        motion_at(&mut self.equations(&state.instant())?, state, self.settings.sharing)
     }
 
     /// The values of quantities at a solved state, in their order, in the units of the mechanism and in radians. A
@@ -198,9 +187,12 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     pub fn measure(&self, state: &State, measures: &[Measure]) -> Result<Vec<f64>, SolveError> {
         match known(state, measures) {
             Some(known) => Ok(known),
-            None => {
-                values(scaled_around(&mut self.equations(&state.instant())?, state)?, state, measures, self.sharing)
-            }
+            None => values(
+                scaled_around(&mut self.equations(&state.instant())?, state)?,
+                state,
+                measures,
+                self.settings.sharing,
+            ),
         }
     }
 
@@ -212,7 +204,7 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     /// where degrees of freedom are left that loads act along, [`UnboundedForces`](SolveError::UnboundedForces) in a
     /// singular configuration; [`NonFinite`](SolveError::NonFinite) and [`Length`](SolveError::Length).
     pub fn forces(&self, state: &State) -> Result<Forces, SolveError> {
-        self.shared_forces(state, self.sharing)
+        self.shared_forces(state, self.settings.sharing)
     }
 
     /// As [`forces`](Self::forces), but if redundant rows share a load, with the possible forces of least norm: the
@@ -286,19 +278,19 @@ impl<'m, M: Mechanism> Solver<'m, M> {
 
     /// The guesses; an error if one of them is for a coordinate that does not exist.
     pub(crate) fn checked_guess(&self) -> Result<Vec<Option<f64>>, SolveError> {
-        are_of_coordinates(&self.guesses, M::COORDINATES)?;
+        are_of_coordinates(&self.settings.guesses, M::COORDINATES)?;
         Ok(self.guess())
     }
 
     /// The guesses, and the indices of the requested modes.
     pub(crate) fn wanted(&self) -> Result<WantedAssembly, SolveError> {
-        wanted_assembly(&M::model().plan, self.checked_guess()?, &self.modes)
+        wanted_assembly(&M::model().plan, self.checked_guess()?, &self.settings.modes)
     }
 
     /// The equations at an instant.
     pub(crate) fn equations(&self, at: &Instant<'_>) -> Result<Equations<'_>, SolveError> {
         let evaluator = Box::new(Evaluator::<_, M>::new(self.mechanism));
-        Equations::new(evaluator, self.options, &self.given, self.inputs, at)
+        Equations::new(evaluator, self.settings.options, &self.settings.given, self.settings.inputs, at)
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::Solver;
 use crate::analysis::forces::Sharing;
+use crate::course::InputFunction;
 use crate::mechanism::Mechanism;
 use crate::model::Model;
 use crate::observer::Observer;
@@ -10,11 +11,55 @@ use crate::planned::{ModeKey, Sign};
 use crate::workspace::Signal;
 use core::fmt;
 
+/// The settings of a solver, which do not depend on the type of the mechanism.
+#[derive(Clone, Default)]
+pub(crate) struct Settings<'m> {
+    pub(crate) options: Options,
+    /// Guesses of the caller, which prevail over those of the mechanism.
+    pub(crate) guesses: Vec<(usize, f64)>,
+    /// Prescribed coordinates with their signals at the first instant.
+    pub(crate) given: Vec<(usize, Signal)>,
+    /// Requested modes: the key, the index of the mode if there is one, and its sign.
+    pub(crate) modes: Vec<(String, Option<usize>, Sign)>,
+    pub(crate) inputs: InputFunction<'m>,
+    pub(crate) observer: Option<Observer<'m>>,
+    /// How redundant rows share a load.
+    pub(crate) sharing: Sharing,
+}
+
+impl Settings<'_> {
+    /// Requests the sign of a mode.
+    pub(crate) fn request(&mut self, model: &Model, mode: ModeKey<'_>, sign: Sign) {
+        self.modes.push((mode.to_string(), mode.place(model.plan.modes), sign));
+    }
+
+    /// Prescribes a coordinate.
+    pub(crate) fn prescribe(&mut self, coordinate: usize, signal: Signal) {
+        self.given.retain(|&(k, _)| k != coordinate);
+        self.given.push((coordinate, signal));
+    }
+
+    /// The same with these guesses and signs of modes, by their indices.
+    pub(crate) fn started(mut self, model: &Model, guesses: &[(usize, f64)], modes: &[(usize, Sign)]) -> Self {
+        self.guesses.extend(guesses);
+        modes.iter().for_each(|&(mode, sign)| self.request(model, mode.into(), sign));
+        self
+    }
+
+    fn write(&self, model: &Model, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "solver of {}", model.name)?;
+        for (index, signal) in &self.given {
+            write!(f, ", {} = {}", model.coordinates.get(*index).map_or("?", |c| c.name), signal.value)?;
+        }
+        self.modes.iter().try_for_each(|(mode, _, sign)| write!(f, ", mode {mode} = {sign}"))
+    }
+}
+
 impl<'m, M: Mechanism> Solver<'m, M> {
     /// Replaces tolerances and limits.
     #[must_use]
     pub fn with_options(mut self, options: Options) -> Self {
-        self.options = options;
+        self.settings.options = options;
         self
     }
 
@@ -22,14 +67,14 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     /// and [`Trajectory::stopped`](crate::Trajectory::stopped) is true.
     #[must_use]
     pub fn stop_at_events(mut self, stop: bool) -> Self {
-        self.options.stop_at_events = stop;
+        self.settings.options.stop_at_events = stop;
         self
     }
 
     /// Guesses a coordinate (index in q) as start of assembly, instead of the mechanism's own guess.
     #[must_use]
     pub fn with_guess(mut self, coordinate: usize, value: f64) -> Self {
-        self.guesses.push((coordinate, value));
+        self.settings.guesses.push((coordinate, value));
         self
     }
 
@@ -40,8 +85,7 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     /// start have the modes of that start.
     #[must_use]
     pub fn with_mode<'k>(mut self, mode: impl Into<ModeKey<'k>>, sign: Sign) -> Self {
-        let key = mode.into();
-        self.modes.push((key.to_string(), key.place(M::model().plan.modes), sign));
+        self.settings.request(M::model(), mode.into(), sign);
         self
     }
 
@@ -50,15 +94,14 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     /// In a sweep the signal belongs to the first instant and continues with constant acceleration.
     #[must_use]
     pub fn with_given(mut self, coordinate: usize, signal: Signal) -> Self {
-        self.given.retain(|&(k, _)| k != coordinate);
-        self.given.push((coordinate, signal));
+        self.settings.prescribe(coordinate, signal);
         self
     }
 
     /// Inputs as functions of time, for sweeps: writes value, rate and acceleration of every input at time t.
     #[must_use]
     pub fn with_inputs(mut self, inputs: &'m dyn Fn(f64, &mut [Signal])) -> Self {
-        self.inputs = Some(inputs);
+        self.settings.inputs = Some(inputs);
         self
     }
 
@@ -67,7 +110,7 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     /// does.
     #[must_use]
     pub fn with_forces_of_least_norm(mut self) -> Self {
-        self.sharing = Sharing::LeastNorm;
+        self.settings.sharing = Sharing::LeastNorm;
         self
     }
 
@@ -75,7 +118,7 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     /// [`Stopped`](crate::SolveError::Stopped); a sweep keeps the instants that are finished.
     #[must_use]
     pub fn with_observer(mut self, observer: Observer<'m>) -> Self {
-        self.observer = Some(observer);
+        self.settings.observer = Some(observer);
         self
     }
 
@@ -85,7 +128,7 @@ impl<'m, M: Mechanism> Solver<'m, M> {
         let mut values = vec![0.0; model.guesses.len()];
         let parameters = self.mechanism.parameters::<f64>();
         let written = self.mechanism.write_guesses(parameters.as_ref(), &mut values).is_ok();
-        overridden(model, if written { &values } else { &[] }, &self.guesses)
+        overridden(model, if written { &values } else { &[] }, &self.settings.guesses)
     }
 }
 
@@ -103,27 +146,13 @@ fn overridden(model: &Model, values: &[f64], guesses: &[(usize, f64)]) -> Vec<Op
 
 impl<M: Mechanism> Clone for Solver<'_, M> {
     fn clone(&self) -> Self {
-        Self {
-            mechanism: self.mechanism,
-            options: self.options,
-            guesses: self.guesses.clone(),
-            given: self.given.clone(),
-            modes: self.modes.clone(),
-            inputs: self.inputs,
-            observer: self.observer,
-            sharing: self.sharing,
-        }
+        Self { mechanism: self.mechanism, settings: self.settings.clone() }
     }
 }
 
 /// The mechanism, its prescribed coordinates and its modes.
 impl<M: Mechanism> fmt::Display for Solver<'_, M> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let coordinates = M::model().coordinates;
-        write!(f, "solver of {}", M::model().name)?;
-        for (index, signal) in &self.given {
-            write!(f, ", {} = {}", coordinates.get(*index).map_or("?", |c| c.name), signal.value)?;
-        }
-        self.modes.iter().try_for_each(|(mode, _, sign)| write!(f, ", mode {mode} = {sign}"))
+        self.settings.write(M::model(), f)
     }
 }

@@ -100,7 +100,7 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     /// analysis; `None` without instants.
     fn started(&self, times: &[f64], start: Option<&[f64]>) -> Result<Option<(Equations<'_>, First)>, SolveError> {
         let Some(&t) = times.first() else { return Ok(None) };
-        let inputs = inputs_at(self.inputs, t, M::INPUTS);
+        let inputs = inputs_at(self.settings.inputs, t, M::INPUTS);
         let at = Instant { t, inputs: &inputs };
         let mut equations = self.equations(&at)?;
         let by_plan = match start {
@@ -118,7 +118,7 @@ impl<'m, M: Mechanism> Solver<'m, M> {
                 (state, Some(factor))
             }
         };
-        equations.observed = Observed::new(self.observer, times.len());
+        equations.observed = Observed::new(self.settings.observer, times.len());
         Ok(Some((equations, first)))
     }
 }

@@ -1,9 +1,10 @@
 //! The numbers of forces, and how redundant rows share a load.
 
 /// What to do if redundant rows share a load.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) enum Sharing {
     /// Report the forces as undetermined, without numbers.
+    #[default]
     Undetermined,
     /// Take the possible forces of least norm.
     LeastNorm,

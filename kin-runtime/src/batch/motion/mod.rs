@@ -51,20 +51,20 @@ type Refusals = [Option<(f64, Option<Limit>)>; Octet::COUNT];
 impl<M: Mechanism> Motion<M> {
     /// Buffers without a state.
     pub(super) fn nothing() -> Self {
-        let nothing = |_| Octet::default();
+        let nothing = Octet::default();
         Self {
-            parameters: Array::generate(nothing),
-            modes: Modes::filled(Octet::default()),
-            predicted: Array::generate(nothing),
-            distances: Distances::filled(Octet::default()),
-            margins: Margins::filled(Octet::default()),
+            parameters: Array::filled(nothing),
+            modes: Modes::filled(nothing),
+            predicted: Array::filled(nothing),
+            distances: Distances::filled(nothing),
+            margins: Margins::filled(nothing),
             poses: [BlockSolution::nothing(); 2],
             good: 0,
-            margins_before: Margins::filled(Octet::default()),
+            margins_before: Margins::filled(nothing),
             inputs: Array::filled(Signal::constant(0.0)),
             t: 0.0,
-            weights: Array::generate(nothing),
-            turns: Array::generate(nothing),
+            weights: Array::filled(nothing),
+            turns: Array::filled(nothing),
             rows_turn_alone: rows_turn_alone::<M>(),
             has_scalars: has_scalars(M::model()),
         }
@@ -249,9 +249,9 @@ impl<M: Mechanism> Motion<M> {
 
     /// Moves one set by the scalar follower.
     fn one(&mut self, mechanism: &M, at: &Instant<'_, Octet>, lane: usize) -> Result<(), PlanError> {
-        let pick = |list: &[Octet]| -> M::Coordinates<f64> { Array::generate(|k| list[k].lane(lane)) };
+        let pick = |list: &[Octet]| -> M::Coordinates<f64> { Array::generate(0.0, |k| list[k].lane(lane)) };
         let before = &self.poses[self.good];
-        let parameters = Array::generate(|k| self.parameters.as_ref()[k].lane(lane));
+        let parameters = Array::generate(0.0, |k| self.parameters.as_ref()[k].lane(lane));
         let margins = Margins::lane_of(&self.margins_before, lane);
         let state = [pick(before.q.as_ref()), pick(before.q_dot.as_ref()), pick(before.q_ddot.as_ref())];
         let from = Instant { t: self.t, inputs: self.inputs.as_ref() };

@@ -12,7 +12,7 @@ use crate::planned::within::{PLACES, Stretch, certainty_within, least_or_nan};
 use crate::scalar::Scalar;
 use crate::scalar::compare::Compare;
 use crate::scalar::lanes::{Octet, Pack};
-use crate::signal::Instant;
+use crate::signal::{Instant, Signal};
 use crate::workspace::Array;
 
 impl<M: Mechanism> Motion<M> {
@@ -54,7 +54,9 @@ impl<M: Mechanism> Motion<M> {
                 return certainty;
             }
         }
-        let from = M::Inputs::<Octet>::generate(|k| self.inputs.as_ref()[k].map(Octet::from_f64));
+        let from = M::Inputs::<Octet>::generate(Signal::constant(Octet::default()), |k| {
+            self.inputs.as_ref()[k].map(Octet::from_f64)
+        });
         let known = (self.parameters.as_ref(), from.as_ref(), at);
         let at_places = certainty_at_places(mechanism, known, &self.modes, ends, h);
         debug_assert!(at_places.is_ok(), "the columns have been counted");
@@ -66,7 +68,7 @@ impl<M: Mechanism> Motion<M> {
     #[cold]
     #[inline(never)]
     pub(super) fn certainty_within(&self, mechanism: &M, at: &Instant<'_, Octet>, t: f64, allowed: Octet) -> Octet {
-        let inputs = M::Inputs::<f64>::generate(|k| at.inputs[k].map(|x| x.lane(0)));
+        let inputs = M::Inputs::<f64>::generate(Signal::constant(0.0), |k| at.inputs[k].map(|x| x.lane(0)));
         let from = Instant { t: self.t, inputs: self.inputs.as_ref() };
         let to = Instant { t, inputs: inputs.as_ref() };
         let course = Between { kind: kind(&from, &to), from, to };
@@ -95,12 +97,12 @@ impl<M: Mechanism> Motion<M> {
         control: &Control,
         lane: usize,
     ) -> bool {
-        let pick = |list: &[Octet]| -> M::Coordinates<f64> { Array::generate(|k| list[k].lane(lane)) };
+        let pick = |list: &[Octet]| -> M::Coordinates<f64> { Array::generate(0.0, |k| list[k].lane(lane)) };
         let (here, tried) = (self.poses(), &self.poses[1 - self.good]);
         let ends = [&here.q, &here.q_dot, &tried.q, &tried.q_dot].map(|list| pick(list.as_ref()));
         let span = Span { ends: ends.each_ref().map(AsRef::as_ref), inputs: self.inputs.as_ref(), h };
-        let parameters: M::Parameters<f64> = Array::generate(|k| self.parameters.as_ref()[k].lane(lane));
-        let inputs = M::Inputs::<f64>::generate(|k| at.inputs[k].map(|x| x.lane(lane)));
+        let parameters: M::Parameters<f64> = Array::generate(0.0, |k| self.parameters.as_ref()[k].lane(lane));
+        let inputs = M::Inputs::<f64>::generate(Signal::constant(0.0), |k| at.inputs[k].map(|x| x.lane(lane)));
         let at = Instant { t: at.t.lane(lane), inputs: inputs.as_ref() };
         let modes = Modes::lane_of(&self.modes, lane);
         bends_are_followed(mechanism, (parameters.as_ref(), &at), &modes, span, control.rotation).unwrap_or(false)

@@ -25,7 +25,7 @@ fn begun(mechanism: &PlannedFourBar) -> Motion<PlannedFourBar> {
     let own = PlannedFourBar { margin: None, ..*mechanism };
     let q = own.state_at(&crate::Instant::at(T)).unwrap().q;
     let mut motion = Motion::<PlannedFourBar>::nothing();
-    motion.predicted = Array::generate(|k| Octet::from_f64(q[k]));
+    motion.predicted = Array::generate(Octet::default(), |k| Octet::from_f64(q[k]));
     motion.modes = motion.branch_values(mechanism, &at(T), motion.predicted.as_ref()).modes();
     assert!(motion.begin(mechanism, &at(T)).is_none());
     motion.margins_before = Margins::filled(Octet::from_f64(1e-30));

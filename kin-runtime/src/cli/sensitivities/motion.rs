@@ -1,12 +1,13 @@
 //! Derivatives along a motion, and the deviations that tolerances cause along it.
 
-use crate::cli::engine::{Engine, Setup};
+use crate::cli::engine::Engine;
 use crate::cli::failure::Failure;
 use crate::cli::instants::Asked;
 use crate::cli::moving::{Moved, Walk, note_motion};
 use crate::cli::options::FreedomArgs;
 use crate::cli::output::{Destination, Form, json};
 use crate::cli::session::Session;
+use crate::cli::setup::Setup;
 use crate::cli::solved::note_freedom;
 use crate::cli::tolerance::Slopes;
 use crate::measure::Measure;

@@ -58,7 +58,7 @@ impl<M: Mechanism> PlanFollower<M> {
         // A configuration ahead, so near that the motion to it is straight: ẇ is the difference quotient.
         let turns = if self.rows_turn_alone { self.turns.as_ref() } else { &[] };
         let further = LITTLE / largest_angle(M::model(), turns, q_dot);
-        let ahead = M::Coordinates::<f64>::generate(|k| q[k] + further * q_dot[k]);
+        let ahead = M::Coordinates::<f64>::generate(0.0, |k| q[k] + further * q_dot[k]);
         let of = |q: &[f64]| BranchValues::<M>::at(mechanism, self.parameters.as_ref(), at, q).ok();
         let (now, mut rates) = (of(q)?, of(ahead.as_ref())?);
         rates.as_mut().iter_mut().zip(now.as_ref()).for_each(|(then, now)| *then = (*then - now) / further);

@@ -3,7 +3,7 @@
 
 use crate::course::Course;
 use crate::mechanism::Mechanism;
-use crate::plan::StepKind;
+use crate::plan::{Plan, StepKind};
 use crate::planned::error::{Limit, Located};
 use crate::planned::follower::PlanFollower;
 use crate::planned::step::Step;
@@ -35,19 +35,29 @@ impl<M: Mechanism> PlanFollower<M> {
             return None;
         }
         let (here, beyond) = (&blocked.here, self.trial());
-        if changes([here.q.as_ref(), beyond.q.as_ref()], 1.0).next().is_some() {
-            return None;
-        }
-        let plan = &M::model().plan;
-        let given_by = |k: usize| plan.steps.iter().position(|step| step.coordinates.iter().any(|of| of.0 == k));
-        let first = changes([here.q_dot.as_ref(), beyond.q_dot.as_ref()], 0.0).filter_map(given_by).min();
-        let is_iterated = |index: &usize| matches!(plan.steps[*index].kind, StepKind::Newton(_));
-        let index = first.or_else(|| (0..plan.steps.len()).find(is_iterated)).filter(is_iterated)?;
-        let margin = plan.orientations.iter().find(|group| group.step == index)?.margin;
+        let (index, margin) = iterated_that_changes(
+            &M::model().plan,
+            [here.q.as_ref(), beyond.q.as_ref()],
+            [here.q_dot.as_ref(), beyond.q_dot.as_ref()],
+        )?;
         let step = Step::new(M::model(), index)?;
         let located = Some(Located { at: reached, kind: None });
         Some(Limit { step, margin: beyond.margins.as_ref()[margin], located })
     }
+}
+
+/// The first step whose rates jump, or else the first that iterates, and its margin; `None` if it does not iterate or if a
+/// position jumps.
+fn iterated_that_changes(plan: &Plan, q: [&[f64]; 2], q_dot: [&[f64]; 2]) -> Option<(usize, usize)> {
+    if changes(q, 1.0).next().is_some() {
+        return None;
+    }
+    let given_by = |k: usize| plan.steps.iter().position(|step| step.coordinates.iter().any(|of| of.0 == k));
+    let first = changes(q_dot, 0.0).filter_map(given_by).min();
+    let is_iterated = |index: &usize| matches!(plan.steps[*index].kind, StepKind::Newton(_));
+    let index = first.or_else(|| (0..plan.steps.len()).find(is_iterated)).filter(is_iterated)?;
+    let group = plan.orientations.iter().find(|group| group.step == index)?;
+    Some((index, group.margin))
 }
 
 /// The indices of the numbers that differ between two lists, which are compared with their largest number plus `least`.

@@ -43,14 +43,7 @@ impl<M: Mechanism> PlanFollower<M> {
 
     /// True if a coordinate of a step is much larger at the limit, in the trial state, than at the last place reached.
     pub(super) fn goes_to_infinity(&self, step: Step, blocked: &Blocked<M>) -> bool {
-        let own = step.info().coordinates;
-        let here = blocked.here.q.as_ref();
-        let larger = |largest: f64, x: &f64| largest.max(x.abs());
-        let all = here.iter().fold(0.0, larger);
-        let before = own.iter().filter_map(|&(k, _)| here.get(k)).fold(SMALL * all, larger);
-        let q = self.trial().q.as_ref();
-        let is_finite = own.iter().all(|&(k, _)| q.get(k).is_some_and(|x| x.abs() < INFINITE * before));
-        !is_finite
+        is_larger(step, [blocked.here.q.as_ref(), self.trial().q.as_ref()])
     }
 
     /// The margin of a linear group at a place of the course, negative where its determinant has the other sign.
@@ -63,4 +56,14 @@ impl<M: Mechanism> PlanFollower<M> {
         let keeps = found.is_ok_and(|found| found.as_ref()[group] * self.branch.modes.as_ref()[group] > 0.0);
         if keeps { margin } else { -margin.abs() }
     }
+}
+
+/// True if a coordinate of a step is much larger in the second configuration than in the first.
+fn is_larger(step: Step, [here, q]: [&[f64]; 2]) -> bool {
+    let own = step.info().coordinates;
+    let larger = |largest: f64, x: &f64| largest.max(x.abs());
+    let all = here.iter().fold(0.0, larger);
+    let before = own.iter().filter_map(|&(k, _)| here.get(k)).fold(SMALL * all, larger);
+    let is_finite = own.iter().all(|&(k, _)| q.get(k).is_some_and(|x| x.abs() < INFINITE * before));
+    !is_finite
 }

@@ -14,6 +14,7 @@ use super::lists::{BranchValues, Modes};
 use super::predict::{beyond_parabola, parabola, turned, weights};
 use crate::course::{Between, Course, Kind, kind};
 use crate::mechanism::{LengthError, Mechanism};
+use crate::model::Model;
 use crate::plan::StepKind;
 use crate::signal::{Instant, Signal};
 use crate::workspace::Array;
@@ -128,10 +129,7 @@ impl<M: Mechanism> PlanFollower<M> {
         let mut lengths = M::Rows::<f64>::filled(0.0);
         let Some(lengths) = lengths.as_mut().get_mut(..M::LENGTHS) else { return Ok(()) };
         mechanism.lengths_with(self.parameters.as_ref(), at, lengths)?;
-        match lengths.iter().position(|length| *length < 0.0) {
-            Some(index) => Err(PlanError::negative_length(M::model(), at.t, index, lengths[index])),
-            None => Ok(()),
-        }
+        checked_lengths(M::model(), at.t, lengths)
     }
 
     /// The limit at which the motion to an instant with a negative length ends, if it comes before the length is
@@ -321,6 +319,14 @@ impl<M: Mechanism> PlanFollower<M> {
         let q = self.state().q;
         self.measure_turns(mechanism, at, &q);
         Ok(true)
+    }
+}
+
+/// An error if a length is negative.
+fn checked_lengths(model: &'static Model, t: f64, lengths: &[f64]) -> Result<(), PlanError> {
+    match lengths.iter().position(|length| *length < 0.0) {
+        Some(index) => Err(PlanError::negative_length(model, t, index, lengths[index])),
+        None => Ok(()),
     }
 }
 

@@ -12,6 +12,7 @@ use super::predict::{parabola, turned};
 use super::rates::{largest_angle, turning};
 use crate::course::Course;
 use crate::mechanism::{LengthError, Mechanism};
+use crate::model::Model;
 use crate::plan::{PlanStep, StepKind};
 use crate::scalar::Scalar;
 use crate::signal::{Instant, Signal};
@@ -253,19 +254,8 @@ impl<M: Mechanism> PlanFollower<M> {
 
     /// The first group with a determinant whose unknowns have about the largest rates of all coordinates, in radians.
     fn first_of_largest_rate(&self, here: &PlanSolution<M>) -> Option<usize> {
-        let plan = &M::model().plan;
         let turns = if self.rows_turn_alone { self.turns.as_ref() } else { &[] };
-        let rate = |k: usize| turning(M::model(), turns, here.q_dot.as_ref(), k);
-        let largest = largest_angle(M::model(), turns, here.q_dot.as_ref());
-        let has_it = |step: &PlanStep| {
-            let unknowns = match step.kind {
-                StepKind::Newton(unknowns) => unknowns,
-                _ => step.coordinates.len(),
-            };
-            step.coordinates.iter().take(unknowns).any(|&(k, _)| rate(k) >= 0.1 * largest)
-        };
-        let found = plan.orientations.iter().position(|group| plan.steps.get(group.step).is_some_and(has_it));
-        found.map(|oriented| plan.modes.len() + oriented)
+        first_of_largest_rate(M::model(), turns, here.q_dot.as_ref())
     }
 
     /// The group of the trial state that is nearest to its limit.
@@ -283,6 +273,21 @@ impl From<LengthError> for Fault {
     fn from(_: LengthError) -> Self {
         Self::NonFinite
     }
+}
+
+/// The first group with a determinant whose unknowns have about the largest rates of all coordinates.
+fn first_of_largest_rate(model: &Model, turns: &[f64], q_dot: &[f64]) -> Option<usize> {
+    let plan = &model.plan;
+    let largest = largest_angle(model, turns, q_dot);
+    let has_it = |step: &PlanStep| {
+        let unknowns = match step.kind {
+            StepKind::Newton(unknowns) => unknowns,
+            _ => step.coordinates.len(),
+        };
+        step.coordinates.iter().take(unknowns).any(|&(k, _)| turning(model, turns, q_dot, k) >= 0.1 * largest)
+    };
+    let found = plan.orientations.iter().position(|group| plan.steps.get(group.step).is_some_and(has_it));
+    found.map(|oriented| plan.modes.len() + oriented)
 }
 
 /// The shortest step of a walk between two places whose first step could have the length `natural`.

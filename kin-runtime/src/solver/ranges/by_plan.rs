@@ -134,7 +134,7 @@ impl dyn AnySolver + '_ {
     /// The limit that ends a motion in these modes, and the configuration there.
     fn approached(&self, start: &Instant<'_>, signs: &[f64], way: [f64; 2]) -> (Option<Limit>, Vec<f64>) {
         let modes = signs.iter().enumerate().filter_map(|(index, &sign)| Some((index, Sign::of(sign)?)));
-        match self.moved(start, way, self.guesses(), &modes.collect::<Vec<_>>()) {
+        match self.moved(start, way, &self.settings().guesses, &modes.collect::<Vec<_>>()) {
             Ok(_) => (None, Vec::new()),
             Err(end) => (end.limit, end.q),
         }

@@ -84,7 +84,7 @@ impl dyn AnySolver + '_ {
     fn unproven(&self) -> Option<Uncertified> {
         let model = self.model();
         let plan = &model.plan;
-        if !self.prescribed().is_empty() {
+        if !self.settings().given.is_empty() {
             return Some(Uncertified::Prescribed);
         }
         if let Some(row) = plan.redundant_rows().next() {
