@@ -3,7 +3,6 @@
 use crate::mechanism::{LengthError, Mechanism};
 use crate::scalar::lanes::Pack;
 use crate::signal::{Instant, Signal};
-use crate::workspace::Array;
 use alloc::vec::Vec;
 
 /// One quantity over all configurations.
@@ -82,31 +81,18 @@ const fn tile<V: Pack>() -> usize {
 }
 
 /// The arguments of a tile of blocks, and the columns that they come from.
-pub(super) struct Arguments<'a, M: Mechanism, V: Pack> {
-    /// On the heap: the blocks of a large mechanism are too large for the stack of a thread.
-    blocks: Vec<Numbers<M, V>>,
+///
+/// The lengths are those of the lists of columns and not those of a mechanism's arrays, so that the code is compiled
+/// once for all mechanisms.
+pub(super) struct Arguments<'a, V> {
+    /// For every block of the tile the parameters, q and q̇, then t.
+    numbers: Vec<V>,
     /// The inputs, block after block; empty for a mechanism without inputs.
     inputs: Vec<Signal<V>>,
     configurations: &'a Configurations<'a>,
     /// The tile that has been read.
     tile: Option<usize>,
 }
-
-/// The numbers of one block.
-struct Numbers<M: Mechanism, V: Pack> {
-    parameters: M::Parameters<V>,
-    t: V,
-    q: M::Coordinates<V>,
-    q_dot: M::Coordinates<V>,
-}
-
-impl<M: Mechanism, V: Pack> Clone for Numbers<M, V> {
-    fn clone(&self) -> Self {
-        *self
-    }
-}
-
-impl<M: Mechanism, V: Pack> Copy for Numbers<M, V> {}
 
 /// The arguments of one block.
 pub(super) struct Block<'b, V> {
@@ -116,60 +102,57 @@ pub(super) struct Block<'b, V> {
     pub(super) q_dot: &'b [V],
 }
 
-impl<'a, M: Mechanism, V: Pack> Arguments<'a, M, V> {
+impl Configurations<'_> {
+    /// The columns in the order of the numbers of a block.
+    fn columns(&self) -> impl Iterator<Item = &Column<'_>> {
+        self.parameters.iter().chain(self.q).chain(self.q_dot).chain([&self.t])
+    }
+}
+
+impl<'a, V: Pack> Arguments<'a, V> {
     /// Buffers that contain the shared numbers.
     pub(super) fn new(configurations: &'a Configurations<'a>) -> Self {
-        let shared = |columns: &[Column<'_>], index: usize| columns.get(index).map_or(V::default(), Column::shared);
-        let numbers = Numbers {
-            parameters: Array::generate(V::default(), |index| shared(configurations.parameters, index)),
-            t: configurations.t.shared(),
-            q: Array::generate(V::default(), |index| shared(configurations.q, index)),
-            q_dot: Array::generate(V::default(), |index| shared(configurations.q_dot, index)),
-        };
-        let inputs = configurations.inputs.iter().map(|u| u.map(|column| column.shared()));
-        let inputs = inputs.collect::<Vec<_>>().repeat(tile::<V>());
-        Self { blocks: alloc::vec![numbers; tile::<V>()], inputs, configurations, tile: None }
+        let numbers: Vec<V> = configurations.columns().map(Column::shared).collect();
+        let inputs: Vec<Signal<V>> = configurations.inputs.iter().map(|u| u.map(|column| column.shared())).collect();
+        let (numbers, inputs) = (numbers.repeat(tile::<V>()), inputs.repeat(tile::<V>()));
+        Self { numbers, inputs, configurations, tile: None }
     }
 
     /// The arguments of the block whose first configuration is `first`.
     #[inline(always)]
     pub(super) fn block(&mut self, first: usize) -> Block<'_, V> {
         let block = first / V::COUNT;
+        let (inputs, stride) = (self.configurations.inputs.len(), self.numbers.len() / tile::<V>());
         let (tile, k) = (block / tile::<V>(), block % tile::<V>());
-        let inputs = self.configurations.inputs.len();
         if self.tile != Some(tile) {
             self.read(tile * TILE);
             self.tile = Some(tile);
         }
-        let Numbers { parameters, t, q, q_dot } = &self.blocks[k];
-        Block {
-            parameters: parameters.as_ref(),
-            at: Instant { t: *t, inputs: &self.inputs[k * inputs..][..inputs] },
-            q: q.as_ref(),
-            q_dot: q_dot.as_ref(),
-        }
+        let (own, coordinates) = (self.configurations.parameters.len(), self.configurations.q.len());
+        let (parameters, rest) = self.numbers[k * stride..][..stride].split_at(own);
+        let (q, rest) = rest.split_at(coordinates);
+        let (q_dot, t) = rest.split_at(rest.len() - 1);
+        let at = Instant { t: t[0], inputs: &self.inputs[k * inputs..][..inputs] };
+        Block { parameters, at, q, q_dot }
     }
 
     /// Reads the tile whose first configuration is `first`; the numbers of shared columns remain.
     #[inline(never)]
     fn read(&mut self, first: usize) {
-        let Configurations { parameters, t, inputs, q, q_dot } = self.configurations;
-        let blocks = &mut self.blocks;
-        for (index, column) in parameters.iter().enumerate() {
-            column.read(first, |k, numbers| blocks[k].parameters.as_mut()[index] = numbers);
+        let Self { numbers, inputs, configurations, .. } = self;
+        let stride = numbers.len() / tile::<V>();
+        let mut index = 0;
+        for columns in [configurations.parameters, configurations.q, configurations.q_dot, &[configurations.t]] {
+            for column in columns {
+                column.read(first, |k, x| numbers[k * stride + index] = x);
+                index += 1;
+            }
         }
-        for (index, column) in q.iter().enumerate() {
-            column.read(first, |k, numbers| blocks[k].q.as_mut()[index] = numbers);
-        }
-        for (index, column) in q_dot.iter().enumerate() {
-            column.read(first, |k, numbers| blocks[k].q_dot.as_mut()[index] = numbers);
-        }
-        t.read(first, |k, numbers| blocks[k].t = numbers);
-        for (index, column) in inputs.iter().enumerate() {
-            let at = |k: usize| k * inputs.len() + index;
-            column.value.read(first, |k, numbers| self.inputs[at(k)].value = numbers);
-            column.rate.read(first, |k, numbers| self.inputs[at(k)].rate = numbers);
-            column.acceleration.read(first, |k, numbers| self.inputs[at(k)].acceleration = numbers);
+        let stride = configurations.inputs.len();
+        for (index, column) in configurations.inputs.iter().enumerate() {
+            column.value.read(first, |k, x| inputs[k * stride + index].value = x);
+            column.rate.read(first, |k, x| inputs[k * stride + index].rate = x);
+            column.acceleration.read(first, |k, x| inputs[k * stride + index].acceleration = x);
         }
     }
 }

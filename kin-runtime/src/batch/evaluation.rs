@@ -78,7 +78,7 @@ where
 {
     configurations.check::<M>(out.count)?;
     let shape = Shape { count: out.count, width: Lanes::COUNT, stride: 1, chunk: CHUNK };
-    let arguments = || Arguments::<M, Lanes>::new(configurations);
+    let arguments = || Arguments::<Lanes>::new(configurations);
     drive(&shape, &mut out.blocks, watch, arguments, |first, arguments, out| {
         let Block { parameters, at, q, q_dot } = arguments.block(first);
         for workspace in out {

@@ -117,7 +117,7 @@ pub fn forces<M: Mechanism + Sync>(
     // q and its rates are those of the solutions.
     let configurations = Configurations { parameters, t, inputs, q: &[], q_dot: &[] };
     let shape = Shape { count: out.count, width: Octet::COUNT, stride: model.count, chunk: CHUNK };
-    let arguments = || Arguments::<M, Octet>::new(&configurations);
+    let arguments = || Arguments::<Octet>::new(&configurations);
     drive(&shape, &mut out.blocks, watch, arguments, |first, arguments, out| {
         let block = arguments.block(first);
         let solved = solutions.block(first / Octet::COUNT);

@@ -47,7 +47,11 @@ impl<'a> Modes<'a> {
     ) {
         // NaN instead of 0, so that all results that depend on it are NaN, too.
         match self {
-            Self::Signs(_) => modes.iter_mut().zip(given).for_each(|(mode, given)| *mode = given.direction()),
+            Self::Signs(_) => {
+                for (index, mode) in modes.iter_mut().enumerate() {
+                    *mode = given.get(index).copied().unwrap_or_default().direction();
+                }
+            }
             Self::OfStart => {
                 let lengths = mechanism.branches_with(parameters, at, start, modes);
                 debug_assert!(lengths.is_ok(), "the columns have been counted");

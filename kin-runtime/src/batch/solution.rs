@@ -100,7 +100,7 @@ impl<M: Mechanism> Solutions<M> {
 
     /// Whether each configuration is solved.
     pub fn solved(&self) -> impl Iterator<Item = bool> {
-        self.column(Self::GOOD).map(|good| good > 0.0)
+        positive(self.column(Self::GOOD))
     }
 
     /// The smallest margin of each configuration: 1 far from all limits, 0 at a limit, negative beyond it; also 0 if it
@@ -135,14 +135,24 @@ impl<M: Mechanism> Solutions<M> {
 
     /// A number for every configuration, by its index in the blocks.
     fn column(&self, index: usize) -> impl Iterator<Item = f64> {
-        let blocks = self.blocks.chunks_exact(Self::STRIDE);
-        blocks.flat_map(move |block| Octet::each(|lane| block[index].lane(lane))).take(self.count)
+        numbers(&self.blocks, Self::STRIDE, index, self.count)
     }
+}
+
+// Functions and not methods, so that their iterators are compiled once for all mechanisms.
+
+/// The numbers at an index of every block.
+fn numbers(blocks: &[Octet], stride: usize, index: usize, count: usize) -> impl Iterator<Item = f64> {
+    blocks.chunks_exact(stride).flat_map(move |block| Octet::each(|lane| block[index].lane(lane))).take(count)
+}
+
+fn positive(numbers: impl Iterator<Item = f64>) -> impl Iterator<Item = bool> {
+    numbers.map(|number| number > 0.0)
 }
 
 /// The buffers of one thread.
 struct Scratch<'a, M: Mechanism> {
-    arguments: Arguments<'a, M, Octet>,
+    arguments: Arguments<'a, Octet>,
     modes: lists::Modes<M, Octet>,
     margins: Margins<M, Octet>,
 }
@@ -244,7 +254,7 @@ pub fn solve<M: Mechanism + Sync>(
     let work = Solve { mechanism, depth, modes };
     let shape = Shape { count: out.count, width: Octet::COUNT, stride: Solutions::<M>::STRIDE, chunk: CHUNK };
     let scratch = || Scratch {
-        arguments: Arguments::<M, _>::new(&configurations),
+        arguments: Arguments::new(&configurations),
         modes: lists::Modes::filled(Octet::default()),
         margins: Margins::filled(Octet::default()),
     };

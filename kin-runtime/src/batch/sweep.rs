@@ -148,7 +148,7 @@ struct Sweep<'a, M, V, S> {
 
 /// The buffers of one thread.
 struct Scratch<'a, M: Mechanism> {
-    arguments: Arguments<'a, M, Octet>,
+    arguments: Arguments<'a, Octet>,
     inputs: Vec<Signal<Octet>>,
     shown_inputs: Vec<Signal<Lanes>>,
     /// On the heap, because the generated code of a large mechanism needs the stack.
