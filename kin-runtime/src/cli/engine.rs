@@ -248,7 +248,7 @@ impl<M: Mechanism + Default> Engine for Bound<M> {
     ) -> Result<crate::design::Designed<()>, crate::design::DesignError> {
         let mut design = crate::design::Design::new(&self.mechanism);
         wishes.add_to(setup, &mut design.task)?;
-        Ok(design.search(search)?.map(|_| ()))
+        Ok(crate::design::searched(&design, &design.task, search)?.map(|_| ()))
     }
 
     fn certify(&self, setup: &Setup, state: &State) -> Result<Certificate, Uncertified> {

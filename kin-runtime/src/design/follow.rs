@@ -11,7 +11,7 @@ use crate::planned::follower::{Control, PlanFollower};
 use crate::results::varied::{Varied, WIDTH};
 use crate::sensitivity::measured::complete;
 use crate::sensitivity::{LARGEST, Variation, Varying, is_integrated, vary as vary_state};
-use crate::solver::{Settings, Solver};
+use crate::solver::{AnySolver, Settings, Solver, swept};
 use crate::workspace::Instant;
 
 /// Receives the index of an instant, the index of the first parameter with respect to which the numbers have
@@ -97,7 +97,7 @@ impl<M: Mechanism> Family for Design<M> {
                 None => {}
             }
         }
-        by_sweep(&solver, times, varying, needs, see)
+        by_sweep(&solver, &mut Varying::new(&mechanism), times, varying, needs, see)
     }
 }
 
@@ -153,18 +153,18 @@ fn vary(
     Ok(())
 }
 
-fn by_sweep<M: Mechanism>(
-    solver: &Solver<'_, M>,
+fn by_sweep(
+    solver: &dyn AnySolver,
+    variation: &mut dyn Variation,
     times: &[f64],
     varying: &[usize],
     needs: Needs,
     see: &mut See<'_>,
 ) -> Result<(), SolveError> {
-    let trajectory = solver.sweep(times).map_err(|error| error.source)?;
-    let mut variation = Varying::new(solver.mechanism);
+    let trajectory = swept(solver, times).map_err(|error| error.source)?;
     for (k, state) in trajectory.states.iter().enumerate() {
         let mut first = 0;
-        vary_state(solver, &mut variation, state, varying, &mut |variation, indices, varied| {
+        vary_state(solver, variation, state, varying, &mut |variation, indices, varied| {
             complete(variation, varied, Needs { observed: false, ..needs })?;
             see(k, first, varied);
             first += indices.len();

@@ -65,4 +65,4 @@ pub use objective::Direction;
 pub use result::{Designed, Slack};
 pub use search::{Progress, Search};
 #[cfg(feature = "cli")]
-pub(crate) use task::Task;
+pub(crate) use {search::searched, task::Task};

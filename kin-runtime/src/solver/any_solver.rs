@@ -8,6 +8,7 @@ use crate::equations::Equations;
 use crate::error::{SolveError, SweepError};
 use crate::mechanism::{LengthError, Mechanism};
 use crate::model::Model;
+use crate::modes::WantedAssembly;
 use crate::plan::{Depth, Solved};
 use crate::planned::{Limit, Sign};
 use crate::proof::{Enclosures, OverBoxes, Winding};
@@ -28,6 +29,16 @@ pub(crate) trait AnySolver {
 
     /// The equations at an instant.
     fn equations_at(&self, at: &Instant<'_>) -> Result<Equations<'_>, SolveError>;
+
+    /// q of the mechanism assembled from the guesses.
+    fn assembled(&self, at: &Instant<'_>) -> Result<Vec<f64>, SolveError>;
+
+    /// What assembly from the guesses is to find.
+    fn wanted_assembly(&self) -> Result<WantedAssembly, SolveError>;
+
+    /// The state that the plan finds near a complete start, or else from the guesses; `None` if the general path must be
+    /// used.
+    fn planned_state(&self, at: &Instant<'_>, start: Option<&[f64]>) -> Option<State>;
 
     /// The state near a complete start, as [`Solver::state_from`].
     fn state_near_start(&self, at: &Instant<'_>, start: &[f64]) -> Result<State, SolveError>;
@@ -91,6 +102,21 @@ impl<M: Mechanism> AnySolver for Solver<'_, M> {
 
     fn equations_at(&self, at: &Instant<'_>) -> Result<Equations<'_>, SolveError> {
         self.equations(at)
+    }
+
+    fn assembled(&self, at: &Instant<'_>) -> Result<Vec<f64>, SolveError> {
+        self.assemble(at)
+    }
+
+    fn wanted_assembly(&self) -> Result<WantedAssembly, SolveError> {
+        self.wanted()
+    }
+
+    fn planned_state(&self, at: &Instant<'_>, start: Option<&[f64]>) -> Option<State> {
+        match start {
+            Some(start) => self.state_near(at, start),
+            None => self.state_by_plan(at),
+        }
     }
 
     fn state_near_start(&self, at: &Instant<'_>, start: &[f64]) -> Result<State, SolveError> {

@@ -1,7 +1,7 @@
 //! Sweeps along the arc of the solution curve, through dead centres.
 
-use super::Solver;
 use super::sweep::inputs_at;
+use super::{AnySolver, Solver};
 use crate::error::SolveError;
 use crate::mechanism::Mechanism;
 use crate::observer::Observed;
@@ -52,15 +52,22 @@ impl<M: Mechanism> Solver<'_, M> {
     /// degrees of freedom are left, there are rows of velocity level, or branches cross there;
     /// [`Stopped`](SolveError::Stopped) by an observer.
     pub fn sweep_along_arc(&self, from: f64, to: Option<f64>, steps: usize) -> Result<Trajectory, SolveError> {
-        let inputs = inputs_at(self.settings.inputs, from, M::INPUTS);
-        let at = Instant { t: from, inputs: &inputs };
-        if let Some(t) = to {
-            self.equations(&Instant { t, inputs: &inputs })?;
-        }
-        let q = self.assemble(&at)?;
-        let mut equations = self.equations(&at)?;
-        equations.observed = Observed::new(self.settings.observer, steps + 1);
-        let (states, arc) = solution_arc(&mut equations, &q, Window { from, to }, steps)?;
-        Ok(Trajectory { reached: states.len(), states, arc: Some(arc), ..Trajectory::new(M::model()) })
+        along_arc(self, Window { from, to }, steps)
     }
+}
+
+/// As [`Solver::sweep_along_arc`].
+fn along_arc(solver: &dyn AnySolver, window: Window, steps: usize) -> Result<Trajectory, SolveError> {
+    let Window { from, to } = window;
+    let settings = solver.settings();
+    let inputs = inputs_at(settings.inputs, from, solver.model().inputs.len());
+    let at = Instant { t: from, inputs: &inputs };
+    if let Some(t) = to {
+        solver.equations_at(&Instant { t, inputs: &inputs })?;
+    }
+    let q = solver.assembled(&at)?;
+    let mut equations = solver.equations_at(&at)?;
+    equations.observed = Observed::new(settings.observer, steps + 1);
+    let (states, arc) = solution_arc(&mut equations, &q, window, steps)?;
+    Ok(Trajectory { reached: states.len(), states, arc: Some(arc), ..Trajectory::new(solver.model()) })
 }

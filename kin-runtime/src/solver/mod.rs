@@ -46,6 +46,8 @@ pub(crate) use any_solver::AnySolver;
 #[cfg(feature = "cli")]
 pub(crate) use contacts::ContactWatch;
 pub(crate) use settings::Settings;
+#[cfg(feature = "design")]
+pub(crate) use sweep::swept;
 
 /// Position, velocity and acceleration analysis of one mechanism.
 ///
@@ -79,7 +81,7 @@ impl<'m, M: Mechanism> Solver<'m, M> {
         let wanted = self.wanted()?;
         match self.position_by_plan(at) {
             Some(position) => Ok(position.q),
-            None => Ok(assemble_in(&mut self.equations(at)?, &wanted)?.q),
+            None => assembled(self.equations(at)?, &wanted),
         }
     }
 
@@ -147,10 +149,7 @@ impl<'m, M: Mechanism> Solver<'m, M> {
         if let Some(state) = self.state_by_plan(at) {
             return Ok(state);
         }
-        let wanted = self.wanted()?;
-        let equations = &mut self.equations(at)?;
-        let position = assemble_in(equations, &wanted)?;
-        Ok(analysis::state(equations, position)?.0)
+        state_from_guess(self.equations(at)?, &self.wanted()?)
     }
 
     /// Position analysis from a complete start, then velocity and acceleration.
@@ -165,9 +164,7 @@ impl<'m, M: Mechanism> Solver<'m, M> {
         if let Some(state) = self.state_near(at, start) {
             return Ok(state);
         }
-        let equations = &mut self.equations(at)?;
-        let position = position(equations, start)?;
-        Ok(analysis::state(equations, position)?.0)
+        state_from_start(self.equations(at)?, start)
     }
 
     /// Motion of bodies, points, defines and joints.
@@ -292,6 +289,23 @@ impl<'m, M: Mechanism> Solver<'m, M> {
         let evaluator = Box::new(Evaluator::<_, M>::new(self.mechanism));
         Equations::new(evaluator, self.settings.options, &self.settings.given, self.settings.inputs, at)
     }
+}
+
+/// q of the assembled mechanism.
+fn assembled(mut equations: Equations<'_>, wanted: &WantedAssembly) -> Result<Vec<f64>, SolveError> {
+    Ok(assemble_in(&mut equations, wanted)?.q)
+}
+
+/// The state of the assembled mechanism.
+fn state_from_guess(mut equations: Equations<'_>, wanted: &WantedAssembly) -> Result<State, SolveError> {
+    let position = assemble_in(&mut equations, wanted)?;
+    Ok(analysis::state(&mut equations, position)?.0)
+}
+
+/// The state near a complete start.
+fn state_from_start(mut equations: Equations<'_>, start: &[f64]) -> Result<State, SolveError> {
+    let position = position(&mut equations, start)?;
+    Ok(analysis::state(&mut equations, position)?.0)
 }
 
 /// An error if a guess is for a coordinate that does not exist.

@@ -1,6 +1,6 @@
 //! Sweeps: the motion over a list of instants.
 
-use super::Solver;
+use super::{AnySolver, Solver};
 use crate::analysis;
 use crate::analysis::position::position;
 use crate::course::InputFunction;
@@ -31,7 +31,7 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     /// As [`state`](Self::state) for the first instant; then [`Singular`](SolveError::Singular) or
     /// [`StepRefused`](SolveError::StepRefused) where the branch ends, with the states before it.
     pub fn sweep(&self, times: &[f64]) -> Result<Trajectory, SweepError> {
-        self.follow(times, None, &mut kinematic)
+        swept(self, times)
     }
 
     /// As [`sweep`](Self::sweep), but states are passed to `visit` one by one and not kept: the memory of a state is
@@ -71,7 +71,7 @@ impl<'m, M: Mechanism> Solver<'m, M> {
         times: &[f64],
         mut visit: impl FnMut(&State) -> ControlFlow<()>,
     ) -> Result<Trajectory, SweepError> {
-        self.follow(times, None, &mut |equations, first, times| kinematic_each(equations, first, times, &mut visit))
+        each(self, times, &mut visit)
     }
 
     /// [`sweep`](Self::sweep) from a complete start, n numbers.
@@ -79,48 +79,63 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     /// # Errors
     /// As [`sweep`](Self::sweep).
     pub fn sweep_from(&self, start: &[f64], times: &[f64]) -> Result<Trajectory, SweepError> {
-        self.follow(times, Some(start), &mut kinematic)
+        follow(self, times, Some(start), &mut kinematic)
     }
+}
 
-    /// A sweep from a complete start or from the guesses; `onwards` continues from the first state.
-    fn follow(
-        &self,
-        times: &[f64],
-        start: Option<&[f64]>,
-        onwards: &mut Onwards<'_>,
-    ) -> Result<Trajectory, SweepError> {
-        match self.started(times, start) {
-            Ok(None) => Ok(Trajectory::new(M::model())),
-            Ok(Some((mut equations, first))) => onwards(&mut equations, first, times),
-            Err(source) => Err(SweepError { trajectory: Box::new(Trajectory::new(M::model())), source }),
+/// As [`Solver::sweep`].
+pub(crate) fn swept(solver: &dyn AnySolver, times: &[f64]) -> Result<Trajectory, SweepError> {
+    follow(solver, times, None, &mut kinematic)
+}
+
+/// As [`Solver::sweep_each`].
+fn each(
+    solver: &dyn AnySolver,
+    times: &[f64],
+    visit: &mut dyn FnMut(&State) -> ControlFlow<()>,
+) -> Result<Trajectory, SweepError> {
+    follow(solver, times, None, &mut |equations, first, times| kinematic_each(equations, first, times, visit))
+}
+
+/// A sweep from a complete start or from the guesses; `onwards` continues from the first state.
+fn follow(
+    solver: &dyn AnySolver,
+    times: &[f64],
+    start: Option<&[f64]>,
+    onwards: &mut Onwards<'_>,
+) -> Result<Trajectory, SweepError> {
+    match started(solver, times, start) {
+        Ok(None) => Ok(Trajectory::new(solver.model())),
+        Ok(Some((mut equations, first))) => onwards(&mut equations, first, times),
+        Err(source) => Err(SweepError { trajectory: Box::new(Trajectory::new(solver.model())), source }),
+    }
+}
+
+/// The equations of a sweep and its first state, found by the plan or, where it has no solution, by position analysis;
+/// `None` without instants.
+fn started<'s>(
+    solver: &'s dyn AnySolver,
+    times: &[f64],
+    start: Option<&[f64]>,
+) -> Result<Option<(Equations<'s>, First)>, SolveError> {
+    let Some(&t) = times.first() else { return Ok(None) };
+    let settings = solver.settings();
+    let inputs = inputs_at(settings.inputs, t, solver.model().inputs.len());
+    let at = Instant { t, inputs: &inputs };
+    let mut equations = solver.equations_at(&at)?;
+    let first = match solver.planned_state(&at, start) {
+        Some(state) => (state, None),
+        None => {
+            let position = match start {
+                Some(start) => position(&mut equations, start)?,
+                None => assemble_in(&mut equations, &solver.wanted_assembly()?)?,
+            };
+            let (state, factor) = analysis::state(&mut equations, position)?;
+            (state, Some(factor))
         }
-    }
-
-    /// The equations of a sweep and its first state, found by the plan or, where it has no solution, by position
-    /// analysis; `None` without instants.
-    fn started(&self, times: &[f64], start: Option<&[f64]>) -> Result<Option<(Equations<'_>, First)>, SolveError> {
-        let Some(&t) = times.first() else { return Ok(None) };
-        let inputs = inputs_at(self.settings.inputs, t, M::INPUTS);
-        let at = Instant { t, inputs: &inputs };
-        let mut equations = self.equations(&at)?;
-        let by_plan = match start {
-            Some(start) => self.state_near(&at, start),
-            None => self.state_by_plan(&at),
-        };
-        let first = match by_plan {
-            Some(state) => (state, None),
-            None => {
-                let position = match start {
-                    Some(start) => position(&mut equations, start)?,
-                    None => assemble_in(&mut equations, &self.wanted()?)?,
-                };
-                let (state, factor) = analysis::state(&mut equations, position)?;
-                (state, Some(factor))
-            }
-        };
-        equations.observed = Observed::new(self.settings.observer, times.len());
-        Ok(Some((equations, first)))
-    }
+    };
+    equations.observed = Observed::new(settings.observer, times.len());
+    Ok(Some((equations, first)))
 }
 
 /// The first state of a sweep, with the factorisation of Φ_q if it was evaluated there last.

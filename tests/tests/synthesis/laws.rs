@@ -2,8 +2,8 @@
 //! invalid input is an error.
 
 use crate::published::{LENGTHS, four_bar, timed};
-use kin_runtime::design::{DesignError, Direction, Number, Progress, Search};
-use kin_runtime::{Kinematics, Measure, Mechanism, Scalar};
+use kin_runtime::design::{Design, DesignError, Direction, Number, Progress, Search};
+use kin_runtime::{Kinematics, Measure, Mechanism, Scalar, mechanism};
 use std::ops::ControlFlow;
 
 const FEW: Search<'_> = Search { starts: 2, seed: 7, watch: None };
@@ -201,4 +201,29 @@ fn the_least_is_found_without_derivatives() {
     let found = held();
     assert!(found.mechanism.c < 0.2 && found.mechanism.c > 0.2 - 1e-4, "{found}");
     assert_eq!(found, held(), "a seed repeats");
+}
+
+/// A crank that moves a slider by a rod of 0.7, to the right of the crank unless a guess says otherwise.
+#[mechanism]
+#[body(crank, x = 0, y = 0)]
+#[body(slider, y = 0, phi = 0)]
+#[distance(rod: crank @ (r, 0), slider @ (0, 0), length = 0.7)]
+#[driver(drive: crank.phi = t)]
+#[guess(slider.x = 0.7)]
+struct Slider {
+    #[param(0.1)]
+    r: f64,
+}
+
+/// Modes that are not prescribed are those of the design's own guesses.
+#[test]
+fn a_guess_leads_to_its_mode() {
+    let x = Slider::model().coordinates.iter().position(|info| info.name == "slider.x").expect("it is free");
+    let found = Design::new(&Slider::default())
+        .free("r", 0.05..=0.5)
+        .and_then(|design| design.function("slider.x", &[(0.0, -0.5)]))
+        .map(|design| design.guess(x, -0.7))
+        .and_then(|design| design.search(&Search { starts: 2, ..Search::default() }))
+        .unwrap_or_else(|error| panic!("{error}"));
+    assert!((found.mechanism.r - 0.2).abs() < 1e-9 && found.error < 1e-18, "{found}");
 }
