@@ -1,7 +1,7 @@
-//! The thin generic layer of searches: a solver without the type of its mechanism.
+//! The thin generic layer of solvers: a solver without the type of its mechanism.
 //!
-//! Searches for closures and for ranges, sensitivities and the watch of contacts work on `dyn AnySolver`, so that they
-//! are compiled once, in this crate, and not again for every mechanism of the user.
+//! Sweeps, searches for closures and for ranges, sensitivities and the watch of contacts work on `dyn AnySolver`, so
+//! that they are compiled once, in this crate, and not again for every mechanism of the user.
 
 use super::{Settings, Solver};
 use crate::equations::Equations;
