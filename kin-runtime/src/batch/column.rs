@@ -104,15 +104,15 @@ pub(super) struct Block<'b, V> {
 
 impl Configurations<'_> {
     /// The columns in the order of the numbers of a block.
-    fn columns(&self) -> impl Iterator<Item = &Column<'_>> {
-        self.parameters.iter().chain(self.q).chain(self.q_dot).chain([&self.t])
+    fn columns(&self) -> [&[Column<'_>]; 4] {
+        [self.parameters, self.q, self.q_dot, core::slice::from_ref(&self.t)]
     }
 }
 
 impl<'a, V: Pack> Arguments<'a, V> {
     /// Buffers that contain the shared numbers.
     pub(super) fn new(configurations: &'a Configurations<'a>) -> Self {
-        let numbers: Vec<V> = configurations.columns().map(Column::shared).collect();
+        let numbers: Vec<V> = configurations.columns().into_iter().flatten().map(Column::shared).collect();
         let inputs: Vec<Signal<V>> = configurations.inputs.iter().map(|u| u.map(|column| column.shared())).collect();
         let (numbers, inputs) = (numbers.repeat(tile::<V>()), inputs.repeat(tile::<V>()));
         Self { numbers, inputs, configurations, tile: None }
@@ -142,7 +142,7 @@ impl<'a, V: Pack> Arguments<'a, V> {
         let Self { numbers, inputs, configurations, .. } = self;
         let stride = numbers.len() / tile::<V>();
         let mut index = 0;
-        for columns in [configurations.parameters, configurations.q, configurations.q_dot, &[configurations.t]] {
+        for columns in configurations.columns() {
             for column in columns {
                 column.read(first, |k, x| numbers[k * stride + index] = x);
                 index += 1;

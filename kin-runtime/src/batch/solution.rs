@@ -100,7 +100,7 @@ impl<M: Mechanism> Solutions<M> {
 
     /// Whether each configuration is solved.
     pub fn solved(&self) -> impl Iterator<Item = bool> {
-        positive(self.column(Self::GOOD))
+        are_positive(self.column(Self::GOOD))
     }
 
     /// The smallest margin of each configuration: 1 far from all limits, 0 at a limit, negative beyond it; also 0 if it
@@ -146,7 +146,8 @@ fn numbers(blocks: &[Octet], stride: usize, index: usize, count: usize) -> impl 
     blocks.chunks_exact(stride).flat_map(move |block| Octet::each(|lane| block[index].lane(lane))).take(count)
 }
 
-fn positive(numbers: impl Iterator<Item = f64>) -> impl Iterator<Item = bool> {
+/// Whether each number is positive.
+fn are_positive(numbers: impl Iterator<Item = f64>) -> impl Iterator<Item = bool> {
     numbers.map(|number| number > 0.0)
 }
 

@@ -47,7 +47,7 @@ impl Setup {
 
     /// The settings of a solver.
     pub(super) fn settings(&self, model: &Model) -> Settings<'static> {
-        let mut settings = Settings::default().started(model, &self.guesses, &self.modes);
+        let mut settings = Settings::default().starting_from(model, &self.guesses, &self.modes);
         self.given.iter().for_each(|&(coordinate, signal)| settings.prescribe(coordinate, signal));
         settings.sharing = if self.least_norm { Sharing::LeastNorm } else { Sharing::Undetermined };
         settings

@@ -73,7 +73,7 @@ impl<'d> Motion<'d> {
 impl<M: Mechanism> Family for Design<M> {
     fn guessed(&self, task: &Task, t: f64) -> Option<Vec<Mode>> {
         let (mechanism, at) = (self.mechanism(&task.parameters), Instant::at(t));
-        let solver = begun(&mechanism, &task.guesses, &[]);
+        let solver = solver_from(&mechanism, &task.guesses, &[]);
         solver.modes(&at, &solver.assemble(&at).ok()?).ok()
     }
 
@@ -87,7 +87,7 @@ impl<M: Mechanism> Family for Design<M> {
     ) -> Result<(), SolveError> {
         let Some(&first) = times.first() else { return Ok(()) };
         let mechanism = self.mechanism(&motion.parameters);
-        let solver = begun(&mechanism, &motion.task.guesses, &motion.branch.modes);
+        let solver = solver_from(&mechanism, &motion.task.guesses, &motion.branch.modes);
         let plan = &M::model().plan;
         let determined = !plan.has_redundant_rows() && !is_integrated(M::model());
         if determined && M::COORDINATES <= LARGEST {
@@ -102,8 +102,8 @@ impl<M: Mechanism> Family for Design<M> {
 }
 
 /// A solver that starts from these guesses in these modes.
-fn begun<'m, M: Mechanism>(mechanism: &'m M, guesses: &[(usize, f64)], modes: &[(usize, Sign)]) -> Solver<'m, M> {
-    Solver { mechanism, settings: Settings::default().started(M::model(), guesses, modes) }
+fn solver_from<'m, M: Mechanism>(mechanism: &'m M, guesses: &[(usize, f64)], modes: &[(usize, Sign)]) -> Solver<'m, M> {
+    Solver { mechanism, settings: Settings::default().starting_from(M::model(), guesses, modes) }
 }
 
 fn by_plan<M: Mechanism>(

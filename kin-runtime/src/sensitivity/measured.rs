@@ -1,6 +1,6 @@
 //! Derivatives of quantities by name.
 
-use super::{Variation, Varying, by, exist, observe, vary};
+use super::{Variation, Varying, check_indices, observe, sensitivities_by, vary};
 use crate::analysis::forces::forces;
 use crate::error::SolveError;
 use crate::forces::Forces;
@@ -60,12 +60,12 @@ impl<M: Mechanism> Solver<'_, M> {
         measures: &[Measure],
         parameters: &[usize],
     ) -> Result<Vec<Vec<f64>>, SolveError> {
-        measured(self, &mut Varying::new(self.mechanism), state, measures, parameters)
+        measure_sensitivities(self, &mut Varying::new(self.mechanism), state, measures, parameters)
     }
 }
 
 /// As [`Solver::measure_sensitivities`].
-fn measured(
+fn measure_sensitivities(
     solver: &dyn AnySolver,
     variation: &mut dyn Variation,
     state: &State,
@@ -73,7 +73,7 @@ fn measured(
     parameters: &[usize],
 ) -> Result<Vec<Vec<f64>>, SolveError> {
     let model = variation.model();
-    exist(model, parameters)?;
+    check_indices(model, parameters)?;
     // `vary` evaluates the observables, and forces follow below, with or without a closed form.
     let geometry = measures.iter().any(|measure| measure.needs().geometry);
     let needs = Needs { geometry, ..Needs::LEAST };
@@ -88,7 +88,7 @@ fn measured(
         Ok(())
     })?;
     if measures.iter().any(|measure| measure.force().is_some()) {
-        let by = by(solver, variation, state, parameters)?;
+        let by = sensitivities_by(solver, variation, state, parameters)?;
         let mut equations = solver.equations_at(&state.instant())?;
         let at = forces(&mut equations, state, solver.settings().sharing).ok();
         write_forces(model, measures, (at.as_ref(), &by), &mut all);

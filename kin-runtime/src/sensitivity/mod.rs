@@ -92,7 +92,7 @@ impl<M: Mechanism> Solver<'_, M> {
     /// # Errors
     /// As [`sensitivities`](Self::sensitivities), and [`UnknownParameter`](SolveError::UnknownParameter).
     pub fn sensitivities_by(&self, state: &State, parameters: &[usize]) -> Result<Sensitivities, SolveError> {
-        by(self, &mut Varying::new(self.mechanism), state, parameters)
+        sensitivities_by(self, &mut Varying::new(self.mechanism), state, parameters)
     }
 
     /// [`sensitivities_by`](Self::sensitivities_by) at every state of a motion, in their order.
@@ -109,14 +109,14 @@ impl<M: Mechanism> Solver<'_, M> {
 }
 
 /// As [`Solver::sensitivities_by`].
-fn by(
+fn sensitivities_by(
     solver: &dyn AnySolver,
     variation: &mut dyn Variation,
     state: &State,
     parameters: &[usize],
 ) -> Result<Sensitivities, SolveError> {
     let model = variation.model();
-    exist(model, parameters)?;
+    check_indices(model, parameters)?;
     let (mut by, mut margins) = (Vec::new(), Vec::new());
     vary(solver, variation, state, parameters, &mut |variation, chunk, varied| {
         let first = by.len();
@@ -134,7 +134,7 @@ fn by(
 }
 
 /// An error if a parameter does not exist.
-fn exist(model: &Model, parameters: &[usize]) -> Result<(), SolveError> {
+fn check_indices(model: &Model, parameters: &[usize]) -> Result<(), SolveError> {
     let count = model.parameters.len();
     match parameters.iter().find(|&&index| index >= count) {
         Some(&index) => Err(SolveError::UnknownParameter { index, parameters: count }),

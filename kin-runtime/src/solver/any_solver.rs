@@ -161,7 +161,7 @@ impl<M: Mechanism> AnySolver for Solver<'_, M> {
     ) -> Result<Vec<f64>, End> {
         let later = |t: f64, out: &mut [Signal]| continued(start, t, out);
         let settings = Settings { options: self.settings.options, inputs: Some(&later), ..Settings::default() };
-        let settings = settings.started(M::model(), guesses, modes);
+        let settings = settings.starting_from(M::model(), guesses, modes);
         end_of(Solver { mechanism: self.mechanism, settings }.sweep(&way))
     }
 }

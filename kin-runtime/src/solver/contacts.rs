@@ -118,11 +118,12 @@ impl<M: Mechanism> Solver<'_, M> {
 
     /// The next state of a motion that is watched.
     pub(crate) fn watch_contacts(&self, watch: &mut ContactWatch, state: &State) -> Result<(), SolveError> {
-        watched(self, watch, state)
+        watch_contacts(self, watch, state)
     }
 }
 
-fn watched(solver: &dyn AnySolver, watch: &mut ContactWatch, state: &State) -> Result<(), SolveError> {
+/// As [`Solver::watch_contacts`].
+fn watch_contacts(solver: &dyn AnySolver, watch: &mut ContactWatch, state: &State) -> Result<(), SolveError> {
     let forces =
         |state: &State| forces_of(&mut solver.equations_at(&state.instant())?, state, solver.settings().sharing);
     watch.push(state.clone(), &forces(state)?, &|t, near| {

@@ -40,7 +40,7 @@ impl Settings<'_> {
     }
 
     /// The same with these guesses and signs of modes, by their indices.
-    pub(crate) fn started(mut self, model: &Model, guesses: &[(usize, f64)], modes: &[(usize, Sign)]) -> Self {
+    pub(crate) fn starting_from(mut self, model: &Model, guesses: &[(usize, f64)], modes: &[(usize, Sign)]) -> Self {
         self.guesses.extend(guesses);
         modes.iter().for_each(|&(mode, sign)| self.request(model, mode.into(), sign));
         self
