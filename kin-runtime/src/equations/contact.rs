@@ -7,9 +7,10 @@
 
 use crate::equations::Equations;
 use crate::equations::placement::Placement;
+use crate::equations::scale::Scale;
 use crate::error::{Degeneracy, SolveError};
 use crate::model::{Component, CoordinateKind, JointInfo, JointKind, Model, Role};
-use crate::workspace::Instant;
+use crate::workspace::{Instant, Subset};
 
 /// Lengths below this count as zero, since their squares underflow.
 const NOTHING: f64 = 1e-150;
@@ -38,6 +39,23 @@ pub(crate) fn explain(equations: &mut Equations<'_>, q: &[f64], error: SolveErro
 pub(crate) fn has_curves(model: &Model) -> bool {
     use JointKind::{OnImplicitCurve, OnParametricCurve, OnPolarCurve};
     model.joints.iter().any(|joint| matches!(joint.kind, OnPolarCurve | OnImplicitCurve | OnParametricCurve))
+}
+
+/// True if the contact with all curves is defined at q, and no roller has changed its side since `before`.
+pub(crate) fn is_regular(equations: &mut Equations<'_>, before: Option<&[f64]>, q: &[f64]) -> Result<bool, SolveError> {
+    if !equations.scale.is_known {
+        equations.scale = Scale::around(equations, q);
+    }
+    if let Some(before) = before
+        && turned_about(equations, before, q).is_some()
+    {
+        return Ok(false);
+    }
+    equations.evaluate(Subset::VELOCITY, q, None)?;
+    let tolerance = equations.options.rank_tolerance;
+    Ok(at_a_standstill(equations, q).is_none()
+        && without_angle(equations, q).is_none()
+        && without_gradient(equations, tolerance).is_none())
 }
 
 /// The first polar curve whose point is at its centre at q, within rounding.

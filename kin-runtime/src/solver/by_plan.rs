@@ -9,7 +9,7 @@
 use super::guessed_modes::Guess;
 use super::{Position, Solver};
 use crate::analysis::poses::{coordinate_motions, write_poses};
-use crate::equations::contact::has_curves;
+use crate::equations::contact::{has_curves, is_regular};
 use crate::equations::residual::{Row, Tolerances, closed, closed_position, write_lengths, write_sizes};
 use crate::equations::system::Parts;
 use crate::mechanism::Mechanism;
@@ -35,7 +35,7 @@ struct Start<M: Mechanism> {
 impl<M: Mechanism> Solver<'_, M> {
     /// The state that the guesses lead to; `None` if the general path must be used.
     pub(crate) fn state_by_plan(&self, at: &Instant<'_>) -> Option<State> {
-        if !self.goes_by_plan(at) {
+        if !self.has_solution_by_plan(at) {
             return None;
         }
         let parameters = self.mechanism.parameters::<f64>();
@@ -45,7 +45,7 @@ impl<M: Mechanism> Solver<'_, M> {
 
     /// The state near a complete start; `None` if the general path must be used.
     pub(crate) fn state_near(&self, at: &Instant<'_>, start: &[f64]) -> Option<State> {
-        if !self.goes_by_plan(at) {
+        if !self.has_solution_by_plan(at) {
             return None;
         }
         let parameters = self.mechanism.parameters::<f64>();
@@ -67,7 +67,7 @@ impl<M: Mechanism> Solver<'_, M> {
 
     /// The position that the guesses lead to; `None` if the general path must be used.
     pub(crate) fn position_by_plan(&self, at: &Instant<'_>) -> Option<Position> {
-        if !self.goes_by_plan(at) {
+        if !self.has_solution_by_plan(at) {
             return None;
         }
         let parameters = self.mechanism.parameters::<f64>();
@@ -76,15 +76,22 @@ impl<M: Mechanism> Solver<'_, M> {
 
     /// The position near a complete start; `None` if the general path must be used.
     pub(crate) fn position_near(&self, at: &Instant<'_>, start: &[f64]) -> Option<Position> {
-        if !self.goes_by_plan(at) {
+        if !self.has_solution_by_plan(at) {
             return None;
         }
         let parameters = self.mechanism.parameters::<f64>();
         self.position_of(&parameters, at, &self.start_of(&parameters, at, start)?)
     }
 
-    /// True if the plan determines all coordinates and the geometry of the joints is not degenerate.
+    /// True if the plan determines all coordinates, the geometry of the joints is not degenerate, and no contact with a
+    /// curve can be.
     pub(crate) fn goes_by_plan(&self, at: &Instant<'_>) -> bool {
+        !has_curves(M::model()) && self.has_solution_by_plan(at)
+    }
+
+    /// True if the plan determines all coordinates and the geometry of the joints is not degenerate. Contacts with
+    /// curves may be degenerate at the solution.
+    pub(super) fn has_solution_by_plan(&self, at: &Instant<'_>) -> bool {
         let model = M::model();
         let usable =
             self.settings.options.use_plan && self.settings.given.is_empty() && self.settings.options.check().is_ok();
@@ -172,6 +179,9 @@ impl<M: Mechanism> Solver<'_, M> {
     fn state_of(&self, parameters: &M::Parameters<f64>, at: &Instant<'_>, start: &Start<M>) -> Option<State> {
         let mut poses = PlanSolution::nothing();
         self.solve_poses(parameters, at, start, &mut poses)?;
+        if !self.stays_near(parameters, at, start.q.as_ref(), poses.q.as_ref()) {
+            return None;
+        }
         self.finished(parameters, at, &poses)
     }
 
@@ -203,7 +213,8 @@ impl<M: Mechanism> Solver<'_, M> {
         let solution = [poses.q.as_ref(), poses.q_dot.as_ref(), poses.q_ddot.as_ref()];
         let [q, q_dot, _] = solution;
         let mut workspace = M::workspace::<f64>();
-        let residual = if all_above(poses.margins.as_ref(), FAR_FROM_LIMITS) {
+        let has_curves = has_curves(model);
+        let residual = if !has_curves && all_above(poses.margins.as_ref(), FAR_FROM_LIMITS) {
             // Far from all limits, rates need no check if q satisfies the rows.
             self.mechanism.evaluate_with(parameters.as_ref(), Subset::POSITION, at, q, q_dot, &mut workspace).ok()?;
             self.position_residual(&parts(&workspace), q)?
@@ -211,7 +222,7 @@ impl<M: Mechanism> Solver<'_, M> {
             self.mechanism.evaluate_with(parameters.as_ref(), Subset::ALL, at, q, q_dot, &mut workspace).ok()?;
             self.residual(&parts(&workspace), solution)?
         };
-        if !solution.iter().all(|numbers| all_finite(numbers)) {
+        if !solution.iter().all(|numbers| all_finite(numbers)) || has_curves && !self.touches(at, q) {
             return None;
         }
         if model.poses_are_coordinates() {
@@ -222,6 +233,12 @@ impl<M: Mechanism> Solver<'_, M> {
         self.mechanism.observe_with(parameters.as_ref(), at, q, q_dot, &mut observations).ok()?;
         write_poses(&parts(&observations), &mut state).ok()?;
         Some(state)
+    }
+
+    /// True if the contacts with all curves are defined at q.
+    #[cold]
+    pub(super) fn touches(&self, at: &Instant<'_>, q: &[f64]) -> bool {
+        self.equations(at).and_then(|mut equations| is_regular(&mut equations, None, q)).unwrap_or(false)
     }
 
     /// The largest residual if all rows of position level are satisfied; otherwise none.
@@ -249,13 +266,13 @@ impl<M: Mechanism> Solver<'_, M> {
 
     /// The position by the plan, if it satisfies all rows.
     fn position_of(&self, parameters: &M::Parameters<f64>, at: &Instant<'_>, start: &Start<M>) -> Option<Position> {
-        if M::model().plan.has_redundant_rows() {
+        if M::model().plan.has_redundant_rows() || has_curves(M::model()) {
             return self.checked_position(parameters, at, start);
         }
         let mut margins = Margins::filled(0.0);
         let mut q = M::Coordinates::<f64>::filled(0.0);
         self.solved(parameters, at, start.q.as_ref(), start.modes.of_closures(), q.as_mut(), &mut margins)?;
-        if !margins.are_good() {
+        if !margins.are_good() || !self.stays_near(parameters, at, start.q.as_ref(), q.as_ref()) {
             return None;
         }
         let mut workspace = M::workspace::<f64>();
@@ -266,7 +283,7 @@ impl<M: Mechanism> Solver<'_, M> {
         Some(Position { q: q.to_vec(), iterations: 1, residual })
     }
 
-    /// [`position_of`](Self::position_of) with redundant rows, which are checked with rates.
+    /// [`position_of`](Self::position_of) with redundant rows or curves, which are checked with rates.
     #[cold]
     fn checked_position(
         &self,
@@ -292,7 +309,7 @@ fn parts<R: AsRef<[f64]>, J: AsRef<[f64]>>(evaluation: &Evaluation<R, J>) -> Par
 fn has_plan_for(model: &Model, at: &Instant<'_>) -> bool {
     let finite = |u: &Signal| u.value.is_finite() && u.rate.is_finite() && u.acceleration.is_finite();
     let is_usable = at.t.is_finite() && at.inputs.len() == model.inputs.len() && at.inputs.iter().all(finite);
-    is_usable && model.plan.exists() && !has_curves(model)
+    is_usable && model.plan.exists()
 }
 
 /// True if a joint has an axis, a radius or a length that may be degenerate for some parameters.

@@ -36,6 +36,7 @@ mod contacts;
 mod cross_checks;
 mod guessed_modes;
 mod input_ranges;
+mod iterations;
 mod ranges;
 mod rates;
 mod settings;

@@ -4,6 +4,7 @@
 
 use super::Solver;
 use super::by_plan::all_closed;
+use crate::equations::contact::has_curves;
 use crate::equations::residual::{Tolerances, write_lengths};
 use crate::equations::system::Parts;
 use crate::mechanism::Mechanism;
@@ -31,7 +32,7 @@ impl<M: Mechanism> Solver<'_, M> {
         let model = M::model();
         let parameters = self.mechanism.parameters::<f64>();
         let is_finite = all_finite(parameters.as_ref()) && all_finite(q) && q_dot.is_none_or(all_finite);
-        if model.plan.has_redundant_rows() || !is_finite || !self.goes_by_plan(at) {
+        if model.plan.has_redundant_rows() || !is_finite || !self.has_solution_by_plan(at) {
             return None;
         }
         let mut factors = M::Factors::<f64>::filled(0.0);
@@ -54,7 +55,7 @@ impl<M: Mechanism> Solver<'_, M> {
         let mut found = M::Coordinates::<f64>::filled(0.0);
         M::solve_factorised(&factors, right.as_ref(), found.as_mut()).ok()?;
         let found = found.as_ref();
-        if !all_finite(found) {
+        if !all_finite(found) || has_curves(model) && !self.touches(at, q) {
             return None;
         }
 

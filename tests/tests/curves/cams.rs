@@ -1,6 +1,6 @@
 //! Cams: the same motion in every formulation of the contact, and closed forms from textbooks.
 
-use kin_runtime::{CurvePoint, Instant, Kinematics, Mechanism, Trajectory, mechanism};
+use kin_runtime::{CurvePoint, Instant, Kinematics, Mechanism, Options, Trajectory, mechanism};
 use kin_tests::compare::Differences;
 use kin_tests::mechanisms::*;
 
@@ -31,6 +31,28 @@ fn a_roller_cam_is_the_same_in_polar_implicit_and_parametric_form() {
     let polar = swept::<EccentricRollerPolar>();
     agree(&polar, &swept::<EccentricRollerImplicit>(), "follower.y");
     agree(&polar, &swept::<EccentricRollerParametric>(), "follower.y");
+}
+
+/// Newton's iteration of the plan for a parametric curve would find the contact on the other side of the cam, or a
+/// parameter after dozens of revolutions, from many of these guesses.
+#[test]
+fn a_single_state_is_the_contact_that_full_newton_finds_however_far_the_cam_has_turned() {
+    fn compare<M: Kinematics + Default>() {
+        let mechanism = M::default();
+        let full = mechanism.solver().with_options(Options { use_plan: false, ..Options::default() });
+        for k in 0..600 {
+            let at = Instant::at(-3.0 + 0.01 * f64::from(k));
+            let [state, expected] = [mechanism.state_at(&at), full.state(&at)]
+                .map(|state| state.unwrap_or_else(|error| panic!("{} {}: {error}", M::model().name, at.t)));
+            for (found, expected) in state.q.iter().zip(&expected.q) {
+                assert!((found - expected).abs() < 1e-12, "{} at {}: {:?} {:?}", M::model().name, at.t, state.q, expected);
+            }
+        }
+    }
+    compare::<EccentricRollerPolar>();
+    compare::<EccentricRollerImplicit>();
+    compare::<EccentricRollerParametric>();
+    compare::<EllipticRoller>();
 }
 
 #[test]

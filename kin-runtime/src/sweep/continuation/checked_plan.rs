@@ -5,7 +5,6 @@ use crate::analysis::poses::poses;
 use crate::equations::Equations;
 use crate::equations::contact;
 use crate::equations::residual::{Row, Tolerances, closed, closed_position, write_lengths, write_sizes};
-use crate::equations::scale::Scale;
 use crate::equations::system::Followed;
 use crate::error::{Degeneracy, SolveError};
 use crate::options::Options;
@@ -151,28 +150,6 @@ impl CheckedPlan {
         poses(equations, state)
     }
 
-    /// True if the contact is defined on all curves, and no roller has changed its side since `before`.
-    fn touches(
-        &self,
-        equations: &mut Equations<'_>,
-        before: Option<&[f64]>,
-        state: &State,
-    ) -> Result<bool, SolveError> {
-        if !equations.scale.is_known {
-            equations.scale = Scale::around(equations, &state.q);
-        }
-        if let Some(before) = before
-            && contact::turned_about(equations, before, &state.q).is_some()
-        {
-            return Ok(false);
-        }
-        equations.evaluate(Subset::VELOCITY, &state.q, None)?;
-        let tolerance = equations.options.rank_tolerance;
-        Ok(contact::at_a_standstill(equations, &state.q).is_none()
-            && contact::without_angle(equations, &state.q).is_none()
-            && contact::without_gradient(equations, tolerance).is_none())
-    }
-
     /// Completes a state with given q, q̇ and q̈; false where they do not satisfy all rows. `before` is the q of the
     /// last state, which is needed where there are curves.
     fn complete_by_all_rows(
@@ -189,7 +166,7 @@ impl CheckedPlan {
         let parts = equations.system.constraints();
         let found = closed(equations.model, &parts, solution, &self.lengths, tolerances, &mut self.rows);
         let Some(residual) = found else { return Ok(false) };
-        if self.has_curves && !self.touches(equations, before, state)? {
+        if self.has_curves && !contact::is_regular(equations, before, &state.q)? {
             return Ok(false);
         }
         if self.sizes.is_empty() {

@@ -1,0 +1,60 @@
+//! Whether the iterations of the plan found the solution that their start means.
+//!
+//! Newton's iteration from a distant start may converge to any solution: to the roller on the other side of its cam, or
+//! to a point of a curve after dozens of revolutions. A solution is accepted if the orientation of the group, the sign
+//! of the determinant of its block of Φ_q, is the same at the start as at the solution. If the group contains a scalar,
+//! such as the parameter of a curve, all its unknowns must also be near their start. Otherwise the general path, whose
+//! steps are shorter, decides.
+
+use super::Solver;
+use crate::mechanism::Mechanism;
+use crate::model::{Component, CoordinateKind};
+use crate::plan::StepKind;
+use crate::planned::lists::BranchValues;
+use crate::workspace::{Array, Instant};
+
+/// The distance from its start, relative to its size, up to which a coordinate is near it.
+const NEAR: f64 = 0.25;
+
+impl<M: Mechanism> Solver<'_, M> {
+    /// True if no iteration of the plan left the surroundings of `start` on its way to the solution q.
+    pub(super) fn stays_near(
+        &self,
+        parameters: &M::Parameters<f64>,
+        at: &Instant<'_>,
+        start: &[f64],
+        q: &[f64],
+    ) -> bool {
+        let model = M::model();
+        if !model.plan.iterates() {
+            return true;
+        }
+        let Some(mut begun) = M::Coordinates::<f64>::view(q).copied() else { return false };
+        let begin = begun.as_mut();
+        for step in model.plan.steps {
+            let StepKind::Newton(unknowns) = step.kind else { continue };
+            let unknowns = step.coordinates.get(..unknowns).unwrap_or_default();
+            let has_scalar = unknowns.iter().any(|&(k, _)| model.coordinates[k].kind == CoordinateKind::Scalar);
+            if has_scalar && !unknowns.iter().all(|&(k, _)| is_near(model.coordinates[k].kind, start[k], q[k])) {
+                return false;
+            }
+            unknowns.iter().for_each(|&(k, _)| begin[k] = start[k]);
+        }
+        let of = |q: &[f64]| BranchValues::<M>::at(self.mechanism, parameters.as_ref(), at, q).ok();
+        let (Some(first), Some(last)) = (of(begun.as_ref()), of(q)) else { return false };
+        let closures = model.plan.modes.len();
+        let mut orientations = first.as_ref().iter().zip(last.as_ref()).skip(closures);
+        orientations.all(|(first, last)| first * last > 0.0)
+    }
+}
+
+/// True if a coordinate is near its start: a length relative to itself, an angle within a fraction of a radian, a
+/// scalar, whose unit is unknown, within the larger of both.
+fn is_near(kind: CoordinateKind, start: f64, found: f64) -> bool {
+    let size = match kind {
+        CoordinateKind::Pose { component: Component::Phi, .. } => 1.0,
+        CoordinateKind::Pose { .. } => start.abs(),
+        CoordinateKind::Scalar => start.abs().max(1.0),
+    };
+    (found - start).abs() <= NEAR * size
+}
