@@ -128,7 +128,7 @@ pub(crate) trait System {
         inputs: InputFunction<'_>,
         control: &Control,
         state: &mut State,
-    ) -> Result<(), PlanError>;
+    ) -> Result<Followed, PlanError>;
 }
 
 /// What the follower of the plan reports of a solution besides its numbers.
@@ -314,11 +314,11 @@ impl<B: Borrow<M>, M: Mechanism> System for Evaluator<B, M> {
         inputs: InputFunction<'_>,
         control: &Control,
         state: &mut State,
-    ) -> Result<(), PlanError> {
+    ) -> Result<Followed, PlanError> {
         let kept = self.follower.clone();
         let found = self.follow(at, inputs, control, state);
         self.follower = kept;
-        found.map(|_| ())
+        found
     }
 
     fn write_geometry(&self, at: &Instant<'_>, numbers: &mut [f64]) -> Result<(), LengthError> {

@@ -9,11 +9,11 @@
 use super::guessed_modes::Guess;
 use super::{Position, Solver};
 use crate::analysis::poses::{coordinate_motions, write_poses};
-use crate::equations::contact::{has_curves, is_regular};
+use crate::equations::contact::has_curves;
 use crate::equations::residual::{Row, Tolerances, closed, closed_position, write_lengths, write_sizes};
 use crate::equations::system::Parts;
 use crate::mechanism::Mechanism;
-use crate::model::{JointKind, Model, Role};
+use crate::model::Model;
 use crate::motion::BodyMotion;
 use crate::plan::{Depth, Solved};
 #[cfg(feature = "design")]
@@ -23,7 +23,7 @@ use crate::planned::follower::{PlanFollower, PlanSolution};
 use crate::planned::lists::{BranchValues, Margins, Modes};
 use crate::scalar::compare::{all_above, all_finite};
 use crate::state::State;
-use crate::workspace::{Array, Evaluation, Instant, Signal, Subset};
+use crate::workspace::{Array, Evaluation, Instant, Subset};
 
 /// The start of a solution by the plan: the modes, and a configuration. The angles of the solution are within half a
 /// turn of those of this configuration.
@@ -81,32 +81,6 @@ impl<M: Mechanism> Solver<'_, M> {
         }
         let parameters = self.mechanism.parameters::<f64>();
         self.position_of(&parameters, at, &self.start_of(&parameters, at, start)?)
-    }
-
-    /// True if the plan determines all coordinates, the geometry of the joints is not degenerate, and no contact with a
-    /// curve can be.
-    pub(crate) fn goes_by_plan(&self, at: &Instant<'_>) -> bool {
-        !has_curves(M::model()) && self.has_solution_by_plan(at)
-    }
-
-    /// True if the plan determines all coordinates and the geometry of the joints is not degenerate. Contacts with
-    /// curves may be degenerate at the solution.
-    pub(super) fn has_solution_by_plan(&self, at: &Instant<'_>) -> bool {
-        let model = M::model();
-        let usable =
-            self.settings.options.use_plan && self.settings.given.is_empty() && self.settings.options.check().is_ok();
-        usable && has_plan_for(model, at) && (!has_sizes(model) || self.is_sound(at))
-    }
-
-    /// True if no dimension of a joint is degenerate at these parameters.
-    fn is_sound(&self, at: &Instant<'_>) -> bool {
-        let model = M::model();
-        let parameters = self.mechanism.parameters::<f64>();
-        let mut numbers = vec![0.0; model.geometry];
-        if self.mechanism.write_geometry(parameters.as_ref(), at, &mut numbers).is_err() {
-            return false;
-        }
-        are_sound(model, &numbers)
     }
 
     /// The modes of a configuration; `None` if numbers are not finite.
@@ -200,7 +174,11 @@ impl<M: Mechanism> Solver<'_, M> {
         let depth = Depth::Acceleration;
         self.mechanism.solve_with(parameters.as_ref(), at, modes, start.q.as_ref(), depth, solved).ok()?;
         if !all_above(margins.as_ref(), FAR_FROM_LIMITS) {
-            // Near a limit, or if redundant rows contradict the others, the checks of the follower decide.
+            // Near a limit of the rows that the plan uses, redundant rows may determine the motion better.
+            if M::model().plan.has_redundant_rows() {
+                return None;
+            }
+            // Near a limit the checks of the follower decide.
             let follower = PlanFollower::begin(self.mechanism, *parameters, at, start.q.as_ref(), start.modes).ok()?;
             *poses = *follower.state();
         }
@@ -233,12 +211,6 @@ impl<M: Mechanism> Solver<'_, M> {
         self.mechanism.observe_with(parameters.as_ref(), at, q, q_dot, &mut observations).ok()?;
         write_poses(&parts(&observations), &mut state).ok()?;
         Some(state)
-    }
-
-    /// True if the contacts with all curves are defined at q.
-    #[cold]
-    pub(super) fn touches(&self, at: &Instant<'_>, q: &[f64]) -> bool {
-        self.equations(at).and_then(|mut equations| is_regular(&mut equations, None, q)).unwrap_or(false)
     }
 
     /// The largest residual if all rows of position level are satisfied; otherwise none.
@@ -303,35 +275,6 @@ const FEW: usize = 64;
 fn parts<R: AsRef<[f64]>, J: AsRef<[f64]>>(evaluation: &Evaluation<R, J>) -> Parts<'_> {
     let (phi, phi_q) = (evaluation.phi(), evaluation.phi_q());
     Parts { phi, phi_q, phi_t: evaluation.phi_t(), gamma: evaluation.gamma() }
-}
-
-/// True if the plan solves the mechanism, and the instant has all inputs and only finite numbers.
-fn has_plan_for(model: &Model, at: &Instant<'_>) -> bool {
-    let finite = |u: &Signal| u.value.is_finite() && u.rate.is_finite() && u.acceleration.is_finite();
-    let is_usable = at.t.is_finite() && at.inputs.len() == model.inputs.len() && at.inputs.iter().all(finite);
-    is_usable && model.plan.exists()
-}
-
-/// True if a joint has an axis, a radius or a length that may be degenerate for some parameters.
-fn has_sizes(model: &Model) -> bool {
-    let pieces = model.joints.iter().flat_map(|joint| joint.geometry);
-    pieces.into_iter().any(|piece| matches!(piece.role, Role::Axis | Role::Radius | Role::Value))
-}
-
-/// True if no dimension of a joint is degenerate; `numbers` is the geometry.
-fn are_sound(model: &Model, numbers: &[f64]) -> bool {
-    model.joints.iter().all(|joint| {
-        let radii = joint.geometry.iter().filter(|piece| piece.role == Role::Radius);
-        let sum: f64 = radii.filter_map(|piece| numbers.get(piece.offset)).sum();
-        let has_centres = joint.kind != JointKind::RollingOnDisc || sum != 0.0;
-        has_centres
-            && joint.geometry.iter().all(|piece| match (piece.role, numbers.get(piece.offset..)) {
-                (Role::Axis, Some([x, y, ..])) => (x * x + y * y - 1.0).abs() <= 1e-9,
-                (Role::Radius, Some([radius, ..])) => *radius != 0.0,
-                (Role::Value, Some([value, ..])) => value.is_finite() && (*value >= 0.0 || !joint.keeps_distance()),
-                _ => true,
-            })
-    })
 }
 
 /// Writes the mechanism's own guesses and those of the caller, which prevail; `None` if one of these is not finite or

@@ -41,6 +41,7 @@ mod ranges;
 mod rates;
 mod settings;
 mod sweep;
+mod usable;
 
 pub use crate::analysis::position::Position;
 pub(crate) use any_solver::AnySolver;

@@ -45,7 +45,14 @@ fn a_single_state_is_the_contact_that_full_newton_finds_however_far_the_cam_has_
             let [state, expected] = [mechanism.state_at(&at), full.state(&at)]
                 .map(|state| state.unwrap_or_else(|error| panic!("{} {}: {error}", M::model().name, at.t)));
             for (found, expected) in state.q.iter().zip(&expected.q) {
-                assert!((found - expected).abs() < 1e-12, "{} at {}: {:?} {:?}", M::model().name, at.t, state.q, expected);
+                assert!(
+                    (found - expected).abs() < 1e-12,
+                    "{} at {}: {:?} {:?}",
+                    M::model().name,
+                    at.t,
+                    state.q,
+                    expected
+                );
             }
         }
     }

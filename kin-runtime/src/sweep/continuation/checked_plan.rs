@@ -1,13 +1,18 @@
 //! Instants solved by the follower of the plan, checked with all rows of Φ, and completed to states.
 
 use super::step::Node;
+use crate::analysis::acceleration::acceleration;
 use crate::analysis::poses::poses;
+use crate::analysis::velocity;
 use crate::equations::Equations;
 use crate::equations::contact;
+use crate::equations::factorisation::Purpose;
 use crate::equations::residual::{Row, Tolerances, closed, closed_position, write_lengths, write_sizes};
+use crate::equations::scale::Scale;
 use crate::equations::system::Followed;
 use crate::error::{Degeneracy, SolveError};
 use crate::options::Options;
+use crate::planned::branch::FAR_FROM_LIMITS;
 use crate::planned::follower::Control;
 use crate::planned::{Limit, PlanError};
 use crate::state::State;
@@ -36,7 +41,7 @@ pub(super) struct CheckedPlan {
 
 /// Where all margins are larger than this, rates are accurate enough to skip the check with their equations, because
 /// the follower has checked the branch. A state without a preceding motion needs a larger margin,
-/// [`FAR_FROM_LIMITS`](crate::planned::branch::FAR_FROM_LIMITS).
+/// [`FAR_FROM_LIMITS`].
 const FAR: f64 = 1e-4;
 
 impl Control {
@@ -104,8 +109,9 @@ impl CheckedPlan {
             Ok(Followed { least_margin, in_one_step }) => {
                 self.refused = None;
                 self.in_one_step = in_one_step;
-                let is_good = least_margin > FAR && self.complete_by_position(equations, state)?;
-                self.is_placed = is_good || self.complete_by_all_rows(equations, Some(before), state)?;
+                let far = if equations.model.plan.has_redundant_rows() { FAR_FROM_LIMITS } else { FAR };
+                let is_good = least_margin > far && self.complete_by_position(equations, state)?;
+                self.is_placed = is_good || self.complete_by_all_rows(equations, Some(before), least_margin, state)?;
             }
             Err(error) => {
                 self.refused = Some(error);
@@ -119,8 +125,8 @@ impl CheckedPlan {
     pub(super) fn peek(&mut self, equations: &mut Equations<'_>, state: &mut State) -> Option<()> {
         let at = Instant { t: equations.t, inputs: &equations.inputs };
         let inputs = equations.input_function();
-        equations.system.peek(&at, inputs, &self.control, state).ok()?;
-        self.complete_by_all_rows(equations, None, state).ok()?.then_some(())
+        let Followed { least_margin, .. } = equations.system.peek(&at, inputs, &self.control, state).ok()?;
+        self.complete_by_all_rows(equations, None, least_margin, state).ok()?.then_some(())
     }
 
     /// Completes a state far from all limits by checking Φ alone, because there the rates follow from a q that
@@ -156,8 +162,12 @@ impl CheckedPlan {
         &mut self,
         equations: &mut Equations<'_>,
         before: Option<&[f64]>,
+        least_margin: f64,
         state: &mut State,
     ) -> Result<bool, SolveError> {
+        if least_margin < FAR_FROM_LIMITS && equations.model.plan.has_redundant_rows() {
+            refine(equations, state)?;
+        }
         let at = Instant { t: equations.t, inputs: &equations.inputs };
         equations.system.evaluate(Subset::ALL, &at, &state.q, &state.q_dot)?;
         let tolerances =
@@ -197,4 +207,23 @@ impl CheckedPlan {
         to.basis = None;
         self.solve(equations, before, &mut to.state)
     }
+}
+
+/// Replaces the rates of the plan by those that all rows determine, if these have full rank. Near a limit of the rows
+/// that the plan uses, its rates lose digits; with redundant rows the mechanism itself may be far from singular there.
+fn refine(equations: &mut Equations<'_>, state: &mut State) -> Result<(), SolveError> {
+    if !equations.scale.is_known {
+        equations.scale = Scale::around(equations, &state.q);
+    }
+    equations.evaluate(Subset::VELOCITY, &state.q, None)?;
+    let factor = equations.factorise(Purpose::Rank, None);
+    if factor.rank < state.q.len() {
+        return Ok(());
+    }
+    let Ok(q_dot) = velocity::solve(equations, &factor) else { return Ok(()) };
+    let q_dot = q_dot.as_slice();
+    let Ok(q_ddot) = acceleration(equations, &state.q, q_dot, &factor) else { return Ok(()) };
+    state.q_dot.copy_from_slice(q_dot);
+    state.q_ddot.copy_from_slice(&q_ddot);
+    Ok(())
 }

@@ -1,0 +1,70 @@
+//! Whether the plan may be used for one instant, and whether its solution is regular where only the solution shows it.
+
+use super::Solver;
+use crate::equations::contact::{has_curves, is_regular};
+use crate::mechanism::Mechanism;
+use crate::model::{JointKind, Model, Role};
+use crate::workspace::{Instant, Signal};
+
+impl<M: Mechanism> Solver<'_, M> {
+    /// True if the plan determines all coordinates, the geometry of the joints is not degenerate, and no contact with a
+    /// curve can be.
+    pub(crate) fn goes_by_plan(&self, at: &Instant<'_>) -> bool {
+        !has_curves(M::model()) && self.has_solution_by_plan(at)
+    }
+
+    /// True if the plan determines all coordinates and the geometry of the joints is not degenerate. Contacts with
+    /// curves may be degenerate at the solution.
+    pub(super) fn has_solution_by_plan(&self, at: &Instant<'_>) -> bool {
+        let model = M::model();
+        let usable =
+            self.settings.options.use_plan && self.settings.given.is_empty() && self.settings.options.check().is_ok();
+        usable && has_plan_for(model, at) && (!has_sizes(model) || self.is_sound(at))
+    }
+
+    /// True if no dimension of a joint is degenerate at these parameters.
+    fn is_sound(&self, at: &Instant<'_>) -> bool {
+        let model = M::model();
+        let parameters = self.mechanism.parameters::<f64>();
+        let mut numbers = vec![0.0; model.geometry];
+        if self.mechanism.write_geometry(parameters.as_ref(), at, &mut numbers).is_err() {
+            return false;
+        }
+        are_sound(model, &numbers)
+    }
+
+    /// True if the contacts with all curves are defined at q.
+    #[cold]
+    pub(super) fn touches(&self, at: &Instant<'_>, q: &[f64]) -> bool {
+        self.equations(at).and_then(|mut equations| is_regular(&mut equations, None, q)).unwrap_or(false)
+    }
+}
+
+/// True if the plan solves the mechanism, and the instant has all inputs and only finite numbers.
+fn has_plan_for(model: &Model, at: &Instant<'_>) -> bool {
+    let finite = |u: &Signal| u.value.is_finite() && u.rate.is_finite() && u.acceleration.is_finite();
+    let is_usable = at.t.is_finite() && at.inputs.len() == model.inputs.len() && at.inputs.iter().all(finite);
+    is_usable && model.plan.exists()
+}
+
+/// True if a joint has an axis, a radius or a length that may be degenerate for some parameters.
+fn has_sizes(model: &Model) -> bool {
+    let pieces = model.joints.iter().flat_map(|joint| joint.geometry);
+    pieces.into_iter().any(|piece| matches!(piece.role, Role::Axis | Role::Radius | Role::Value))
+}
+
+/// True if no dimension of a joint is degenerate; `numbers` is the geometry.
+fn are_sound(model: &Model, numbers: &[f64]) -> bool {
+    model.joints.iter().all(|joint| {
+        let radii = joint.geometry.iter().filter(|piece| piece.role == Role::Radius);
+        let sum: f64 = radii.filter_map(|piece| numbers.get(piece.offset)).sum();
+        let has_centres = joint.kind != JointKind::RollingOnDisc || sum != 0.0;
+        has_centres
+            && joint.geometry.iter().all(|piece| match (piece.role, numbers.get(piece.offset..)) {
+                (Role::Axis, Some([x, y, ..])) => (x * x + y * y - 1.0).abs() <= 1e-9,
+                (Role::Radius, Some([radius, ..])) => *radius != 0.0,
+                (Role::Value, Some([value, ..])) => value.is_finite() && (*value >= 0.0 || !joint.keeps_distance()),
+                _ => true,
+            })
+    })
+}
