@@ -138,6 +138,8 @@ pub(crate) struct Followed {
     pub(crate) least_margin: f64,
     /// True if one step led from the previous solution to this one.
     pub(crate) in_one_step: bool,
+    /// True if the way to this solution was divided because its ends did not show the motion between them.
+    pub(crate) hides_motion: bool,
 }
 
 impl Followed {
@@ -154,7 +156,8 @@ impl Followed {
                 to.extend_from_slice(from);
             }
         }
-        Self { least_margin: margins.least(), in_one_step: follower.in_one_step() }
+        let (in_one_step, hides_motion) = (follower.in_one_step(), follower.hides_motion());
+        Self { least_margin: margins.least(), in_one_step, hides_motion }
     }
 }
 

@@ -46,6 +46,16 @@ pub(crate) fn on_cubic<V: Compare>(to: &mut [V], [q0, v0, q1, v1]: [&[V]; 4], h:
     }
 }
 
+/// Writes the slope of the cubic of [`on_cubic`] at the place s.
+#[cfg(feature = "std")]
+pub(crate) fn slope_of_cubic(to: &mut [f64], [q0, v0, q1, v1]: [&[f64]; 4], h: f64, s: f64) {
+    let rise = 6.0 * s * (1.0 - s) / h;
+    let [first, last] = [1.0 + s * (3.0 * s - 4.0), s * (3.0 * s - 2.0)];
+    for (((to, q0), v0), (q1, v1)) in to.iter_mut().zip(q0).zip(v0).zip(q1.iter().zip(v1)) {
+        *to = rise * (q1 - q0) + first * v0 + last * v1;
+    }
+}
+
 /// The time at a place s of a step of the length h that ends at the time t.
 pub(crate) fn time_within<V: Scalar>(t: V, h: f64, s: V) -> V {
     t - (V::from_f64(1.0) - s) * V::from_f64(h)

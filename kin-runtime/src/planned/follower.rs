@@ -95,6 +95,8 @@ pub(crate) struct PlanFollower<M: Mechanism> {
     /// Whether a group may change the sign of its determinant although the turns of bodies do not bring it near its
     /// limit.
     pub(super) watches_signs: bool,
+    /// Whether a step to the accepted state was divided because its ends did not show the motion between them.
+    pub(super) hides_motion: bool,
     /// q at the limit that ended the last motion, if it was located.
     pub(super) q_at_limit: Option<M::Coordinates<f64>>,
 }
@@ -159,6 +161,7 @@ impl<M: Mechanism> PlanFollower<M> {
             rows_turn_alone: rows_turn_alone::<M>(),
             has_scalars: has_scalars(M::model()),
             watches_signs: rows_turn_alone::<M>() || M::model().plan.has_poles(),
+            hides_motion: false,
             q_at_limit: None,
         }
     }
@@ -188,6 +191,7 @@ impl<M: Mechanism> PlanFollower<M> {
     /// true if it was reached from the accepted state in one step.
     pub(super) fn accept(&mut self, at: &Instant<'_>, nearest: f64, in_one_step: bool) {
         self.t_before = if in_one_step { self.t } else { f64::NAN };
+        self.hides_motion &= !in_one_step;
         self.branch.distances = self.distances;
         self.nearest = nearest;
         self.accepted = 1 - self.accepted;
@@ -231,6 +235,12 @@ impl<M: Mechanism> PlanFollower<M> {
     /// The time of the last accepted state.
     pub(crate) const fn t(&self) -> f64 {
         self.t
+    }
+
+    /// Whether a step to the accepted state was divided because its ends did not show the motion between them.
+    #[cfg(feature = "std")]
+    pub(crate) const fn hides_motion(&self) -> bool {
+        self.hides_motion
     }
 
     /// True if that state was reached in one step from the previous one.

@@ -3,6 +3,7 @@
 
 mod fast;
 mod one_step;
+mod pulses;
 mod surroundings;
 mod touches;
 

@@ -2,6 +2,7 @@
 //! written with equations of position level.
 
 mod limits;
+mod pulses;
 
 use kin_runtime::model::{Frame, Level, Role};
 use kin_runtime::{Instant, Kinematics, Mechanism, Options, Refusal, Signal, SolveError, State, mechanism};

@@ -43,6 +43,7 @@ impl<M: Mechanism> PlanFollower<M> {
         at: &Instant<'_>,
         control: &Control,
     ) -> Result<(), Blocked<M>> {
+        self.hides_motion = false;
         let [mut s, end] = course.ends();
         let mut here = self.states[self.accepted];
         let mut inputs = M::Inputs::<f64>::filled(Signal::constant(0.0));
@@ -55,6 +56,8 @@ impl<M: Mechanism> PlanFollower<M> {
             }
         }
         let (mut proposed, mut smallest, mut nearest) = (f64::INFINITY, f64::NAN, self.nearest);
+        // The end of the step refused last. What made it too long lies before, so steps do not grow until then.
+        let mut refused = s;
         for _ in 0..control.max_steps {
             let remaining = end - s;
             if remaining == 0.0 {
@@ -82,6 +85,7 @@ impl<M: Mechanism> PlanFollower<M> {
                     s = next;
                     let t = course.at(s, inputs.as_mut());
                     self.measure_turns(mechanism, &Instant { t, inputs: inputs.as_ref() }, &here.q);
+                    let growth = if (s - refused) * (end - refused).signum() >= 0.0 { growth } else { growth.min(1.0) };
                     // A step cut short by the end is no reason to reduce the longer step proposed before.
                     proposed = if share <= 2.0 { proposed.max(growth * walked) } else { growth * walked };
                 }
@@ -91,7 +95,7 @@ impl<M: Mechanism> PlanFollower<M> {
                         let share = natural / remaining.abs();
                         return Err(blocked(if is_coarse { self.standstill(&here, share) } else { fault }));
                     }
-                    proposed = 0.5 * walked;
+                    (proposed, refused) = (0.5 * walked, next);
                 }
             }
         }
@@ -144,8 +148,11 @@ impl<M: Mechanism> PlanFollower<M> {
             course.at(s, from.as_mut());
             let t = course.at(next, inputs.as_mut());
             let end = Instant { t, inputs: inputs.as_ref() };
-            let followed = self.rows_are_followed(mechanism, &end, here, (from.as_ref(), h), control)?
-                && self.hides_nothing(mechanism, course, [s, next], (here, &modes), control)?;
+            let followed = self.rows_are_followed(mechanism, &end, here, (from.as_ref(), h), control)? && {
+                let hides = !self.hides_nothing(mechanism, course, [s, next], (here, &modes), control)?;
+                self.hides_motion |= hides;
+                !hides
+            };
             if followed { Ok(effort) } else { Err(Fault::Coarse) }
         });
         if result.is_err() {

@@ -30,6 +30,8 @@ pub(super) struct CheckedPlan {
     pub(super) has_curves: bool,
     /// Whether the follower reached the last state in one step.
     pub(super) in_one_step: bool,
+    /// Whether the way to the last state was divided because its ends did not show the motion between them.
+    pub(super) hides_motion: bool,
     /// Buffers for the accumulated sums of every row, and 1 for every coordinate that is a length.
     rows: Vec<Row>,
     lengths: Vec<f64>,
@@ -69,6 +71,7 @@ impl CheckedPlan {
             refused: None,
             has_curves: contact::has_curves(equations.model),
             in_one_step: true,
+            hides_motion: false,
             rows,
             lengths,
             sizes: Vec::new(),
@@ -106,9 +109,9 @@ impl CheckedPlan {
         let at = Instant { t: equations.t, inputs: &equations.inputs };
         let inputs = equations.input_function();
         match equations.system.follow(&at, inputs, &self.control, state) {
-            Ok(Followed { least_margin, in_one_step }) => {
+            Ok(Followed { least_margin, in_one_step, hides_motion }) => {
                 self.refused = None;
-                self.in_one_step = in_one_step;
+                (self.in_one_step, self.hides_motion) = (in_one_step, hides_motion);
                 let far = if equations.model.plan.has_redundant_rows() { FAR_FROM_LIMITS } else { FAR };
                 let is_good = least_margin > far && self.complete_by_position(equations, state)?;
                 self.is_placed = is_good || self.complete_by_all_rows(equations, Some(before), least_margin, state)?;

@@ -211,6 +211,11 @@ impl Continuation {
         let has_curves = self.plan.as_ref().is_some_and(|plan| plan.has_curves);
         let needs_every_step = self.watch.is_some() || equations.observed.is_there() || has_curves;
         let mut by_plan = by_plan && self.plan.is_some();
+        // The longest step that the plan has taken at once where conditions are watched.
+        let mut at_once = f64::INFINITY;
+        // The end of the step refused last. What made it too long lies before, so steps do not grow until then.
+        let mut refused = self.s;
+        let has_passed = |s: f64, refused: f64| (s - refused) * (target - refused).signum() >= 0.0;
         for _ in 0..options.max_steps {
             let Reached { s: from, .. } = self.reached(moved);
             if from == target {
@@ -223,7 +228,7 @@ impl Continuation {
             let remaining = aim - from;
             let length = match by_plan {
                 true if !needs_every_step => f64::INFINITY,
-                true => self.longest_step(equations, moved),
+                true => self.longest_step(equations, moved).min(at_once),
                 false => self.longest_step(equations, moved).min(self.proposed),
             };
             let smallest = *smallest.get_or_insert_with(|| {
@@ -241,6 +246,17 @@ impl Continuation {
                 by_plan = self.step_by_plan(equations, moved, s)?;
                 if !by_plan {
                     continue;
+                }
+                if let Some(plan) = self.plan.as_mut().filter(|plan| self.watch.is_some() && plan.hides_motion)
+                    && (s - from).abs() > smallest
+                {
+                    // The conditions must not miss the motion that the step hides.
+                    plan.is_placed = false;
+                    (at_once, refused) = (0.5 * (s - from).abs(), s);
+                    continue;
+                }
+                if has_passed(s, refused) {
+                    at_once *= 2.0;
                 }
                 self.watch_step(equations, moved, from)?;
             } else {
@@ -271,6 +287,7 @@ impl Continuation {
                         }
                         self.watch_step(equations, moved, from)?;
                         let walked = (s - from).abs();
+                        let growth = if has_passed(s, refused) { growth } else { growth.min(1.0) };
                         // A step cut short by the target is no reason to reduce the longer step proposed before.
                         self.proposed = if share <= 2.0 { self.proposed.max(growth * walked) } else { growth * walked };
                     }
@@ -280,7 +297,7 @@ impl Continuation {
                         if shorter < smallest {
                             return Err(refusal(equations, &start, s, fault, (limit, jumps)));
                         }
-                        self.proposed = shorter;
+                        (self.proposed, refused) = (shorter, s);
                         continue;
                     }
                 }

@@ -13,12 +13,18 @@
 //! freedom are left, v is the velocity of least Euclidean norm, as in all analyses. With redundant rows v solves all
 //! rows in the sense of least squares; on Φ = 0 the rows are consistent. Rank and orientation of the branch are checked
 //! as in [`step`](super::step), so that no singular configuration is passed.
+//!
+//! The estimated error only knows the stages: a velocity that rises and falls between them would be missed. Therefore v is
+//! also compared with the slope of the cubic through both ends at the places of
+//! [`planned::within`](crate::planned::within).
 
 use super::step::{Fault, Node, Scratch, Start, correct, settle};
 use crate::analysis::velocity::scaled;
 use crate::equations::Equations;
 use crate::equations::factorisation::Purpose;
 use crate::nonlinear::dormand_prince::{StepResult, runge_kutta_step};
+use crate::planned::between::{on_cubic, slope_of_cubic};
+use crate::planned::within::PLACES;
 use crate::workspace::Subset;
 
 /// Safety factor of the step length that the error estimate allows.
@@ -50,7 +56,52 @@ pub(super) fn integrate(
     scratch.predicted = result.y;
     let corrected = correct(equations, scratch, &mut to.state.q, DRIFT * tolerance * size, 1e-9)?;
     settle(equations, scratch, from, to, corrected, s, last)?;
-    Ok(factor.clamp(0.5, 4.0))
+    let ends = [q, from.q_dot, &to.state.q, &to.state.q_dot];
+    let is_regular = follows_cubic(equations, rank, ends, [from.s, s], DRIFT * tolerance)?;
+    equations.move_to(s)?;
+    if is_regular { Ok(factor.clamp(0.5, 4.0)) } else { Err(Fault::Coarse(0.5)) }
+}
+
+/// True if, at places within a step, the velocity is near the slope of the cubic through its ends, which are q and q̇ of
+/// both. The difference times the length of the step may be a share of the motion of coordinates of the same kind, or
+/// `negligible`: a long way does not hide a turn.
+fn follows_cubic(
+    equations: &mut Equations<'_>,
+    rank: usize,
+    ends: [&[f64]; 4],
+    [from, s]: [f64; 2],
+    negligible: f64,
+) -> Result<bool, Fault> {
+    let h = s - from;
+    let [q0, v0, q1, v1] = ends;
+    let share = equations.options.prediction_tolerance;
+    let moved = |k: usize| (q1[k] - q0[k]).abs().max((h * v0[k]).abs()).max((h * v1[k]).abs());
+    let allowed = of_kinds(equations, &moved).map(|motion| share * motion + negligible);
+    let (mut cubic, mut slope) = (vec![0.0; q0.len()], vec![0.0; q0.len()]);
+    for place in PLACES {
+        on_cubic(&mut cubic, ends, h, place);
+        slope_of_cubic(&mut slope, ends, h, place);
+        let found = velocity(equations, rank, from + place * h, &cubic)?;
+        let off = of_kinds(equations, &|k| (h * (slope[k] - found[k])).abs());
+        if off.iter().zip(&allowed).any(|(off, allowed)| off > allowed) || found.iter().any(|v| v.is_nan()) {
+            return Ok(false);
+        }
+    }
+    Ok(true)
+}
+
+/// The largest of these numbers on the common scale: of angles, of lengths and of other coordinates.
+fn of_kinds(equations: &Equations<'_>, number: &dyn Fn(usize) -> f64) -> [f64; 3] {
+    let mut largest = [0.0_f64; 3];
+    for (k, (info, size)) in equations.model.coordinates.iter().zip(&equations.scale.columns).enumerate() {
+        let kind = match info.kind {
+            kind if kind.is_angle() => 0,
+            kind if kind.is_length() => 1,
+            _ => 2,
+        };
+        largest[kind] = largest[kind].max(number(k) / size);
+    }
+    largest
 }
 
 /// q̇ at a stage of the Runge–Kutta step, which is near Φ = 0 but not on it.

@@ -1,0 +1,80 @@
+//! Velocities that are zero at both ends of an interval and at the stages of the integration between them.
+
+use kin_runtime::function::{MotionLaw, Sequence};
+use kin_runtime::{Kinematics, mechanism};
+
+#[mechanism]
+#[body(trolley, y = 0, phi = 0)]
+#[function(v)]
+#[speed(motor: trolley @ (0, 0), value = v(t))]
+#[guess(trolley.x = 0)]
+struct Trolley {
+    v: Sequence,
+}
+
+#[mechanism]
+#[body(trolley, y = 0, phi = 0)]
+#[speed(motor: trolley @ (0, 0), value = 1 - cos(2*pi*t))]
+#[guess(trolley.x = 0)]
+struct StopAndGo;
+
+#[mechanism]
+#[bodies(sled)]
+#[function(f)]
+#[knife_edge(blade: sled @ (0, 0))]
+#[speed(push: sled @ (0, 0), value = 1)]
+#[driver(head: sled.phi = f(t))]
+#[guess(sled.x = 0, sled.y = 0)]
+struct Sled {
+    f: Sequence,
+}
+
+/// A rise and a return between two times, rest before and after until t = 100.
+fn pulse([from, to]: [f64; 2], height: f64) -> Sequence {
+    let half = 0.5 * (to - from);
+    let rest = Sequence::starting_at(0.0, 0.0).dwell(from);
+    let moved = rest.rise(MotionLaw::Cycloidal, height, half).rise(MotionLaw::Cycloidal, -height, half);
+    moved.dwell(100.0 - to).build().unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// q at t = 100, in a sweep of `steps` steps.
+fn at_the_end<M: Kinematics>(mechanism: &M, end: f64, steps: u32) -> Vec<f64> {
+    let times: Vec<f64> = (0..=steps).map(|k| end * f64::from(k) / f64::from(steps)).collect();
+    let swept = mechanism.kinematic_analysis(&times).unwrap_or_else(|error| panic!("{error}"));
+    swept.last().expect("an instant").q.clone()
+}
+
+const PULSES: [[f64; 2]; 6] = [[33.1, 37.9], [31.0, 79.0], [20.0, 40.0], [5.0, 19.0], [45.0, 55.0], [70.0, 99.0]];
+
+#[test]
+fn a_pulse_of_speed_between_two_instants_moves_the_trolley() {
+    for [from, to] in PULSES {
+        for steps in [1, 2, 10, 100] {
+            let x = at_the_end(&Trolley { v: pulse([from, to], 1.0) }, 100.0, steps)[0];
+            assert!((x - 0.5 * (to - from)).abs() < 1e-8, "{from} to {to} in {steps} steps: {x}");
+        }
+    }
+}
+
+/// The mean speed is 1, and the stages of an integration over 90 periods are all at rest.
+#[test]
+fn a_trolley_that_stops_and_goes_arrives() {
+    for (end, steps) in [(90.0, 1), (18.0, 2), (90.0, 3), (1800.0, 20)] {
+        let x = at_the_end(&StopAndGo, end, steps)[0];
+        assert!((x - end).abs() < 1e-8 * end, "{end} in {steps} steps: {x}");
+    }
+}
+
+/// A long way does not hide a turn of the sled, however small.
+#[test]
+fn a_pulse_of_the_heading_turns_the_sled() {
+    for height in [1.0, 0.01] {
+        for interval in PULSES {
+            let sled = Sled { f: pulse(interval, height) };
+            let (found, expected) = (at_the_end(&sled, 100.0, 1), at_the_end(&sled, 100.0, 1000));
+            for (found, expected) in found.iter().zip(&expected) {
+                assert!((found - expected).abs() < 1e-7, "{interval:?}: {found} instead of {expected}");
+            }
+        }
+    }
+}
