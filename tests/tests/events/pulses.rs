@@ -28,6 +28,16 @@ struct FourBar {
     f: Sequence,
 }
 
+/// The condition alone moves.
+#[mechanism]
+#[body(post, x = 0, y = 0)]
+#[function(f)]
+#[driver(still: post.phi = 0.1)]
+#[unilateral(low: f(t) < 0.05)]
+struct Post {
+    f: Sequence,
+}
+
 const HEIGHT: f64 = 0.3;
 
 fn pulse([from, to]: [f64; 2]) -> Sequence {
@@ -66,6 +76,7 @@ fn a_pulse_between_two_instants_passes_the_limit_twice() {
         let expected = crossings(interval);
         events(&Finger { f: pulse(interval) }, "low", expected);
         events(&Finger { f: pulse(interval) }, "below", expected);
+        events(&Post { f: pulse(interval) }, "low", expected);
         events(&FourBar { f: pulse(interval) }, "low", expected);
     }
 }

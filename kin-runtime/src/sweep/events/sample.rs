@@ -52,6 +52,11 @@ impl Sample {
         self.value.abs() <= self.noise + if beside.is_finite() { beside } else { 0.0 }
     }
 
+    /// True where g does not move within rounding.
+    pub(super) fn rests(&self) -> bool {
+        self.rate == 0.0 && self.acceleration == 0.0
+    }
+
     /// True where g is so near to zero that the last digits of the configuration matter.
     pub(crate) fn is_near(&self) -> bool {
         self.value.abs() <= 1e6 * self.noise

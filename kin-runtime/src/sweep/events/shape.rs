@@ -96,7 +96,7 @@ pub(super) fn shape(a: &Sample, b: &Sample, doubt: f64) -> Shape {
     if clearance(value) > of_value + noise {
         return Shape::Clear;
     }
-    let rests = |s: &Sample| s.value.abs() <= noise && s.rate == 0.0 && s.acceleration == 0.0;
+    let rests = |s: &Sample| s.value.abs() <= noise && s.rests();
     if rests(a) && rests(b) {
         return Shape::Still;
     }

@@ -6,6 +6,7 @@ use crate::analysis::poses::poses;
 use crate::equations::Equations;
 use crate::error::SolveError;
 use crate::nonlinear::root::{Value, bracket, tolerance};
+use crate::planned::within::PLACES;
 use crate::results::event::{Crossing, Event, Unwatched};
 use crate::state::State;
 use std::collections::HashMap;
@@ -110,7 +111,7 @@ impl Watch {
             let patience = self.patience[condition];
             let (known, found, lost) = (&mut known, Vec::new(), Vec::new());
             let mut search = Search { equations, between, known, condition, step: h, side, patience, found, lost };
-            search.between(&start, &end, doubt, Depth::default());
+            search.step(&start, &end, doubt);
             self.satisfied[condition] = Some(search.side);
             self.patience[condition] =
                 if search.patience > 0 { MOST_SAMPLES } else { (patience / 4).max(FEWEST_SAMPLES) };
@@ -237,6 +238,23 @@ impl Search<'_, '_, '_, '_> {
             samples(equations, &state).ok()
         });
         all.as_ref()?.get(self.condition).copied()
+    }
+
+    /// Searches a step. Where the condition rests at both ends, which show nothing of a rise and return between them, it is
+    /// sampled at places within the step.
+    fn step(&mut self, a: &Sample, b: &Sample, doubt: f64) {
+        if !(a.rests() && b.rests()) {
+            return self.between(a, b, doubt, Depth::default());
+        }
+        let within: Vec<Sample> = PLACES.iter().filter_map(|place| self.sample(a.t + place * (b.t - a.t))).collect();
+        if within.iter().all(|m| m.rests() && (m.value - a.value).abs() <= m.noise.max(a.noise)) {
+            return self.between(a, b, doubt, Depth::default());
+        }
+        let mut from = a;
+        for to in within.iter().chain([b]) {
+            self.between(from, to, f64::INFINITY, Depth::default());
+            from = to;
+        }
     }
 
     /// Searches between two samples, whose interpolation is accurate to `doubt`.
