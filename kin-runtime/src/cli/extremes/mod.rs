@@ -1,6 +1,7 @@
 //! `extremes`: the least and the greatest of quantities over a motion, between instants as well.
 
 mod record;
+mod refine;
 mod search;
 mod written;
 
@@ -64,8 +65,10 @@ accelerations (NAME_ddot), and forces. Without names the search takes transmissi
 and points that are not driven, defines, strokes of joints and efforts of drivers, and leaves out
 what stays constant.
 
-The instants of the motion (--steps) show roughly where an extreme is; around it the mechanism is
-solved at further instants until the value is exact to rounding. The last column says if an extreme
+The instants of the motion (--steps) show roughly where an extreme is. Between them the mechanism is
+solved at three further instants, and at more where a quantity is not nearly straight between its
+neighbours; around an extreme, until the value is exact to rounding. A spike that is much shorter
+than a quarter of a step may still be missed. The last column says if an extreme
 is at the beginning or the end of the motion, at a limit, or at a kink of the quantity. Rates may
 grow without bounds towards a limit: then the value is that of the last instant before it.",
 };
@@ -142,7 +145,9 @@ fn one(
         let (states, instants) = (states.len(), count(instants.len(), "instant"));
         session.note(&format!("the motion ended early: extremes of {states} of {instants}"));
     }
-    let search = Search { walk, states, columns: &columns, first, instants: &instants };
+    let (from, to) = (states.first().map(|state| state.t), states.last().map(|state| state.t));
+    let (states, columns) = refine::refined(&walk, &instants, (states, &columns), first);
+    let search = Search { walk, states: &states, columns: &columns, first, instants: &instants };
     let units = Units::of(model).in_degrees(args.motion.angles.degrees);
     let range = |place: usize| Range {
         quantity: measures[place].name().to_owned(),
@@ -158,7 +163,6 @@ fn one(
     }
     let varies = |place: &usize| !wanted.is_empty() || !is_constant(&columns[*place]);
     let extremes = (first..measures.len()).filter(varies).map(range).collect();
-    let [from, to] = [states.first(), states.last()].map(|state| state.map(|state| state.t));
     let parameters = Parameters::new(model, &engine.parameters());
     Ok((MotionRecord { varied: None, parameters, from, to, complete: ended.is_none(), extremes }, ended))
 }

@@ -114,13 +114,13 @@ impl Search<'_> {
         let range = self.states[last].t - self.states[0].t;
         let measure = &self.walk.measures[place];
         let sample = |times: &[f64]| {
-            let states = self.solve(from, times)?;
+            let states = solve(&self.walk, self.instants, from, times)?;
             let value =
                 |state: &State| self.walk.values_of(state, std::slice::from_ref(measure)).ok()?.first().copied();
             states.iter().map(|state| Some(sign * value(state)?)).collect()
         };
         let found = peak(sample, [a, b], range)?;
-        let state = self.solve(from, &[found.at])?.pop()?;
+        let state = solve(&self.walk, self.instants, from, &[found.at])?.pop()?;
         let of = |places: std::ops::Range<usize>| self.walk.values_of(&state, &self.walk.measures[places]).ok();
         let drivers = self.walk.measures[1..self.first].iter().map(|measure| measure.name().to_owned());
         let told = match found.smooth {
@@ -135,20 +135,20 @@ impl Search<'_> {
             place: told,
         })
     }
+}
 
-    /// The states at `times`, each solved from the one before it, the first one from `from`.
-    fn solve(&self, from: &State, times: &[f64]) -> Option<Vec<State>> {
-        let Walk { engine, setup, .. } = self.walk;
-        let first = self.instants.times.get(self.instants.start)?;
-        let starts_there = times.first().is_some_and(|t| *t == from.t);
-        let all: Vec<f64> = match starts_there {
-            true => times.to_vec(),
-            false => std::iter::once(from.t).chain(times.iter().copied()).collect(),
-        };
-        let mut states = engine.sweep_from(setup, *first, &from.q, &all).ok()?.states;
-        if !starts_there {
-            states.remove(0);
-        }
-        Some(states)
+/// The states at `times`, each solved from the one before it, the first one from `from`.
+pub(super) fn solve(walk: &Walk<'_>, instants: &Instants, from: &State, times: &[f64]) -> Option<Vec<State>> {
+    let Walk { engine, setup, .. } = walk;
+    let first = instants.times.get(instants.start)?;
+    let starts_there = times.first().is_some_and(|t| *t == from.t);
+    let all: Vec<f64> = match starts_there {
+        true => times.to_vec(),
+        false => std::iter::once(from.t).chain(times.iter().copied()).collect(),
+    };
+    let mut states = engine.sweep_from(setup, *first, &from.q, &all).ok()?.states;
+    if !starts_there {
+        states.remove(0);
     }
+    Some(states)
 }
