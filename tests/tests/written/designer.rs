@@ -194,6 +194,24 @@ fn few_instants_do_as_well_as_many() {
     }
 }
 
+/// Rod and rail are nearly perpendicular once in a turn, where the slider's acceleration has a spike of a few degrees.
+#[test]
+fn extremes_between_few_instants_are_those_between_many() {
+    let quantities = ["slider.x_ddot", "rod.phi_ddot", "slider.x_dot"];
+    let line = |steps: u32| format!("extremes {} --set l=0.3005 --steps {steps}", quantities.join(" "));
+    let dense = slider(&line(3000));
+    for steps in [1, 5, 30] {
+        let json = slider(&line(steps));
+        for quantity in quantities {
+            for side in ["least", "greatest"] {
+                let (found, expected) = (extreme(&json, quantity, side).0, extreme(&dense, quantity, side).0);
+                let off = (found - expected).abs();
+                assert!(off <= 1e-9 * expected.abs().max(1.0), "{side} {quantity}, {steps} steps: {found} {expected}");
+            }
+        }
+    }
+}
+
 #[test]
 fn extremes_of_transmission_angles_vary_with_the_dimensions() {
     let (csv, _) = good("fourbar extremes B.transmission --vary l1=0.06..0.1:3 --format csv");
