@@ -56,7 +56,7 @@ impl<M: Mechanism> PlanFollower<M> {
             }
         }
         let (mut proposed, mut smallest, mut nearest) = (f64::INFINITY, f64::NAN, self.nearest);
-        // The end of the step refused last. What made it too long lies before, so steps do not grow until then.
+        // The end of the last step that hides motion. Steps do not grow before it, so that they do not step over that.
         let mut refused = s;
         for _ in 0..control.max_steps {
             let remaining = end - s;
@@ -77,7 +77,11 @@ impl<M: Mechanism> PlanFollower<M> {
                 return Err(blocked(self.standstill(&here, natural / remaining.abs())));
             }
             let walked = (next - s).abs();
-            match self.step(mechanism, course, [s, next], &mut inputs, (&here, nearest), control) {
+            let before = core::mem::replace(&mut self.hides_motion, false);
+            let result = self.step(mechanism, course, [s, next], &mut inputs, (&here, nearest), control);
+            let hides = self.hides_motion;
+            self.hides_motion |= before;
+            match result {
                 Ok(growth) => {
                     here = *self.trial();
                     self.branch.distances = self.distances;
@@ -95,7 +99,10 @@ impl<M: Mechanism> PlanFollower<M> {
                         let share = natural / remaining.abs();
                         return Err(blocked(if is_coarse { self.standstill(&here, share) } else { fault }));
                     }
-                    (proposed, refused) = (0.5 * walked, next);
+                    proposed = 0.5 * walked;
+                    if hides {
+                        refused = next;
+                    }
                 }
             }
         }
