@@ -18,8 +18,8 @@ const MOST: usize = 20_000;
 /// Largest number of times that an interval is divided.
 const DEPTH: usize = 14;
 
-/// An instant with the values of all quantities.
-struct Instance {
+/// A state with the values of all quantities.
+struct Sampled {
     state: State,
     values: Vec<f64>,
     /// Whether the interval that begins here is still to be looked at.
@@ -35,12 +35,12 @@ pub(super) fn refined(
 ) -> (Vec<State>, Vec<Vec<f64>>) {
     let values = |k: usize| columns.iter().map(|column| column[k]).collect();
     let given = states.iter().enumerate();
-    let mut all: Vec<Instance> =
-        given.map(|(k, state)| Instance { state: state.clone(), values: values(k), open: true }).collect();
+    let mut all: Vec<Sampled> =
+        given.map(|(k, state)| Sampled { state: state.clone(), values: values(k), open: true }).collect();
     for round in 0..DEPTH {
         let places: &[f64] = if round == 0 { &PLACES } else { &[0.5] };
         let ranges = ranges(&all, first);
-        let mut denser: Vec<Instance> = Vec::with_capacity(2 * all.len());
+        let mut denser: Vec<Sampled> = Vec::with_capacity(2 * all.len());
         let mut rest = all.into_iter().peekable();
         let (mut count, mut divided) = (rest.len(), false);
         while let Some(mut here) = rest.next() {
@@ -63,15 +63,15 @@ pub(super) fn refined(
             break;
         }
     }
-    let columns = (0..columns.len()).map(|k| all.iter().map(|instance| instance.values[k]).collect()).collect();
-    (all.into_iter().map(|instance| instance.state).collect(), columns)
+    let columns = (0..columns.len()).map(|k| all.iter().map(|sampled| sampled.values[k]).collect()).collect();
+    (all.into_iter().map(|sampled| sampled.state).collect(), columns)
 }
 
 /// The range of every quantity.
-fn ranges(all: &[Instance], first: usize) -> Vec<f64> {
-    let count = all.first().map_or(0, |instance| instance.values.len());
+fn ranges(all: &[Sampled], first: usize) -> Vec<f64> {
+    let count = all.first().map_or(0, |sampled| sampled.values.len());
     let range = |k: usize| {
-        let finite = all.iter().map(|instance| instance.values[k]).filter(|value| value.is_finite());
+        let finite = all.iter().map(|sampled| sampled.values[k]).filter(|value| value.is_finite());
         let [low, high] = finite.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], v| [low.min(v), high.max(v)]);
         (high - low).max(1e-9 * low.abs().max(high.abs()))
     };
@@ -79,28 +79,28 @@ fn ranges(all: &[Instance], first: usize) -> Vec<f64> {
 }
 
 /// Instants between two others; none where the motion cannot be solved there.
-fn between(walk: &Walk<'_>, instants: &Instants, [a, b]: [&Instance; 2], places: &[f64]) -> Vec<Instance> {
-    let is_solved = |instance: &Instance| instance.state.q_dot.iter().all(|rate| rate.is_finite());
+fn between(walk: &Walk<'_>, instants: &Instants, [a, b]: [&Sampled; 2], places: &[f64]) -> Vec<Sampled> {
+    let is_solved = |sampled: &Sampled| sampled.state.q_dot.iter().all(|rate| rate.is_finite());
     let (from, h) = (a.state.t, b.state.t - a.state.t);
     if !is_solved(a) || !is_solved(b) || h == 0.0 {
         return Vec::new();
     }
     let times: Vec<f64> = places.iter().map(|place| from + place * h).collect();
     let states = solve(walk, instants, &a.state, &times).unwrap_or_default();
-    let instance = |state: State| {
+    let sampled = |state: State| {
         let values = walk.values_of(&state, walk.measures).ok()?;
-        Some(Instance { state, values, open: true })
+        Some(Sampled { state, values, open: true })
     };
-    states.into_iter().map(instance).collect::<Option<Vec<_>>>().unwrap_or_default()
+    states.into_iter().map(sampled).collect::<Option<Vec<_>>>().unwrap_or_default()
 }
 
 /// True if all quantities are near the straight line between both ends.
-fn are_straight([a, b]: [&Instance; 2], within: &[Instance], (first, ranges): (usize, &[f64])) -> bool {
+fn are_straight([a, b]: [&Sampled; 2], within: &[Sampled], (first, ranges): (usize, &[f64])) -> bool {
     let h = b.state.t - a.state.t;
     within.iter().all(|m| {
         let share = (m.state.t - a.state.t) / h;
         ranges.iter().enumerate().all(|(k, range)| {
-            let [from, to, value] = [a, b, m].map(|instance| instance.values[first + k]);
+            let [from, to, value] = [a, b, m].map(|sampled| sampled.values[first + k]);
             let off = (value - (from + share * (to - from))).abs();
             // Where a quantity is not defined, there is nothing to find.
             off.is_nan() || off <= STRAIGHT * range
