@@ -230,9 +230,14 @@ impl InputPath {
         time(self.kind, self.t, s)
     }
 
-    /// Writes the inputs at a place.
-    pub(crate) fn write(&self, s: f64, inputs: &mut [Signal]) {
-        write(self.kind, self.t, [&self.from, &self.to], s, inputs);
+    /// Writes the inputs at the place `since` after another one.
+    pub(crate) fn write(&self, from: f64, since: f64, inputs: &mut [Signal]) {
+        let [first, last] = self.ends();
+        if since == 0.0 || self.kind == Kind::Frozen {
+            return write(self.kind, self.t, [&self.from, &self.to], from + since, inputs);
+        }
+        // Measured from the start of the path, places are not rounded to the spacing of numbers near t.
+        write(self.kind, [0.0, last - first], [&self.from, &self.to], (from - first) + since, inputs);
     }
 }
 

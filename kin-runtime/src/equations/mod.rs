@@ -193,10 +193,17 @@ impl<'a> Equations<'a> {
     /// Moves to a place of the course: inputs follow the course or their functions of time, and prescribed coordinates
     /// continue with constant acceleration.
     pub(crate) fn move_to(&mut self, s: f64) -> Result<(), SolveError> {
+        self.move_from(s, 0.0)
+    }
+
+    /// As [`move_to`](Self::move_to), to the place `since` after another one. If `from` is large, their sum is rounded; the
+    /// path of inputs does not depend on that.
+    pub(crate) fn move_from(&mut self, from: f64, since: f64) -> Result<(), SolveError> {
+        let s = from + since;
         finite("t", 0, "t", s)?;
         self.set_time(self.time_at(s));
         match (&self.path, self.input_function) {
-            (Some(path), _) => path.write(s, &mut self.inputs),
+            (Some(path), _) => path.write(from, since, &mut self.inputs),
             (None, Some(function)) => function(s, &mut self.inputs),
             (None, None) => {}
         }

@@ -1,7 +1,8 @@
-//! Velocities that are zero at both ends of an interval and at the stages of the integration between them.
+//! Velocities that the stages of an integration may not show: zero at both ends of an interval and at all stages between
+//! them, or told at times whose spacing is coarse.
 
 use kin_runtime::function::{MotionLaw, Sequence};
-use kin_runtime::{Kinematics, mechanism};
+use kin_runtime::{Instant, Kinematics, Signal, mechanism};
 
 #[mechanism]
 #[body(trolley, y = 0, phi = 0)]
@@ -76,5 +77,29 @@ fn a_pulse_of_the_heading_turns_the_sled() {
                 assert!((found - expected).abs() < 1e-7, "{interval:?}: {found} instead of {expected}");
             }
         }
+    }
+}
+
+/// s = u² − 1, whatever t does.
+#[mechanism]
+#[coordinates(s)]
+#[input(u)]
+#[nonholonomic(square: dot(s) = 2*u*dot(u))]
+#[guess(s = 0)]
+struct Square;
+
+/// Seconds of a calendar are so large that neighbouring floating-point numbers are 2e-7 apart.
+#[test]
+fn inputs_are_integrated_between_their_instants_however_large_the_time_is() {
+    for (start, h) in [(0.0, 1e-3), (1.7e9, 0.1), (1.7e9, 0.01), (1.7e9, 1e-3), (1.0, 1e-11)] {
+        // Rates that suit the times as they are rounded.
+        let h = (start + h) - start;
+        let at = |t: f64, u: f64, rate: f64| (t, [Signal::new(u, rate, 0.0)]);
+        let [(t, inputs), (later, further)] = [at(start, 1.0, 1.0 / h), at(start + h, 2.0, 1.0 / h)];
+        let square = Square;
+        let mut tracker = square.solver().tracker(&Instant { t, inputs: &inputs }).expect("it begins");
+        let state = tracker.update(&Instant { t: later, inputs: &further });
+        let s = state.unwrap_or_else(|error| panic!("{start}, {h:e}: {error}")).q[0];
+        assert!((s - 3.0).abs() < 1e-12, "{start}, {h:e}: {s}");
     }
 }

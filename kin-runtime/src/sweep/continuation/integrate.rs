@@ -44,7 +44,7 @@ pub(super) fn integrate(
     let h = s - from.s;
     let q = &from.node.state.q;
     let rank = from.basis.factor.rank;
-    let result = runge_kutta_step(from.s, h, q, from.q_dot, |s, q| velocity(equations, rank, s, q))?;
+    let result = runge_kutta_step(h, q, from.q_dot, |since, q| velocity(equations, rank, [from.s, since], q))?;
     let tolerance = equations.options.integration_tolerance;
     let effort = error(equations, q, &result) / tolerance;
     let factor = SAFETY * effort.powf(-0.2);
@@ -81,7 +81,7 @@ fn follows_cubic(
     for place in PLACES {
         on_cubic(&mut cubic, ends, h, place);
         slope_of_cubic(&mut slope, ends, h, place);
-        let found = velocity(equations, rank, from + place * h, &cubic)?;
+        let found = velocity(equations, rank, [from, place * h], &cubic)?;
         let off = of_kinds(equations, &|k| (h * (slope[k] - found[k])).abs());
         if off.iter().zip(&allowed).any(|(off, allowed)| off > allowed) || found.iter().any(|v| v.is_nan()) {
             return Ok(false);
@@ -104,9 +104,9 @@ fn of_kinds(equations: &Equations<'_>, number: &dyn Fn(usize) -> f64) -> [f64; 3
     largest
 }
 
-/// q̇ at a stage of the Runge–Kutta step, which is near Φ = 0 but not on it.
-fn velocity(equations: &mut Equations<'_>, rank: usize, s: f64, q: &[f64]) -> Result<Vec<f64>, Fault> {
-    equations.move_to(s)?;
+/// q̇ at a stage of the Runge–Kutta step, which is near Φ = 0 but not on it: at a place after another one.
+fn velocity(equations: &mut Equations<'_>, rank: usize, [from, since]: [f64; 2], q: &[f64]) -> Result<Vec<f64>, Fault> {
+    equations.move_from(from, since)?;
     equations.evaluate(Subset::VELOCITY, q, None)?;
     let factor = equations.factorise(Purpose::Solutions, None);
     if factor.rank < rank {
@@ -148,8 +148,8 @@ mod tests {
             let (sin, cos) = phi.sin_cos();
             [0.0, 0.0, phi, 0.23 * cos + 0.355, 0.23 * sin, 0.0, 0.23 * cos + 0.71, 0.0, 0.0]
         };
-        assert!(velocity(&mut equations, 9, 0.475, &at(0.4)).is_ok());
-        let stretched = velocity(&mut equations, 9, 0.475, &at(0.0));
+        assert!(velocity(&mut equations, 9, [0.475, 0.0], &at(0.4)).is_ok());
+        let stretched = velocity(&mut equations, 9, [0.475, 0.0], &at(0.0));
         assert!(matches!(stretched, Err(Fault::Coarse(factor)) if factor < 1.0), "{stretched:?}");
     }
 
