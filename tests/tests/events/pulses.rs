@@ -59,24 +59,31 @@ fn crossings([from, to]: [f64; 2]) -> [f64; 2] {
     [from + part, to - part]
 }
 
-fn events<M: Kinematics>(mechanism: &M, condition: &str, expected: [f64; 2]) {
-    let path = mechanism.kinematic_analysis(&[0.0, 100.0]).unwrap_or_else(|error| panic!("{error}"));
-    assert!(path.unwatched.is_empty());
-    let found: Vec<_> = path.events.iter().filter(|event| event.name == condition).collect();
-    let crossings: Vec<Crossing> = found.iter().map(|event| event.crossing).collect();
-    assert_eq!(crossings, [Crossing::Violated, Crossing::Restored], "{condition}, {expected:?}");
-    for (event, t) in found.iter().zip(expected) {
-        assert!((event.t - t).abs() < 1e-8, "{condition}: {} instead of {t}", event.t);
+/// The events of a condition, forwards with a pulse and backwards with its mirror image.
+fn events<M: Kinematics>(mechanism: &dyn Fn(Sequence) -> M, condition: &str, [from, to]: [f64; 2]) {
+    let [first, last] = crossings([from, to]);
+    let mirrored = [100.0 - to, 100.0 - from];
+    for (times, interval, expected) in
+        [([0.0, 100.0], [from, to], [first, last]), ([100.0, 0.0], mirrored, [100.0 - first, 100.0 - last])]
+    {
+        let mechanism = mechanism(pulse(interval));
+        let path = mechanism.kinematic_analysis(&times).unwrap_or_else(|error| panic!("{error}"));
+        assert!(path.unwatched.is_empty());
+        let found: Vec<_> = path.events.iter().filter(|event| event.name == condition).collect();
+        let crossings: Vec<Crossing> = found.iter().map(|event| event.crossing).collect();
+        assert_eq!(crossings, [Crossing::Violated, Crossing::Restored], "{condition}, {expected:?}");
+        for (event, t) in found.iter().zip(expected) {
+            assert!((event.t - t).abs() < 1e-8, "{condition}: {} instead of {t}", event.t);
+        }
     }
 }
 
 #[test]
 fn a_pulse_between_two_instants_passes_the_limit_twice() {
     for interval in [[20.0, 40.0], [60.0, 78.0], [5.0, 35.0], [2.0, 48.0], [51.0, 99.0], [33.1, 37.9], [31.0, 79.0]] {
-        let expected = crossings(interval);
-        events(&Finger { f: pulse(interval) }, "low", expected);
-        events(&Finger { f: pulse(interval) }, "below", expected);
-        events(&Post { f: pulse(interval) }, "low", expected);
-        events(&FourBar { f: pulse(interval) }, "low", expected);
+        events(&|f| Finger { f }, "low", interval);
+        events(&|f| Finger { f }, "below", interval);
+        events(&|f| Post { f }, "low", interval);
+        events(&|f| FourBar { f }, "low", interval);
     }
 }

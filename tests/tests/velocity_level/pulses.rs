@@ -80,6 +80,26 @@ fn a_pulse_of_the_heading_turns_the_sled() {
     }
 }
 
+/// What is found on the way there is found on the way back, where the places within a step are mirrored.
+#[test]
+fn pulses_are_integrated_backwards_as_well() {
+    for [from, to] in PULSES.map(|[from, to]| [100.0 - to, 100.0 - from]) {
+        let back =
+            |steps: u32| -> Vec<f64> { (0..=steps).map(|k| 100.0 * (1.0 - f64::from(k) / f64::from(steps))).collect() };
+        let trolley = Trolley { v: pulse([from, to], 1.0) };
+        let sled = Sled { f: pulse([from, to], 1.0) };
+        let x = trolley.kinematic_analysis(&back(1)).unwrap_or_else(|error| panic!("{error}")).states[1].q[0];
+        assert!((x + 0.5 * (to - from)).abs() < 1e-8, "{from} to {to}: {x}");
+        let [found, expected] = [1, 1000].map(|steps| {
+            let swept = sled.kinematic_analysis(&back(steps)).unwrap_or_else(|error| panic!("{error}"));
+            swept.last().expect("an instant").q.clone()
+        });
+        for (found, expected) in found.iter().zip(&expected) {
+            assert!((found - expected).abs() < 1e-7, "{from} to {to}: {found} instead of {expected}");
+        }
+    }
+}
+
 /// s = u² − 1, whatever t does.
 #[mechanism]
 #[coordinates(s)]

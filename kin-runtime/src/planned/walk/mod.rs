@@ -57,7 +57,7 @@ impl<M: Mechanism> PlanFollower<M> {
         }
         let (mut proposed, mut smallest, mut nearest) = (f64::INFINITY, f64::NAN, self.nearest);
         // The end of the last step that hides motion. Steps do not grow before it, so that they do not step over that.
-        let mut refused = s;
+        let (mut refused, direction) = (s, (end - s).signum());
         for _ in 0..control.max_steps {
             let remaining = end - s;
             if remaining == 0.0 {
@@ -89,7 +89,7 @@ impl<M: Mechanism> PlanFollower<M> {
                     s = next;
                     let t = course.at(s, inputs.as_mut());
                     self.measure_turns(mechanism, &Instant { t, inputs: inputs.as_ref() }, &here.q);
-                    let growth = if (s - refused) * (end - refused).signum() >= 0.0 { growth } else { growth.min(1.0) };
+                    let growth = if (s - refused) * direction >= 0.0 { growth } else { growth.min(1.0) };
                     // A step cut short by the end is no reason to reduce the longer step proposed before.
                     proposed = if share <= 2.0 { proposed.max(growth * walked) } else { growth * walked };
                 }

@@ -215,7 +215,8 @@ impl Continuation {
         let mut at_once = f64::INFINITY;
         // The end of the step refused last. What made it too long lies before, so steps do not grow until then.
         let mut refused = self.s;
-        let has_passed = |s: f64, refused: f64| (s - refused) * (target - refused).signum() >= 0.0;
+        let direction = (target - self.s).signum();
+        let has_passed = |s: f64, refused: f64| (s - refused) * direction >= 0.0;
         for _ in 0..options.max_steps {
             let Reached { s: from, .. } = self.reached(moved);
             if from == target {
