@@ -8,6 +8,7 @@ pub mod mechanisms;
 pub mod programs;
 pub mod random;
 pub mod stencil;
+pub mod subject;
 
 use kin_runtime::{Instant, Kinematics, Mechanism, Signal};
 

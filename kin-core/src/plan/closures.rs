@@ -12,6 +12,11 @@ use crate::vocabulary::Function;
 /// the terms nearly cancel.
 pub(super) const TERM_WEIGHT: f64 = 1e-6;
 
+/// [`TERM_WEIGHT`] where a and b of an angle closure are dimensions. These cannot approach 0 during a motion, and the
+/// digits that small ones cost are the same everywhere: a lever that is a million times shorter than the rod at its end
+/// still leaves ten of them.
+const DIMENSION_WEIGHT: f64 = 1e-12;
+
 /// Added to denominators, so that 0/0 becomes 0; smaller than the square of any length. In f32 this number is itself 0;
 /// a margin 0/0 is then NaN, which counts as no solution.
 pub(super) const LEAST: f64 = 1e-300;
@@ -106,7 +111,12 @@ fn with_squared_terms_of_circles(graph: &mut Graph, size: ExprId, [e, radius, n2
 
 /// `size` plus `TERM_WEIGHT` times the squared terms of `parts`; never 0.
 fn with_squared_terms(graph: &mut Graph, size: ExprId, parts: &[ExprId]) -> ExprId {
-    let (mut terms, share, least) = (graph.zero(), graph.number(TERM_WEIGHT), graph.number(LEAST));
+    with_weighted_terms(graph, size, parts, TERM_WEIGHT)
+}
+
+/// `size` plus `weight` times the squared terms of `parts`; never 0.
+fn with_weighted_terms(graph: &mut Graph, size: ExprId, parts: &[ExprId], weight: f64) -> ExprId {
+    let (mut terms, share, least) = (graph.zero(), graph.number(weight), graph.number(LEAST));
     for &part in parts {
         let squares = squared_terms_anywhere(graph, part, 8);
         terms = graph.add(terms, squares);
@@ -127,8 +137,10 @@ pub(super) fn angle(graph: &mut Graph, mode: ExprId, [a, b, c]: [ExprId; 3]) -> 
     // If two pins coincide, a and b vanish and the direction is undefined. Constant a and b are small compared with c
     // only because of the dimensions; c is then included in the comparison.
     let still = [a, b].iter().all(|&e| graph.depends(e).is_static());
-    let parts = [a, b, c];
-    let whole = with_squared_terms(graph, d, if still { &parts } else { &parts[..2] });
+    let whole = match still {
+        true => with_weighted_terms(graph, d, &[a, b, c], DIMENSION_WEIGHT),
+        false => with_squared_terms(graph, d, &[a, b]),
+    };
     (turned, inverse, graph.div(inside, whole))
 }
 

@@ -10,6 +10,7 @@ pub mod mobility;
 pub mod modes;
 pub(crate) mod poses;
 pub(crate) mod position;
+pub(crate) mod refinement;
 pub(crate) mod singular;
 mod state;
 pub(crate) mod subsystem_residual;

@@ -10,7 +10,7 @@ use crate::present::units::Units;
 /// The quantities with these names; all unknown names are reported at once.
 pub(super) fn quantities(model: &'static Model, names: &[String]) -> Result<Vec<Measure>, Failure> {
     let mut ledger = Ledger::default();
-    let found: Vec<Measure> = names.iter().filter_map(|name| ledger.take(find_quantity(model, name))).collect();
+    let found: Vec<Measure> = names.iter().filter_map(|name| ledger.take(find_quantity(model, "WHAT", name))).collect();
     ledger.close(Some(found))
 }
 

@@ -3,7 +3,7 @@
 use super::engine::Engine;
 use super::examples::{Help, Names};
 use super::failure::{Failure, Ledger, zip3};
-use super::names::{Kind, find};
+use super::names::{Kind, find, find_quantity};
 use super::number::Measured;
 use super::options::SetupArgs;
 use super::output::{Form, OutputArgs, json};
@@ -14,7 +14,7 @@ use super::trial::quoted;
 use super::turns::{natural_end, turn_of};
 use super::values;
 use super::wishes::{INSTANTS, Wish, Wishes};
-use crate::design::{DesignError, Designed, Direction, Search, Shortest};
+use crate::design::{DesignError, Designed, Direction, Quantity, Search, Shortest};
 use crate::measure::Measure;
 use crate::model::Model;
 use crate::present::json::record;
@@ -224,19 +224,28 @@ fn wishes(args: &DesignArgs, engine: &dyn Engine) -> Result<Vec<Wish>, Failure> 
         }
     };
     let direction = ledger.take(direction).unwrap_or_default();
+    let known = |option: &str, name: &str| match Quantity::named(model, name) {
+        Err(DesignError::UnknownQuantity { .. }) => find_quantity(model, option, name).map(drop),
+        _ => Ok(()),
+    };
     for (point, file) in ledger.take(values::assignments("--path", "tip=points.csv", &args.path)).unwrap_or_default() {
+        ledger.take(find(model, "--path", Kind::Point, &point));
         let path = columns("--path", &file, &PLACES).and_then(|rows| path("--path", point, &rows, direction));
         all.extend(ledger.take(path));
     }
     let functions = values::assignments("--function", "rocker.phi=values.csv", &args.function);
     for (name, file) in ledger.take(functions).unwrap_or_default() {
+        ledger.take(known("--function", &name));
         let rows = ledger.take(columns("--function", &file, &[])).unwrap_or_default();
         match rows.iter().map(|row| <[f64; 2]>::try_from(&row[..])).collect::<Result<Vec<_>, _>>() {
             Ok(rows) => all.push(Wish::Function(name, rows.into_iter().map(|[t, value]| (t, value)).collect())),
             Err(_) => ledger.fault("--function", format!("`{file}` needs the columns t,value")),
         }
     }
-    all.extend(args.peak.iter().cloned().map(Wish::Peak));
+    for name in &args.peak {
+        ledger.take(known("--peak", name));
+        all.push(Wish::Peak(name.clone()));
+    }
     if let Some(driver) = &args.turns {
         all.push(Wish::Turns);
         if !driver.is_empty() {
@@ -274,6 +283,7 @@ fn wishes(args: &DesignArgs, engine: &dyn Engine) -> Result<Vec<Wish>, Failure> 
             ledger.fault("--range", format!("`{text}` is no range; write NAME=LOW..HIGH"));
             continue;
         };
+        ledger.take(known("--range", name));
         let unit = Measure::named(model, name).and_then(|measure| measure.unit(&model.units));
         let measured = Measured { name, unit: unit.as_deref(), ..Measured::default() };
         let bound = |text: &str| values::number("--range", text, measured);

@@ -306,14 +306,23 @@ fn as_far(
     let first = usize::from(out.limits[0].is_some());
     let last = steps - usize::from(out.limits[1].is_some());
     let mut times: Vec<f64> = (first..=last).map(|k| if k == steps { to } else { place(k) }).collect();
-    // The motion is followed from the start in both directions. The start is therefore one of the instants; it replaces
-    // one that differs from it by rounding.
-    let same = |t: f64| (t - start).abs() <= 1e-9 * (to - from).abs();
-    let mut behind = times.iter().position(|t| *t >= start || same(*t)).unwrap_or(times.len());
-    match times.get_mut(behind).filter(|t| same(**t)) {
-        Some(t) => *t = start,
-        None => times.insert(behind, start),
-    }
+    // The motion is followed from the start in both directions. The start is therefore one of the instants; it takes the
+    // place of the nearest one between the ends.
+    let distance = |k: &usize| (times[*k] - start).abs();
+    let between = 1 - first..times.len().saturating_sub(usize::from(last == steps));
+    let mut behind = match between.min_by(|a, b| distance(a).total_cmp(&distance(b))) {
+        Some(nearest) if start != from && start != to => {
+            times[nearest] = start;
+            nearest
+        }
+        _ => {
+            let behind = times.iter().position(|t| *t >= start).unwrap_or(times.len());
+            if times.get(behind) != Some(&start) {
+                times.insert(behind, start);
+            }
+            behind
+        }
+    };
     // Even with few steps, there is an instant between the start and a limit on either side.
     if out.limits[0].is_some() && behind == 0 && from < start {
         times.insert(0, 0.5 * (from + start));

@@ -17,6 +17,8 @@ pub(super) enum Kind {
     Mode,
     Quantity,
     Driver,
+    #[cfg(feature = "design")]
+    Point,
     #[cfg(feature = "equations")]
     Joint,
 }
@@ -30,6 +32,8 @@ impl Kind {
             Self::Mode => "mode",
             Self::Quantity => "quantity",
             Self::Driver => "driver",
+            #[cfg(feature = "design")]
+            Self::Point => "point",
             #[cfg(feature = "equations")]
             Self::Joint => "joint",
         }
@@ -50,6 +54,8 @@ impl Kind {
                 names.dedup();
                 names
             }
+            #[cfg(feature = "design")]
+            Self::Point => model.points.iter().map(|point| point.name).collect(),
             #[cfg(feature = "equations")]
             Self::Joint => model.joints.iter().map(|joint| joint.name).collect(),
             Self::Quantity => Vec::new(),
@@ -76,27 +82,27 @@ impl Kind {
 }
 
 /// The quantity of this name.
-pub(super) fn find_quantity(model: &'static Model, name: &str) -> Result<Measure, Failure> {
+pub(super) fn find_quantity(model: &'static Model, option: &str, name: &str) -> Result<Measure, Failure> {
     if let Some(found) = Measure::named(model, name) {
         return Ok(found);
     }
     let drivers = Measure::drivers(model);
     if let Some((of, driver)) = name.rsplit_once('/') {
-        let of = find_quantity(model, of)?;
-        search("WHAT", Kind::Driver, driver, &drivers, None)?;
+        let of = find_quantity(model, option, of)?;
+        search(option, Kind::Driver, driver, &drivers, None)?;
         let what = format!(
             "`{}` has no velocity ratio; only coordinates, points, defines and joint quantities have one",
             of.name()
         );
-        return Err(Failure::option("WHAT", what));
+        return Err(Failure::option(option, what));
     }
     // Transmission angles, which are few, are listed before points and forces, which may be many.
     let (angles, others): (Vec<_>, Vec<_>) = Measure::all(model).into_iter().partition(Measure::is_transmission);
     let coordinates = others.len().min(1 + 3 * model.coordinates.len());
     let (first, rest) = others.split_at(coordinates);
     let all: Vec<&str> = first.iter().chain(&angles).chain(rest).map(Measure::name).collect();
-    let Err(failure) = search("WHAT", Kind::Quantity, name, &all, None) else {
-        return Err(Failure::option("WHAT", format!("`{name}` is no quantity")));
+    let Err(failure) = search(option, Kind::Quantity, name, &all, None) else {
+        return Err(Failure::option(option, format!("`{name}` is no quantity")));
     };
     let mut text = failure.to_string();
     if !drivers.is_empty() {

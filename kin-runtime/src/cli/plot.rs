@@ -262,7 +262,7 @@ fn wanted(model: &'static Model, what: &[String], measures: &mut Vec<Measure>) -
         if let Some((x, y)) = what.split_once(':') {
             // The two components of a force are drawn with equal axes.
             let path = x.strip_suffix(".force_x").is_some_and(|joint| y.strip_suffix(".force_y") == Some(joint));
-            let [x, y] = [x, y].map(|name| ledger.take(find_quantity(model, name)));
+            let [x, y] = [x, y].map(|name| ledger.take(find_quantity(model, "WHAT", name)));
             wanted.extend(x.zip(y).map(|(x, y)| Wanted { x: index(x), y: index(y), path }));
             continue;
         }
@@ -277,7 +277,7 @@ fn wanted(model: &'static Model, what: &[String], measures: &mut Vec<Measure>) -
             wanted.push(Wanted { x: index(x), y: index(y), path: true });
             continue;
         }
-        let found = ledger.take(find_quantity(model, what));
+        let found = ledger.take(find_quantity(model, "WHAT", what));
         wanted.extend(found.map(|y| Wanted { x: 0, y: index(y), path: false }));
     }
     ledger.close(Some(wanted))

@@ -20,9 +20,13 @@ pub(super) fn tolerances(texts: &[String], model: &Model) -> Result<Vec<f64>, Fa
     for (name, value) in ledger.take(values::assignments(OPTION, &example, texts)).unwrap_or_default() {
         // If the name is no parameter, its unit is not known.
         let Some(index) = ledger.take(find(model, OPTION, Kind::Parameter, &name)) else { continue };
-        let value = values::number(&format!("{OPTION} {name}"), &value, Measured::parameter(model, &name));
-        if let Some(value) = ledger.take(value) {
-            all[index] = value;
+        let option = format!("{OPTION} {name}");
+        match ledger.take(values::number(&option, &value, Measured::parameter(model, &name))) {
+            Some(value) if value >= 0.0 => all[index] = value,
+            Some(_) => {
+                ledger.fault(&option, format!("`{value}` is negative; a tolerance is a deviation to either side"))
+            }
+            None => {}
         }
     }
     ledger.close(Some(all))

@@ -5,6 +5,7 @@ use super::names::{Kind, find};
 use super::number::{Amount, Measured, amount, converted};
 use crate::model::Model;
 use crate::planned::Sign;
+use crate::present::number::plain;
 use crate::present::units::Units;
 use crate::workspace::Signal;
 use kin_core::units::Unit;
@@ -255,17 +256,20 @@ pub(super) fn grid_is_possible(from: f64, to: f64, steps: usize) -> Result<(), F
         return Err(Failure::option("--steps", format!("{steps} steps are too many; at most {MOST_STEPS}")));
     }
     let length = to - from;
+    let [first, last] = [from, to].map(plain);
     if length == 0.0 {
         let spacing = from.abs().next_up() - from.abs();
-        let apart =
-            if spacing > COARSE { format!(" (numbers of this size are {spacing} apart)") } else { String::new() };
+        let apart = match spacing > COARSE {
+            true => format!(" (numbers of this size are {} apart)", plain(spacing)),
+            false => String::new(),
+        };
         let what = format!(
-            "--from and --to are both {from}{apart}; a sweep needs two different instants (or use `solve --at`)"
+            "--from and --to are both {first}{apart}; a sweep needs two different instants (or use `solve --at`)"
         );
         return Err(Failure::usage(what));
     }
     if !length.is_finite() || from + length / steps as f64 == from || to - length / steps as f64 == to {
-        let what = format!("--from {from} --to {to} --steps {steps}: the instants cannot be told apart");
+        let what = format!("--from {first} --to {last} --steps {steps}: the instants cannot be told apart");
         return Err(Failure::usage(what));
     }
     Ok(())
@@ -293,6 +297,10 @@ pub(super) fn variation(
         )
     };
     let (name, values) = text.split_once('=').ok_or_else(shape)?;
+    if values.contains('=') {
+        let what = format!("`{text}`: write {option} again for each further parameter");
+        return Err(Failure::option(option, what));
+    }
     let of = Measured::parameter(model, name.trim());
     let Some((from, rest)) = values.split_once("..") else {
         let values = values.split(',').map(|value| number(option, value, of)).collect::<Result<Vec<f64>, Failure>>()?;

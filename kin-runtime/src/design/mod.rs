@@ -62,6 +62,8 @@ pub use builder::Design;
 pub use condition::Shortest;
 pub use error::DesignError;
 pub use objective::Direction;
+#[cfg(feature = "cli")]
+pub(crate) use objective::Quantity;
 pub use result::{Designed, Slack};
 pub use search::{Progress, Search};
 #[cfg(feature = "cli")]

@@ -9,6 +9,7 @@
 use super::guessed_modes::Guess;
 use super::{Position, Solver};
 use crate::analysis::poses::{coordinate_motions, write_poses};
+use crate::analysis::refinement::{ACCURATE, correct, refine};
 use crate::equations::contact::has_curves;
 use crate::equations::residual::{Row, Tolerances, closed, closed_position, write_lengths, write_sizes};
 use crate::equations::system::Parts;
@@ -181,8 +182,19 @@ impl<M: Mechanism> Solver<'_, M> {
             // Near a limit the checks of the follower decide.
             let follower = PlanFollower::begin(self.mechanism, *parameters, at, start.q.as_ref(), start.modes).ok()?;
             *poses = *follower.state();
+            self.refine(at, poses)?;
         }
         Some(())
+    }
+
+    /// Refines a solution at a limit of the plan's formulas; `None` if this fails.
+    #[cold]
+    fn refine(&self, at: &Instant<'_>, PlanSolution { q, q_dot, q_ddot, margins }: &mut PlanSolution<M>) -> Option<()> {
+        if all_above(margins.as_ref(), ACCURATE) {
+            return Some(());
+        }
+        let mut equations = self.equations(at).ok()?;
+        refine(&mut equations, true, [q.as_mut(), q_dot.as_mut(), q_ddot.as_mut()]).ok()
     }
 
     /// The state with these rates, if it satisfies all rows.
@@ -246,6 +258,9 @@ impl<M: Mechanism> Solver<'_, M> {
         self.solved(parameters, at, start.q.as_ref(), start.modes.of_closures(), q.as_mut(), &mut margins)?;
         if !margins.are_good() || !self.stays_near(parameters, at, start.q.as_ref(), q.as_ref()) {
             return None;
+        }
+        if !all_above(margins.as_ref(), ACCURATE) {
+            correct(&mut self.equations(at).ok()?, q.as_mut()).ok()?;
         }
         let mut workspace = M::workspace::<f64>();
         let still = M::Coordinates::<f64>::filled(0.0);

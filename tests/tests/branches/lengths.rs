@@ -155,8 +155,16 @@ struct Drawn<M> {
 const SHARE: f64 = 0.15;
 
 fn obeys<M: Kinematics + Sync + Clone + Debug>(family: &str, seed: u64, draw: impl Fn(&mut Random) -> Drawn<M>) {
+    obey(family, (seed, SHARE), draw);
+}
+
+fn obey<M: Kinematics + Sync + Clone + Debug>(
+    family: &str,
+    (seed, share): (u64, f64),
+    draw: impl Fn(&mut Random) -> Drawn<M>,
+) {
     let (mut random, mut tally, mut limits) = (Random::new(seed), Tally::default(), 0);
-    for _ in 0..motions(SHARE) {
+    for _ in 0..motions(share) {
         let (drawn, fold) = loop {
             let drawn = draw(&mut random);
             if let Some(fold) = end(&*drawn.measure) {
@@ -276,25 +284,31 @@ fn lines_that_time_turns() {
     });
 }
 
+fn root(random: &mut Random, is_finite: bool) -> Drawn<Root> {
+    let wave @ Wave(first) = Wave::random(random, [0.1, 0.5], if is_finite { 0.8 } else { 1.5 });
+    let b = random.between(0.5, 1.5);
+    let branch = move |t: f64, off: f64| {
+        let a = wave.at(t, off);
+        let square = a * 4.0 + b * b;
+        let sum = (square.x > 0.0).then(|| square.sqrt() + b)?;
+        Some(vec![if is_finite { Jet::from(2.0) / sum } else { sum / (a * -2.0) }])
+    };
+    let measure = move |t: f64| {
+        let a = wave.at(t, 0.0).x;
+        if is_finite { b * b + 4.0 * a } else { a }
+    };
+    Drawn { mechanism: Root { b, first }, branch: Box::new(branch), measure: Box::new(measure) }
+}
+
 #[test]
 fn roots_of_quadratic_equations() {
-    for (seed, is_finite) in [(2006, true), (2007, false)] {
-        obeys("roots", seed, move |random| {
-            let wave @ Wave(first) = Wave::random(random, [0.1, 0.5], if is_finite { 0.8 } else { 1.5 });
-            let b = random.between(0.5, 1.5);
-            let branch = move |t: f64, off: f64| {
-                let a = wave.at(t, off);
-                let square = a * 4.0 + b * b;
-                let sum = (square.x > 0.0).then(|| square.sqrt() + b)?;
-                Some(vec![if is_finite { Jet::from(2.0) / sum } else { sum / (a * -2.0) }])
-            };
-            let measure = move |t: f64| {
-                let a = wave.at(t, 0.0).x;
-                if is_finite { b * b + 4.0 * a } else { a }
-            };
-            Drawn { mechanism: Root { b, first }, branch: Box::new(branch), measure: Box::new(measure) }
-        });
-    }
+    obeys("roots", 2006, |random| root(random, true));
+}
+
+/// The steps become smaller and smaller towards infinity, so that there are fewer of these motions.
+#[test]
+fn roots_that_go_to_infinity() {
+    obey("roots at infinity", (2007, 0.3 * SHARE), |random| root(random, false));
 }
 
 #[test]

@@ -1,9 +1,8 @@
 //! Laws of drawings: every body on a page has the pose that the analysis computes.
 
 use crate::motion::grid;
-use kin_runtime::{Kinematics, Mechanism, Signal};
-use kin_tests::mechanisms::write_signals;
-use kin_tests::programs::run;
+use kin_runtime::Signal;
+use kin_tests::subject::{Inputs, Setup, Subject};
 use serde_json::Value;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -33,16 +32,14 @@ fn pose(data: &Value, group: usize, instant: usize) -> [f64; 3] {
 }
 
 /// The inputs at the first instant, as command-line options.
-fn inputs<M: Mechanism>(from: f64) -> Vec<String> {
-    let mut signals = vec![Signal::default(); M::INPUTS];
-    write_signals::<M>(from, &mut signals);
+fn inputs(mechanism: &dyn Subject, from: f64) -> Vec<String> {
     let option = |(name, u): (&&str, &Signal)| format!("--input={name}={},{},{}", u.value, u.rate, u.acceleration);
-    M::model().inputs.iter().zip(&signals).map(option).collect()
+    mechanism.model().inputs.iter().zip(&mechanism.signals(from)).map(option).collect()
 }
 
 /// The poses of the groups are those of the bodies, up to the translation, scaling and reflection of the picture.
-pub(crate) fn drawings_show_the_poses<M: Kinematics + Default>(from: f64, to: f64) {
-    let model = M::model();
+pub(crate) fn drawings_show_the_poses(mechanism: &dyn Subject, from: f64, to: f64) {
+    let model = mechanism.model();
     if model.bodies.is_empty() {
         return;
     }
@@ -53,22 +50,20 @@ pub(crate) fn drawings_show_the_poses<M: Kinematics + Default>(from: f64, to: f6
     let mut line = vec!["program".to_owned(), "animate".to_owned(), "--least-norm".to_owned()];
     line.push(format!("--times={}", instants.join(",")));
     line.push(format!("--out={}", file.display()));
-    line.extend(inputs::<M>(from));
-    let _ = run(model.name, line.into_iter().map(Into::into).collect());
+    line.extend(inputs(mechanism, from));
+    let _ = mechanism.run(line.into_iter().map(Into::into).collect());
     let page = read(&file);
     let (data, groups) = (data(&page), groups_of_bodies(&page));
     assert_eq!(groups.len(), model.bodies.len());
 
-    let first = {
-        let mut signals = vec![Signal::default(); M::INPUTS];
-        write_signals::<M>(from, &mut signals);
-        signals
-    };
+    let first = mechanism.signals(from);
     let after = |t: f64, out: &mut [Signal]| {
         out.iter_mut().zip(&first).for_each(|(to, u)| *to = u.after(t - from));
     };
-    let mechanism = M::default();
-    let states = mechanism.solver().with_inputs(&after).sweep(&times).expect("it moves");
+    let states = mechanism
+        .solver_with(Setup { inputs: Inputs::By(&after), ..Setup::default() })
+        .sweep(&times)
+        .expect("it moves");
     let mut pairs = Vec::new();
     for (instant, state) in states.iter().enumerate() {
         let motion = mechanism.solver().motion(state).expect("it is solved");

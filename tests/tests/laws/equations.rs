@@ -1,62 +1,60 @@
 //! Laws of the equations at configurations that do not satisfy Φ = 0.
 
-use crate::{When, evaluated, random_configuration};
+use crate::{When, random_configuration};
 use kin_runtime::model::{BodyInfo, CoordinateKind, Frame, JointKind};
-use kin_runtime::{Instant, Kinematics, Mechanism, Subset};
+use kin_runtime::{Instant, Subset};
 use kin_tests::compare::{Differences, largest};
 use kin_tests::random::Random;
+use kin_tests::subject::Subject;
 use std::collections::BTreeSet;
 
 /// Φ_q, Φ_t and γ agree with dual numbers, at configurations that do not satisfy Φ = 0.
-pub(crate) fn closed_forms_equal_duals<M: Kinematics + Default>() {
-    let check = M::default().cross_check().unwrap();
+pub(crate) fn closed_forms_equal_duals(mechanism: &dyn Subject) {
+    let check = mechanism.cross_check().unwrap();
     assert!(check.configurations > 0 && check.passes(1e-12), "{check}");
 }
 
 /// Φ, Φ_q, Φ_t and γ alone, and the pairs that analyses request, agree with the complete evaluation bit by bit.
-pub(crate) fn subsets_equal_the_whole<M: Mechanism + Default>() {
-    let mechanism = M::default();
-    let (when, q, q_dot) = random_configuration::<M>(&mut Random::new(3));
+pub(crate) fn subsets_equal_the_whole(mechanism: &dyn Subject) {
+    let (when, q, q_dot) = random_configuration(mechanism, &mut Random::new(3));
     let at = when.at();
-    let whole = evaluated(&mechanism, &at, &q, &q_dot);
+    let whole = mechanism.evaluate(Subset::ALL, &at, &q, &q_dot);
     let bits = |values: &[f64]| values.iter().map(|value| value.to_bits()).collect::<Vec<_>>();
-    assert_eq!(bits(whole.phi()), bits(mechanism.constraints(&at, &q).unwrap().as_ref()));
-    assert_eq!(bits(whole.phi_q()), bits(mechanism.jacobian(&at, &q).unwrap().as_ref()));
-    assert_eq!(bits(whole.phi_t()), bits(mechanism.time_derivative(&at, &q).unwrap().as_ref()));
-    assert_eq!(bits(whole.gamma()), bits(mechanism.gamma(&at, &q, &q_dot).unwrap().as_ref()));
+    assert_eq!(bits(&whole.phi), bits(&mechanism.constraints(&at, &q).unwrap()));
+    assert_eq!(bits(&whole.phi_q), bits(&mechanism.jacobian(&at, &q).unwrap()));
+    assert_eq!(bits(&whole.phi_t), bits(&mechanism.time_derivative(&at, &q).unwrap()));
+    assert_eq!(bits(&whole.gamma), bits(&mechanism.gamma(&at, &q, &q_dot).unwrap()));
     for subset in [Subset::POSITION, Subset::VELOCITY] {
-        let mut part = M::workspace::<f64>();
-        mechanism.evaluate(subset, &at, &q, &q_dot, &mut part).unwrap();
-        assert_eq!(bits(whole.phi_q()), bits(part.phi_q()));
+        let part = mechanism.evaluate(subset, &at, &q, &q_dot);
+        assert_eq!(bits(&whole.phi_q), bits(&part.phi_q));
         if subset.phi {
-            assert_eq!(bits(whole.phi()), bits(part.phi()));
+            assert_eq!(bits(&whole.phi), bits(&part.phi));
         }
         if subset.phi_t {
-            assert_eq!(bits(whole.phi_t()), bits(part.phi_t()));
+            assert_eq!(bits(&whole.phi_t), bits(&part.phi_t));
         }
     }
 }
 
 /// The equations in `f32` agree with those in `f64`, up to the precision of `f32`.
-pub(crate) fn single_precision_agrees<M: Mechanism + Default>() {
-    let mechanism = M::default();
+pub(crate) fn single_precision_agrees(mechanism: &dyn Subject) {
     let mut random = Random::new(11);
     let mut differences = Differences::new();
     for round in 0..5 {
-        let (when, q, q_dot) = random_configuration::<M>(&mut random);
+        let (when, q, q_dot) = random_configuration(mechanism, &mut random);
         let single = |values: &[f64]| values.iter().map(|&value| value as f32).collect::<Vec<_>>();
         let (t, q, q_dot) = (when.t as f32, single(&q), single(&q_dot));
         let inputs: Vec<_> = when.inputs.iter().map(|u| u.map(|value| value as f32)).collect();
         let double = |values: &[f32]| values.iter().map(|&value| f64::from(value)).collect::<Vec<_>>();
         let rounded = When { t: f64::from(t), inputs: inputs.iter().map(|u| u.map(f64::from)).collect() };
-        let expected = evaluated(&mechanism, &rounded.at(), &double(&q), &double(&q_dot));
-        let found = evaluated(&mechanism, &Instant { t, inputs: &inputs }, &q, &q_dot);
+        let expected = mechanism.evaluate(Subset::ALL, &rounded.at(), &double(&q), &double(&q_dot));
+        let found = mechanism.evaluate_single(&Instant { t, inputs: &inputs }, &q, &q_dot);
         differences.at(format_args!("configuration {round}"));
         let parts = [
-            ("Φ", expected.phi(), found.phi()),
-            ("Φ_q", expected.phi_q(), found.phi_q()),
-            ("Φ_t", expected.phi_t(), found.phi_t()),
-            ("γ", expected.gamma(), found.gamma()),
+            ("Φ", &expected.phi, &found.phi),
+            ("Φ_q", &expected.phi_q, &found.phi_q),
+            ("Φ_t", &expected.phi_t, &found.phi_t),
+            ("γ", &expected.gamma, &found.gamma),
         ];
         for (what, expected, found) in parts {
             let tolerance = 2e-5 * largest(expected).max(1.0);
@@ -68,9 +66,8 @@ pub(crate) fn single_precision_agrees<M: Mechanism + Default>() {
 
 /// The norm of the residual of a joint between moving bodies does not change under a common rigid motion of all its
 /// bodies.
-pub(crate) fn joints_do_not_feel_rigid_motion<M: Mechanism + Default>() {
-    let mechanism = M::default();
-    let model = M::model();
+pub(crate) fn joints_do_not_feel_rigid_motion(mechanism: &dyn Subject) {
+    let model = mechanism.model();
     let mut random = Random::new(29);
     for joint in model.joints {
         let [Some(Frame::Body(first)), Some(Frame::Body(second))] = joint.frames else { continue };
@@ -99,7 +96,7 @@ pub(crate) fn joints_do_not_feel_rigid_motion<M: Mechanism + Default>() {
         if poses.iter().flatten().any(Option::is_none) {
             continue;
         }
-        let (when, q, _) = random_configuration::<M>(&mut random);
+        let (when, q, _) = random_configuration(mechanism, &mut random);
         let (turn, shift) = (random.between(-3.0, 3.0), random.vector(2, -2.0, 2.0));
         let (sin, cos) = turn.sin_cos();
         let mut moved = q.clone();
@@ -119,7 +116,7 @@ pub(crate) fn joints_do_not_feel_rigid_motion<M: Mechanism + Default>() {
         }
         let norm = |q: &[f64]| {
             let phi = mechanism.constraints(&when.at(), q).expect("lengths agree");
-            let rows = &phi.as_ref()[joint.first_row..joint.first_row + joint.rows];
+            let rows = &phi[joint.first_row..joint.first_row + joint.rows];
             rows.iter().map(|row| row * row).sum::<f64>().sqrt()
         };
         let (before, after) = (norm(&q), norm(&moved));

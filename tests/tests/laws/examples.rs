@@ -15,7 +15,7 @@ macro_rules! laws {
             $(
                 #[test]
                 fn $name() {
-                    super::equations::closed_forms_equal_duals::<super::examples::$name::$Mechanism>();
+                    super::equations::closed_forms_equal_duals(&super::examples::$name::$Mechanism::default());
                 }
             )+
         }
@@ -24,7 +24,7 @@ macro_rules! laws {
             $(
                 #[test]
                 fn $name() {
-                    super::typeset::typeset_equations_are_the_code::<super::examples::$name::$Mechanism>();
+                    super::typeset::typeset_equations_are_the_code(&super::examples::$name::$Mechanism::default());
                 }
             )+
         }

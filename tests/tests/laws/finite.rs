@@ -1,22 +1,22 @@
 //! NaN, infinity and wrong lengths in arguments cause an error in every analysis.
 
 use crate::When;
-use kin_runtime::{Instant, Kinematics, LengthError, Signal, SolveError, State};
-use kin_tests::mechanisms::write_signals;
+use kin_runtime::{Instant, LengthError, Options, Signal, SolveError, State};
+use kin_tests::subject::{Setup, Subject};
 use std::fmt::Debug;
 
 /// NaN or infinity in time, q, q̇, guesses or parameters.
-pub(crate) fn nothing_comes_of_what_is_not_finite<M: Kinematics + Default>(t: f64) {
-    let mechanism = M::default();
-    let good = mechanism.state_at(&When::of::<M>(t).at()).unwrap();
+pub(crate) fn nothing_comes_of_what_is_not_finite(mechanism: &dyn Subject, t: f64) {
+    let model = mechanism.model();
+    let good = mechanism.state_at(&When::of(mechanism, t).at()).unwrap();
     for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
-        at_a_bad_time(&mechanism, &good, bad);
-        for place in [0, M::COORDINATES / 2, M::COORDINATES - 1] {
-            with_a_bad_coordinate(&mechanism, &good, place, bad);
+        at_a_bad_time(mechanism, &good, bad);
+        for place in [0, model.coordinates.len() / 2, model.coordinates.len() - 1] {
+            with_a_bad_coordinate(mechanism, &good, place, bad);
         }
-        for parameter in 0..M::PARAMETERS {
-            let mut broken = M::default();
-            assert!(broken.set_parameter(parameter, bad), "{}", M::model().parameters[parameter].name);
+        for parameter in 0..model.parameters.len() {
+            let mut broken = mechanism.anew();
+            assert!(broken.set_parameter(parameter, bad), "{}", model.parameters[parameter].name);
             let at = good.instant();
             refused("state with a bad parameter", broken.state_at(&at));
             refused("position with a bad parameter", broken.position_analysis(&at, &good.q));
@@ -27,9 +27,9 @@ pub(crate) fn nothing_comes_of_what_is_not_finite<M: Kinematics + Default>(t: f6
     }
 }
 
-fn at_a_bad_time<M: Kinematics>(mechanism: &M, good: &State, bad: f64) {
+fn at_a_bad_time(mechanism: &dyn Subject, good: &State, bad: f64) {
     let at = Instant { t: bad, inputs: &good.inputs };
-    let solver = mechanism.solver().with_inputs(&write_signals::<M>);
+    let solver = mechanism.driven(Options::default());
     refused("state", solver.state(&at));
     refused("assemble", solver.assemble(&at));
     refused("position", solver.position(&at, &good.q));
@@ -45,7 +45,7 @@ fn at_a_bad_time<M: Kinematics>(mechanism: &M, good: &State, bad: f64) {
     }
 }
 
-fn with_a_bad_coordinate<M: Kinematics>(mechanism: &M, good: &State, place: usize, bad: f64) {
+fn with_a_bad_coordinate(mechanism: &dyn Subject, good: &State, place: usize, bad: f64) {
     let at = good.instant();
     let solver = mechanism.solver();
     let mut q = good.q.clone();
@@ -60,7 +60,8 @@ fn with_a_bad_coordinate<M: Kinematics>(mechanism: &M, good: &State, place: usiz
     refused("acceleration, q_dot", solver.acceleration(&at, &good.q, &q_dot));
     refused("mobility", solver.mobility(&at, &q));
     refused("transmission angles", solver.transmission_angles(&at, &q));
-    refused("guess", solver.clone().with_guess(place, bad).assemble(&at));
+    let guessed = mechanism.solver_with(Setup { guess: Some((place, bad)), ..Setup::default() });
+    refused("guess", guessed.assemble(&at));
     refused("motion", solver.motion(&State { q: q.clone(), ..good.clone() }));
     refused("motion, q_dot", solver.motion(&State { q_dot: q_dot.clone(), ..good.clone() }));
     refused("velocity ratios", solver.velocity_ratios(&State { q, ..good.clone() }));
@@ -75,15 +76,15 @@ fn refused<T: Debug>(what: &str, answer: Result<T, SolveError>) {
 }
 
 /// Lists that are one element too short or too long, and inputs that the mechanism does not have.
-pub(crate) fn wrong_lengths_are_errors<M: Kinematics + Default>(t: f64) {
-    let mechanism = M::default();
-    let when = When::of::<M>(t);
+pub(crate) fn wrong_lengths_are_errors(mechanism: &dyn Subject, t: f64) {
+    let model = mechanism.model();
+    let when = When::of(mechanism, t);
     let at = when.at();
-    let solver = mechanism.solver().with_inputs(&write_signals::<M>);
-    wrong_inputs_are_named(&mechanism, &when);
-    let right = vec![0.1; M::COORDINATES];
-    for length in [0, M::COORDINATES - 1, M::COORDINATES + 1] {
-        if length == M::COORDINATES {
+    let solver = mechanism.driven(Options::default());
+    wrong_inputs_are_named(mechanism, &when);
+    let right = vec![0.1; model.coordinates.len()];
+    for length in [0, model.coordinates.len() - 1, model.coordinates.len() + 1] {
+        if length == model.coordinates.len() {
             continue;
         }
         let wrong = vec![0.1; length];
@@ -105,15 +106,16 @@ pub(crate) fn wrong_lengths_are_errors<M: Kinematics + Default>(t: f64) {
 }
 
 /// One input too many, one too few, and inputs that are not finite.
-fn wrong_inputs_are_named<M: Kinematics>(mechanism: &M, when: &When) {
+fn wrong_inputs_are_named(mechanism: &dyn Subject, when: &When) {
+    let model = mechanism.model();
     let mut more = when.inputs.clone();
     more.push(Signal::default());
     for inputs in [&more[..], when.inputs.get(1..).unwrap_or(&more)] {
         let error = mechanism.state_at(&Instant { t: when.t, inputs }).unwrap_err();
-        let right = LengthError { what: "inputs", expected: M::INPUTS, found: inputs.len() };
+        let right = LengthError { what: "inputs", expected: model.inputs.len(), found: inputs.len() };
         assert_eq!(SolveError::Length(right), error);
     }
-    for (place, input) in M::model().inputs.iter().enumerate() {
+    for (place, input) in model.inputs.iter().enumerate() {
         for part in 0..3 {
             let mut inputs = when.inputs.clone();
             let broken = &mut inputs[place];

@@ -2,16 +2,16 @@
 
 use crate::motion::swept;
 use kin_runtime::model::{Level, Model};
-use kin_runtime::{Derivatives, Kinematics, Mechanism, MotionDerivatives, Options, SolveError, State};
+use kin_runtime::{Derivatives, MotionDerivatives, Options, SolveError, State};
 use kin_tests::compare::{Differences, largest};
-use kin_tests::mechanisms::signals;
 use kin_tests::stencil::Stencil;
+use kin_tests::subject::{Setup, Subject};
 
 /// The third and fourth derivatives of the inputs, by differences of their accelerations.
-fn further<M: Mechanism>(t: f64) -> Vec<[f64; 2]> {
+fn further(mechanism: &dyn Subject, t: f64) -> Vec<[f64; 2]> {
     let h = 1e-2;
-    let samples: Vec<_> = (-3..=3).map(|k| signals::<M>(t + f64::from(k) * h)).collect();
-    (0..M::INPUTS)
+    let samples: Vec<_> = (-3..=3).map(|k| mechanism.signals(t + f64::from(k) * h)).collect();
+    (0..mechanism.model().inputs.len())
         .map(|input| {
             let [a, b, c, d, e, f, g] = std::array::from_fn(|k| samples[k][input].acceleration);
             let first = (45.0 * (e - c) - 9.0 * (f - b) + (g - a)) / (60.0 * h);
@@ -23,13 +23,14 @@ fn further<M: Mechanism>(t: f64) -> Vec<[f64; 2]> {
 
 /// All derivatives up to the fourth; `None` where those of a supplied function are unknown, which must be the error
 /// reported.
-fn to_the_fourth<M: Mechanism>(mechanism: &M, state: &State) -> Option<Derivatives> {
-    let further = further::<M>(state.t);
+fn to_the_fourth(mechanism: &dyn Subject, state: &State) -> Option<Derivatives> {
+    let model = mechanism.model();
+    let further = further(mechanism, state.t);
     let further: Vec<&[f64]> = further.iter().map(|list| &list[..]).collect();
     match mechanism.solver().derivatives_with(state, 4, &further) {
         Ok(derivatives) => Some(derivatives),
         Err(SolveError::UnknownDerivative { order: 3, what: "function", name, known: 2, .. }) => {
-            assert!(M::model().functions.contains(&name), "{name}");
+            assert!(model.functions.contains(&name), "{name}");
             None
         }
         Err(error) => panic!("{error}"),
@@ -37,24 +38,24 @@ fn to_the_fourth<M: Mechanism>(mechanism: &M, state: &State) -> Option<Derivativ
 }
 
 /// The third and fourth derivatives of q are the first and second derivatives of q̈.
-pub(crate) fn third_and_fourth_are_derivatives<M: Kinematics + Default>(from: f64, to: f64) {
-    let mechanism = M::default();
+pub(crate) fn third_and_fourth_are_derivatives(mechanism: &dyn Subject, from: f64, to: f64) {
+    let model = mechanism.model();
     let mut differences = Differences::new();
     for stencil in Stencil::several(from, to).map(Stencil::halved) {
-        let states = swept(&mechanism, &stencil.times(from)).states;
+        let states = swept(mechanism, &stencil.times(from)).states;
         let states = &states[1..];
         let middle = &states[Stencil::REACH];
-        let Some(found) = to_the_fourth(&mechanism, middle) else { return };
+        let Some(found) = to_the_fourth(mechanism, middle) else { return };
         assert_eq!([&middle.q, &middle.q_dot, &middle.q_ddot], [&found.q[0], &found.q[1], &found.q[2]]);
         if middle.degrees_of_freedom_left > 0 {
             return;
         }
         differences.at(format_args!("t = {}", middle.t));
         let scales = [largest(&found.q[3]), largest(&found.q[4])];
-        for place in 0..M::COORDINATES {
+        for place in 0..model.coordinates.len() {
             let samples: Vec<f64> = states.iter().map(|state| state.q_ddot[place]).collect();
             let found = [found.q[3][place], found.q[4][place]];
-            stencil.compare(&mut differences, M::model().coordinates[place].name, &samples, found, scales);
+            stencil.compare(&mut differences, model.coordinates[place].name, &samples, found, scales);
         }
     }
     differences.finish();
@@ -66,15 +67,15 @@ const HIGHEST: usize = 10;
 /// Taylor's formula with all orders gives the neighbouring positions found by position analysis, and every order agrees
 /// with that from a factorisation of the whole Φ_q. The unit of time is the step at which the highest orders are as
 /// small as 1e-9 of the coordinates.
-pub(crate) fn series_reach_the_motion<M: Kinematics + Default>(from: f64, to: f64) {
-    let model = M::model();
-    let known = M::INPUTS == 0 && model.functions.is_empty();
+pub(crate) fn series_reach_the_motion(mechanism: &dyn Subject, from: f64, to: f64) {
+    let model = mechanism.model();
+    let known = model.inputs.is_empty() && model.functions.is_empty();
     if !known || model.rows.iter().any(|row| row.level == Level::Velocity) {
         return;
     }
-    let mechanism = M::default();
-    let whole = mechanism.solver().with_options(Options { use_plan: false, ..Options::default() });
-    for state in &swept(&mechanism, &[from, from + 0.4 * (to - from)]) {
+    let whole =
+        mechanism.solver_with(Setup { options: Options { use_plan: false, ..Options::default() }, ..Setup::default() });
+    for state in &swept(mechanism, &[from, from + 0.4 * (to - from)]) {
         if state.degrees_of_freedom_left > 0 {
             return;
         }
@@ -97,7 +98,7 @@ pub(crate) fn series_reach_the_motion<M: Kinematics + Default>(from: f64, to: f6
         }
         for h in [h, -h] {
             let term = |k: usize, place: usize| found.q[k][place] * h.powi(k as i32) / factorials[k];
-            let series = (0..M::COORDINATES).map(|place| (0..=HIGHEST).rev().map(|k| term(k, place)).sum());
+            let series = (0..model.coordinates.len()).map(|place| (0..=HIGHEST).rev().map(|k| term(k, place)).sum());
             let series: Vec<f64> = series.collect();
             let reached = mechanism.solver().position(&(state.t + h).into(), &series).unwrap().q;
             for (place, (series, reached)) in series.iter().zip(&reached).enumerate() {
@@ -132,21 +133,21 @@ fn reported(model: &Model, motion: &MotionDerivatives) -> Vec<(String, Vec<f64>)
 
 /// The reported quantities agree with the motion up to the second order, and their third and fourth derivatives are the
 /// derivatives of the second.
-pub(crate) fn reported_orders_are_derivatives<M: Kinematics + Default>(from: f64, to: f64) {
-    if M::model().observables.is_empty() {
+pub(crate) fn reported_orders_are_derivatives(mechanism: &dyn Subject, from: f64, to: f64) {
+    let model = mechanism.model();
+    if model.observables.is_empty() {
         return;
     }
-    let mechanism = M::default();
     let solver = mechanism.solver();
     let mut differences = Differences::new();
     for stencil in Stencil::several(from, to).map(Stencil::halved) {
-        let states = swept(&mechanism, &stencil.times(from)).states;
-        let Some(middle) = to_the_fourth(&mechanism, &states[1 + Stencil::REACH]) else { return };
+        let states = swept(mechanism, &stencil.times(from)).states;
+        let Some(middle) = to_the_fourth(mechanism, &states[1 + Stencil::REACH]) else { return };
         if states[0].degrees_of_freedom_left > 0 {
             return;
         }
         let motion = |derivatives: &Derivatives| {
-            reported(M::model(), &solver.motion_derivatives(derivatives).unwrap_or_else(|error| panic!("{error}")))
+            reported(model, &solver.motion_derivatives(derivatives).unwrap_or_else(|error| panic!("{error}")))
         };
         let samples: Vec<_> =
             states[1..].iter().map(|state| motion(&solver.derivatives(state, 2).expect("a solved state"))).collect();
@@ -164,10 +165,9 @@ pub(crate) fn reported_orders_are_derivatives<M: Kinematics + Default>(from: f64
 }
 
 /// Up to the second order, the reported quantities are those of the motion.
-pub(crate) fn low_orders_are_the_motion<M: Kinematics + Default>(from: f64, to: f64) {
-    let mechanism = M::default();
+pub(crate) fn low_orders_are_the_motion(mechanism: &dyn Subject, from: f64, to: f64) {
     let solver = mechanism.solver();
-    for state in &swept(&mechanism, &[from, 0.5 * (from + to)]) {
+    for state in &swept(mechanism, &[from, 0.5 * (from + to)]) {
         let motion = solver.motion(state).unwrap();
         let orders = solver.motion_derivatives(&solver.derivatives(state, 2).unwrap()).unwrap();
         let close =

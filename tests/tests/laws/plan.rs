@@ -2,53 +2,28 @@
 
 use crate::When;
 use crate::motion::{grid, swept};
-use kin_runtime::plan::{Depth, Solved};
-use kin_runtime::{Kinematics, Options, Planned, Solver};
+use kin_runtime::Options;
 use kin_tests::compare::{Differences, largest};
-use kin_tests::mechanisms::write_signals;
-use kin_tests::modes;
+use kin_tests::subject::{Analyses, Subject};
 
 /// A solver by full Newton, without the plan.
-pub(crate) fn newton<M: Kinematics>(mechanism: &M) -> Solver<'_, M> {
+pub(crate) fn newton(mechanism: &dyn Subject) -> Box<dyn Analyses + '_> {
     let options = Options { use_plan: false, ..Options::default() };
-    mechanism.solver().with_options(options).with_inputs(&write_signals::<M>)
-}
-
-/// q, q̇, q̈ and margins by the plan.
-pub(crate) struct ByPlan {
-    q: Vec<f64>,
-    q_dot: Vec<f64>,
-    q_ddot: Vec<f64>,
-    pub(crate) margins: Vec<f64>,
-}
-
-pub(crate) fn by_plan<M: Kinematics>(
-    mechanism: &M,
-    at: &kin_runtime::Instant<'_>,
-    modes: &[f64],
-    start: &[f64],
-) -> ByPlan {
-    let none = || vec![f64::NAN; M::COORDINATES];
-    let mut out = ByPlan { q: none(), q_dot: none(), q_ddot: none(), margins: vec![f64::NAN; M::model().plan.margins] };
-    let ByPlan { q, q_dot, q_ddot, margins } = &mut out;
-    let parameters = mechanism.parameters::<f64>();
-    mechanism
-        .solve_with(parameters.as_ref(), at, modes, start, Depth::Acceleration, Solved { q, q_dot, q_ddot, margins })
-        .unwrap();
-    out
+    mechanism.driven(options)
 }
 
 /// Along a sweep, from a start near each state, the plan gives the same q, q̇ and q̈ up to conditioning.
-pub(crate) fn plans_equal_newton<M: Kinematics + Default>(from: f64, to: f64) {
-    let (mechanism, plan) = (M::default(), &M::model().plan);
+pub(crate) fn plans_equal_newton(mechanism: &dyn Subject, from: f64, to: f64) {
+    let model = mechanism.model();
+    let plan = &model.plan;
     if !plan.exists() {
         return;
     }
     let (mut differences, mut compared) = (Differences::new(), 0);
-    for state in &newton(&mechanism).sweep(&grid(from, to, 12)).unwrap() {
-        let modes = modes(&mechanism, &state.instant(), &state.q);
+    for state in &newton(mechanism).sweep(&grid(from, to, 12)).unwrap() {
+        let modes = mechanism.modes(&state.instant(), &state.q);
         let start: Vec<f64> = state.q.iter().enumerate().map(|(k, q)| q + 1e-3 * (k as f64).sin()).collect();
-        let found = by_plan(&mechanism, &state.instant(), &modes, &start);
+        let found = mechanism.by_plan(&state.instant(), &modes, &start);
         let margin = found.margins.iter().copied().fold(1.0, f64::min);
         assert!(!margin.is_nan(), "{:?}", found.margins);
         if margin < 1e-4 {
@@ -56,7 +31,7 @@ pub(crate) fn plans_equal_newton<M: Kinematics + Default>(from: f64, to: f64) {
         }
         compared += 1;
         differences.at(format_args!("t = {}, margin {margin}", state.t));
-        let name = |place: usize| M::model().coordinates[place].name;
+        let name = |place: usize| model.coordinates[place].name;
         let pairs = [
             ("q", &state.q, &found.q),
             ("q_dot", &state.q_dot, &found.q_dot),
@@ -67,7 +42,7 @@ pub(crate) fn plans_equal_newton<M: Kinematics + Default>(from: f64, to: f64) {
             differences.vector(what, name, newton, plan, room);
         }
         // Analyses of a given configuration, which need not satisfy Φ = 0.
-        let by_newton = newton(&mechanism);
+        let by_newton = newton(mechanism);
         for q in [&state.q, &start] {
             let at = state.instant();
             let found = [mechanism.velocity_analysis(&at, q), mechanism.acceleration_analysis(&at, q, &state.q_dot)];
@@ -85,13 +60,13 @@ pub(crate) fn plans_equal_newton<M: Kinematics + Default>(from: f64, to: f64) {
 }
 
 /// A sweep by the plan gives the same results as one by full Newton, and needs no fallback to Newton away from limits.
-pub(crate) fn sweeps_by_plan_equal_newton<M: Kinematics + Default>(from: f64, to: f64) {
-    let mechanism = M::default();
+pub(crate) fn sweeps_by_plan_equal_newton(mechanism: &dyn Subject, from: f64, to: f64) {
+    let model = mechanism.model();
     let times = grid(from, to, 60);
-    let (found, expected) = (swept(&mechanism, &times), newton(&mechanism).sweep(&times).unwrap());
+    let (found, expected) = (swept(mechanism, &times), newton(mechanism).sweep(&times).unwrap());
     assert!(expected.fallbacks.is_empty());
     let mut differences = Differences::new();
-    let name = |place: usize| M::model().coordinates[place].name;
+    let name = |place: usize| model.coordinates[place].name;
     for (found, expected) in found.iter().zip(&expected) {
         differences.at(format_args!("t = {}", found.t));
         differences.equal("degrees of freedom", expected.degrees_of_freedom_left, found.degrees_of_freedom_left);
@@ -107,7 +82,7 @@ pub(crate) fn sweeps_by_plan_equal_newton<M: Kinematics + Default>(from: f64, to
         differences.number("residual", 0.0, found.residual, 1e-12);
     }
     differences.equal("events", expected.events.len(), found.events.len());
-    if !M::model().plan.exists() {
+    if !model.plan.exists() {
         differences.equal("fallbacks without a plan", 0, found.fallbacks.len());
     }
     for fallback in &found.fallbacks {
@@ -117,35 +92,33 @@ pub(crate) fn sweeps_by_plan_equal_newton<M: Kinematics + Default>(from: f64, to
 }
 
 /// `Planned` gives the same states as a sweep by full Newton; its modes keep their signs and its margins are positive.
-pub(crate) fn planned_instants_equal_newton<M: Kinematics + Default>(from: f64, to: f64) {
-    let (mechanism, plan) = (M::default(), &M::model().plan);
-    let start = When::of::<M>(from);
+pub(crate) fn planned_instants_equal_newton(mechanism: &dyn Subject, from: f64, to: f64) {
+    let model = mechanism.model();
+    let plan = &model.plan;
+    let (start, solver) = (When::of(mechanism, from), mechanism.solver());
     if !plan.exists() {
-        let error = mechanism.solver().planned(&start.at()).unwrap_err();
+        let error = solver.planned(&start.at()).err().expect("there is no plan");
         assert!(error.to_string().starts_with("no plan because "), "{error}");
         return;
     }
-    let mut planned = mechanism.solver().planned(&start.at()).unwrap();
-    let signs: Vec<_> = planned.modes().collect();
+    let mut planned = solver.planned(&start.at()).unwrap();
+    let signs = planned.modes();
     let mut differences = Differences::new();
-    let name = |place: usize| M::model().coordinates[place].name;
-    for expected in &newton(&mechanism).sweep(&grid(from, to, 120)).unwrap() {
-        let found: &Planned<'_, M> = match planned.at(&expected.instant()) {
-            Ok(found) => found,
-            Err(error) => panic!("{error}"),
-        };
+    let name = |place: usize| model.coordinates[place].name;
+    for expected in &newton(mechanism).sweep(&grid(from, to, 120)).unwrap() {
+        let found = planned.at(&expected.instant()).unwrap_or_else(|error| panic!("{error}"));
         differences.at(format_args!("t = {}", expected.t));
-        let modes = mechanism.solver().modes(&expected.instant(), &expected.q).unwrap();
+        let modes = solver.modes(&expected.instant(), &expected.q).unwrap();
         differences.equal("modes", signs.clone(), modes.iter().filter_map(|mode| mode.sign).collect());
-        for (place, &margin) in found.margins().iter().enumerate() {
+        for (place, &margin) in found.margins.iter().enumerate() {
             if margin.is_nan() || margin <= 0.0 || margin > 1.0 {
                 differences.report(format_args!("margin {place}: {margin}"));
             }
         }
         let pairs = [
-            ("q", &expected.q, found.q()),
-            ("q_dot", &expected.q_dot, found.q_dot()),
-            ("q_ddot", &expected.q_ddot, found.q_ddot()),
+            ("q", &expected.q, &found.q),
+            ("q_dot", &expected.q_dot, &found.q_dot),
+            ("q_ddot", &expected.q_ddot, &found.q_ddot),
         ];
         for (what, expected, found) in pairs {
             let room = 1e-12 * largest(expected).max(1.0);

@@ -1,23 +1,23 @@
 //! Laws of the sparse factorisation of Φ_q: results agree with those by dense rank-revealing factorisations.
 
 use crate::motion::grid;
-use kin_runtime::{Kinematics, Options, Solver};
+use kin_runtime::Options;
 use kin_tests::compare::{Differences, largest};
-use kin_tests::mechanisms::write_signals;
+use kin_tests::subject::{Analyses, Subject};
 
 /// A solver by full Newton, with sparse or dense factorisations.
-fn newton<M: Kinematics>(mechanism: &M, use_sparse: bool) -> Solver<'_, M> {
+fn newton(mechanism: &dyn Subject, use_sparse: bool) -> Box<dyn Analyses + '_> {
     let options = Options { use_plan: false, use_sparse, ..Options::default() };
-    mechanism.solver().with_options(options).with_inputs(&write_signals::<M>)
+    mechanism.driven(options)
 }
 
 /// Sweeps by both factorisations agree, and so do single states.
-pub(crate) fn sparse_elimination_changes_nothing<M: Kinematics + Default>(from: f64, to: f64) {
-    let mechanism = M::default();
+pub(crate) fn sparse_elimination_changes_nothing(mechanism: &dyn Subject, from: f64, to: f64) {
+    let model = mechanism.model();
     let times = grid(from, to, 24);
-    let [sparse, dense] = [true, false].map(|use_sparse| newton(&mechanism, use_sparse));
+    let [sparse, dense] = [true, false].map(|use_sparse| newton(mechanism, use_sparse));
     let mut differences = Differences::new();
-    let name = |place: usize| M::model().coordinates[place].name;
+    let name = |place: usize| model.coordinates[place].name;
     let (swept, expected) = (sparse.sweep(&times).unwrap(), dense.sweep(&times).unwrap());
     differences.equal("states", expected.len(), swept.len());
     for (swept, expected) in swept.iter().zip(&expected) {
@@ -34,20 +34,16 @@ pub(crate) fn sparse_elimination_changes_nothing<M: Kinematics + Default>(from: 
             }
             differences.number("residual", 0.0, found.residual, 1e-12);
         }
-        conditions_are_true(&sparse, &alone, &mut differences);
+        conditions_are_true(&*sparse, &alone, &mut differences);
     }
     differences.finish();
 }
 
 /// κ₁ and κ₂ of an n×n matrix differ at most by a factor of n; the estimate may be too small by a factor of three.
-fn conditions_are_true<M: Kinematics>(
-    solver: &Solver<'_, M>,
-    state: &kin_runtime::State,
-    differences: &mut Differences,
-) {
+fn conditions_are_true(solver: &dyn Analyses, state: &kin_runtime::State, differences: &mut Differences) {
     let mobility = solver.mobility(&state.instant(), &state.q).unwrap();
-    let n = M::COORDINATES as f64;
-    if M::ROWS == M::COORDINATES && mobility.rank == M::COORDINATES {
+    let n = state.model.coordinates.len() as f64;
+    if state.model.rows.len() == state.model.coordinates.len() && mobility.rank == state.model.coordinates.len() {
         let condition = solver.condition(state).unwrap();
         let share = condition / mobility.condition;
         if share.is_nan() || share < 1.0 / (3.0 * n) || share > 1.001 * n {

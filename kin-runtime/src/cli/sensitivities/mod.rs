@@ -95,6 +95,9 @@ pub(in crate::cli) fn run(
     note_modes(session, engine, &setup, t);
     let found = engine.sensitivities(&setup, &state).map_err(|error| analysis(engine, &error))?;
     let (model, values) = (engine.model(), engine.parameters());
+    if model.parameters.is_empty() {
+        session.note("note: this mechanism has no parameters by which anything could be differentiated");
+    }
     let deviations = if args.tolerance.is_empty() { Vec::new() } else { deviations(&found, &tolerances) };
     let text = match output.form {
         Form::Json => {

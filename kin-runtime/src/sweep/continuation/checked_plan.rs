@@ -1,14 +1,11 @@
 //! Instants solved by the follower of the plan, checked with all rows of Φ, and completed to states.
 
 use super::step::Node;
-use crate::analysis::acceleration::acceleration;
 use crate::analysis::poses::poses;
-use crate::analysis::velocity;
+use crate::analysis::refinement::{ACCURATE, refine};
 use crate::equations::Equations;
 use crate::equations::contact;
-use crate::equations::factorisation::Purpose;
 use crate::equations::residual::{Row, Tolerances, closed, closed_position, write_lengths, write_sizes};
-use crate::equations::scale::Scale;
 use crate::equations::system::Followed;
 use crate::error::{Degeneracy, SolveError};
 use crate::options::Options;
@@ -40,11 +37,6 @@ pub(super) struct CheckedPlan {
     /// The largest residual allowed, relative to these sizes.
     allowed: f64,
 }
-
-/// Where all margins are larger than this, rates are accurate enough to skip the check with their equations, because
-/// the follower has checked the branch. A state without a preceding motion needs a larger margin,
-/// [`FAR_FROM_LIMITS`].
-const FAR: f64 = 1e-4;
 
 impl Control {
     /// The control parameters taken from the options of a solver.
@@ -112,8 +104,9 @@ impl CheckedPlan {
             Ok(Followed { least_margin, in_one_step, hides_motion }) => {
                 self.refused = None;
                 (self.in_one_step, self.hides_motion) = (in_one_step, hides_motion);
-                let far = if equations.model.plan.has_redundant_rows() { FAR_FROM_LIMITS } else { FAR };
-                let is_good = least_margin > far && self.complete_by_position(equations, state)?;
+                // Far from limits rates need no check with their equations, because the follower has checked the branch.
+                let is_good = least_margin > rates_are_accurate_above(equations)
+                    && self.complete_by_position(equations, state)?;
                 self.is_placed = is_good || self.complete_by_all_rows(equations, Some(before), least_margin, state)?;
             }
             Err(error) => {
@@ -168,8 +161,8 @@ impl CheckedPlan {
         least_margin: f64,
         state: &mut State,
     ) -> Result<bool, SolveError> {
-        if least_margin < FAR_FROM_LIMITS && equations.model.plan.has_redundant_rows() {
-            refine(equations, state)?;
+        if least_margin < rates_are_accurate_above(equations) {
+            refine(equations, least_margin < ACCURATE, [&mut state.q, &mut state.q_dot, &mut state.q_ddot])?;
         }
         let at = Instant { t: equations.t, inputs: &equations.inputs };
         equations.system.evaluate(Subset::ALL, &at, &state.q, &state.q_dot)?;
@@ -212,21 +205,8 @@ impl CheckedPlan {
     }
 }
 
-/// Replaces the rates of the plan by those that all rows determine, if these have full rank. Near a limit of the rows
-/// that the plan uses, its rates lose digits; with redundant rows the mechanism itself may be far from singular there.
-fn refine(equations: &mut Equations<'_>, state: &mut State) -> Result<(), SolveError> {
-    if !equations.scale.is_known {
-        equations.scale = Scale::around(equations, &state.q);
-    }
-    equations.evaluate(Subset::VELOCITY, &state.q, None)?;
-    let factor = equations.factorise(Purpose::Rank, None);
-    if factor.rank < state.q.len() {
-        return Ok(());
-    }
-    let Ok(q_dot) = velocity::solve(equations, &factor) else { return Ok(()) };
-    let q_dot = q_dot.as_slice();
-    let Ok(q_ddot) = acceleration(equations, &state.q, q_dot, &factor) else { return Ok(()) };
-    state.q_dot.copy_from_slice(q_dot);
-    state.q_ddot.copy_from_slice(&q_ddot);
-    Ok(())
+/// The margin above which the plan's rates need no refinement. A state without a preceding motion needs
+/// [`FAR_FROM_LIMITS`] for its branch; with redundant rows the rates do.
+fn rates_are_accurate_above(equations: &Equations<'_>) -> f64 {
+    if equations.model.plan.has_redundant_rows() { FAR_FROM_LIMITS } else { ACCURATE }
 }

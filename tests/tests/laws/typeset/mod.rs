@@ -5,10 +5,11 @@ mod plan;
 
 pub(crate) use plan::typeset_solutions_are_the_analysis;
 
-use crate::{When, evaluated, random_configuration};
+use crate::{When, random_configuration};
 use kin_core::notation::{Name, Notation};
-use kin_runtime::{Mechanism, cli};
+use kin_runtime::Subset;
 use kin_tests::random::Random;
+use kin_tests::subject::Subject;
 use latex::{Reader, Value};
 use std::collections::HashMap;
 use std::fs;
@@ -24,22 +25,24 @@ fn lines(document: &str) -> Vec<String> {
 }
 
 /// The lines that the program writes for a part of the equations.
-fn written<M: Mechanism + Default>(part: &str) -> Vec<String> {
-    let name = format!("kin-typeset-{}-{}-{part}.tex", std::process::id(), M::model().name);
+fn written(mechanism: &dyn Subject, part: &str) -> Vec<String> {
+    let model = mechanism.model();
+    let name = format!("kin-typeset-{}-{}-{part}.tex", std::process::id(), model.name);
     let file = std::env::temp_dir().join(name);
-    let _ = cli::run_from::<M>(["program", "equations", "--part", part, "--out", &file.display().to_string()]);
+    let out = file.display().to_string();
+    let _ = mechanism.run(["program", "equations", "--part", part, "--out", &out].map(Into::into).to_vec());
     let document = fs::read_to_string(&file).expect("the document is written");
     fs::remove_file(&file).expect("the file is there");
     lines(&document)
 }
 
 /// The values of all symbols: t, parameters, inputs, and coordinates with the given derivatives.
-fn symbols<M: Mechanism>(mechanism: &M, when: &When, q: &[&[f64]]) -> HashMap<String, Value> {
-    let (mut symbols, model) = (HashMap::new(), M::model());
+fn symbols(mechanism: &dyn Subject, when: &When, q: &[&[f64]]) -> HashMap<String, Value> {
+    let (mut symbols, model) = (HashMap::new(), mechanism.model());
     let mut put = |name: &str, value: f64| symbols.insert(Name::new(name).write(Notation::Latex), Value::of(value));
     put("t", when.t);
     put("pi", std::f64::consts::PI);
-    for (info, value) in model.parameters.iter().zip(mechanism.parameters::<f64>().as_ref()) {
+    for (info, value) in model.parameters.iter().zip(&mechanism.parameters()) {
         put(info.name, *value);
     }
     let suffixes = ["", "_dot", "_ddot"];
@@ -61,15 +64,15 @@ fn close(found: Value, expected: f64) -> bool {
 }
 
 /// Compares Φ, every entry of Φ_q, Φ_t and γ of every row, at random configurations.
-pub(crate) fn typeset_equations_are_the_code<M: Mechanism + Default>() {
-    let (mechanism, model) = (M::default(), M::model());
-    let lines = written::<M>("rows");
+pub(crate) fn typeset_equations_are_the_code(mechanism: &dyn Subject) {
+    let model = mechanism.model();
+    let lines = written(mechanism, "rows");
     let mut random = Random::new(83);
     for _ in 0..3 {
-        let (when, q, q_dot) = random_configuration::<M>(&mut random);
+        let (when, q, q_dot) = random_configuration(mechanism, &mut random);
         let at = when.at();
-        let expected = evaluated(&mechanism, &at, &q, &q_dot);
-        let symbols = symbols(&mechanism, &when, &[&q, &q_dot]);
+        let expected = mechanism.evaluate(Subset::ALL, &at, &q, &q_dot);
+        let symbols = symbols(mechanism, &when, &[&q, &q_dot]);
         let function = |name: &str, order: usize, x: f64| {
             let place = model.functions.iter().position(|function| *function == name)?;
             mechanism.evaluate_function(place, x)?.get(order).copied()
@@ -87,9 +90,9 @@ pub(crate) fn typeset_equations_are_the_code<M: Mechanism + Default>() {
                 seen += 1;
                 let own = value(&phi, own.strip_suffix(" = 0").expect("= 0"));
                 if letter == r"\Phi" {
-                    assert!(close(own, expected.phi()[place]), "{phi}: {own:?}, {}", expected.phi()[place]);
+                    assert!(close(own, expected.phi[place]), "{phi}: {own:?}, {}", expected.phi[place]);
                 }
-                let entries = model.constraint_pattern.entries.iter().zip(expected.phi_q());
+                let entries = model.constraint_pattern.entries.iter().zip(&expected.phi_q);
                 for (&(_, column), &entry) in entries.filter(|((row, _), _)| *row == place) {
                     let dot = if letter == r"\Phi" { "" } else { "_dot" };
                     let by = Name::new(&format!("{}{dot}", model.coordinates[column].name)).write(Notation::Latex);
@@ -103,7 +106,7 @@ pub(crate) fn typeset_equations_are_the_code<M: Mechanism + Default>() {
                     format!(r"{phi}\big|_{{\dot q = 0}}")
                 };
                 let gamma = format!(r"\gamma_{{\mathrm{{{name}}}}}");
-                for (left, expected) in [(rest, expected.phi_t()[place]), (gamma, expected.gamma()[place])] {
+                for (left, expected) in [(rest, expected.phi_t[place]), (gamma, expected.gamma[place])] {
                     let found = value(&left, after(&left).unwrap_or_else(|| panic!("{left} is missing")));
                     assert!(close(found, expected), "{left}: {found:?}, {expected}");
                 }

@@ -4,41 +4,42 @@ use super::latex::{Reader, Value};
 use super::{symbols, written};
 use crate::When;
 use crate::motion::grid;
-use crate::plan::{by_plan, newton};
+use crate::plan::newton;
 use kin_core::notation::{Name, Notation};
-use kin_runtime::{Kinematics, State};
-use kin_tests::modes;
+use kin_runtime::State;
+use kin_tests::subject::Subject;
 use std::collections::HashMap;
 use std::f64::consts::TAU;
 
 /// Evaluates every line of every step at instants of a motion; coordinates from other steps have the values of the
 /// analysis.
-pub(crate) fn typeset_solutions_are_the_analysis<M: Kinematics + Default>(from: f64, to: f64) {
-    let (mechanism, plan) = (M::default(), &M::model().plan);
-    let lines = written::<M>("solution");
+pub(crate) fn typeset_solutions_are_the_analysis(mechanism: &dyn Subject, from: f64, to: f64) {
+    let model = mechanism.model();
+    let plan = &model.plan;
+    let lines = written(mechanism, "solution");
     if !plan.exists() {
         assert_eq!(lines, [""; 0]);
         return;
     }
     let mut compared = 0;
-    for state in &newton(&mechanism).sweep(&grid(from, to, 5)).unwrap() {
-        let modes = modes(&mechanism, &state.instant(), &state.q);
-        let found = by_plan(&mechanism, &state.instant(), &modes, &state.q);
+    for state in &newton(mechanism).sweep(&grid(from, to, 5)).unwrap() {
+        let modes = mechanism.modes(&state.instant(), &state.q);
+        let found = mechanism.by_plan(&state.instant(), &modes, &state.q);
         let margin = found.margins.iter().copied().fold(1.0, f64::min);
         if margin < 1e-4 {
             continue;
         }
         compared += 1;
-        let mut sheet = Sheet::new(&mechanism, state, &modes, margin);
+        let mut sheet = Sheet::new(mechanism, state, &modes, margin);
         lines.iter().for_each(|line| sheet.line(line));
-        assert_eq!(sheet.seen, 3 * M::COORDINATES, "every coordinate, its rate and its acceleration");
+        assert_eq!(sheet.seen, 3 * model.coordinates.len(), "every coordinate, its rate and its acceleration");
     }
     assert!(compared > 0, "singular everywhere");
 }
 
 /// The state of reading a sheet from its beginning.
-struct Sheet<'m, M> {
-    mechanism: &'m M,
+struct Sheet<'m> {
+    mechanism: &'m dyn Subject,
     symbols: HashMap<String, Value>,
     /// The results of the analysis, with their orders of differentiation.
     expected: HashMap<String, (f64, usize)>,
@@ -46,10 +47,10 @@ struct Sheet<'m, M> {
     seen: usize,
 }
 
-impl<'m, M: Kinematics> Sheet<'m, M> {
-    fn new(mechanism: &'m M, state: &State, modes: &[f64], margin: f64) -> Self {
-        let model = M::model();
-        let when = When::of::<M>(state.t);
+impl<'m> Sheet<'m> {
+    fn new(mechanism: &'m dyn Subject, state: &State, modes: &[f64], margin: f64) -> Self {
+        let model = mechanism.model();
+        let when = When::of(mechanism, state.t);
         let mut symbols = symbols(mechanism, &when, &[&state.q, &state.q_dot, &state.q_ddot]);
         for (mode, sign) in model.plan.modes.iter().zip(modes) {
             // The first name that the user has not used.
@@ -70,7 +71,7 @@ impl<'m, M: Kinematics> Sheet<'m, M> {
 
     fn read(&self, text: &str) -> Result<Value, String> {
         let function = |name: &str, order: usize, x: f64| {
-            let place = M::model().functions.iter().position(|function| *function == name)?;
+            let place = self.mechanism.model().functions.iter().position(|function| *function == name)?;
             self.mechanism.evaluate_function(place, x)?.get(order).copied()
         };
         Reader { symbols: &self.symbols, function: &function }.read(text)
