@@ -27,31 +27,44 @@ pub(crate) fn refine(
     is_inaccurate: bool,
     [q, q_dot, q_ddot]: [&mut [f64]; 3],
 ) -> Result<(), SolveError> {
-    if !equations.scale.is_known {
-        equations.scale = Scale::around(equations, q);
-    }
-    if is_inaccurate {
-        correct(equations, q)?;
-    }
-    equations.evaluate(Subset::VELOCITY, q, None)?;
-    let factor = equations.factorise(Purpose::Rank, None);
-    if factor.rank < q.len() {
-        return Ok(());
-    }
-    let Ok(velocity) = velocity::solve(equations, &factor) else { return Ok(()) };
-    let velocity = velocity.as_slice();
-    let Ok(acceleration) = acceleration(equations, q, velocity, &factor) else { return Ok(()) };
-    q_dot.copy_from_slice(velocity);
-    q_ddot.copy_from_slice(&acceleration);
-    Ok(())
+    scaled_here(equations, q, |equations, q| {
+        if is_inaccurate {
+            correct_scaled(equations, q)?;
+        }
+        equations.evaluate(Subset::VELOCITY, q, None)?;
+        let factor = equations.factorise(Purpose::Rank, None);
+        if factor.rank < q.len() {
+            return Ok(());
+        }
+        let Ok(velocity) = velocity::solve(equations, &factor) else { return Ok(()) };
+        let velocity = velocity.as_slice();
+        let Ok(acceleration) = acceleration(equations, q, velocity, &factor) else { return Ok(()) };
+        q_dot.copy_from_slice(velocity);
+        q_ddot.copy_from_slice(&acceleration);
+        Ok(())
+    })
 }
 
 /// One correction q − Φ_q⁺ Φ by the rows of position level, if these have full rank and the correction is an effect of
 /// rounding.
 pub(crate) fn correct(equations: &mut Equations<'_>, q: &mut [f64]) -> Result<(), SolveError> {
-    if !equations.scale.is_known {
-        equations.scale = Scale::around(equations, q);
-    }
+    scaled_here(equations, q, correct_scaled)
+}
+
+/// Calls a function with the scale at q. A motion that goes on to another size of the mechanism keeps its own scale.
+fn scaled_here<R>(
+    equations: &mut Equations<'_>,
+    q: &mut [f64],
+    function: impl FnOnce(&mut Equations<'_>, &mut [f64]) -> R,
+) -> R {
+    let here = Scale::around(equations, q);
+    let kept = std::mem::replace(&mut equations.scale, here);
+    let result = function(equations, q);
+    equations.scale = kept;
+    result
+}
+
+fn correct_scaled(equations: &mut Equations<'_>, q: &mut [f64]) -> Result<(), SolveError> {
     equations.evaluate(Subset::POSITION, q, None)?;
     let factor = equations.factorise(Purpose::Rank, None);
     if factor.rank < q.len() {

@@ -147,7 +147,12 @@ impl fmt::Display for Limit {
             (_, true) => "lock",
             (_, false) => "locks",
         };
-        write!(f, "{step} {verb} at t = {}: {} (", rounded(at), step.info().singular)?;
+        write!(f, "{step} {verb} at t = {}", rounded(at))?;
+        // The words for a closure are those of its dead centres.
+        if self.kind() != Some(LimitKind::Pole) || !step.closes() {
+            write!(f, ": {}", step.info().singular)?;
+        }
+        f.write_str(" (")?;
         match self.kind() {
             Some(kind) => write!(f, "{kind})")?,
             None => f.write_str("dead centre or branch point)")?,

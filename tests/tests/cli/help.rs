@@ -96,6 +96,14 @@ fn examples_run() {
 }
 
 #[test]
+fn wrong_names_of_a_design_are_told_all_at_once() {
+    let line = "fourbar design --free l9=1..2 --peak C.effort --range C.z=0..1 --path nowhere=points.csv";
+    let missing =
+        ["parameter named `l9`", "quantity named `C.effort`", "quantity named `C.z`", "point named `nowhere`"];
+    failed(line, 2, &missing.map(|what| format!("no {what}")).iter().map(String::as_str).collect::<Vec<_>>());
+}
+
+#[test]
 fn wrong_options_are_told_all_at_once() {
     let ran = kin("fourbar sweep --from x --steps 0 --to 1 --set l9=1,l1=a --guess l1=3 --mode A-B-D=up --out a.svg");
     assert_eq!(ran.status, Some(2));

@@ -1,7 +1,7 @@
 //! Special dimensions and starts: equal pulleys, a dimension of 0 by which the plan divides, a start beside a dead
 //! centre.
 
-use kin_runtime::{Instant, Kinematics, LimitKind, Options, Planned, SolveError, mechanism};
+use kin_runtime::{Instant, Kinematics, LimitKind, Options, Planned, Signal, SolveError, mechanism};
 
 /// An arm whose platform a belt over equal pulleys keeps parallel, so that the angle of the platform does not depend on
 /// that of the arm.
@@ -221,5 +221,83 @@ fn a_body_that_is_nowhere_is_named() {
     let tracked = tracker.update(&at).map(|_| ()).unwrap_err();
     for error in [Vanishing.state_at(&at).unwrap_err(), swept, tracked] {
         assert!(matches!(error, SolveError::NonFinite { what: "observables", name: "shade", .. }), "{error}");
+    }
+}
+
+/// Two short cranks and a long rod between them, in lengths of the rod.
+#[mechanism]
+#[bodies(crank, rod, rocker)]
+#[revolute(O: ground @ (0, 0), crank @ (0, 0))]
+#[revolute(A: crank @ (a, 0), rod @ (0, 0))]
+#[revolute(B: rod @ (1, 0), rocker @ (c, 0))]
+#[revolute(D: ground @ (1, 0), rocker @ (0, 0))]
+#[driver(drive: crank.phi = t)]
+#[guess(rod.phi = 0, rocker.phi = 1.57)]
+struct ShortCranks {
+    a: f64,
+    c: f64,
+}
+
+/// The angle of the rocker, from 2 X + X² + Y² = 0 with the way (X, Y) from one crank's end to the other's: an equation
+/// in which nothing cancels.
+fn rocker(cranks: &ShortCranks, t: f64) -> f64 {
+    let ShortCranks { a, c } = *cranks;
+    (0..30).fold((a * t.cos() / c).acos(), |r, _| {
+        let (x, y) = (c * r.cos() - a * t.cos(), c * r.sin() - a * t.sin());
+        r - (2.0 * x + x * x + y * y) / (2.0 * c * (y * r.cos() - (1.0 + x) * r.sin()))
+    })
+}
+
+/// The rows determine the angle of a crank of length c to ε/c; the dyad alone, solved for its rod first, to ε/c².
+#[test]
+fn short_cranks_keep_the_digits_that_they_have() {
+    for c in [1e-2, 1e-3, 1e-4, 3e-5, 1e-5] {
+        let cranks = ShortCranks { a: 0.5 * c, c };
+        let times: Vec<f64> = (0..=60).map(|k| 0.1 * f64::from(k)).collect();
+        let room = 4.0 * f64::EPSILON / c;
+        let near = |q: &[f64], t: f64| {
+            let off = (q[8] - rocker(&cranks, t)).abs();
+            assert!(off <= room, "{off:e} of {room:e} at t = {t}, c = {c:e}");
+        };
+        let swept = cranks.solver().sweep(&times).unwrap_or_else(|error| panic!("{c:e}: {error}"));
+        let mut tracker = cranks.solver().tracker(&Instant::at(0.0)).unwrap_or_else(|error| panic!("{c:e}: {error}"));
+        for state in &swept.states {
+            let at = Instant::at(state.t);
+            let alone = cranks.solver().state_from(&at, &state.q).unwrap_or_else(|error| panic!("{c:e}: {error}"));
+            let placed = cranks.solver().position(&at, &state.q).unwrap_or_else(|error| panic!("{c:e}: {error}"));
+            let tracked = tracker.update(&at).unwrap_or_else(|error| panic!("{c:e}: {error}"));
+            [&state.q, &alone.q, &placed.q, &tracked.q].iter().for_each(|q| near(q, state.t));
+        }
+    }
+}
+
+/// A lever of length r at the end of a cylinder of length about 1.
+#[mechanism]
+#[bodies(lever)]
+#[input(stroke)]
+#[revolute(pin: ground @ (0, 0), lever @ (0, 0))]
+#[distance(ram: ground @ (1, 0), lever @ (r, 0), length = stroke)]
+#[guess(lever.phi = 0.8)]
+struct ShortLever {
+    r: f64,
+}
+
+/// A lever that is much shorter than the distance of its pins is no branch point.
+#[test]
+fn short_levers_are_followed_by_the_plan() {
+    for r in [1e-2, 1e-3, 1e-4, 3e-5] {
+        let lever = ShortLever { r };
+        for k in 0..100 {
+            let phi = 0.2 + 0.027 * f64::from(k);
+            let inputs = [Signal::constant((1.0 + r * r - 2.0 * r * phi.cos()).sqrt())];
+            let at = Instant { t: 0.0, inputs: &inputs };
+            let planned = lever.solver().planned(&at).unwrap_or_else(|error| panic!("{r:e}, {phi}: {error}"));
+            let state = lever.state_at(&at).unwrap_or_else(|error| panic!("{r:e}, {phi}: {error}"));
+            // An error of ε in the stroke turns the lever by ε/(r sin φ).
+            let room = 4.0 * f64::EPSILON / (r * phi.sin());
+            for q in [planned.q(), &state.q] {
+                assert!((q[2] - phi).abs() <= room, "{:e} of {room:e} at {phi}, r = {r:e}", (q[2] - phi).abs());
+            }
+        }
     }
 }
