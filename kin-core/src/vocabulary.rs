@@ -120,6 +120,21 @@ impl JointKind {
     pub const fn keeps_length(self, has_second_point: bool) -> bool {
         matches!(self, Self::Distance | Self::Rope) || matches!(self, Self::Driver) && has_second_point
     }
+
+    /// True if a number with this role may be degenerate for some parameters: an axis without a direction, a radius of 0,
+    /// a negative length.
+    pub const fn may_degenerate(self, role: Role, has_second_point: bool) -> bool {
+        match role {
+            Role::Axis | Role::Radius => true,
+            Role::Value => self.keeps_length(has_second_point),
+            Role::P | Role::Q | Role::Via => false,
+        }
+    }
+
+    /// True for kinds with a curve that may have no tangent or no normal at some of its points.
+    pub const fn follows_curve(self) -> bool {
+        matches!(self, Self::OnPolarCurve | Self::OnImplicitCurve | Self::OnParametricCurve)
+    }
 }
 
 words! {

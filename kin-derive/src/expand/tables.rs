@@ -6,14 +6,14 @@ use super::instructions::literal;
 use super::joints::joints;
 use super::table::{Cell, Writer};
 use kin_core::Kernels;
-use kin_core::constraint::{CoordinateKind, ObservableKind};
+use kin_core::constraint::{Coordinate, CoordinateKind, ObservableKind};
 use kin_core::kernels::Pattern;
 use kin_core::mechanism::Mechanism;
 use kin_core::plan::SolutionPlan;
 use kin_core::structure::Structure;
 use kin_core::system::KinematicSystem;
 use kin_core::units::Units;
-use kin_core::vocabulary::{Component, OperationCount};
+use kin_core::vocabulary::{Component, OperationCount, Role};
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -68,6 +68,11 @@ pub(crate) fn model(tables: &Tables<'_>) -> TokenStream {
     let observable_pattern = pattern(&tables.kernels.observable_pattern, writer);
     let guesses = set.guesses.iter().map(|(k, _)| *k as usize);
     let geometry = set.geometry.len();
+    let has_curves = set.joints.iter().any(|joint| joint.kind.follows_curve());
+    let has_sizes = set.joints.iter().any(|joint| {
+        let has_second_point = joint.geometry.iter().any(|of| of.role == Role::Q);
+        joint.geometry.iter().any(|of| joint.kind.may_degenerate(of.role, has_second_point))
+    });
     let operations = operations(tables.kernels.operations);
     let forces = match tables.kernels.force_operations {
         Some(_) => quote! { __kin::Some(&__FORCES) },
@@ -77,6 +82,11 @@ pub(crate) fn model(tables: &Tables<'_>) -> TokenStream {
     let solution = derivation::solution(tables.plan);
     let structure = structure(tables.system, tables.structure);
     let plan = super::steps::table(tables.plan, writer);
+    let least_sizes = least_sizes(&set.coordinates, &tables.kernels.constraint_pattern);
+    let least_sizes = least_sizes.iter().filter(|_| !writer.packed).map(|sizes| {
+        let [of_lengths, of_others] = sizes.map(literal);
+        quote! { [#of_lengths, #of_others] }
+    });
     let model = quote! {
         __kin::Model {
             name: #name,
@@ -99,6 +109,9 @@ pub(crate) fn model(tables: &Tables<'_>) -> TokenStream {
             observable_pattern: #observable_pattern,
             guesses: &[#(#guesses),*],
             geometry: #geometry,
+            has_curves: #has_curves,
+            has_sizes: #has_sizes,
+            least_sizes: &[#(#least_sizes),*],
             allow_redundant: #allow_redundant,
             structure: __kin::Some(#structure),
             plan: #plan,
@@ -238,6 +251,18 @@ fn pattern(pattern: &Pattern, writer: Writer) -> TokenStream {
         quote! { (#index, #value) }
     });
     quote! { __kin::Pattern { rows: #rows, entries: #entries, constants: #constants } }
+}
+
+/// For every row the sums of the sizes of its constant entries, those for x and y of bodies and those for other
+/// coordinates; empty if a row has none.
+fn least_sizes(coordinates: &[Coordinate], pattern: &Pattern) -> Vec<[f64; 2]> {
+    let mut sizes = vec![[0.0; 2]; pattern.rows];
+    for &(entry, value) in &pattern.constants {
+        let (row, column) = pattern.entries[entry];
+        let is_length = coordinates[column].kind.is_length();
+        sizes[row][usize::from(!is_length)] += value.abs();
+    }
+    if sizes.contains(&[0.0; 2]) { Vec::new() } else { sizes }
 }
 
 pub(super) fn operations(count: OperationCount) -> TokenStream {

@@ -9,7 +9,7 @@ use crate::equations::Equations;
 use crate::equations::placement::Placement;
 use crate::equations::scale::Scale;
 use crate::error::{Degeneracy, SolveError};
-use crate::model::{Component, CoordinateKind, JointInfo, JointKind, Model, Role};
+use crate::model::{Component, CoordinateKind, JointInfo, JointKind, Role};
 use crate::workspace::{Instant, Subset};
 
 /// Lengths below this count as zero, since their squares underflow.
@@ -33,12 +33,6 @@ pub(crate) fn explain(equations: &mut Equations<'_>, q: &[f64], error: SolveErro
         _ => None,
     };
     what.map_or(error, |what| degenerate(equations, row, what))
-}
-
-/// True where a joint has a curve that may be degenerate at some of its points.
-pub(crate) fn has_curves(model: &Model) -> bool {
-    use JointKind::{OnImplicitCurve, OnParametricCurve, OnPolarCurve};
-    model.joints.iter().any(|joint| matches!(joint.kind, OnPolarCurve | OnImplicitCurve | OnParametricCurve))
 }
 
 /// True if the contact with all curves is defined at q, and no roller has changed its side since `before`.

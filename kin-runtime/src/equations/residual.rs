@@ -100,6 +100,21 @@ pub(crate) fn write_sizes(
     position.max(rounding(largest(q, lengths, 1.0 / unit)))
 }
 
+/// The largest |Φᵢ| if every row is certainly within the tolerance of [`closed_position`], without Φ_q: its constant
+/// entries make a row at least as large as [`Model::least_sizes`], with L as the factor of those for x and y of bodies.
+#[inline]
+pub(crate) fn certainly_closed(model: &Model, phi: &[f64], q: &[f64], lengths: &[f64], position: f64) -> Option<f64> {
+    let far = q.iter().zip(lengths).fold(0.0, |most, (x, length)| f64::max(most, x.abs() * length));
+    let of_length = rounding(1.0) * far;
+    let (mut residual, mut all) = (0.0, model.least_sizes.len() == phi.len());
+    for (phi, [of_lengths, of_others]) in phi.iter().zip(model.least_sizes) {
+        let phi = phi.abs();
+        all &= phi <= f64::max(of_length * of_lengths, position * of_others);
+        residual = if phi > residual { phi } else { residual };
+    }
+    all.then_some(residual)
+}
+
 /// The largest |Φᵢ| if every row is within tolerance; `None` otherwise. Rows of velocity level have Φᵢ = 0.
 #[inline]
 pub(crate) fn closed_position(phi: &[f64], sizes: &[f64], allowed: f64) -> Option<f64> {

@@ -352,6 +352,17 @@ pub struct Model {
     /// Length of the geometry array.
     #[doc(hidden)]
     pub geometry: usize,
+    /// True if a joint follows a curve ([`JointKind::follows_curve`]).
+    #[doc(hidden)]
+    pub has_curves: bool,
+    /// True if the geometry of a joint has a number that may be degenerate for some parameters
+    /// ([`JointKind::may_degenerate`]).
+    #[doc(hidden)]
+    pub has_sizes: bool,
+    /// For every row the sums of the sizes of the constant entries of Φ_q: those for x and y of bodies and those for other
+    /// coordinates. Empty if a row has none.
+    #[doc(hidden)]
+    pub least_sizes: &'static [[f64; 2]],
     /// True with `#[mechanism(allow_redundant)]`.
     pub allow_redundant: bool,
     /// Generic ranks and redundant rows; `None` in a model that was written by hand.

@@ -10,10 +10,11 @@ use super::guessed_modes::Guess;
 use super::{Position, Solver};
 use crate::analysis::poses::{coordinate_motions, write_poses};
 use crate::analysis::refinement::{ACCURATE, correct, refine};
-use crate::equations::contact::has_curves;
-use crate::equations::residual::{Row, Tolerances, closed, closed_position, write_lengths, write_sizes};
+use crate::equations::residual::{
+    Row, Tolerances, certainly_closed, closed, closed_position, write_lengths, write_sizes,
+};
 use crate::equations::system::Parts;
-use crate::mechanism::Mechanism;
+use crate::mechanism::{Mechanism, Workspace};
 use crate::model::Model;
 use crate::motion::BodyMotion;
 use crate::plan::{Depth, Solved};
@@ -203,16 +204,14 @@ impl<M: Mechanism> Solver<'_, M> {
         let solution = [poses.q.as_ref(), poses.q_dot.as_ref(), poses.q_ddot.as_ref()];
         let [q, q_dot, _] = solution;
         let mut workspace = M::workspace::<f64>();
-        let has_curves = has_curves(model);
-        let residual = if !has_curves && all_above(poses.margins.as_ref(), FAR_FROM_LIMITS) {
+        let residual = if !model.has_curves && all_above(poses.margins.as_ref(), FAR_FROM_LIMITS) {
             // Far from all limits, rates need no check if q satisfies the rows.
-            self.mechanism.evaluate_with(parameters.as_ref(), Subset::POSITION, at, q, q_dot, &mut workspace).ok()?;
-            self.position_residual(&parts(&workspace), q)?
+            self.position_residual(parameters, at, q, &mut workspace)?
         } else {
             self.mechanism.evaluate_with(parameters.as_ref(), Subset::ALL, at, q, q_dot, &mut workspace).ok()?;
             self.residual(&parts(&workspace), solution)?
         };
-        if !solution.iter().all(|numbers| all_finite(numbers)) || has_curves && !self.touches(at, q) {
+        if !solution.iter().all(|numbers| all_finite(numbers)) || model.has_curves && !self.touches(at, q) {
             return None;
         }
         if model.poses_are_coordinates() {
@@ -226,14 +225,33 @@ impl<M: Mechanism> Solver<'_, M> {
     }
 
     /// The largest residual if all rows of position level are satisfied; otherwise none.
-    fn position_residual(&self, parts: &Parts<'_>, q: &[f64]) -> Option<f64> {
-        let model = M::model();
+    fn position_residual(
+        &self,
+        parameters: &M::Parameters<f64>,
+        at: &Instant<'_>,
+        q: &[f64],
+        workspace: &mut Workspace<M, f64>,
+    ) -> Option<f64> {
+        let (model, tolerance) = (M::model(), self.settings.options.tolerance);
+        let still = M::Coordinates::<f64>::filled(0.0);
+        let evaluate = |subset: Subset, workspace: &mut Workspace<M, f64>| {
+            self.mechanism.evaluate_with(parameters.as_ref(), subset, at, q, still.as_ref(), workspace).ok()
+        };
         let mut lengths = M::Coordinates::<f64>::filled(0.0);
         write_lengths(model, lengths.as_mut());
+        let lengths = lengths.as_ref();
+        // Mostly residuals are so small that Φ_q need not be known.
+        if !model.least_sizes.is_empty() {
+            evaluate(Subset::PHI, workspace)?;
+            if let Some(residual) = certainly_closed(model, workspace.phi(), q, lengths, tolerance) {
+                return Some(residual);
+            }
+        }
         let [mut sizes, mut angles] = [M::Rows::<f64>::filled(0.0); 2];
-        let (tolerance, buffers) = (self.settings.options.tolerance, [sizes.as_mut(), angles.as_mut()]);
-        let allowed = write_sizes(model, parts.phi_q, q, lengths.as_ref(), tolerance, buffers);
-        closed_position(parts.phi, sizes.as_ref(), allowed)
+        evaluate(Subset::POSITION, workspace)?;
+        let buffers = [sizes.as_mut(), angles.as_mut()];
+        let allowed = write_sizes(model, workspace.phi_q(), q, lengths, tolerance, buffers);
+        closed_position(workspace.phi(), sizes.as_ref(), allowed)
     }
 
     /// The largest residual if all rows are satisfied, for rates as well; otherwise none.
@@ -250,7 +268,7 @@ impl<M: Mechanism> Solver<'_, M> {
 
     /// The position by the plan, if it satisfies all rows.
     fn position_of(&self, parameters: &M::Parameters<f64>, at: &Instant<'_>, start: &Start<M>) -> Option<Position> {
-        if M::model().plan.has_redundant_rows() || has_curves(M::model()) {
+        if M::model().plan.has_redundant_rows() || M::model().has_curves {
             return self.checked_position(parameters, at, start);
         }
         let mut margins = Margins::filled(0.0);
@@ -263,10 +281,8 @@ impl<M: Mechanism> Solver<'_, M> {
             correct(&mut self.equations(at).ok()?, q.as_mut()).ok()?;
         }
         let mut workspace = M::workspace::<f64>();
-        let still = M::Coordinates::<f64>::filled(0.0);
-        let (q, still) = (q.as_ref(), still.as_ref());
-        self.mechanism.evaluate_with(parameters.as_ref(), Subset::POSITION, at, q, still, &mut workspace).ok()?;
-        let residual = self.position_residual(&parts(&workspace), q)?;
+        let q = q.as_ref();
+        let residual = self.position_residual(parameters, at, q, &mut workspace)?;
         Some(Position { q: q.to_vec(), iterations: 1, residual })
     }
 

@@ -4,7 +4,6 @@
 
 use super::Solver;
 use super::by_plan::all_closed;
-use crate::equations::contact::has_curves;
 use crate::equations::residual::{Tolerances, write_lengths};
 use crate::equations::system::Parts;
 use crate::mechanism::Mechanism;
@@ -55,7 +54,7 @@ impl<M: Mechanism> Solver<'_, M> {
         let mut found = M::Coordinates::<f64>::filled(0.0);
         M::solve_factorised(&factors, right.as_ref(), found.as_mut()).ok()?;
         let found = found.as_ref();
-        if !all_finite(found) || has_curves(model) && !self.touches(at, q) {
+        if !all_finite(found) || model.has_curves && !self.touches(at, q) {
             return None;
         }
 

@@ -1,7 +1,7 @@
 //! Whether the plan may be used for one instant, and whether its solution is regular where only the solution shows it.
 
 use super::Solver;
-use crate::equations::contact::{has_curves, is_regular};
+use crate::equations::contact::is_regular;
 use crate::mechanism::Mechanism;
 use crate::model::{JointKind, Model, Role};
 use crate::workspace::{Instant, Signal};
@@ -10,7 +10,7 @@ impl<M: Mechanism> Solver<'_, M> {
     /// True if the plan determines all coordinates, the geometry of the joints is not degenerate, and no contact with a
     /// curve can be.
     pub(crate) fn goes_by_plan(&self, at: &Instant<'_>) -> bool {
-        !has_curves(M::model()) && self.has_solution_by_plan(at)
+        !M::model().has_curves && self.has_solution_by_plan(at)
     }
 
     /// True if the plan determines all coordinates and the geometry of the joints is not degenerate. Contacts with
@@ -19,7 +19,7 @@ impl<M: Mechanism> Solver<'_, M> {
         let model = M::model();
         let usable =
             self.settings.options.use_plan && self.settings.given.is_empty() && self.settings.options.check().is_ok();
-        usable && has_plan_for(model, at) && (!has_sizes(model) || self.is_sound(at))
+        usable && has_plan_for(model, at) && (!model.has_sizes || self.is_sound(at))
     }
 
     /// True if no dimension of a joint is degenerate at these parameters.
@@ -45,12 +45,6 @@ fn has_plan_for(model: &Model, at: &Instant<'_>) -> bool {
     let finite = |u: &Signal| u.value.is_finite() && u.rate.is_finite() && u.acceleration.is_finite();
     let is_usable = at.t.is_finite() && at.inputs.len() == model.inputs.len() && at.inputs.iter().all(finite);
     is_usable && model.plan.exists()
-}
-
-/// True if a joint has an axis, a radius or a length that may be degenerate for some parameters.
-fn has_sizes(model: &Model) -> bool {
-    let pieces = model.joints.iter().flat_map(|joint| joint.geometry);
-    pieces.into_iter().any(|piece| matches!(piece.role, Role::Axis | Role::Radius | Role::Value))
 }
 
 /// True if no dimension of a joint is degenerate; `numbers` is the geometry.

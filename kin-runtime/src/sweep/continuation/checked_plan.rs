@@ -61,7 +61,7 @@ impl CheckedPlan {
             control: Control::of(&equations.options),
             is_placed: false,
             refused: None,
-            has_curves: contact::has_curves(equations.model),
+            has_curves: equations.model.has_curves,
             in_one_step: true,
             hides_motion: false,
             rows,
