@@ -101,13 +101,19 @@ pub(crate) fn write_sizes(
 }
 
 /// The largest |Φᵢ| if every row is certainly within the tolerance of [`closed_position`], without Φ_q: its constant
-/// entries make a row at least as large as [`Model::least_sizes`], with L as the factor of those for x and y of bodies.
+/// entries make a row at least as large as `least_sizes` ([`Model::least_sizes`]), with L as the factor of those for x and
+/// y of bodies.
 #[inline]
-pub(crate) fn certainly_closed(model: &Model, phi: &[f64], q: &[f64], lengths: &[f64], position: f64) -> Option<f64> {
+pub(crate) fn certainly_closed(
+    least_sizes: &[[f64; 2]],
+    phi: &[f64],
+    [q, lengths]: [&[f64]; 2],
+    position: f64,
+) -> Option<f64> {
     let far = q.iter().zip(lengths).fold(0.0, |most, (x, length)| f64::max(most, x.abs() * length));
     let of_length = rounding(1.0) * far;
-    let (mut residual, mut all) = (0.0, model.least_sizes.len() == phi.len());
-    for (phi, [of_lengths, of_others]) in phi.iter().zip(model.least_sizes) {
+    let (mut residual, mut all) = (0.0, least_sizes.len() == phi.len());
+    for (phi, [of_lengths, of_others]) in phi.iter().zip(least_sizes) {
         let phi = phi.abs();
         all &= phi <= f64::max(of_length * of_lengths, position * of_others);
         residual = if phi > residual { phi } else { residual };
@@ -165,4 +171,55 @@ pub(crate) fn closed(
         all &= a <= f64::max(size * faster, delta * gamma.abs()).max(UNDERFLOW);
     }
     all.then_some(residual)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Two rows: of a pin, with two constant entries, and of an angle.
+    #[test]
+    fn what_is_certainly_closed_is_within_the_bounds_of_constant_entries() {
+        let closed =
+            |phi: [f64; 2]| certainly_closed(&[[2.0, 0.0], [0.0, 1.0]], &phi, [&[-0.5, 100.0], &[1.0, 0.0]], 1e-12);
+        // 16 ε · 0.5 · 2, and the tolerance.
+        assert_eq!(Some(9e-13), closed([-3.5e-15, 9e-13]));
+        for phi in [[3.6e-15, 0.0], [0.0, -1.1e-12], [f64::NAN, 0.0], [0.0, f64::INFINITY]] {
+            assert_eq!(None, closed(phi), "{phi:?}");
+        }
+        assert_eq!(None, certainly_closed(&[], &[0.0], [&[1.0], &[1.0]], 1e-12));
+    }
+
+    /// Every row that is certainly closed is closed with the sizes of its row.
+    #[test]
+    fn the_bounds_are_below_what_is_allowed() {
+        use crate::fixture::mechanisms::FourBarLoop;
+        use crate::mechanism::Mechanism;
+        let model = FourBarLoop::model();
+        let pattern = model.constraint_pattern;
+        let mut lengths = vec![0.0; model.coordinates.len()];
+        write_lengths(model, &mut lengths);
+        // All entries are 1: those that count as constants, a part of them, make smaller sizes.
+        let phi_q = vec![1.0; pattern.entries.len()];
+        let mut least = vec![[0.0; 2]; pattern.rows];
+        for (k, &(row, column)) in pattern.entries.iter().enumerate() {
+            if k % 2 == 0 {
+                least[row][usize::from(lengths[column] == 0.0)] += 1.0;
+            }
+        }
+        for far in [1e-3, 1.0, 1e5] {
+            let q: Vec<f64> = lengths.iter().map(|length| far * length + 0.3).collect();
+            let [mut sizes, mut angles] = [(); 2].map(|()| vec![0.0; pattern.rows]);
+            let allowed = write_sizes(model, &phi_q, &q, &lengths, 1e-12, [&mut sizes, &mut angles]);
+            for row in 0..pattern.rows {
+                for size in [1e-16, 1e-14, 1e-12, 1e-10, 1e-8] {
+                    let mut phi = vec![0.0; pattern.rows];
+                    phi[row] = size;
+                    if certainly_closed(&least, &phi, [&q, &lengths], 1e-12).is_some() {
+                        assert!(closed_position(&phi, &sizes, allowed).is_some(), "{far}: {size:e} of {}", sizes[row]);
+                    }
+                }
+            }
+        }
+    }
 }

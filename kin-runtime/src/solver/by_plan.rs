@@ -243,7 +243,7 @@ impl<M: Mechanism> Solver<'_, M> {
         // Mostly residuals are so small that Φ_q need not be known.
         if !model.least_sizes.is_empty() {
             evaluate(Subset::PHI, workspace)?;
-            if let Some(residual) = certainly_closed(model, workspace.phi(), q, lengths, tolerance) {
+            if let Some(residual) = certainly_closed(model.least_sizes, workspace.phi(), [q, lengths], tolerance) {
                 return Some(residual);
             }
         }
