@@ -193,7 +193,7 @@ mod tests {
     /// Every row that is certainly closed is closed with the sizes of its row.
     #[test]
     fn the_bounds_are_below_what_is_allowed() {
-        use crate::fixture::mechanisms::FourBarLoop;
+        use crate::fixture::FourBarLoop;
         use crate::mechanism::Mechanism;
         let model = FourBarLoop::model();
         let pattern = model.constraint_pattern;
