@@ -188,7 +188,7 @@ impl<M: Mechanism> Solver<'_, M> {
         Some(())
     }
 
-    /// Refines a solution at a limit of the plan's formulas; `None` if this fails.
+    /// Refines a solution beside a limit of the plan's formulas; `None` if this fails.
     #[cold]
     fn refine(&self, at: &Instant<'_>, PlanSolution { q, q_dot, q_ddot, margins }: &mut PlanSolution<M>) -> Option<()> {
         if all_above(margins.as_ref(), ACCURATE) {

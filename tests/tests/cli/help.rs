@@ -64,10 +64,6 @@ fn examples_run() {
             _ => &[],
         };
         for command in COMMANDS.iter().chain(more) {
-            // Its change points make this the longest of all by far.
-            if (mechanism, *command) == ("redundant", "extremes") {
-                continue;
-            }
             let help = good(&format!("{mechanism} {command} --help"));
             // Commands that draw have no example for a mechanism without anything to draw.
             let Some(examples) = help.split("\nExamples:\n").nth(1) else { continue };
