@@ -30,6 +30,8 @@ pub(super) struct Names {
     pub(super) set: Option<String>,
     /// `l1=0.1,l2=0.4`
     pub(super) set_two: Option<String>,
+    /// `l1=0.001`, a hundredth of the value
+    pub(super) tolerance: Option<String>,
     /// `l1=0.09..0.11:5`
     pub(super) vary: Option<String>,
     pub(super) guess: Option<String>,
@@ -77,6 +79,8 @@ impl Names {
             let pairs: Vec<String> = pairs.iter().map(|(name, value)| format!("{name}={}", plain(*value))).collect();
             Some(quoted(pairs.join(",")))
         };
+        let sized = parameters.iter().find(|(_, value)| *value != 0.0);
+        let tolerance = sized.map(|(name, value)| quoted(format!("{name}={}", rounded(value.abs() / 100.0))));
         let trial = trial.unwrap_or_default();
         let guesses = engine.guesses();
         let guess = guesses.iter().zip(model.coordinates).find_map(|(guess, coordinate)| {
@@ -89,6 +93,7 @@ impl Names {
             arc: trial.arc,
             set: set(1),
             set_two: set(2),
+            tolerance,
             vary,
             guess,
             mode,

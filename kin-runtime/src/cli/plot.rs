@@ -84,8 +84,11 @@ pub(super) const HELP: Help = Help {
                     "its whole path, through dead centres",
                 )
             }),
-            names.set.as_ref().filter(|_| names.determined).and_then(|set| {
-                names.analysis(&format!("plot {value} --tolerance {set} --out band.svg"), "a band of the worst case")
+            names.tolerance.as_ref().filter(|_| names.determined).and_then(|tolerance| {
+                names.analysis(
+                    &format!("plot {value} --tolerance {tolerance} --out band.svg"),
+                    "a band of the worst case",
+                )
             }),
         ]
     },

@@ -56,8 +56,8 @@ pub(in crate::cli) const HELP: Help = Help {
         }
         vec![
             names.analysis(&format!("sensitivities --at {}", names.at), ""),
-            names.with("sensitivities --tolerance", &names.set, "deviations caused by tolerances"),
-            names.with("sensitivities --steps 90 --tolerance", &names.set, "the same along the motion"),
+            names.with("sensitivities --tolerance", &names.tolerance, "deviations caused by tolerances"),
+            names.with("sensitivities --steps 90 --tolerance", &names.tolerance, "the same along the motion"),
             names.analysis("sensitivities --format json", "for another program"),
         ]
     },
