@@ -7,7 +7,7 @@ use super::solution::{Problems, Solutions, SolvedBlock};
 use crate::mechanism::Mechanism;
 use crate::model::ForceModel;
 use crate::scalar::Scalar;
-use crate::scalar::lanes::{Octet, Pack};
+use crate::scalar::lanes::Octet;
 use alloc::vec::Vec;
 use core::marker::PhantomData;
 use core::ops::ControlFlow;
@@ -46,7 +46,7 @@ impl<M: Mechanism> ForceSolutions<M> {
         let stride = Self::stride();
         assert!(index < stride, "number {index} of {stride}");
         let blocks = self.blocks.chunks_exact(stride.max(1));
-        blocks.flat_map(move |block| Octet::each(|lane| block[index].lane(lane))).take(self.count)
+        blocks.flat_map(move |block| block[index].to_array()).take(self.count)
     }
 }
 

@@ -2,7 +2,8 @@
 
 use super::column::{Column, check_list};
 use crate::mechanism::{LengthError, Mechanism};
-use crate::scalar::lanes::Pack;
+use crate::scalar::compare::Compare;
+use crate::scalar::lanes::Octet;
 use crate::signal::Instant;
 
 /// The assembly modes of a batch. A configuration with an undecided mode has no solution.
@@ -36,14 +37,14 @@ impl<'a> Modes<'a> {
     /// Writes the signs for a block; `given` are the numbers of the block in the columns of signs, if there are such.
     /// `modes` has room for all signs of the plan.
     #[inline(always)]
-    pub(super) fn of_block<M: Mechanism, V: Pack>(
+    pub(super) fn of_block<M: Mechanism>(
         &self,
         mechanism: &M,
-        parameters: &[V],
-        at: &Instant<'_, V>,
-        start: &[V],
-        given: &[V],
-        modes: &mut [V],
+        parameters: &[Octet],
+        at: &Instant<'_, Octet>,
+        start: &[Octet],
+        given: &[Octet],
+        modes: &mut [Octet],
     ) {
         // NaN instead of 0, so that all results that depend on it are NaN, too.
         match self {

@@ -10,7 +10,7 @@ use crate::mechanism::{LengthError, Mechanism};
 use crate::plan::Depth;
 use crate::planned::lists::{self, Margins};
 use crate::scalar::Scalar;
-use crate::scalar::lanes::{Octet, Pack};
+use crate::scalar::lanes::Octet;
 use crate::signal::Signal;
 use alloc::vec::Vec;
 use core::marker::PhantomData;
@@ -143,7 +143,7 @@ impl<M: Mechanism> Solutions<M> {
 
 /// The numbers at an index of every block.
 fn numbers(blocks: &[Octet], stride: usize, index: usize, count: usize) -> impl Iterator<Item = f64> {
-    blocks.chunks_exact(stride).flat_map(move |block| Octet::each(|lane| block[index].lane(lane))).take(count)
+    blocks.chunks_exact(stride).flat_map(move |block| block[index].to_array()).take(count)
 }
 
 /// Whether each number is positive.
@@ -181,14 +181,14 @@ impl<M: Mechanism> Solve<'_, M> {
             q_dot.fill(Octet::default());
             q_ddot.fill(Octet::default());
         }
-        let mut poses = BlockSolution { q, q_dot, q_ddot, margin: Octet::default(), good: Octet::ALL };
+        let mut poses = BlockSolution { q, q_dot, q_ddot, margin: Octet::default(), good: [true; Octet::COUNT] };
         let mut good = Octet::from_f64(1.0);
         let all = poses.solve(self.mechanism, &Question { parameters, at, modes, start, depth }, margins).is_none();
         let lengths = least_length(self.mechanism, parameters, at);
         for lane in (0..Octet::COUNT).filter(|lane| lengths.lane(*lane) < 0.0) {
             poses.refuse(lane);
         }
-        if !all || poses.good.as_ref() != [true; Octet::COUNT] {
+        if !all || poses.good != [true; Octet::COUNT] {
             poses.clear_bad();
             good = Octet::generate(|lane| f64::from(u8::from(poses.is_good(lane))));
         }

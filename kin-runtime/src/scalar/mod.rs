@@ -4,6 +4,7 @@
 //! arithmetic through the operators, and the functions of the user's language. For `f64` every method compiles to
 //! the instruction or library call that hand-written code would use.
 
+mod chain_rule;
 pub(crate) mod compare;
 #[cfg(feature = "std")]
 mod dual;

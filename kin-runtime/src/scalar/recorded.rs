@@ -2,13 +2,14 @@
 //! variables.
 
 use super::Scalar;
+use super::chain_rule::functions_by_chain_rule;
 use core::cell::RefCell;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-/// The place of a number that does not depend on a variable.
+/// The index of a number that does not depend on a variable.
 const CONSTANT: u32 = u32::MAX;
 
-/// A recorded operation: the places of its operands in the record, and the derivatives of its result with respect to
+/// A recorded operation: the indices of its operands in the record, and the derivatives of its result with respect to
 /// them.
 #[derive(Clone, Copy)]
 struct Operation {
@@ -21,7 +22,7 @@ thread_local! {
     static OPERATIONS: RefCell<Vec<Operation>> = const { RefCell::new(Vec::new()) };
 }
 
-/// A number with the place of the operation that gave it.
+/// A number with the index of the operation that gave it.
 ///
 /// The derivative of one result with respect to a variable is the sum, over all paths from the result to the variable,
 /// of the products of slopes, which one pass from the last operation to the first adds up (reverse accumulation;
@@ -30,7 +31,7 @@ thread_local! {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Recorded {
     value: f64,
-    place: u32,
+    index: u32,
 }
 
 /// Begins a computation with these variables.
@@ -48,7 +49,7 @@ pub(crate) fn accumulate(results: impl IntoIterator<Item = (Recorded, f64)>, gra
                 *by += weight;
             }
         };
-        results.into_iter().for_each(|(result, weight)| add(result.place, weight));
+        results.into_iter().for_each(|(result, weight)| add(result.index, weight));
         for (index, operation) in operations.iter().enumerate().rev() {
             let weight = by[index];
             if weight != 0.0 {
@@ -71,26 +72,26 @@ impl Recorded {
 
     fn pushed(value: f64, of: [u32; 2], slopes: [f64; 2]) -> Self {
         OPERATIONS.with_borrow_mut(|operations| {
-            let place = operations.len() as u32;
+            let index = operations.len() as u32;
             operations.push(Operation { of, slopes });
-            Self { value, place }
+            Self { value, index }
         })
     }
 
     /// A function with this value and slope.
     #[inline]
     fn chain(self, value: f64, slope: f64) -> Self {
-        match self.place {
-            CONSTANT => Self { value, place: CONSTANT },
-            place => Self::pushed(value, [place, CONSTANT], [slope, 0.0]),
+        match self.index {
+            CONSTANT => Self { value, index: CONSTANT },
+            index => Self::pushed(value, [index, CONSTANT], [slope, 0.0]),
         }
     }
 
     /// An operation on two numbers with this value and slopes.
     #[inline]
     fn pair(self, other: Self, value: f64, slopes: [f64; 2]) -> Self {
-        match (self.place, other.place) {
-            (CONSTANT, CONSTANT) => Self { value, place: CONSTANT },
+        match (self.index, other.index) {
+            (CONSTANT, CONSTANT) => Self { value, index: CONSTANT },
             (a, b) => Self::pushed(value, [a, b], slopes),
         }
     }
@@ -126,20 +127,9 @@ operators! {
     Div div |a, b, c| [1.0 / b, -c / b];
 }
 
-/// Functions of one argument: value and slope.
-macro_rules! functions {
-    ($($name:ident |$x:ident, $y:ident| $slope:expr;)*) => { $(
-        fn $name(self) -> Self {
-            let $x = self.value;
-            let $y = Scalar::$name($x);
-            self.chain($y, $slope)
-        }
-    )* };
-}
-
 impl Scalar for Recorded {
     fn from_f64(value: f64) -> Self {
-        Self { value, place: CONSTANT }
+        Self { value, index: CONSTANT }
     }
 
     fn sin_cos(self) -> (Self, Self) {
@@ -147,58 +137,11 @@ impl Scalar for Recorded {
         (self.chain(sin, cos), self.chain(cos, -sin))
     }
 
-    functions! {
-        tan |x, y| 1.0 + y * y;
-        asin |x, y| 1.0 / Scalar::sqrt((1.0 - x) * (1.0 + x));
-        acos |x, y| -1.0 / Scalar::sqrt((1.0 - x) * (1.0 + x));
-        atan |x, y| 1.0 / (1.0 + x * x);
-        sqrt |x, y| 0.5 / y;
-        exp |x, y| y;
-        ln |x, y| 1.0 / x;
-        abs |x, y| if x == 0.0 { f64::NAN } else { Scalar::signum(x) };
-        signum |x, y| if x == 0.0 { f64::NAN } else { 0.0 };
-    }
+    functions_by_chain_rule!();
 
     fn atan2(self, x: Self) -> Self {
         let square = x.value * x.value + self.value * self.value;
         self.pair(x, Scalar::atan2(self.value, x.value), [x.value / square, -self.value / square])
-    }
-
-    /// The number of whole turns is the same for variables nearby.
-    fn nearest(self, reference: Self) -> Self {
-        Self { value: Scalar::nearest(self.value, reference.value), ..self }
-    }
-
-    /// Tests the value alone: a correction precedes the test, after which derivatives are correct, too.
-    fn is_within(self, bound: f64) -> bool {
-        Scalar::is_within(self.value, bound)
-    }
-
-    fn powi(self, n: i32) -> Self {
-        let slope = if n == 0 { 0.0 } else { f64::from(n) * Scalar::powi(self.value, n.saturating_sub(1)) };
-        self.chain(Scalar::powi(self.value, n), slope)
-    }
-
-    fn powf(self, n: f64) -> Self {
-        let slope = if n == 0.0 { 0.0 } else { n * Scalar::powf(self.value, n - 1.0) };
-        self.chain(Scalar::powf(self.value, n), slope)
-    }
-
-    fn lift(self, f: impl Fn(f64) -> [f64; 3]) -> [Self; 3] {
-        let [f0, f1, f2] = f(self.value);
-        [self.chain(f0, f1), self.chain(f1, f2), self.chain(f2, f64::NAN)]
-    }
-
-    fn compose(
-        self,
-        _: usize,
-        f: impl Fn(f64) -> [f64; 3],
-        derivatives: impl Fn(f64, &mut [f64]) -> usize,
-    ) -> [Self; 3] {
-        let mut known = [f64::NAN; 4];
-        let third = if derivatives(self.value, &mut known) > 3 { known[3] } else { f64::NAN };
-        let [f0, f1, f2] = f(self.value);
-        [self.chain(f0, f1), self.chain(f1, f2), self.chain(f2, third)]
     }
 }
 

@@ -2,6 +2,7 @@
 //! them (forward mode).
 
 use super::Scalar;
+use super::chain_rule::functions_by_chain_rule;
 use crate::text::numbers;
 use core::fmt;
 use core::ops::{Add, Div, Mul, Neg, Sub};
@@ -162,18 +163,6 @@ operators! {
     Div div |a, b, c, da, db| (da - c * db) * (1.0 / b);
 }
 
-/// Functions of one argument: value and slope.
-macro_rules! functions {
-    ($($name:ident |$x:ident, $y:ident| $slope:expr;)*) => { $(
-        #[cfg_attr(not(debug_assertions), inline(always))]
-        fn $name(self) -> Self {
-            let $x = self.value;
-            let $y = Scalar::$name($x);
-            self.chain($y, $slope)
-        }
-    )* };
-}
-
 impl<const W: usize> Scalar for Tangents<W> {
     #[inline(always)]
     fn from_f64(value: f64) -> Self {
@@ -191,17 +180,7 @@ impl<const W: usize> Scalar for Tangents<W> {
         core::array::from_fn(|k| angles[k].turned(values[k]))
     }
 
-    functions! {
-        tan |x, y| 1.0 + y * y;
-        asin |x, y| 1.0 / Scalar::sqrt((1.0 - x) * (1.0 + x));
-        acos |x, y| -1.0 / Scalar::sqrt((1.0 - x) * (1.0 + x));
-        atan |x, y| 1.0 / (1.0 + x * x);
-        sqrt |x, y| 0.5 / y;
-        exp |x, y| y;
-        ln |x, y| 1.0 / x;
-        abs |x, y| if x == 0.0 { f64::NAN } else { Scalar::signum(x) };
-        signum |x, y| if x == 0.0 { f64::NAN } else { 0.0 };
-    }
+    functions_by_chain_rule!();
 
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn atan2(self, x: Self) -> Self {
@@ -212,47 +191,6 @@ impl<const W: usize> Scalar for Tangents<W> {
     fn atan2_all<const N: usize>(vectors: [(Self, Self); N]) -> [Self; N] {
         let values = <f64 as Scalar>::atan2_all(vectors.map(|(y, x)| (y.value, x.value)));
         core::array::from_fn(|k| Self::angle(vectors[k], values[k]))
-    }
-
-    /// The number of whole turns is the same for parameters nearby.
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    fn nearest(self, reference: Self) -> Self {
-        Self { value: Scalar::nearest(self.value, reference.value), by: self.by }
-    }
-
-    /// Tests the value alone: a correction precedes the test, after which derivatives are correct, too.
-    #[inline(always)]
-    fn is_within(self, bound: f64) -> bool {
-        Scalar::is_within(self.value, bound)
-    }
-
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    fn powi(self, n: i32) -> Self {
-        let slope = if n == 0 { 0.0 } else { f64::from(n) * Scalar::powi(self.value, n.saturating_sub(1)) };
-        self.chain(Scalar::powi(self.value, n), slope)
-    }
-
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    fn powf(self, n: f64) -> Self {
-        let slope = if n == 0.0 { 0.0 } else { n * Scalar::powf(self.value, n - 1.0) };
-        self.chain(Scalar::powf(self.value, n), slope)
-    }
-
-    fn lift(self, f: impl Fn(f64) -> [f64; 3]) -> [Self; 3] {
-        let [f0, f1, f2] = f(self.value);
-        [self.chain(f0, f1), self.chain(f1, f2), self.chain(f2, f64::NAN)]
-    }
-
-    fn compose(
-        self,
-        _: usize,
-        f: impl Fn(f64) -> [f64; 3],
-        derivatives: impl Fn(f64, &mut [f64]) -> usize,
-    ) -> [Self; 3] {
-        let mut known = [f64::NAN; 4];
-        let third = if derivatives(self.value, &mut known) > 3 { known[3] } else { f64::NAN };
-        let [f0, f1, f2] = f(self.value);
-        [self.chain(f0, f1), self.chain(f1, f2), self.chain(f2, third)]
     }
 }
 

@@ -15,14 +15,36 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 /// Eight `f64`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[repr(align(64))]
-pub(crate) struct Octet([f64; Self::WIDTH]);
+pub(crate) struct Octet([f64; Self::COUNT]);
 
 impl Octet {
     /// How many numbers there are.
-    const WIDTH: usize = 8;
+    pub(crate) const COUNT: usize = 8;
 
     /// The number of groups of lanes.
-    pub(crate) const GROUPS: usize = Self::WIDTH / Lanes::COUNT;
+    pub(crate) const GROUPS: usize = Self::COUNT / Lanes::COUNT;
+
+    /// The numbers `of(lane)`.
+    pub(crate) fn generate(of: impl FnMut(usize) -> f64) -> Self {
+        Self(core::array::from_fn(of))
+    }
+
+    /// The values of all lanes.
+    pub(crate) const fn to_array(self) -> [f64; Self::COUNT] {
+        self.0
+    }
+
+    /// The value of a lane.
+    #[inline(always)]
+    pub(crate) fn lane(&self, lane: usize) -> f64 {
+        self.0[lane]
+    }
+
+    /// Sets the value of one lane and leaves the others unchanged.
+    #[inline(always)]
+    pub(crate) fn set(&mut self, lane: usize, value: f64) {
+        self.0[lane] = value;
+    }
 
     /// The group of lanes with this index.
     #[inline(always)]
@@ -34,7 +56,7 @@ impl Octet {
     #[inline(always)]
     fn map(self, f: impl Fn(f64) -> f64) -> Self {
         let mut out = self;
-        for k in 0..Self::WIDTH {
+        for k in 0..Self::COUNT {
             out.0[k] = f(self.0[k]);
         }
         out
@@ -43,7 +65,7 @@ impl Octet {
     #[inline(always)]
     fn pairs(self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self {
         let mut out = self;
-        for k in 0..Self::WIDTH {
+        for k in 0..Self::COUNT {
             out.0[k] = f(self.0[k], other.0[k]);
         }
         out
@@ -92,7 +114,7 @@ impl Scalar for Octet {
 
     #[inline(always)]
     fn from_f64(value: f64) -> Self {
-        Self([value; Self::WIDTH])
+        Self([value; Self::COUNT])
     }
 
     #[inline(always)]
@@ -103,7 +125,7 @@ impl Scalar for Octet {
 
     #[inline(always)]
     fn sin_cos_all<const N: usize>(angles: [Self; N]) -> [(Self, Self); N] {
-        let mut x = [[0.0; Self::WIDTH]; N];
+        let mut x = [[0.0; Self::COUNT]; N];
         for k in 0..N {
             x[k] = angles[k].0;
         }
@@ -144,7 +166,7 @@ impl Scalar for Octet {
 
     #[inline(always)]
     fn atan2_all<const N: usize>(vectors: [(Self, Self); N]) -> [Self; N] {
-        let [mut y, mut x] = [[[0.0; Self::WIDTH]; N]; 2];
+        let [mut y, mut x] = [[[0.0; Self::COUNT]; N]; 2];
         for k in 0..N {
             (y[k], x[k]) = (vectors[k].0.0, vectors[k].1.0);
         }
@@ -188,14 +210,7 @@ impl Scalar for Octet {
 }
 
 impl Pack for Octet {
-    const COUNT: usize = Self::WIDTH;
-    type Each<X: Copy> = [X; Self::WIDTH];
-    const ALL: [bool; Self::WIDTH] = [true; Self::WIDTH];
-
-    #[inline(always)]
-    fn each<X: Copy>(of: impl FnMut(usize) -> X) -> [X; Self::WIDTH] {
-        core::array::from_fn(of)
-    }
+    const COUNT: usize = Self::COUNT;
 
     #[inline(always)]
     fn read(numbers: &[f64], mut put: impl FnMut(usize, Self)) -> &[f64] {
@@ -206,14 +221,8 @@ impl Pack for Octet {
         rest
     }
 
-    #[inline(always)]
-    fn lane(&self, lane: usize) -> f64 {
-        self.0[lane]
-    }
-
-    #[inline(always)]
-    fn set(&mut self, lane: usize, value: f64) {
-        self.0[lane] = value;
+    fn generate(of: impl FnMut(usize) -> f64) -> Self {
+        Self::generate(of)
     }
 }
 
