@@ -244,7 +244,7 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     /// As [`state`](Self::state).
     pub fn tracker(&self, at: &Instant<'_>) -> Result<Tracker<'m>, SolveError> {
         let evaluator = Box::new(Evaluator::<_, M>::new(self.mechanism));
-        Tracker::new(self, evaluator, at, self.state_by_plan(at), assemble_in)
+        Tracker::new(self, evaluator, at, self.state_by_plan(at, None), assemble_in)
     }
 
     /// [`tracker`](Self::tracker) from a complete start, n numbers.
@@ -253,7 +253,9 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     /// As [`state_from`](Self::state_from).
     pub fn tracker_from(&self, at: &Instant<'_>, start: &[f64]) -> Result<Tracker<'m>, SolveError> {
         let evaluator = Box::new(Evaluator::<_, M>::new(self.mechanism));
-        Tracker::new(self, evaluator, at, self.state_near(at, start), |equations, _| position(equations, start))
+        Tracker::new(self, evaluator, at, self.state_by_plan(at, Some(start)), |equations, _| {
+            position(equations, start)
+        })
     }
 
     /// [`tracker`](Self::tracker) with a copy of the mechanism, so that a controller can keep it.
@@ -265,7 +267,7 @@ impl<'m, M: Mechanism> Solver<'m, M> {
         M: Clone + 'static,
     {
         let evaluator = Box::new(Evaluator::<M, M>::new(self.mechanism.clone()));
-        Tracker::new(self, evaluator, at, self.state_by_plan(at), assemble_in)
+        Tracker::new(self, evaluator, at, self.state_by_plan(at, None), assemble_in)
     }
 }
 

@@ -13,7 +13,7 @@ use crate::planned::follower::{Control, PlanFollower, PlanSolution};
 use crate::scalar::{Interval, Scalar};
 use crate::signal::Signal;
 use crate::state::State;
-use crate::workspace::{Array, Instant, Subset};
+use crate::workspace::{Array, Evaluation, Instant, Subset};
 use core::borrow::Borrow;
 
 /// The values e of rows or observables, the non-zeros of their Jacobian, their time derivatives and the right-hand
@@ -27,6 +27,14 @@ pub(crate) struct Parts<'a, T = f64> {
     pub(crate) phi_t: &'a [T],
     /// −(e_q q̇)_q q̇ − 2 e_qt q̇ − e_tt.
     pub(crate) gamma: &'a [T],
+}
+
+impl<'a, T> Parts<'a, T> {
+    /// The lists of an evaluation.
+    #[inline]
+    pub(crate) fn of<R: AsRef<[T]>, J: AsRef<[T]>>(evaluation: &'a Evaluation<R, J>) -> Self {
+        Self { phi: evaluation.phi(), phi_q: evaluation.phi_q(), phi_t: evaluation.phi_t(), gamma: evaluation.gamma() }
+    }
 }
 
 impl<'a, T: Scalar> Parts<'a, T> {
@@ -198,8 +206,7 @@ impl<B: Borrow<M>, M: Mechanism> System for Evaluator<B, M> {
     }
 
     fn constraints(&self) -> Parts<'_> {
-        let w = &self.workspace;
-        Parts { phi: w.phi(), phi_q: w.phi_q(), phi_t: w.phi_t(), gamma: w.gamma() }
+        Parts::of(&self.workspace)
     }
 
     fn observe(&mut self, at: &Instant<'_>, q: &[f64], q_dot: &[f64]) -> Result<(), LengthError> {
@@ -207,8 +214,7 @@ impl<B: Borrow<M>, M: Mechanism> System for Evaluator<B, M> {
     }
 
     fn observables(&self) -> Parts<'_> {
-        let w = &self.observations;
-        Parts { phi: w.phi(), phi_q: w.phi_q(), phi_t: w.phi_t(), gamma: w.gamma() }
+        Parts::of(&self.observations)
     }
 
     fn curve(&self, at: &Instant<'_>, joint: usize, s: f64) -> Option<CurvePoint> {

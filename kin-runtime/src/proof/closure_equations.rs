@@ -3,7 +3,7 @@
 
 use super::eliminated::{EliminatedAngle, dot};
 use super::enclosures::{Enclosures, everywhere};
-use super::krawczyk::Square;
+use super::krawczyk::{Square, Unbounded};
 use super::reduced::Reduced;
 use crate::certificate::Uncertified;
 use crate::scalar::Interval;
@@ -82,7 +82,7 @@ impl<'s> ClosureEquations<'s> {
     fn determine(&mut self, region: &[Interval]) {
         let m = self.reduced.left.len();
         self.q = everywhere(region);
-        if self.evaluate_as_far(Subset::JACOBIAN).is_err() {
+        if self.evaluate(Subset::JACOBIAN, Unbounded::Infinite).is_err() {
             return;
         }
         let gradient = |&i: &usize| self.reduced.gradient(&self.values.phi_q, i);
@@ -131,7 +131,7 @@ impl<'s> ClosureEquations<'s> {
         let mut derivatives = |angle: Interval| {
             self.go_to(&others);
             self.q[column] = angle;
-            self.evaluate(Subset::JACOBIAN).ok()?;
+            self.evaluate(Subset::JACOBIAN, Unbounded::Refused).ok()?;
             Some(rows.map(|i| self.reduced.derivative(&self.values.phi_q, i, k)))
         };
         let quarter = Interval::new(FRAC_PI_2, FRAC_PI_2.next_up());
@@ -164,7 +164,8 @@ impl<'s> ClosureEquations<'s> {
     fn follow(&mut self) {
         self.known.fill(None);
         self.go_to(&[]);
-        let has_values = self.evaluate_as_far(Subset::PHI).is_ok();
+        // Known coordinates do not depend on rows without bounds.
+        let has_values = self.evaluate(Subset::PHI, Unbounded::Infinite).is_ok();
         for (k, row, factors) in &self.determined {
             // Without values their bounds are infinite.
             let value = if has_values { self.values.phi[*row] } else { Interval::ENTIRE };
@@ -325,13 +326,13 @@ impl<'s> ClosureEquations<'s> {
         self.go_to(u);
         let mut q = self.q.clone();
         if !self.eliminated.is_empty() {
-            self.evaluate(Subset::PHI).ok()?;
+            self.evaluate(Subset::PHI, Unbounded::Refused).ok()?;
             for ((angle, a), (_, near)) in self.constant_parts().zip(&self.eliminated) {
                 q[self.reduced.left[angle.angle]] = angle.direction(a, *near);
             }
         }
         let evaluated = self.system.evaluate(Subset::PHI, &q, &self.still).ok()?;
-        self.square.phi(evaluated.phi, &q, &mut self.of_rows).ok()?;
+        self.square.phi(evaluated.phi, &q, &mut self.of_rows, Unbounded::Refused).ok()?;
         self.reduced.complete(&self.of_rows, &mut q);
         Some(q)
     }
@@ -350,33 +351,19 @@ impl<'s> ClosureEquations<'s> {
     /// Evaluates the equations over a box of u.
     fn over(&mut self, u: &[Interval], subset: Subset) -> Result<(), Uncertified> {
         self.go_to(u);
-        self.evaluate(subset)
-    }
-
-    /// As `evaluate`, with infinite bounds where there are none: known coordinates do not depend on such rows.
-    fn evaluate_as_far(&mut self, subset: Subset) -> Result<(), Uncertified> {
-        let Self { system, reduced, square, still, q, of_rows, values, .. } = self;
-        let rows = system.evaluate(subset, q, still).map_err(|_| Uncertified::Malformed)?;
-        if subset.phi {
-            square.phi_as_far(rows.phi, q, of_rows);
-            reduced.values(of_rows, &mut values.phi);
-        }
-        if subset.phi_q {
-            square.matrix_as_far(rows.phi_q, &mut values.phi_q);
-        }
-        Ok(())
+        self.evaluate(subset, Unbounded::Refused)
     }
 
     /// Evaluates the equations over the box of all coordinates; lists that are not in the subset remain unchanged.
-    fn evaluate(&mut self, subset: Subset) -> Result<(), Uncertified> {
+    fn evaluate(&mut self, subset: Subset, unbounded: Unbounded) -> Result<(), Uncertified> {
         let Self { system, reduced, square, still, q, of_rows, values, .. } = self;
         let rows = system.evaluate(subset, q, still).map_err(|_| Uncertified::Malformed)?;
         if subset.phi {
-            square.phi(rows.phi, q, of_rows)?;
+            square.phi(rows.phi, q, of_rows, unbounded)?;
             reduced.values(of_rows, &mut values.phi);
         }
         if subset.phi_q {
-            square.matrix(rows.phi_q, &mut values.phi_q)?;
+            square.matrix(rows.phi_q, &mut values.phi_q, unbounded)?;
         }
         if subset.phi_t {
             square.kept(rows.phi_t, of_rows)?;

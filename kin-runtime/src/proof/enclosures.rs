@@ -1,22 +1,11 @@
 //! The only generic code of proofs: a mechanism as an object that evaluates its rows over boxes.
 
 use super::smooth::Smooth;
+use crate::equations::system::Parts;
 use crate::mechanism::{LengthError, Mechanism, Workspace};
 use crate::scalar::{Interval, Scalar};
 use crate::workspace::{Array, Instant, Signal, Subset};
 use core::borrow::Borrow;
-
-/// The rows over a box.
-pub(crate) struct Evaluated<'a> {
-    /// Φ.
-    pub(crate) phi: &'a [Interval],
-    /// The entries of Φ_q in the order of the pattern.
-    pub(crate) phi_q: &'a [Interval],
-    /// Φ_t.
-    pub(crate) phi_t: &'a [Interval],
-    /// γ.
-    pub(crate) gamma: &'a [Interval],
-}
 
 /// The rows of a mechanism over boxes, at one instant or over an interval of t.
 pub(crate) trait Enclosures {
@@ -24,7 +13,12 @@ pub(crate) trait Enclosures {
     fn set_time(&mut self, t: Interval);
 
     /// Evaluates a subset over the box q and, for γ, q̇.
-    fn evaluate(&mut self, subset: Subset, q: &[Interval], q_dot: &[Interval]) -> Result<Evaluated<'_>, LengthError>;
+    fn evaluate(
+        &mut self,
+        subset: Subset,
+        q: &[Interval],
+        q_dot: &[Interval],
+    ) -> Result<Parts<'_, Interval>, LengthError>;
 
     /// True if Φ_q is proven to have no jumps over the box q; across a jump its derivatives would not bound its change.
     fn is_smooth(&self, q: &[Interval]) -> bool;
@@ -62,13 +56,17 @@ impl<M: Mechanism> Enclosures for OverBoxes<'_, M> {
             M::Inputs::<Interval>::generate(Signal::constant(Interval::ZERO), |k| inputs.as_ref()[k].after(since));
     }
 
-    fn evaluate(&mut self, subset: Subset, q: &[Interval], q_dot: &[Interval]) -> Result<Evaluated<'_>, LengthError> {
+    fn evaluate(
+        &mut self,
+        subset: Subset,
+        q: &[Interval],
+        q_dot: &[Interval],
+    ) -> Result<Parts<'_, Interval>, LengthError> {
         let inputs: &[Signal<Interval>] = self.inputs.as_ref();
         let at = Instant { t: self.t, inputs };
         let mechanism: &M = self.mechanism.borrow();
         mechanism.evaluate_with(self.parameters.as_ref(), subset, &at, q, q_dot, &mut self.workspace)?;
-        let w = &self.workspace;
-        Ok(Evaluated { phi: w.phi(), phi_q: w.phi_q(), phi_t: w.phi_t(), gamma: w.gamma() })
+        Ok(Parts::of(&self.workspace))
     }
 
     fn is_smooth(&self, q: &[Interval]) -> bool {

@@ -19,6 +19,15 @@ const WRONG: f64 = 1e-6;
 const SINGULAR: f64 = 1e-6;
 const ONE: Interval = Interval::new(1.0, 1.0);
 
+/// What becomes of a number without an enclosure.
+#[derive(Clone, Copy)]
+pub(super) enum Unbounded {
+    /// It is an error.
+    Refused,
+    /// Its bounds are infinite.
+    Infinite,
+}
+
 /// A square system: as many rows as coordinates.
 pub(crate) struct Square {
     model: &'static Model,
@@ -100,44 +109,43 @@ impl Square {
     }
 
     /// Writes Φ, prescribed coordinates included.
-    pub(super) fn phi(&self, values: &[Interval], q: &[Interval], phi: &mut Vec<Interval>) -> Result<(), Uncertified> {
-        self.rows(values.iter().copied(), |&(k, signal)| q[k] - Interval::from(signal.value), phi)
-    }
-
-    /// As [`phi`](Self::phi), with infinite bounds for rows without an enclosure.
-    pub(super) fn phi_as_far(&self, values: &[Interval], q: &[Interval], phi: &mut Vec<Interval>) {
-        phi.clear();
-        let kept = values.iter().enumerate().filter(|&(row, _)| !self.is_left_out(row));
-        phi.extend(kept.map(|(_, &value)| as_far(value)));
-        phi.extend(self.given.iter().map(|&(k, signal)| q[k] - Interval::from(signal.value)));
-    }
-
-    /// As [`matrix`](Self::matrix), with infinite bounds for entries without an enclosure.
-    pub(super) fn matrix_as_far(&self, phi_q: &[Interval], matrix: &mut Vec<Interval>) {
-        matrix.clear();
-        match &self.sources {
-            None => matrix.extend(phi_q.iter().map(|&value| as_far(value))),
-            Some(sources) => {
-                matrix.extend(sources.iter().map(|source| source.map_or(ONE, |k| as_far(phi_q[k]))));
-            }
-        }
+    pub(super) fn phi(
+        &self,
+        values: &[Interval],
+        q: &[Interval],
+        phi: &mut Vec<Interval>,
+        unbounded: Unbounded,
+    ) -> Result<(), Uncertified> {
+        self.rows(values.iter().copied(), |&(k, signal)| q[k] - Interval::from(signal.value), phi, unbounded)
     }
 
     /// Writes the entries of Φ_q, in the order of `entries`.
-    pub(super) fn matrix(&self, phi_q: &[Interval], matrix: &mut Vec<Interval>) -> Result<(), Uncertified> {
+    pub(super) fn matrix(
+        &self,
+        phi_q: &[Interval],
+        matrix: &mut Vec<Interval>,
+        unbounded: Unbounded,
+    ) -> Result<(), Uncertified> {
         matrix.clear();
         match &self.sources {
             None => matrix.extend_from_slice(phi_q),
             Some(sources) => matrix.extend(sources.iter().map(|source| source.map_or(ONE, |k| phi_q[k]))),
         }
-        let Some(entry) = matrix.iter().position(|value| !value.is_bounded()) else { return Ok(()) };
-        let row = self.source(entry).map_or(0, |k| self.model.constraint_pattern.entries[k].0);
-        Err(self.unbounded(row))
+        for (entry, value) in matrix.iter_mut().enumerate().filter(|(_, value)| !value.is_bounded()) {
+            match unbounded {
+                Unbounded::Refused => {
+                    let row = self.source(entry).map_or(0, |k| self.model.constraint_pattern.entries[k].0);
+                    return Err(self.unbounded(row));
+                }
+                Unbounded::Infinite => *value = Interval::ENTIRE,
+            }
+        }
+        Ok(())
     }
 
     /// Writes the numbers of the rows that are not left out, and 0 for prescribed coordinates.
     pub(super) fn kept(&self, values: &[Interval], rows: &mut Vec<Interval>) -> Result<(), Uncertified> {
-        self.rows(values.iter().copied(), |_| Interval::ZERO, rows)
+        self.rows(values.iter().copied(), |_| Interval::ZERO, rows, Unbounded::Refused)
     }
 
     /// Writes the numbers of the rows that are not left out, and those of prescribed coordinates.
@@ -146,13 +154,15 @@ impl Square {
         values: impl Iterator<Item = Interval>,
         given: impl Fn(&(usize, Signal)) -> Interval,
         rows: &mut Vec<Interval>,
+        unbounded: Unbounded,
     ) -> Result<(), Uncertified> {
         rows.clear();
         for (row, value) in values.enumerate().filter(|&(row, _)| !self.is_left_out(row)) {
-            if !value.is_bounded() {
-                return Err(self.unbounded(row));
-            }
-            rows.push(value);
+            rows.push(match unbounded {
+                _ if value.is_bounded() => value,
+                Unbounded::Refused => return Err(self.unbounded(row)),
+                Unbounded::Infinite => Interval::ENTIRE,
+            });
         }
         rows.extend(self.given.iter().map(given));
         Ok(())
@@ -265,8 +275,8 @@ impl<'s> Prover<'s> {
         point.clear();
         point.extend(q.iter().map(|&x| Interval::from(x)));
         let at_point = system.evaluate(Subset::POSITION, point, still).map_err(malformed)?;
-        square.phi(at_point.phi, point, rows)?;
-        square.matrix(at_point.phi_q, matrix)?;
+        square.phi(at_point.phi, point, rows, Unbounded::Refused)?;
+        square.matrix(at_point.phi_q, matrix, Unbounded::Refused)?;
         square.sizes(q, sizes);
         if !inverse.set(&square.entries, matrix.iter().map(|entry| entry.midpoint()), exchanges) {
             return Err(Uncertified::Singular { nearness: 0.0 });
@@ -283,7 +293,7 @@ impl<'s> Prover<'s> {
         }
         let mut over = |q: &[Interval], matrix: &mut Vec<Interval>| {
             let evaluated = system.evaluate(Subset::JACOBIAN, q, still).map_err(malformed)?;
-            square.matrix(evaluated.phi_q, matrix)
+            square.matrix(evaluated.phi_q, matrix, Unbounded::Refused)
         };
         let trial = Trial { boxes: &BOXES, entries: &square.entries, centre: q, sizes, newton };
         let located = trial.locate(inverse, &mut over, over_box)?;
@@ -312,9 +322,9 @@ impl<'s> Prover<'s> {
         let Self { square, inverse, sizes, still, rows, matrix, .. } = self;
         // The linear equations A q̇ = −Φ_t and A q̈ = γ for all matrices over the enclosure.
         let over = system.evaluate(Subset::VELOCITY, &located.q, still).map_err(malformed)?;
-        square.matrix(over.phi_q, matrix)?;
+        square.matrix(over.phi_q, matrix, Unbounded::Refused)?;
         let nu = over.phi_t.iter().map(|&phi_t| -phi_t);
-        square.rows(nu, |(_, signal)| Interval::from(signal.rate), rows)?;
+        square.rows(nu, |(_, signal)| Interval::from(signal.rate), rows, Unbounded::Refused)?;
         square.subtract(rows, matrix, q_dot);
         let mut rates = located.solve(inverse, rows);
         let nearness = |inverse: &Preconditioner| inverse.inverse_condition(&square.entries, matrix, sizes);
@@ -323,7 +333,12 @@ impl<'s> Prover<'s> {
         }
         rates.iter_mut().zip(q_dot).for_each(|(d, &x)| *d = Interval::from(x) + *d);
         let over = system.evaluate(Subset::GAMMA, &located.q, &rates).map_err(malformed)?;
-        square.rows(over.gamma.iter().copied(), |(_, signal)| Interval::from(signal.acceleration), rows)?;
+        square.rows(
+            over.gamma.iter().copied(),
+            |(_, signal)| Interval::from(signal.acceleration),
+            rows,
+            Unbounded::Refused,
+        )?;
         square.subtract(rows, matrix, q_ddot);
         let mut accelerations = located.solve(inverse, rows);
         if !square.judge("q̈", &accelerations, sizes, WRONG * (1.0 + size_of(q_ddot, sizes)))? {
@@ -339,11 +354,6 @@ impl<'s> Prover<'s> {
 /// True for a list of n finite numbers.
 fn is_list(n: usize, list: &[f64]) -> bool {
     list.len() == n && list.iter().all(|x| x.is_finite())
-}
-
-/// An enclosure, infinite where there is none.
-fn as_far(value: Interval) -> Interval {
-    if value.is_bounded() { value } else { Interval::ENTIRE }
 }
 
 /// The error of an evaluation with lists of wrong lengths.

@@ -151,7 +151,7 @@ impl<M: Mechanism> Work<M> {
         }
         if self.needs.observed {
             mechanism.observe_with(&parameters, &at, q, q_dot, &mut self.observations)?;
-            let parts = super::variation::parts(&self.observations);
+            let parts = crate::equations::system::Parts::of(&self.observations);
             let pattern = &model.observable_pattern;
             observed.clear();
             observed.extend((0..model.observables.len()).map(|row| parts.rates(pattern, row, q_dot, q_ddot)));

@@ -119,10 +119,6 @@ pub(crate) fn modes_at<M: Mechanism>(
     Ok(decided.then(|| branch_values.modes()))
 }
 
-pub(super) fn parts<T, R: AsRef<[T]>, J: AsRef<[T]>>(evaluation: &crate::workspace::Evaluation<R, J>) -> Parts<'_, T> {
-    Parts { phi: evaluation.phi(), phi_q: evaluation.phi_q(), phi_t: evaluation.phi_t(), gamma: evaluation.gamma() }
-}
-
 impl<M: Mechanism> Variation for Varying<'_, M> {
     fn model(&self) -> &'static Model {
         M::model()
@@ -169,13 +165,13 @@ impl<M: Mechanism> Variation for Varying<'_, M> {
     fn evaluate(&mut self, subset: Subset, q: &[Number], q_dot: &[Number]) -> Result<Parts<'_, Number>, LengthError> {
         let at = Instant { t: self.t, inputs: self.inputs.as_ref() };
         self.mechanism.evaluate_with(self.parameters.as_ref(), subset, &at, q, q_dot, &mut self.workspace)?;
-        Ok(parts(&self.workspace))
+        Ok(Parts::of(&self.workspace))
     }
 
     fn observe(&mut self, q: &[Number], q_dot: &[Number]) -> Result<Parts<'_, Number>, LengthError> {
         let at = Instant { t: self.t, inputs: self.inputs.as_ref() };
         self.mechanism.observe_with(self.parameters.as_ref(), &at, q, q_dot, &mut self.observations)?;
-        Ok(parts(&self.observations))
+        Ok(Parts::of(&self.observations))
     }
 
     fn generalized_forces(&self, varied: &Varied, generalized: &mut [Number]) -> Result<(), LengthError> {

@@ -33,7 +33,7 @@ pub(crate) trait AnySolver {
     /// q of the mechanism assembled from the guesses.
     fn assembled(&self, at: &Instant<'_>) -> Result<Vec<f64>, SolveError>;
 
-    /// What assembly from the guesses is to find.
+    /// The modes and guesses that the assembly must satisfy.
     fn wanted_assembly(&self) -> Result<WantedAssembly, SolveError>;
 
     /// The state that the plan finds near a complete start, or else from the guesses; `None` if the general path must be
@@ -113,10 +113,7 @@ impl<M: Mechanism> AnySolver for Solver<'_, M> {
     }
 
     fn planned_state(&self, at: &Instant<'_>, start: Option<&[f64]>) -> Option<State> {
-        match start {
-            Some(start) => self.state_near(at, start),
-            None => self.state_by_plan(at),
-        }
+        self.state_by_plan(at, start)
     }
 
     fn state_near_start(&self, at: &Instant<'_>, start: &[f64]) -> Result<State, SolveError> {

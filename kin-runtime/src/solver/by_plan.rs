@@ -25,7 +25,7 @@ use crate::planned::follower::{PlanFollower, PlanSolution};
 use crate::planned::lists::{BranchValues, Margins, Modes};
 use crate::scalar::compare::{all_above, all_finite};
 use crate::state::State;
-use crate::workspace::{Array, Evaluation, Instant, Subset};
+use crate::workspace::{Array, Instant, Subset};
 
 /// The start of a solution by the plan: the modes, and a configuration. The angles of the solution are within half a
 /// turn of those of this configuration.
@@ -35,24 +35,30 @@ struct Start<M: Mechanism> {
 }
 
 impl<M: Mechanism> Solver<'_, M> {
-    /// The state that the guesses lead to; `None` if the general path must be used.
-    pub(crate) fn state_by_plan(&self, at: &Instant<'_>) -> Option<State> {
-        if !self.has_solution_by_plan(at) {
-            return None;
-        }
-        let parameters = self.mechanism.parameters::<f64>();
-        let start = self.start_of_guess(&parameters, at)?;
+    /// The state near a complete start, or else the one that the guesses lead to; `None` if the general path must be used.
+    pub(crate) fn state_by_plan(&self, at: &Instant<'_>, start: Option<&[f64]>) -> Option<State> {
+        let (parameters, start) = self.start_by_plan(at, start)?;
         self.state_of(&parameters, at, &start)
     }
 
-    /// The state near a complete start; `None` if the general path must be used.
-    pub(crate) fn state_near(&self, at: &Instant<'_>, start: &[f64]) -> Option<State> {
+    /// As [`state_by_plan`](Self::state_by_plan), for the position alone.
+    pub(crate) fn position_by_plan(&self, at: &Instant<'_>, start: Option<&[f64]>) -> Option<Position> {
+        let (parameters, start) = self.start_by_plan(at, start)?;
+        self.position_of(&parameters, at, &start)
+    }
+
+    /// The parameters, and the start of a solution by the plan; `None` if the general path must be used.
+    #[inline]
+    fn start_by_plan(&self, at: &Instant<'_>, start: Option<&[f64]>) -> Option<(M::Parameters<f64>, Start<M>)> {
         if !self.has_solution_by_plan(at) {
             return None;
         }
         let parameters = self.mechanism.parameters::<f64>();
-        let start = self.start_of(&parameters, at, start)?;
-        self.state_of(&parameters, at, &start)
+        let start = match start {
+            Some(start) => self.start_of(&parameters, at, start)?,
+            None => self.start_of_guess(&parameters, at)?,
+        };
+        Some((parameters, start))
     }
 
     /// The follower of the plan at the configuration that the guesses lead to, or why the plan has no solution there;
@@ -65,24 +71,6 @@ impl<M: Mechanism> Solver<'_, M> {
         let parameters = self.mechanism.parameters::<f64>();
         let Start { q, modes } = self.start_of_guess(&parameters, at)?;
         Some(PlanFollower::begin(self.mechanism, parameters, at, q.as_ref(), modes))
-    }
-
-    /// The position that the guesses lead to; `None` if the general path must be used.
-    pub(crate) fn position_by_plan(&self, at: &Instant<'_>) -> Option<Position> {
-        if !self.has_solution_by_plan(at) {
-            return None;
-        }
-        let parameters = self.mechanism.parameters::<f64>();
-        self.position_of(&parameters, at, &self.start_of_guess(&parameters, at)?)
-    }
-
-    /// The position near a complete start; `None` if the general path must be used.
-    pub(crate) fn position_near(&self, at: &Instant<'_>, start: &[f64]) -> Option<Position> {
-        if !self.has_solution_by_plan(at) {
-            return None;
-        }
-        let parameters = self.mechanism.parameters::<f64>();
-        self.position_of(&parameters, at, &self.start_of(&parameters, at, start)?)
     }
 
     /// The modes of a configuration; `None` if numbers are not finite.
@@ -209,7 +197,7 @@ impl<M: Mechanism> Solver<'_, M> {
             self.position_residual(parameters, at, q, &mut workspace)?
         } else {
             self.mechanism.evaluate_with(parameters.as_ref(), Subset::ALL, at, q, q_dot, &mut workspace).ok()?;
-            self.residual(&parts(&workspace), solution)?
+            self.residual(&Parts::of(&workspace), solution)?
         };
         if !solution.iter().all(|numbers| all_finite(numbers)) || model.has_curves && !self.touches(at, q) {
             return None;
@@ -220,7 +208,7 @@ impl<M: Mechanism> Solver<'_, M> {
         let mut state = state_with(model, at, solution, Vec::with_capacity(model.bodies.len()), residual);
         let mut observations = M::observations::<f64>();
         self.mechanism.observe_with(parameters.as_ref(), at, q, q_dot, &mut observations).ok()?;
-        write_poses(&parts(&observations), &mut state).ok()?;
+        write_poses(&Parts::of(&observations), &mut state).ok()?;
         Some(state)
     }
 
@@ -269,7 +257,9 @@ impl<M: Mechanism> Solver<'_, M> {
     /// The position by the plan, if it satisfies all rows.
     fn position_of(&self, parameters: &M::Parameters<f64>, at: &Instant<'_>, start: &Start<M>) -> Option<Position> {
         if M::model().plan.has_redundant_rows() || M::model().has_curves {
-            return self.checked_position(parameters, at, start);
+            // These are checked with rates.
+            let State { q, residual, iterations, .. } = self.state_of(parameters, at, start)?;
+            return Some(Position { q, iterations, residual });
         }
         let mut margins = Margins::filled(0.0);
         let mut q = M::Coordinates::<f64>::filled(0.0);
@@ -285,28 +275,10 @@ impl<M: Mechanism> Solver<'_, M> {
         let residual = self.position_residual(parameters, at, q, &mut workspace)?;
         Some(Position { q: q.to_vec(), iterations: 1, residual })
     }
-
-    /// [`position_of`](Self::position_of) with redundant rows or curves, which are checked with rates.
-    #[cold]
-    fn checked_position(
-        &self,
-        parameters: &M::Parameters<f64>,
-        at: &Instant<'_>,
-        start: &Start<M>,
-    ) -> Option<Position> {
-        let State { q, residual, iterations, .. } = self.state_of(parameters, at, start)?;
-        Some(Position { q, iterations, residual })
-    }
 }
 
 /// The number of rows for which there is room on the stack.
 const FEW: usize = 64;
-
-/// An evaluation as slices.
-fn parts<R: AsRef<[f64]>, J: AsRef<[f64]>>(evaluation: &Evaluation<R, J>) -> Parts<'_> {
-    let (phi, phi_q) = (evaluation.phi(), evaluation.phi_q());
-    Parts { phi, phi_q, phi_t: evaluation.phi_t(), gamma: evaluation.gamma() }
-}
 
 /// Writes the mechanism's own guesses and those of the caller, which prevail; `None` if one of these is not finite or
 /// for a coordinate that does not exist.

@@ -1,4 +1,4 @@
-//! Whether the iterations of the plan found the solution that their start means.
+//! Whether the iterations of the plan found the solution on the same branch as their start.
 //!
 //! Newton's iteration from a distant start may converge to any solution: to the roller on the other side of its cam, or
 //! to a point of a curve after dozens of revolutions. A solution is accepted if the orientation of the group, the sign

@@ -81,7 +81,7 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     /// [`Length`](SolveError::Length) for arguments and parameters, here and in every other analysis.
     pub fn assemble(&self, at: &Instant<'_>) -> Result<Vec<f64>, SolveError> {
         let wanted = self.wanted()?;
-        match self.position_by_plan(at) {
+        match self.position_by_plan(at, None) {
             Some(position) => Ok(position.q),
             None => assembled(self.equations(at)?, &wanted),
         }
@@ -113,7 +113,7 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     /// # Errors
     /// As [`assemble`](Self::assemble).
     pub fn position(&self, at: &Instant<'_>, start: &[f64]) -> Result<Position, SolveError> {
-        match self.position_near(at, start) {
+        match self.position_by_plan(at, Some(start)) {
             Some(position) => Ok(position),
             None => position(&mut self.equations(at)?, start),
         }
@@ -126,7 +126,7 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     /// [`InconsistentVelocity`](SolveError::InconsistentVelocity) where redundant rows contradict the others,
     /// [`GivenConflict`](SolveError::GivenConflict).
     pub fn velocity(&self, at: &Instant<'_>, q: &[f64]) -> Result<Vec<f64>, SolveError> {
-        match self.velocity_by_blocks(at, q) {
+        match self.rates_by_blocks(at, q, None) {
             Some(q_dot) => Ok(q_dot),
             None => velocity_at(&mut self.equations(at)?, q),
         }
@@ -137,7 +137,7 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     /// # Errors
     /// As [`velocity`](Self::velocity), and [`InconsistentAcceleration`](SolveError::InconsistentAcceleration).
     pub fn acceleration(&self, at: &Instant<'_>, q: &[f64], q_dot: &[f64]) -> Result<Vec<f64>, SolveError> {
-        match self.acceleration_by_blocks(at, q, q_dot) {
+        match self.rates_by_blocks(at, q, Some(q_dot)) {
             Some(q_ddot) => Ok(q_ddot),
             None => acceleration_at(&mut self.equations(at)?, q, q_dot),
         }
@@ -148,7 +148,7 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     /// # Errors
     /// As [`assemble`](Self::assemble), [`velocity`](Self::velocity) and [`acceleration`](Self::acceleration).
     pub fn state(&self, at: &Instant<'_>) -> Result<State, SolveError> {
-        if let Some(state) = self.state_by_plan(at) {
+        if let Some(state) = self.state_by_plan(at, None) {
             return Ok(state);
         }
         state_from_guess(self.equations(at)?, &self.wanted()?)
@@ -163,7 +163,7 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     /// # Errors
     /// As [`state`](Self::state).
     pub fn state_from(&self, at: &Instant<'_>, start: &[f64]) -> Result<State, SolveError> {
-        if let Some(state) = self.state_near(at, start) {
+        if let Some(state) = self.state_by_plan(at, Some(start)) {
             return Ok(state);
         }
         state_from_start(self.equations(at)?, start)

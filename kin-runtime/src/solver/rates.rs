@@ -15,19 +15,9 @@ use crate::workspace::{Array, Instant, Subset};
 const ROUNDING: f64 = 1e-12;
 
 impl<M: Mechanism> Solver<'_, M> {
-    /// q̇ at q; `None` if the general path must be used.
-    pub(super) fn velocity_by_blocks(&self, at: &Instant<'_>, q: &[f64]) -> Option<Vec<f64>> {
-        self.rates_by_blocks(at, q, None)
-    }
-
-    /// q̈ at q and q̇; `None` if the general path must be used.
-    pub(super) fn acceleration_by_blocks(&self, at: &Instant<'_>, q: &[f64], q_dot: &[f64]) -> Option<Vec<f64>> {
-        self.rates_by_blocks(at, q, Some(q_dot))
-    }
-
     /// q̈ if q̇ is given, otherwise q̇. `None` near singular configurations, with redundant rows, and wherever the plan
     /// does not apply.
-    fn rates_by_blocks(&self, at: &Instant<'_>, q: &[f64], q_dot: Option<&[f64]>) -> Option<Vec<f64>> {
+    pub(super) fn rates_by_blocks(&self, at: &Instant<'_>, q: &[f64], q_dot: Option<&[f64]>) -> Option<Vec<f64>> {
         let model = M::model();
         let parameters = self.mechanism.parameters::<f64>();
         let is_finite = all_finite(parameters.as_ref()) && all_finite(q) && q_dot.is_none_or(all_finite);

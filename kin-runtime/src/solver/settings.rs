@@ -30,7 +30,7 @@ pub(crate) struct Settings<'m> {
 impl Settings<'_> {
     /// Requests the sign of a mode.
     pub(crate) fn request(&mut self, model: &Model, mode: ModeKey<'_>, sign: Sign) {
-        self.modes.push((mode.to_string(), mode.place(model.plan.modes), sign));
+        self.modes.push((mode.to_string(), mode.index_in(model.plan.modes), sign));
     }
 
     /// Prescribes a coordinate.
