@@ -20,10 +20,10 @@ pub(crate) type InputFunction<'a> = Option<&'a dyn Fn(f64, &mut [Signal])>;
 
 /// Rates and accelerations are used if, from either end, they predict the signal at the other end with an error of at
 /// most this fraction of its change.
-const BELIEVED: f64 = 0.25;
+const AGREEMENT: f64 = 0.25;
 
 /// Up to this difference of t, in units in the last place, time counts as constant: there is no room for steps in time.
-const NEIGHBOURS: f64 = 64.0;
+const SAME_TIME: f64 = 64.0;
 
 /// The path of the inputs from one instant to the next.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -40,19 +40,19 @@ pub(crate) enum Kind {
 /// the change, straight if they do not, frozen if t is constant.
 pub(crate) fn kind(from: &Instant<'_>, to: &Instant<'_>) -> Kind {
     let h = to.t - from.t;
-    let believed = |(a, b): (&Signal, &Signal)| {
-        let allowed = BELIEVED * (b.value - a.value).abs();
+    let agree = |(a, b): (&Signal, &Signal)| {
+        let allowed = AGREEMENT * (b.value - a.value).abs();
         (a.after(h).value - b.value).abs() <= allowed && (b.after(-h).value - a.value).abs() <= allowed
     };
-    let nothing = NEIGHBOURS * f64::EPSILON * from.t.abs().max(to.t.abs());
+    let nothing = SAME_TIME * f64::EPSILON * from.t.abs().max(to.t.abs());
     match h {
         h if h.abs() <= nothing => Kind::Frozen,
-        h if h > 0.0 && from.inputs.iter().zip(to.inputs).all(believed) => Kind::Smooth,
+        h if h > 0.0 && from.inputs.iter().zip(to.inputs).all(agree) => Kind::Smooth,
         _ => Kind::Straight,
     }
 }
 
-/// The time at a place between two times.
+/// The time at the parameter s between two times.
 fn time(kind: Kind, [start, end]: [f64; 2], s: f64) -> f64 {
     match kind {
         Kind::Frozen if s == 1.0 => end,
@@ -61,12 +61,12 @@ fn time(kind: Kind, [start, end]: [f64; 2], s: f64) -> f64 {
     }
 }
 
-/// First and last place.
+/// The first and the last parameter s.
 fn ends(kind: Kind, t: [f64; 2]) -> [f64; 2] {
     if kind == Kind::Frozen { [0.0, 1.0] } else { t }
 }
 
-/// Writes the inputs at a place.
+/// Writes the inputs at a parameter s.
 fn write(kind: Kind, t: [f64; 2], [from, to]: [&[Signal]; 2], s: f64, inputs: &mut [Signal]) {
     let [start, end] = ends(kind, t);
     let x = if s == end { 1.0 } else { (s - start) / (end - start) };
@@ -84,9 +84,9 @@ fn write(kind: Kind, t: [f64; 2], [from, to]: [&[Signal]; 2], s: f64, inputs: &m
 
 /// A path of instants along which a motion is followed.
 pub(crate) trait Course {
-    /// First and last place.
+    /// The first and the last parameter s.
     fn ends(&self) -> [f64; 2];
-    /// Writes the inputs at a place and returns the time there.
+    /// Writes the inputs at a parameter s and returns the time there.
     fn at(&self, s: f64, inputs: &mut [Signal]) -> f64;
     /// True if time is constant, so that derivatives are with respect to s.
     fn is_frozen(&self) -> bool;
@@ -215,7 +215,7 @@ impl InputPath {
         }
     }
 
-    /// First and last place.
+    /// The first and the last parameter s.
     pub(crate) fn ends(&self) -> [f64; 2] {
         ends(self.kind, self.t)
     }
@@ -225,18 +225,18 @@ impl InputPath {
         self.t[0] == self.t[1] && self.from.iter().zip(&self.to).all(|(a, b)| a.value == b.value)
     }
 
-    /// Time at a place.
+    /// The time at a parameter s.
     pub(crate) fn time(&self, s: f64) -> f64 {
         time(self.kind, self.t, s)
     }
 
-    /// Writes the inputs at the place `since` after another one.
+    /// Writes the inputs at the parameter `since` after another one.
     pub(crate) fn write(&self, from: f64, since: f64, inputs: &mut [Signal]) {
         let [first, last] = self.ends();
         if since == 0.0 || self.kind == Kind::Frozen {
             return write(self.kind, self.t, [&self.from, &self.to], from + since, inputs);
         }
-        // Measured from the start of the path, places are not rounded to the spacing of numbers near t.
+        // Measured from the start of the path, parameters are not rounded to the spacing of numbers near t.
         write(self.kind, [0.0, last - first], [&self.from, &self.to], (from - first) + since, inputs);
     }
 }

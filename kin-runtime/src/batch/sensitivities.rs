@@ -8,7 +8,7 @@ use crate::mechanism::{LengthError, Mechanism};
 use crate::model::Model;
 use crate::results::varied::{Number, Varied, WIDTH};
 use crate::scalar::Scalar;
-use crate::scalar::lanes::{Octet, Pack};
+use crate::scalar::lanes::Octet;
 use crate::sensitivity::measured::complete;
 use crate::sensitivity::{LARGEST, Variation, Varying, is_integrated, is_same, modes_at};
 use crate::signal::{Instant, Signal};
@@ -58,7 +58,7 @@ impl SensitivitySolutions {
     /// # Panics
     /// If there is no such quantity.
     pub fn value(&self, measure: usize) -> impl Iterator<Item = f64> {
-        self.column(self.place(measure))
+        self.column(self.index_of(measure))
     }
 
     /// The derivative of a quantity with respect to a parameter, by their indices in the lists. NaN where it does not
@@ -68,10 +68,10 @@ impl SensitivitySolutions {
     /// If there is no such quantity or parameter.
     pub fn by(&self, measure: usize, parameter: usize) -> impl Iterator<Item = f64> {
         assert!(parameter < self.parameters, "parameter {parameter} of {}", self.parameters);
-        self.column(self.place(measure) + 1 + parameter)
+        self.column(self.index_of(measure) + 1 + parameter)
     }
 
-    fn place(&self, measure: usize) -> usize {
+    fn index_of(&self, measure: usize) -> usize {
         assert!(measure < self.measures, "quantity {measure} of {}", self.measures);
         1 + measure * self.width()
     }

@@ -9,7 +9,7 @@ use super::motion::Motion;
 use super::run::{Progress, Shape, blocks, drive};
 use crate::mechanism::Mechanism;
 use crate::scalar::Scalar;
-use crate::scalar::lanes::{Lanes, Octet, Pack};
+use crate::scalar::lanes::{Lanes, Octet};
 use crate::signal::{Instant, Signal};
 use crate::workspace::Array;
 use alloc::boxed::Box;

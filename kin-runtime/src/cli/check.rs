@@ -98,8 +98,8 @@ pub(super) const HELP: Help = Help {
     },
     details: "\
 The closed forms of Φ_q, Φ_t and γ are compared with automatic differentiation by dual numbers,
-the plan with full Newton, the solution with the equations, and powers with energies. The status
-is 0 only when everything passes. Where inputs have no value (--input), no solution is checked;
+the plan with full Newton, and the power supplied with the rate of the energy. The residuals of the
+solution are computed for positions, velocities and accelerations. The status is 0 only when everything passes. Where inputs have no value (--input), no solution is checked;
 where the drivers leave degrees of freedom open, it is that of least norm. With masses, a note
 reports contacts whose normal force is negative.",
 };
@@ -283,7 +283,7 @@ fn complaint(findings: &Findings) -> String {
         return format!("the plan's answer differs by more than {CLOSURE_TOLERANCE:e}: {plan}");
     }
     if check.passes(CLOSED_FORM_TOLERANCE) {
-        return format!("the solution misses the equations by more than {CLOSURE_TOLERANCE:e}");
+        return format!("the relative residual of a row, at the solution, is above {CLOSURE_TOLERANCE:e}");
     }
     if check.max_error > CLOSED_FORM_TOLERANCE {
         return format!("a closed form differs from the dual numbers by more than {CLOSED_FORM_TOLERANCE:e}: {check}");

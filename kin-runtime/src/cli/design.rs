@@ -36,19 +36,19 @@ pub(super) struct DesignArgs {
     /// Two parameters that stay equal: NAME=OTHER, where OTHER is free
     #[arg(long, value_name = "NAME=NAME")]
     equal: Vec<String>,
-    /// A point through places: POINT=FILE, csv with the columns x,y or t,x,y
+    /// A path: this point is to pass through positions: POINT=FILE, csv with the columns x,y or t,x,y
     #[arg(long, value_name = "POINT=FILE")]
     path: Vec<String>,
-    /// Places of paths without t may be passed in this direction of time: forward, backward, either
+    /// In which direction paths without t may be traversed: forward, backward, either
     #[arg(long, value_name = "DIRECTION", default_value = "forward")]
     direction: String,
     /// A quantity over time: NAME=FILE, csv with the columns t,value
     #[arg(long, value_name = "NAME=FILE")]
     function: Vec<String>,
-    /// A quantity whose greatest absolute value over a turn is to be as small as it can be
+    /// A quantity whose greatest absolute value over a turn is minimised
     #[arg(long, value_name = "NAME")]
     peak: Vec<String>,
-    /// It must move through a full turn [of this driver], and keep away from dead centres by 1 % of its links
+    /// It must move through a full turn [of this driver], and no dyad may come nearer to a dead centre than a tenth of its links
     #[arg(long, value_name = "DRIVER", num_args = 0..=1, default_missing_value = "")]
     turns: Option<String>,
     /// Lengths of a four-bar that must satisfy Grashof's condition: GROUND,CRANK,COUPLER,ROCKER

@@ -6,7 +6,8 @@ use std::sync::Arc;
 
 /// Instants of a turn at which a search evaluates conditions; the result is tested between them, too.
 pub(super) const INSTANTS: usize = 37;
-/// The least margin of a mechanism that must turn, for example the height of a dyad relative to its links.
+/// The least margin of a mechanism that must turn. Margins are squares: a dyad keeps at least a tenth of the height, relative
+/// to its links, that it has far from its dead centres.
 const MARGIN: f64 = 1e-2;
 
 /// A requirement of a design: one call of its builder.

@@ -19,7 +19,7 @@
 //! enough, and the motion ends.
 
 use super::lists::{Distances, Modes};
-use super::passed::CLOSE;
+use super::mode_changes::CLOSE;
 use crate::mechanism::Mechanism;
 use crate::scalar::compare::Compare;
 

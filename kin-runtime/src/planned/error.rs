@@ -313,7 +313,7 @@ impl fmt::Display for PlanError {
             Self::Undecided { t, mode } => {
                 write!(
                     f,
-                    "at t = {t}, the start does not determine the mode {mode}: its branch value there is 0 or NaN",
+                    "at t = {t}, the start does not determine the mode {mode}: its two closures coincide there, or a number is NaN",
                     t = rounded(*t)
                 )
             }

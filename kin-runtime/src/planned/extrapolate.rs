@@ -12,7 +12,7 @@ use super::error::LimitKind;
 use super::follower::{PlanFollower, PlanSolution};
 use super::lists::BranchValues;
 use super::predict::parabola;
-use super::walk::Blocked;
+use super::substeps::Blocked;
 use crate::course::Course;
 use crate::mechanism::Mechanism;
 use crate::scalar::Scalar;

@@ -1,7 +1,7 @@
 //! The follower of a plan: a branch of the motion and the state reached on it, and limits of its step length.
 //!
 //! It moves from one instant to the next in [`update`](super::update), with as many steps as necessary in
-//! [`walk`](super::walk). [`trial`](super::trial) checks whether a state is on the branch, and [`limit`](super::limit)
+//! [`substeps`](super::substeps). [`trial`](super::trial) checks whether a state is on the branch, and [`limit`](super::limit)
 //! finds why and where a motion ends.
 
 use super::branch::Branch;
@@ -94,7 +94,7 @@ pub(crate) struct PlanFollower<M: Mechanism> {
     has_scalars: bool,
     /// Whether a group may change the sign of its determinant although the turns of bodies do not bring it near its
     /// limit.
-    pub(super) watches_signs: bool,
+    pub(super) checks_determinant_signs: bool,
     /// Whether a step to the accepted state was divided because its ends did not show the motion between them.
     pub(super) hides_motion: bool,
     /// q at the limit that ended the last motion, if it was located.
@@ -160,7 +160,7 @@ impl<M: Mechanism> PlanFollower<M> {
             turns: zeros,
             rows_turn_alone: rows_turn_alone::<M>(),
             has_scalars: has_scalars(M::model()),
-            watches_signs: rows_turn_alone::<M>() || M::model().plan.has_poles(),
+            checks_determinant_signs: rows_turn_alone::<M>() || M::model().plan.has_poles(),
             hides_motion: false,
             q_at_limit: None,
         }

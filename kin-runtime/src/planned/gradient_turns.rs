@@ -9,11 +9,11 @@
 //! ```
 //!
 //! wₖ is the turn per unit of a coordinate ([`turns_with`](Mechanism::turns_with)), and the box contains the cubic
-//! through both ends (see [`between`](super::between)) over the part. A part in which the gradients turn little hides
+//! through both ends (see [`interior`](super::interior)) over the part. A part in which the gradients turn little hides
 //! nothing. Any other part is halved, and the branch values are looked at in its middle; if the whole step is such a part,
 //! they are also looked at in the usual places.
 
-use super::between::{LEAST, input_within, on_cubic, places, time_within};
+use super::interior::{LEAST, fractions, input_within, on_cubic, time_within};
 use super::lists::{BranchValues, Modes};
 use crate::mechanism::{LengthError, Mechanism};
 use crate::scalar::{Interval, Scalar};
@@ -86,7 +86,7 @@ pub(crate) fn stays_in_bends(
                 return Ok(false);
             }
             if width == 1.0 {
-                for s in places() {
+                for s in fractions() {
                     if !stays_at(s)? {
                         return Ok(false);
                     }
@@ -173,7 +173,7 @@ pub(crate) fn bends_are_followed<M: Mechanism>(
 mod tests {
     use super::{HALVINGS, PARTS_WITHOUT_BOUND, Span, hull, stays_in_bends};
     use crate::mechanism::LengthError;
-    use crate::planned::between::on_cubic;
+    use crate::planned::interior::on_cubic;
     use crate::scalar::Interval;
 
     /// A step of the length 2 in which one coordinate goes from 0 to 2 at the rate 1.

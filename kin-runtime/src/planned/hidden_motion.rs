@@ -2,15 +2,15 @@
 //!
 //! A function of a coordinate, of time or of an input may rise and fall within a step although its values and rates at
 //! both ends show nothing of it, as sin³(8θ) does between θ = 0 and θ = π/8; a mechanism may then pass its dead centre
-//! and return. Where rows contain such functions the plan is therefore also solved at places within the step, from the
-//! cubic through q and q̇ of both ends (see [`between`](super::between)). Everywhere it must have a solution, and the
+//! and return. Where rows contain such functions the plan is therefore also solved at instants within the step, from the
+//! cubic through q and q̇ of both ends (see [`interior`](super::interior)). Everywhere it must have a solution, and the
 //! solution must be near the cubic.
 //!
-//! The places are irregular: of a function that repeats itself up to 200 times within the step, at least three of them are
+//! The instants are irregularly spaced: of a function that repeats itself up to 200 times within the step, at least three of them are
 //! more than a tenth of a half period away from its zeros.
 
-use super::between::on_cubic;
 use super::follower::{Control, NEGLIGIBLE, PlanFollower, PlanSolution};
+use super::interior::on_cubic;
 use super::lists::{Margins, Modes};
 use super::predict::{largest_turn, turned};
 use crate::course::{Between, Course, kind};
@@ -20,29 +20,29 @@ use crate::scalar::compare::Compare;
 use crate::signal::{Instant, Signal};
 use crate::workspace::Array;
 
-/// The places within a step at which the plan is solved, relative to its length. They were drawn at random, one in every
-/// seventh, until they had the property above.
-pub(crate) const PLACES: [f64; 7] = [0.091, 0.2175, 0.3422, 0.4602, 0.5892, 0.7423, 0.9181];
+/// The instants within a step at which the plan is solved, as fractions of its length: a random number from each seventh of the
+/// step, drawn again until they had the property above, which a test checks.
+pub(crate) const FRACTIONS: [f64; 7] = [0.091, 0.2175, 0.3422, 0.4602, 0.5892, 0.7423, 0.9181];
 
-/// A step of a course: its first and last place, and q, q̇ of both.
+/// A step of a course: its first and last parameter, and q, q̇ of both.
 #[derive(Clone, Copy)]
 pub(crate) struct Stretch<'a, V> {
     /// The path of the inputs.
     pub(crate) course: &'a dyn Course,
-    /// The first and the last place.
+    /// The parameters of its first and last point.
     pub(crate) places: [f64; 2],
     /// q₀, q̇₀, q₁ and q̇₁, with rates along the course.
     pub(crate) ends: [&'a [V]; 4],
 }
 
-/// A measure that is negative if at a place, relative to the length of the step, the plan has no solution in these modes, or
+/// A measure that is negative if at a fraction of the step the plan has no solution in these modes, or
 /// one that is farther from the cubic than `allowed`, in radians; `weights` converts coordinates to radians.
 #[cold]
 #[inline(never)]
 pub(crate) fn certainty_within<M: Mechanism, V: Compare>(
     mechanism: &M,
     parameters: &[V],
-    (stretch, place): (Stretch<'_, V>, f64),
+    (stretch, fraction): (Stretch<'_, V>, f64),
     modes: &Modes<M, V>,
     (weights, allowed): (&[V], V),
 ) -> Result<V, LengthError> {
@@ -51,9 +51,9 @@ pub(crate) fn certainty_within<M: Mechanism, V: Compare>(
     let (mut cubic, mut found, mut rates) = (zeros, zeros, [zeros; 2]);
     let mut margins = Margins::<M, V>::filled(V::from_f64(0.0));
     let mut inputs = M::Inputs::<f64>::filled(Signal::constant(0.0));
-    let t = course.at(s + place * (next - s), inputs.as_mut());
+    let t = course.at(s + fraction * (next - s), inputs.as_mut());
     let inputs = M::Inputs::<V>::generate(Signal::constant(V::from_f64(0.0)), |k| inputs.as_ref()[k].map(V::from_f64));
-    on_cubic(cubic.as_mut(), ends, next - s, place);
+    on_cubic(cubic.as_mut(), ends, next - s, fraction);
     let [q_dot, q_ddot] = &mut rates;
     let solved =
         Solved { q: found.as_mut(), q_dot: q_dot.as_mut(), q_ddot: q_ddot.as_mut(), margins: margins.as_mut() };
@@ -110,15 +110,15 @@ impl<M: Mechanism> PlanFollower<M> {
         let allowed = control.correction * turn + NEGLIGIBLE;
         let ends = [here.q.as_ref(), here.q_dot.as_ref(), tried.q.as_ref(), tried.q_dot.as_ref()];
         let stretch = Stretch { course, places, ends };
-        let is_near = |place: f64, modes: &Modes<M>| {
+        let is_near = |fraction: f64, modes: &Modes<M>| {
             let parameters = self.parameters.as_ref();
-            let certainty = certainty_within(mechanism, parameters, (stretch, place), modes, (weights, allowed))?;
+            let certainty = certainty_within(mechanism, parameters, (stretch, fraction), modes, (weights, allowed))?;
             Ok(certainty >= 0.0)
         };
         let after = &self.branch.modes;
         let have_changed = after.as_ref() != before.as_ref();
-        for place in PLACES {
-            let holds = is_near(place, after)? || have_changed && is_near(place, before)?;
+        for fraction in FRACTIONS {
+            let holds = is_near(fraction, after)? || have_changed && is_near(fraction, before)?;
             if !holds {
                 return Ok(false);
             }
@@ -129,15 +129,15 @@ impl<M: Mechanism> PlanFollower<M> {
 
 #[cfg(test)]
 mod tests {
-    use super::{PLACES, least_or_nan};
+    use super::{FRACTIONS, least_or_nan};
 
     #[test]
-    fn places_leave_no_wide_gap_and_have_no_common_period() {
-        let places: Vec<f64> = [0.0].into_iter().chain(PLACES).chain([1.0]).collect();
-        assert!(places.windows(2).all(|pair| (0.06..0.18).contains(&(pair[1] - pair[0]))), "{places:?}");
+    fn fractions_leave_no_wide_gap_and_have_no_common_period() {
+        let all: Vec<f64> = [0.0].into_iter().chain(FRACTIONS).chain([1.0]).collect();
+        assert!(all.windows(2).all(|pair| (0.06..0.18).contains(&(pair[1] - pair[0]))), "{all:?}");
         // The zeros of a function that has n half periods in the step are at the multiples of 1/n.
         for n in 1..=400 {
-            let phases = PLACES.map(|place| (f64::from(n) * place).fract());
+            let phases = FRACTIONS.map(|fraction| (f64::from(n) * fraction).fract());
             let far = phases.iter().filter(|phase| (0.1..0.9).contains(*phase)).count();
             assert!(far >= 3, "{n}: {phases:?}");
         }

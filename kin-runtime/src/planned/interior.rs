@@ -17,8 +17,8 @@ use crate::scalar::compare::Compare;
 use crate::signal::{Instant, Signal};
 use crate::workspace::Array;
 
-/// Number of places between the ends of a step at which branch values are evaluated.
-pub(crate) const PLACES: u32 = 7;
+/// Number of instants between the ends of a step at which branch values are evaluated.
+pub(crate) const SAMPLES: u32 = 7;
 
 /// Smallest w accepted between the ends, relative to the smaller one of both ends.
 pub(crate) const LEAST: f64 = 0.5;
@@ -31,12 +31,12 @@ const SMOOTH: f64 = 0.25;
 /// [`of_coordinate`]).
 const ROUNDING: f64 = 1e-10;
 
-/// The places, relative to the length of the step.
-pub(crate) fn places() -> impl Iterator<Item = f64> {
-    (1..=PLACES).map(|place| f64::from(place) / f64::from(PLACES + 1))
+/// The instants of these evaluations, as fractions of the step.
+pub(crate) fn fractions() -> impl Iterator<Item = f64> {
+    (1..=SAMPLES).map(|sample| f64::from(sample) / f64::from(SAMPLES + 1))
 }
 
-/// Writes the configuration at a place s between the ends of a step of the length h; `ends` are q₀, q̇₀, q₁ and q̇₁.
+/// Writes the configuration at the fraction s between the ends of a step of the length h; `ends` are q₀, q̇₀, q₁ and q̇₁.
 pub(crate) fn on_cubic<V: Compare>(to: &mut [V], [q0, v0, q1, v1]: [&[V]; 4], h: f64, s: f64) {
     let rest = 1.0 - s;
     let shares = [rest * rest * (1.0 + 2.0 * s), h * s * rest * rest, s * s * (3.0 - 2.0 * s), -h * s * s * rest];
@@ -46,7 +46,7 @@ pub(crate) fn on_cubic<V: Compare>(to: &mut [V], [q0, v0, q1, v1]: [&[V]; 4], h:
     }
 }
 
-/// Writes the slope of the cubic of [`on_cubic`] at the place s.
+/// Writes the slope of the cubic of [`on_cubic`] at the fraction s of the step.
 #[cfg(feature = "std")]
 pub(crate) fn slope_of_cubic(to: &mut [f64], [q0, v0, q1, v1]: [&[f64]; 4], h: f64, s: f64) {
     let rise = 6.0 * s * (1.0 - s) / h;
@@ -56,21 +56,21 @@ pub(crate) fn slope_of_cubic(to: &mut [f64], [q0, v0, q1, v1]: [&[f64]; 4], h: f
     }
 }
 
-/// The time at a place s of a step of the length h that ends at the time t.
+/// The time at the fraction s of a step of the length h that ends at the time t.
 pub(crate) fn time_within<V: Scalar>(t: V, h: f64, s: V) -> V {
     t - (V::from_f64(1.0) - s) * V::from_f64(h)
 }
 
-/// An input at a place s of a step, between its values at both ends.
+/// An input at the fraction s of a step, between its values at both ends.
 pub(crate) fn input_within<V: Scalar>([from, to]: [&Signal<V>; 2], s: V) -> Signal<V> {
     Signal { value: from.value + s * (to.value - from.value), ..*to }
 }
 
-/// A measure that is negative if one of these groups comes much nearer to its limit at a place within a step than at its
+/// A measure that is negative if one of these groups comes much nearer to its limit within a step than at its
 /// ends, or has another sign there. `at` is the instant of the end, and `from` are the inputs at the start.
 #[cold]
 #[inline(never)]
-pub(crate) fn certainty_at_places<M: Mechanism, V: Compare>(
+pub(crate) fn certainty_at_samples<M: Mechanism, V: Compare>(
     mechanism: &M,
     (parameters, from, at): (&[V], &[Signal<V>], &Instant<'_, V>),
     modes: &Modes<M, V>,
@@ -89,7 +89,7 @@ pub(crate) fn certainty_at_places<M: Mechanism, V: Compare>(
     let (first, last) = (of(0.0, ends[0])?, of(1.0, ends[2])?);
     let mut certainty = V::from_f64(1.0);
     let mut q = M::Coordinates::<V>::filled(V::from_f64(0.0));
-    for s in places() {
+    for s in fractions() {
         on_cubic(q.as_mut(), ends, h, s);
         let between = of(s, q.as_ref())?;
         for group in first_group..M::model().plan.signs() {
@@ -164,7 +164,7 @@ fn of_coordinate<V: Compare>(kind: CoordinateKind, [first, v0, last, v1]: [V; 4]
 
 #[cfg(test)]
 mod tests {
-    use super::{certainty_of_rates, of_coordinate, on_cubic, places};
+    use super::{certainty_of_rates, fractions, of_coordinate, on_cubic};
     use crate::model::{Component, CoordinateKind};
 
     #[test]
@@ -172,13 +172,13 @@ mod tests {
         let at = |t: f64| 0.3 + t * (0.5 - t * (0.7 + 0.2 * t));
         let rate = |t: f64| 0.5 - t * (1.4 + 0.6 * t);
         for h in [0.4, -1.5] {
-            for s in places().chain([0.0, 1.0]) {
+            for s in fractions().chain([0.0, 1.0]) {
                 let mut q = [f64::NAN];
                 on_cubic(&mut q, [&[at(0.1)], &[rate(0.1)], &[at(0.1 + h)], &[rate(0.1 + h)]], h, s);
                 assert!((q[0] - at(0.1 + s * h)).abs() < 1e-14, "{h} {s}");
             }
         }
-        let all: Vec<f64> = places().collect();
+        let all: Vec<f64> = fractions().collect();
         assert!(all.len() == 7 && all[0] == 0.125 && all[6] == 0.875);
     }
     const PHI: CoordinateKind = CoordinateKind::Pose { body: 0, component: Component::Phi };

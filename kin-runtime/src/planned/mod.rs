@@ -1,26 +1,29 @@
-//! A mechanism solved by its plan, instant by instant, without an allocator: for controllers and fast loops.
+//! The follower of a plan: from one instant to the next it predicts, solves by the plan, checks that the solution is on
+//! the branch of the motion, and takes shorter steps where that is not certain. Sweeps, trackers and batches use it, too;
+//! [`Planned`] is its public form for controllers and fast loops, without an allocator.
 
-pub(crate) mod bends;
-pub(crate) mod between;
-pub(crate) mod blurred;
 pub(crate) mod branch;
 mod error;
 mod extrapolate;
 pub(crate) mod follower;
+pub(crate) mod gradient_turns;
+pub(crate) mod hidden_motion;
+pub(crate) mod ill_conditioned;
+pub(crate) mod interior;
 mod limit;
 pub(crate) mod lists;
 mod mode;
-pub(crate) mod passed;
+pub(crate) mod mode_changes;
 pub(crate) mod predict;
 mod range;
 pub(crate) mod rates;
 mod report;
 mod step;
+pub(crate) mod step_length;
+mod substeps;
 mod text;
 mod trial;
 mod update;
-mod walk;
-pub(crate) mod within;
 
 pub use error::{Limit, LimitKind, Located, PlanError};
 pub use mode::{ModeKey, Sign};
@@ -184,7 +187,7 @@ impl<'m, M: Mechanism> Planned<'m, M> {
     /// The sign of a mode, and its flag in `requested`.
     fn mode_mut(&mut self, mode: ModeKey<'_>) -> Result<(&mut f64, &mut f64), PlanError> {
         let modes = M::model().plan.modes;
-        let index = mode.place(modes).ok_or(PlanError::UnknownMode { modes })?;
+        let index = mode.index_in(modes).ok_or(PlanError::UnknownMode { modes })?;
         let follower = &mut self.follower;
         let both = follower.branch.modes.as_mut().get_mut(index).zip(follower.requested.as_mut().get_mut(index));
         both.ok_or(PlanError::UnknownMode { modes })
@@ -192,7 +195,7 @@ impl<'m, M: Mechanism> Planned<'m, M> {
 
     /// The sign of a mode: as requested since the last accepted state, or else that of this state.
     pub fn mode<'k>(&self, mode: impl Into<ModeKey<'k>>) -> Option<Sign> {
-        let index = mode.into().place(M::model().plan.modes)?;
+        let index = mode.into().index_in(M::model().plan.modes)?;
         self.follower.modes().as_ref().get(index).copied().and_then(Sign::of)
     }
 

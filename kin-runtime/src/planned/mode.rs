@@ -67,10 +67,10 @@ pub enum ModeKey<'a> {
 
 impl ModeKey<'_> {
     /// The index of the mode among `modes`.
-    pub fn place(self, modes: &[ModeInfo]) -> Option<usize> {
+    pub fn index_in(self, modes: &[ModeInfo]) -> Option<usize> {
         match self {
             Self::Name(name) => modes.iter().position(|mode| mode.name == name),
-            Self::Index(place) => (place < modes.len()).then_some(place),
+            Self::Index(index) => (index < modes.len()).then_some(index),
         }
     }
 }
@@ -91,7 +91,7 @@ impl fmt::Display for ModeKey<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Name(name) => write!(f, "`{name}`"),
-            Self::Index(place) => write!(f, "{place}"),
+            Self::Index(index) => write!(f, "{index}"),
         }
     }
 }
@@ -109,11 +109,11 @@ mod tests {
     }
 
     #[test]
-    fn a_mode_is_found_by_its_name_or_its_place() {
+    fn a_mode_is_found_by_its_name_or_its_index() {
         let mode = |name| ModeInfo { name, step: 0, margin: 0 };
         let modes = [mode("A-B-D"), mode("E-F")];
-        let place = |key: ModeKey<'_>| key.place(&modes);
-        assert_eq!([Some(0), Some(1), None], ["A-B-D", "E-F", "E"].map(|name| place(name.into())));
-        assert_eq!([Some(0), Some(1), None, None], [0, 1, 2, usize::MAX].map(|index| place(index.into())));
+        let index = |key: ModeKey<'_>| key.index_in(&modes);
+        assert_eq!([Some(0), Some(1), None], ["A-B-D", "E-F", "E"].map(|name| index(name.into())));
+        assert_eq!([Some(0), Some(1), None, None], [0, 1, 2, usize::MAX].map(|k| index(k.into())));
     }
 }

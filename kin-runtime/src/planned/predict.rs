@@ -35,14 +35,24 @@ pub(crate) fn weight<V: Compare>(kind: CoordinateKind, q: V) -> V {
 #[inline(always)]
 pub(crate) fn parabola<V: Compare>(to: &mut [V], [q, q_dot, q_ddot]: [&[V]; 3], weights: &[V], h: f64) -> V {
     let (step, half) = (V::from_f64(h), V::from_f64(0.5 * h * h));
-    // Four maxima in parallel, so that the loop vectorises.
+    let one = |to: &mut V, q: V, v: V, a: V, weight: V| {
+        let (by_velocity, by_acceleration) = (step * v, half * a);
+        *to = q + (by_velocity + by_acceleration);
+        weight * by_velocity.abs().greatest(by_acceleration.abs())
+    };
+    // Four maxima in parallel, in chunks, so that the loop vectorises.
     let mut most = [V::from_f64(0.0); 4];
-    let rates = q_dot.iter().zip(q_ddot).zip(weights);
-    for (k, ((to, q), ((v, a), weight))) in to.iter_mut().zip(q).zip(rates).enumerate() {
-        let (by_velocity, by_acceleration) = (step * *v, half * *a);
-        *to = *q + (by_velocity + by_acceleration);
-        let turn = *weight * by_velocity.abs().greatest(by_acceleration.abs());
-        most[k % 4] = most[k % 4].greatest(turn);
+    let (to, to_rest) = to.as_chunks_mut::<4>();
+    let [(q, q_rest), (v, v_rest), (a, a_rest), (weights, weights_rest)] =
+        [q, q_dot, q_ddot, weights].map(|column| column.as_chunks::<4>());
+    for ((to, q), ((v, a), weights)) in to.iter_mut().zip(q).zip(v.iter().zip(a).zip(weights)) {
+        for k in 0..4 {
+            most[k] = most[k].greatest(one(&mut to[k], q[k], v[k], a[k], weights[k]));
+        }
+    }
+    let rest = to_rest.iter_mut().zip(q_rest).zip(v_rest.iter().zip(a_rest).zip(weights_rest));
+    for ((to, q), ((v, a), weight)) in rest {
+        most[0] = most[0].greatest(one(to, *q, *v, *a, *weight));
     }
     most[0].greatest(most[1]).greatest(most[2].greatest(most[3]))
 }

@@ -5,7 +5,7 @@
 
 use super::error::{Limit, PlanError};
 use super::follower::{Control, PlanFollower};
-use super::walk::natural_step;
+use super::substeps::natural_step;
 use super::{MaybeOwned, Planned};
 use crate::course::Course;
 use crate::mechanism::{LengthError, Mechanism};

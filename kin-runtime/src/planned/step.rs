@@ -19,7 +19,7 @@ fn contains(set: &Coordinates, k: usize) -> bool {
 #[derive(Clone, Copy)]
 pub struct Step {
     model: &'static Model,
-    place: u32,
+    index: u32,
     /// True if the margin measures the distance between the closures of the group.
     closes: bool,
 }
@@ -28,24 +28,24 @@ impl Step {
     /// The step at `index` of [`Plan::steps`](crate::plan::Plan::steps); `None` where that is out of range.
     pub fn new(model: &'static Model, index: usize) -> Option<Self> {
         let step = model.plan.steps.get(index)?;
-        Some(Self { model, place: u32::try_from(index).ok()?, closes: step.kind == StepKind::Closure })
+        Some(Self { model, index: u32::try_from(index).ok()?, closes: step.kind == StepKind::Closure })
     }
 
     /// The step to which a margin belongs.
     pub fn of_margin(model: &'static Model, margin: usize) -> Option<Self> {
         let closes = model.plan.modes.iter().any(|mode| mode.margin == margin);
         let index = u32::try_from(model.plan.step_of_margin(margin)?).ok()?;
-        Some(Self { model, place: index, closes })
+        Some(Self { model, index, closes })
     }
 
     /// The index of the step in [`Plan::steps`](crate::plan::Plan::steps).
-    pub const fn place(&self) -> usize {
-        self.place as usize
+    pub const fn index(&self) -> usize {
+        self.index as usize
     }
 
     /// The description of the step in the plan.
     pub fn info(&self) -> &'static PlanStep {
-        &self.model.plan.steps[self.place()]
+        &self.model.plan.steps[self.index()]
     }
 
     /// The names of the step's joints: those of a dyad from one end to the other, others in
@@ -101,9 +101,9 @@ impl Step {
         if self.model.coordinates.len() > COORDINATES {
             return needed;
         }
-        for (index, step) in self.model.plan.steps[..=self.place()].iter().enumerate().rev() {
+        for (index, step) in self.model.plan.steps[..=self.index()].iter().enumerate().rev() {
             let gives = step.coordinates.iter().any(|&(k, _)| contains(&needed, k));
-            if index != self.place() && !gives {
+            if index != self.index() && !gives {
                 continue;
             }
             for &(row, k) in self.model.constraint_pattern.entries {
@@ -133,7 +133,7 @@ impl Step {
 
 impl PartialEq for Step {
     fn eq(&self, other: &Self) -> bool {
-        core::ptr::eq(self.model, other.model) && self.place == other.place
+        core::ptr::eq(self.model, other.model) && self.index == other.index
     }
 }
 
@@ -162,7 +162,7 @@ impl fmt::Display for Step {
 
 impl fmt::Debug for Step {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "Step({}: {self})", self.place)
+        write!(f, "Step({}: {self})", self.index)
     }
 }
 
@@ -180,7 +180,7 @@ mod tests {
     use crate::fixture::{PlannedFourBar, StretchedSlider};
 
     #[test]
-    fn a_step_is_known_by_its_mechanism_and_its_place() {
+    fn a_step_is_known_by_its_mechanism_and_its_index() {
         let model = PlannedFourBar::model();
         let step = |index: usize| Step::new(model, index).unwrap();
         assert!(step(2) == step(2) && step(0) != step(1));

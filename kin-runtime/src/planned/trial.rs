@@ -1,11 +1,11 @@
 //! The trial state: the solution of the plan at an instant, and the check whether it is on the branch of the motion.
 
-use super::bends::{Span, bends_are_followed};
-use super::between::{certainty_at_places, certainty_of_rates};
 use super::branch::{first_uncertain, may_have_touched_limit};
 use super::follower::{Control, NEGLIGIBLE, PlanFollower, PlanSolution};
+use super::gradient_turns::{Span, bends_are_followed};
+use super::interior::{certainty_at_samples, certainty_of_rates};
 use super::lists::BranchValues;
-use super::passed::{self, Passed};
+use super::mode_changes::{self, Passed};
 use super::predict::{largest_turn, turned};
 use crate::mechanism::{LengthError, Mechanism};
 use crate::plan::{Depth, Solved};
@@ -34,7 +34,7 @@ impl<M: Mechanism> PlanFollower<M> {
     #[inline(never)]
     pub(super) fn retry_in_other_modes(&mut self, mechanism: &M, at: &Instant<'_>) -> Result<bool, LengthError> {
         let plan = &M::model().plan;
-        if !passed::is_missed(plan, self.trial().margins.as_ref()) {
+        if !mode_changes::is_missed(plan, self.trial().margins.as_ref()) {
             return Ok(false);
         }
         let kept = self.branch.modes;
@@ -109,7 +109,7 @@ impl<M: Mechanism> PlanFollower<M> {
                 return Ok(followed);
             }
         }
-        Ok(certainty_at_places(mechanism, (parameters, from, at), modes, ends, h)? >= 0.0)
+        Ok(certainty_at_samples(mechanism, (parameters, from, at), modes, ends, h)? >= 0.0)
     }
 
     /// True if no group has changed the sign of its determinant.

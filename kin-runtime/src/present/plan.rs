@@ -86,7 +86,7 @@ pub(crate) fn plan(model: &'static Model) -> String {
         if !info.singular.is_empty() && info.singular != "never" {
             words.push(format!("singular with {}", info.singular));
         }
-        out.push_str(&wrapped(&format!("  {:>digits$}  ", step.place() + 1), words, ",", COLUMNS));
+        out.push_str(&wrapped(&format!("  {:>digits$}  ", step.index() + 1), words, ",", COLUMNS));
     }
     out
 }

@@ -165,7 +165,7 @@ unpack!(
     (),
     |rest| BodyInfo {
         name: rest.name(),
-        coordinates: [rest.place(), rest.place(), rest.place()],
+        coordinates: [rest.index_if_any(), rest.index_if_any(), rest.index_if_any()],
         origin: match rest.frame() {
             None => OriginKind::Free,
             Some(frame) => OriginKind::Carried(frame),

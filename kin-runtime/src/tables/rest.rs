@@ -36,7 +36,7 @@ impl<'w> Rest<'w> {
     }
 
     /// 0 stands for none.
-    pub(super) const fn place(&mut self) -> Option<usize> {
+    pub(super) const fn index_if_any(&mut self) -> Option<usize> {
         match self.word() {
             0 => None,
             k => Some(k - 1),

@@ -22,7 +22,7 @@ fn end(mechanism: &PlannedFourBar, t: f64, to: f64) -> (f64, LimitKind, f64) {
     let mut planned = mechanism.solver().planned(&Instant::at(t)).unwrap();
     let error = planned.at(&Instant::at(to)).unwrap_err();
     let PlanError::Limit { t: refused, limit } = error else { panic!("{error}") };
-    assert_eq!((to, 2), (refused, limit.step.place()));
+    assert_eq!((to, 2), (refused, limit.step.index()));
     let Some(Located { at, kind: Some(kind) }) = limit.located else { panic!("{limit:?}") };
     assert_eq!(t, planned.t(), "the last good state stays");
     (at, kind, limit.margin)

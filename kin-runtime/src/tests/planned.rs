@@ -40,7 +40,7 @@ fn a_dyad_that_cannot_close_is_named_and_the_last_good_state_stays() {
         let error = planned.at(&Instant::at(limit + beyond)).unwrap_err();
         let PlanError::Limit { t, limit: found } = error else { panic!("{error}") };
         assert_eq!(
-            (t, found.step.place(), found.step.joints().collect::<Vec<_>>()),
+            (t, found.step.index(), found.step.joints().collect::<Vec<_>>()),
             (limit + beyond, 2, vec!["A", "B", "D"])
         );
         assert!(found.margin < 1e-11 && (beyond < 1e-6 || found.margin < 0.0), "{}", found.margin);

@@ -93,7 +93,7 @@ fn a_jump_beyond_the_range_is_refused() {
             let q = planned.q().to_vec();
             let error = planned.at(&Instant { t, inputs: &last }).map(|_| ()).unwrap_err();
             let PlanError::Limit { limit, .. } = error else { panic!("{error}") };
-            assert_eq!(3, Swing::model().plan.steps[limit.step.place()].joints.len(), "{error}");
+            assert_eq!(3, Swing::model().plan.steps[limit.step.index()].joints.len(), "{error}");
             assert_eq!((q.as_slice(), t), (planned.q(), planned.t()));
         }
     }

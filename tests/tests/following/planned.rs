@@ -213,7 +213,7 @@ fn a_start_that_does_not_decide_a_mode_has_no_answer() {
             assert!(matches!(error, PlanError::Undecided { t: 0.7, mode: "A-B-D" }), "{start}: {error}");
             assert_eq!(
                 error.to_string(),
-                "at t = 0.7, the start does not determine the mode A-B-D: its branch value there is 0 or NaN"
+                "at t = 0.7, the start does not determine the mode A-B-D: its two closures coincide there, or a number is NaN"
             );
         }
         assert_eq!(batch, None, "{start}");

@@ -13,12 +13,12 @@ use crate::plan::{Depth, Plan};
 use crate::planned::branch::{FAR_FROM_LIMITS, OUT_OF_REACH, certainty_of, resolves};
 use crate::planned::follower::{Control, NEGLIGIBLE, PlanFollower, has_scalars, rows_turn_alone};
 use crate::planned::lists::{BranchValues, Distances, Margins, Modes};
-use crate::planned::passed::CLOSE;
+use crate::planned::mode_changes::CLOSE;
 use crate::planned::predict::{parabola, turned, weights};
 use crate::planned::{Limit, PlanError, Step};
 use crate::scalar::Scalar;
 use crate::scalar::compare::Compare;
-use crate::scalar::lanes::{Lanes, Octet, Pack};
+use crate::scalar::lanes::{Lanes, Octet};
 use crate::signal::{Instant, Signal};
 use crate::workspace::Array;
 
@@ -30,7 +30,7 @@ pub(super) struct Motion<M: Mechanism> {
     distances: Distances<M, Octet>,
     margins: Margins<M, Octet>,
     /// The state at the last instant and the trial state.
-    poses: [BlockSolution<M::Coordinates<Octet>, Octet>; 2],
+    poses: [BlockSolution<M::Coordinates<Octet>>; 2],
     good: usize,
     /// The margins at the last instant, and its inputs, which all sets share.
     margins_before: Margins<M, Octet>,
@@ -71,7 +71,7 @@ impl<M: Mechanism> Motion<M> {
     }
 
     /// The state of the last instant.
-    pub(super) fn poses(&self) -> &BlockSolution<M::Coordinates<Octet>, Octet> {
+    pub(super) fn poses(&self) -> &BlockSolution<M::Coordinates<Octet>> {
         &self.poses[self.good]
     }
 
@@ -93,7 +93,7 @@ impl<M: Mechanism> Motion<M> {
         let limits = limits?;
         let refused =
             |lane: usize| (!poses.is_good(lane)).then(|| (poses.margin.lane(lane), limit_of::<M>(limits[lane])));
-        Some(Octet::each(refused))
+        Some(core::array::from_fn(refused))
     }
 
     /// The branch values of all groups at the trial state.
@@ -195,7 +195,7 @@ impl<M: Mechanism> Motion<M> {
     }
 
     #[inline(never)]
-    fn solve(&mut self, mechanism: &M, at: &Instant<'_, Octet>) -> Option<Limits<Octet>> {
+    fn solve(&mut self, mechanism: &M, at: &Instant<'_, Octet>) -> Option<Limits> {
         let modes = self.modes.of_closures();
         let (parameters, start) = (self.parameters.as_ref(), self.predicted.as_ref());
         let question = Question { parameters, at, modes, start, depth: Depth::Acceleration };

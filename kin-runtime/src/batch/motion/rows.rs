@@ -3,15 +3,15 @@
 use super::Motion;
 use crate::course::{Between, Course, kind};
 use crate::mechanism::Mechanism;
-use crate::planned::bends::{Span, bends_are_followed};
-use crate::planned::between::{certainty_at_places, certainty_of_rates};
 use crate::planned::follower::{Control, NEGLIGIBLE};
+use crate::planned::gradient_turns::{Span, bends_are_followed};
+use crate::planned::hidden_motion::{FRACTIONS, Stretch, certainty_within, least_or_nan};
+use crate::planned::interior::{certainty_at_samples, certainty_of_rates};
 use crate::planned::lists::Modes;
 use crate::planned::predict::{largest_turn, turned};
-use crate::planned::within::{PLACES, Stretch, certainty_within, least_or_nan};
 use crate::scalar::Scalar;
 use crate::scalar::compare::Compare;
-use crate::scalar::lanes::{Octet, Pack};
+use crate::scalar::lanes::Octet;
 use crate::signal::{Instant, Signal};
 use crate::workspace::Array;
 
@@ -58,7 +58,7 @@ impl<M: Mechanism> Motion<M> {
             self.inputs.as_ref()[k].map(Octet::from_f64)
         });
         let known = (self.parameters.as_ref(), from.as_ref(), at);
-        let at_places = certainty_at_places(mechanism, known, &self.modes, ends, h);
+        let at_places = certainty_at_samples(mechanism, known, &self.modes, ends, h);
         debug_assert!(at_places.is_ok(), "the columns have been counted");
         certainty.least(at_places.unwrap_or_else(|_| Octet::from_f64(-1.0)))
     }
@@ -80,8 +80,8 @@ impl<M: Mechanism> Motion<M> {
         let ends = [here.q.as_ref(), here.q_dot.as_ref(), tried.q.as_ref(), tried.q_dot.as_ref()];
         let stretch = Stretch { course: &course, places: [self.t, t], ends };
         let (parameters, weights) = (self.parameters.as_ref(), self.weights.as_ref());
-        PLACES.into_iter().fold(Octet::from_f64(1.0), |least, place| {
-            let there = (stretch, place);
+        FRACTIONS.into_iter().fold(Octet::from_f64(1.0), |least, fraction| {
+            let there = (stretch, fraction);
             let certainty = certainty_within(mechanism, parameters, there, &self.modes, (weights, allowed));
             debug_assert!(certainty.is_ok(), "the columns have been counted");
             least_or_nan(least, certainty.unwrap_or_else(|_| Octet::from_f64(-1.0)))

@@ -5,7 +5,7 @@ use super::follower::PlanFollower;
 use super::lists::BranchValues;
 use super::rates::{is_angle, largest_angle, largest_of};
 use super::step::Step;
-use super::walk::Blocked;
+use super::substeps::Blocked;
 use crate::course::Around;
 use crate::mechanism::Mechanism;
 use crate::model::Model;

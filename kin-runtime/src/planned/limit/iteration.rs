@@ -7,7 +7,7 @@ use crate::plan::{Plan, StepKind};
 use crate::planned::error::{Limit, Located};
 use crate::planned::follower::PlanFollower;
 use crate::planned::step::Step;
-use crate::planned::walk::Blocked;
+use crate::planned::substeps::Blocked;
 use crate::signal::Signal;
 use crate::workspace::Array;
 

@@ -12,7 +12,7 @@ mod pole;
 use super::error::{Limit, LimitKind, Located, PlanError};
 use super::follower::{Fault, PlanFollower, PlanSolution};
 use super::step::Step;
-use super::walk::Blocked;
+use super::substeps::Blocked;
 use crate::course::Course;
 use crate::mechanism::Mechanism;
 use crate::model::Model;

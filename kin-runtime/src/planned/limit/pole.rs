@@ -8,7 +8,7 @@ use crate::planned::error::{Limit, LimitKind, Located, PlanError};
 use crate::planned::follower::PlanFollower;
 use crate::planned::lists::BranchValues;
 use crate::planned::step::Step;
-use crate::planned::walk::Blocked;
+use crate::planned::substeps::Blocked;
 use crate::signal::{Instant, Signal};
 use crate::workspace::Array;
 

@@ -49,7 +49,7 @@ fn what_is_to_blame_is_asked_in_the_order_of_the_plan() {
         |what: &'static str, index: usize, name: &'static str| PlanError::NonFinite { what, index, name, t: 0.0 };
     let is_limit = |error: PlanError, margin: f64| {
         let PlanError::Limit { t: 0.0, limit } = error else { panic!("{error}") };
-        assert_eq!((2, margin, None), (limit.step.place(), limit.margin, limit.located));
+        assert_eq!((2, margin, None), (limit.step.index(), limit.margin, limit.located));
     };
     // A group at its limit is reported before everything that follows from it, even where its mode is undecided.
     for margin in [1e-12, 5e-13, 0.0, -3.0, f64::NEG_INFINITY] {

@@ -10,6 +10,7 @@ use super::follower::{Control, Fault, NEGLIGIBLE, PlanFollower, PlanSolution, mo
 use super::lists::{BranchValues, Modes};
 use super::predict::{parabola, turned};
 use super::rates::{largest_angle, turning};
+use super::step_length::{growth, next_parameter, shortest_step};
 use crate::course::Course;
 use crate::mechanism::{LengthError, Mechanism};
 use crate::model::Model;
@@ -18,11 +19,11 @@ use crate::scalar::Scalar;
 use crate::signal::{Instant, Signal};
 use crate::workspace::Array;
 
-/// The place at which a walk was stopped.
+/// Where on the course a walk was stopped.
 pub(crate) struct Blocked<M: Mechanism> {
-    /// The last place reached, and the next one, which could not be reached.
+    /// The last parameter of the course that was reached, and the next one, which could not be reached.
     pub(super) places: [f64; 2],
-    /// The state at the last place reached.
+    /// The state at the last one reached.
     pub(super) here: PlanSolution<M>,
     /// The reason; `None` where there were too many steps.
     pub(super) fault: Option<Fault>,
@@ -69,12 +70,12 @@ impl<M: Mechanism> PlanFollower<M> {
                 natural = natural.min(natural_step(rates, self.turns.as_ref(), control.rotation));
             }
             if smallest.is_nan() {
-                smallest = shortest_step(control, natural, [s, end]);
+                smallest = shortest_step(control.min_step, natural, [s, end]);
             }
-            let (next, share) = next_place([s, end], natural.min(proposed));
+            let (next, share) = next_parameter([s, end], natural.min(proposed));
             let blocked = |fault| Blocked { places: [s, next], here, fault: Some(fault) };
             if next == s {
-                return Err(blocked(self.standstill(&here, natural / remaining.abs())));
+                return Err(blocked(self.fault_of_short_steps(&here, natural / remaining.abs())));
             }
             let walked = (next - s).abs();
             let before = core::mem::replace(&mut self.hides_motion, false);
@@ -97,7 +98,7 @@ impl<M: Mechanism> PlanFollower<M> {
                     if 0.5 * walked < smallest {
                         let is_coarse = fault == Fault::Coarse;
                         let share = natural / remaining.abs();
-                        return Err(blocked(if is_coarse { self.standstill(&here, share) } else { fault }));
+                        return Err(blocked(if is_coarse { self.fault_of_short_steps(&here, share) } else { fault }));
                     }
                     proposed = 0.5 * walked;
                     if hides {
@@ -256,9 +257,9 @@ impl<M: Mechanism> PlanFollower<M> {
     /// The reason why no step from `here` is short enough: a group beside its limit or, if `share`, the length of a step
     /// by the rates relative to the rest of the course, is so small that rates grow without bound, the first group
     /// with a determinant that has such rates. (The distance of an iteration of one unknown may stay large up to its limit.)
-    fn standstill(&self, here: &PlanSolution<M>, share: f64) -> Fault {
+    fn fault_of_short_steps(&self, here: &PlanSolution<M>, share: f64) -> Fault {
         let distances = self.branch.distances.as_ref();
-        let group = place_of_least(distances);
+        let group = index_of_least(distances);
         if distances.get(group).is_some_and(|distance| *distance < BESIDE) {
             return Fault::Group(group);
         }
@@ -274,7 +275,7 @@ impl<M: Mechanism> PlanFollower<M> {
 
     /// The group of the trial state that is nearest to its limit.
     fn nearest_group(&self) -> usize {
-        place_of_least(self.distances.as_ref())
+        index_of_least(self.distances.as_ref())
     }
 
     /// The reason why the trial state is not valid.
@@ -304,30 +305,6 @@ fn first_of_largest_rate(model: &Model, turns: &[f64], q_dot: &[f64]) -> Option<
     found.map(|oriented| plan.modes.len() + oriented)
 }
 
-/// The shortest step of a walk between two places whose first step could have the length `natural`.
-fn shortest_step(control: &Control, natural: f64, [s, end]: [f64; 2]) -> f64 {
-    let shortest = control.min_step * natural.min((end - s).abs());
-    shortest.max(4.0 * f64::EPSILON * s.abs().max(end.abs()))
-}
-
-/// The next place of a walk in steps of this length, and the remaining distance in such steps.
-fn next_place([s, end]: [f64; 2], length: f64) -> (f64, f64) {
-    let remaining = end - s;
-    let share = remaining.abs() / length;
-    // The remaining distance is split equally between the last two steps, so that none of them is very short.
-    let next = match share {
-        share if share <= 1.0 => end,
-        share if share < 2.0 => s + 0.5 * remaining,
-        _ => s + length.copysign(remaining),
-    };
-    (next, share)
-}
-
-/// The factor by which the next step may be longer, from the correction of this one relative to the largest allowed.
-fn growth(effort: f64) -> f64 {
-    if effort <= 0.3 / 64.0 { 4.0 } else { (0.3 / effort).powf(1.0 / 3.0).clamp(0.5, 4.0) }
-}
-
 /// Multiplies the rates of inputs; their accelerations become 0.
 fn scale_rates(inputs: &mut [Signal], factor: f64) {
     inputs.iter_mut().for_each(|u| *u = Signal::new(u.value, factor * u.rate, 0.0));
@@ -342,7 +319,7 @@ fn without_time([q_dot, q_ddot]: [&mut [f64]; 2], still: [&[f64]; 2], back: &[f6
     }
 }
 
-fn place_of_least(distances: &[f64]) -> usize {
+fn index_of_least(distances: &[f64]) -> usize {
     let least = distances.iter().copied().fold(f64::INFINITY, f64::min);
     distances.iter().position(|w| *w <= least).unwrap_or(0)
 }

@@ -162,22 +162,6 @@ fn a_group_that_may_have_been_at_its_limit_within_a_step_is_looked_at_half_way()
     }
 }
 
-#[test]
-fn the_last_two_steps_of_a_way_share_the_rest() {
-    let next = |length: f64| [next_place([2.0, 3.0], length).0, next_place([3.0, 2.0], length).0];
-    assert_eq!([3.0, 2.0], next(f64::INFINITY));
-    assert_eq!([3.0, 2.0], next(1.0));
-    assert_eq!([[2.5, 2.5]; 2], [0.9, 0.51].map(next));
-    assert_eq!([2.25, 2.75], next(0.25));
-    assert_eq!(4.0, next_place([2.0, 3.0], 0.25).1);
-}
-
-#[test]
-fn a_step_grows_with_the_cube_root_of_what_its_correction_leaves() {
-    assert_eq!([4.0, 4.0, 0.5, 0.5], [0.0, 0.3 / 64.0, 2.4, 100.0].map(growth));
-    assert!((growth(0.3) - 1.0).abs() < 1e-15 && (growth(0.3 / 8.0) - 2.0).abs() < 1e-15);
-}
-
 /// Of q(u, t) with u̇ = 3 and ü = 0: q̇ = q_u u̇ + q_t and q̈ = q_uu u̇² + 2 q_ut u̇ + q_tt, of which q_u u̇ and q_uu
 /// u̇² are left.
 #[test]

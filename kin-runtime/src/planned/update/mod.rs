@@ -3,13 +3,13 @@
 //! Usually one step suffices: the next configuration is predicted, the plan solves, and the step is accepted if no body
 //! turns too far, the solution is near the prediction, and every group has the expected distance from its limit (see
 //! [`trial`](super::trial) and [`branch`](super::branch)). Otherwise the motion is divided into steps that are short
-//! enough for that (see [`walk`](super::walk)). Where no step is short enough, the motion ends: see
+//! enough for that (see [`substeps`](super::substeps)). Where no step is short enough, the motion ends: see
 //! [`limit`](super::limit).
 
-use super::blurred::NEAR;
 use super::branch::{OUT_OF_REACH, resolves};
 use super::error::{Limit, PlanError};
 use super::follower::{Control, NEGLIGIBLE, PlanFollower, PlanSolution, most_turn};
+use super::ill_conditioned::NEAR;
 use super::lists::{BranchValues, Modes};
 use super::predict::{beyond_parabola, parabola, turned, weights};
 use crate::course::{Between, Course, Kind, kind};
@@ -309,7 +309,7 @@ impl<M: Mechanism> PlanFollower<M> {
         let least = f64::min(nearest, self.nearest);
         let far = least >= OUT_OF_REACH * turn && least >= NEAR;
         let stays = match far {
-            true => !self.watches_signs || self.keeps_orientations(mechanism, at)?,
+            true => !self.checks_determinant_signs || self.keeps_orientations(mechanism, at)?,
             false => self.stays_on_its_branch(mechanism, at, resolves(least, turn))?,
         };
         if !stays {

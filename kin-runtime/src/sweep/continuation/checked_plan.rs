@@ -82,7 +82,7 @@ impl CheckedPlan {
     }
 
     /// Places the follower at the current state of the motion; false where the plan has no solution there.
-    pub(super) fn place(&mut self, equations: &mut Equations<'_>, state: &State) -> bool {
+    pub(super) fn start_at(&mut self, equations: &mut Equations<'_>, state: &State) -> bool {
         if !self.is_placed {
             self.refused = equations.system.follow_from(&state.instant(), &state.q).err();
             self.is_placed = self.refused.is_none();

@@ -5,7 +5,6 @@ use super::checked_plan::CheckedPlan;
 use super::groups;
 use super::integrate::integrate;
 use super::nodes::{at_instant, basis_with, complete_basis, natural_step, rates};
-
 use super::refusal::refusal;
 use super::step::{Fault, Node, Scratch, Start, step};
 use crate::analysis::poses::poses;
@@ -15,6 +14,7 @@ use crate::error::{Refusal, SolveError};
 use crate::events::Watch;
 use crate::linear::Factorization;
 use crate::planned::LimitKind;
+use crate::planned::step_length::{next_parameter, shortest_step};
 use crate::state::State;
 use crate::trajectory::Fallback;
 use crate::workspace::{Instant, Subset};
@@ -126,7 +126,7 @@ impl Continuation {
         let Self { node, here, plan, .. } = self;
         let Some(plan) = plan else { return Ok(false) };
         equations.by_time(|equations| {
-            if !plan.place(equations, &node.state) {
+            if !plan.start_at(equations, &node.state) {
                 return Ok(false);
             }
             equations.set_checked_instant(at);
@@ -226,23 +226,13 @@ impl Continuation {
                 return Ok(moved);
             }
             let aim = if by_plan { target } else { self.limit_between(equations, from, target).unwrap_or(target) };
-            let remaining = aim - from;
             let length = match by_plan {
                 true if !needs_every_step => f64::INFINITY,
                 true => self.longest_step(equations, moved).min(at_once),
                 false => self.longest_step(equations, moved).min(self.proposed),
             };
-            let smallest = *smallest.get_or_insert_with(|| {
-                let shortest = options.min_step * length.min((target - from).abs());
-                shortest.max(4.0 * f64::EPSILON * from.abs().max(target.abs()))
-            });
-            // The remaining distance is split equally between the last two steps, so that none of them is very short.
-            let share = remaining.abs() / length;
-            let s = match share {
-                share if share <= 1.0 => aim,
-                share if share < 2.0 => from + 0.5 * remaining,
-                _ => from + length.copysign(remaining),
-            };
+            let smallest = *smallest.get_or_insert_with(|| shortest_step(options.min_step, length, [from, target]));
+            let (s, share) = next_parameter([from, aim], length);
             if by_plan {
                 by_plan = self.step_by_plan(equations, moved, s)?;
                 if !by_plan {
@@ -364,7 +354,7 @@ impl Continuation {
         let Self { node, here, next, plan, .. } = self;
         let Some(plan) = plan else { return Ok(false) };
         let from = if moved { &here.state } else { &node.state };
-        Ok(plan.place(equations, from) && plan.step(equations, &from.q, next, s)?)
+        Ok(plan.start_at(equations, from) && plan.step(equations, &from.q, next, s)?)
     }
 
     /// Passes the accepted step to the watch over the unilateral conditions.

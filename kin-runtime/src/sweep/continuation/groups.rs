@@ -7,10 +7,10 @@
 
 use crate::analysis::by_plan;
 use crate::equations::Equations;
-use crate::planned::bends::{Span, stays_in_bends};
-use crate::planned::between::{LEAST, input_within, on_cubic, places, time_within};
-use crate::planned::blurred::blurred_group;
 use crate::planned::branch::{OUT_OF_REACH, certainty_of, resolves};
+use crate::planned::gradient_turns::{Span, stays_in_bends};
+use crate::planned::ill_conditioned::blurred_group;
+use crate::planned::interior::{LEAST, fractions, input_within, on_cubic, time_within};
 use crate::planned::predict::weight;
 use crate::planned::rates::largest_angle;
 use crate::scalar::{Interval, Scalar};
@@ -29,8 +29,8 @@ const REGULAR: f64 = 1e3;
 const PASSING: f64 = 0.5;
 const FLAT: f64 = 1e-3;
 
-/// The angles by which the gradients of rows turn per unit of every coordinate at q; empty
-/// under the same conditions.
+/// The angles by which the gradients of rows turn per unit of every coordinate at q; empty without a plan, with
+/// prescribed coordinates, or where the evaluation fails.
 pub(super) fn turns(equations: &Equations<'_>, at: &Instant<'_>, q: &[f64]) -> Vec<f64> {
     if equations.given() > 0 || !equations.model.plan.exists() {
         return Vec::new();
@@ -116,7 +116,7 @@ pub(super) fn stay_between(equations: &Equations<'_>, [before, found]: [&[f64]; 
         })
     };
     let is_curved = equations.system.iterates_on_curves();
-    if (!is_curved || equations.system.closed_rows_turn()) && !places().all(&mut stays_at) {
+    if (!is_curved || equations.system.closed_rows_turn()) && !fractions().all(&mut stays_at) {
         return false;
     }
     if !is_curved {

@@ -15,16 +15,16 @@
 //! as in [`step`](super::step), so that no singular configuration is passed.
 //!
 //! The estimated error only knows the stages: a velocity that rises and falls between them would be missed. Therefore v is
-//! also compared with the slope of the cubic through both ends at the places of
-//! [`planned::within`](crate::planned::within).
+//! also compared with the slope of the cubic through both ends at the fractions of
+//! [`planned::hidden_motion`](crate::planned::hidden_motion).
 
 use super::step::{Fault, Node, Scratch, Start, correct, settle};
 use crate::analysis::velocity::scaled;
 use crate::equations::Equations;
 use crate::equations::factorisation::Purpose;
 use crate::nonlinear::dormand_prince::{StepResult, runge_kutta_step};
-use crate::planned::between::{on_cubic, slope_of_cubic};
-use crate::planned::within::PLACES;
+use crate::planned::hidden_motion::FRACTIONS;
+use crate::planned::interior::{on_cubic, slope_of_cubic};
 use crate::workspace::Subset;
 
 /// Safety factor of the step length that the error estimate allows.
@@ -62,7 +62,7 @@ pub(super) fn integrate(
     if is_regular { Ok(factor.clamp(0.5, 4.0)) } else { Err(Fault::Coarse(0.5)) }
 }
 
-/// True if, at places within a step, the velocity is near the slope of the cubic through its ends, which are q and q̇ of
+/// True if, at instants within a step, the velocity is near the slope of the cubic through its ends, which are q and q̇ of
 /// both. The difference times the length of the step may be a share of the motion of coordinates of the same kind, or
 /// `negligible`: a long way does not hide a turn.
 fn follows_cubic(
@@ -78,10 +78,10 @@ fn follows_cubic(
     let moved = |k: usize| (q1[k] - q0[k]).abs().max((h * v0[k]).abs()).max((h * v1[k]).abs());
     let allowed = of_kinds(equations, &moved).map(|motion| share * motion + negligible);
     let (mut cubic, mut slope) = (vec![0.0; q0.len()], vec![0.0; q0.len()]);
-    for place in PLACES {
-        on_cubic(&mut cubic, ends, h, place);
-        slope_of_cubic(&mut slope, ends, h, place);
-        let found = velocity(equations, rank, [from, place * h], &cubic)?;
+    for fraction in FRACTIONS {
+        on_cubic(&mut cubic, ends, h, fraction);
+        slope_of_cubic(&mut slope, ends, h, fraction);
+        let found = velocity(equations, rank, [from, fraction * h], &cubic)?;
         let off = of_kinds(equations, &|k| (h * (slope[k] - found[k])).abs());
         if off.iter().zip(&allowed).any(|(off, allowed)| off > allowed) || found.iter().any(|v| v.is_nan()) {
             return Ok(false);

@@ -32,13 +32,13 @@ mod between;
 mod checked_plan;
 mod follow;
 mod groups;
+mod hidden_motion;
 mod integrate;
 mod kinematic;
 mod nodes;
 mod orientation;
 mod refusal;
 mod step;
-mod within;
 
 pub(crate) use follow::Continuation;
 pub(crate) use kinematic::{kinematic, kinematic_each};

@@ -6,7 +6,7 @@ use crate::analysis::poses::poses;
 use crate::equations::Equations;
 use crate::error::SolveError;
 use crate::nonlinear::root::{Value, bracket, tolerance};
-use crate::planned::within::PLACES;
+use crate::planned::hidden_motion::FRACTIONS;
 use crate::results::event::{Crossing, Event, Unwatched};
 use crate::state::State;
 use std::collections::HashMap;
@@ -246,7 +246,8 @@ impl Search<'_, '_, '_, '_> {
         if !(a.rests() && b.rests()) {
             return self.between(a, b, doubt, Depth::default());
         }
-        let within: Vec<Sample> = PLACES.iter().filter_map(|place| self.sample(a.t + place * (b.t - a.t))).collect();
+        let within: Vec<Sample> =
+            FRACTIONS.iter().filter_map(|fraction| self.sample(a.t + fraction * (b.t - a.t))).collect();
         if within.iter().all(|m| m.rests() && (m.value - a.value).abs() <= m.noise.max(a.noise)) {
             return self.between(a, b, doubt, Depth::default());
         }

@@ -1,8 +1,8 @@
 //! One step of the continuation: predict, correct, check.
 
 use super::groups;
+use super::hidden_motion::hides_nothing;
 use super::orientation::Orientation;
-use super::within::hides_nothing;
 use crate::analysis::acceleration::acceleration;
 use crate::analysis::velocity::{inconsistency, scaled};
 use crate::equations::Equations;
@@ -12,7 +12,9 @@ use crate::equations::scale::largest_product;
 use crate::error::SolveError;
 use crate::linear::Factorization;
 use crate::nonlinear::newton::{largest, rounding};
-use crate::planned::bends::Span;
+use crate::planned::follower::NEGLIGIBLE;
+use crate::planned::gradient_turns::Span;
+use crate::planned::step_length::growth;
 use crate::state::State;
 use crate::workspace::Subset;
 use nalgebra::DVector;
@@ -26,8 +28,6 @@ const CONTRACTION: f64 = 0.3;
 const CONVERGED: f64 = 0.1;
 /// Length of a correction, on the common scale, below which it may be due to rounding.
 const ROUNDING: f64 = 1e-9;
-/// Corrections up to this size on the common scale are always accepted, for motions that start from rest.
-const NEGLIGIBLE: f64 = 1e-4;
 /// Length of a motion so short that a jump of the velocity in it is attributed to the driver.
 const INSTANTANEOUS: f64 = 1e-7;
 /// Largest deviation of the velocity from its prediction, relative to the larger of the two.
@@ -36,7 +36,7 @@ const VELOCITY: f64 = 0.5;
 /// A configuration on the branch.
 #[derive(Clone, Debug)]
 pub(crate) struct Node {
-    /// Place on the course: the time, unless only inputs change along the course.
+    /// The parameter of the course: the time, unless only inputs change along the course.
     pub(crate) s: f64,
     pub(crate) state: State,
     /// The data from which full Newton continues; `None` where the plan has solved this node.
@@ -55,7 +55,7 @@ pub(crate) struct Basis {
     pub(crate) turns: Vec<f64>,
 }
 
-/// The start of a step: a node, its place on the course, and the derivatives of q along the course.
+/// The start of a step: a node, its parameter on the course, and the derivatives of q along the course.
 #[derive(Clone, Copy)]
 pub(crate) struct Start<'n> {
     pub(crate) node: &'n Node,
@@ -102,7 +102,7 @@ impl Scratch {
     }
 }
 
-/// Writes the node at the place `s` to `to`; returns the factor by which the next step may be longer.
+/// Writes the node at the parameter `s` of the course to `to`; returns the factor by which the next step may be longer.
 ///
 /// With `last` the caller requested this instant: the node is converged fully and the rank of Φ_q is determined.
 pub(crate) fn step(
@@ -120,28 +120,15 @@ pub(crate) fn step(
     fill(predicted, from.node.state.q.iter().zip(motion.iter()).map(|(q, d)| q + d));
     let allowed = equations.options.prediction_tolerance * equations.scale.size(motion) + NEGLIGIBLE;
     let corrected = correct(equations, scratch, &mut to.state.q, allowed, if last { 1e-9 } else { 1e-6 })?;
-    finish(equations, scratch, from, to, corrected, (s, allowed, last))
-}
-
-/// Completes and checks a step whose q has been found; returns the factor by which the next step may be longer.
-fn finish(
-    equations: &mut Equations<'_>,
-    scratch: &mut Scratch,
-    from: Start<'_>,
-    to: &mut Node,
-    corrected: Corrected,
-    (s, allowed, last): (f64, f64, bool),
-) -> Result<f64, Fault> {
-    let effort = corrected.correction / allowed;
-    let worst = corrected.worst;
+    let (effort, worst) = (corrected.correction / allowed, corrected.worst);
     settle(equations, scratch, from, to, corrected, s, last)?;
-    if !expected(equations, &mut scratch.difference, &from, s - from.s, &to.state.q_dot) {
+    if !expected(equations, &mut scratch.difference, &from, h, &to.state.q_dot) {
         return Err(Fault::Jump(worst));
     }
-    Ok(if effort <= 0.3 / 64.0 { 4.0 } else { (0.3 / effort).cbrt().clamp(0.5, 4.0) })
+    Ok(growth(effort))
 }
 
-/// Completes the node at the place `s`, whose q has been found, if it is on the branch of `from`.
+/// Completes the node at the parameter `s` of the course, whose q has been found, if it is on the branch of `from`.
 pub(super) fn settle(
     equations: &mut Equations<'_>,
     scratch: &mut Scratch,
