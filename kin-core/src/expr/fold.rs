@@ -40,7 +40,7 @@ pub(crate) trait Algebra {
     /// The value of aⁿ.
     fn powi(&mut self, id: ExprId, a: Self::Value, n: i32) -> Self::Value;
     /// The value of an opaque expression, see [`Node::Opaque`].
-    fn whole(&mut self, a: Self::Value) -> Self::Value {
+    fn opaque(&mut self, a: Self::Value) -> Self::Value {
         a
     }
     /// The rotated vector A(φ)·s.
@@ -121,7 +121,7 @@ pub(crate) trait Algebra {
             }
             Node::Opaque(a) => {
                 let a = self.value(a);
-                self.whole(a)
+                self.opaque(a)
             }
             Node::RotX(rotation) => self.rotate(rotation)[0],
             Node::RotY(rotation) => self.rotate(rotation)[1],

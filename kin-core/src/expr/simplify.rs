@@ -316,7 +316,7 @@ impl Graph {
     }
 
     /// The value a as an opaque unit; numbers, symbols and their negatives are opaque already.
-    pub fn whole(&mut self, a: ExprId) -> ExprId {
+    pub fn opaque(&mut self, a: ExprId) -> ExprId {
         let (negative, inner) = self.unsigned(a);
         match self.node(inner) {
             Node::Number(_) | Node::Symbol(_) | Node::Opaque(_) => a,

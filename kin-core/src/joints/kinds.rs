@@ -51,7 +51,8 @@ fn kind_of(operands: &Operands) -> Option<&'static Kind> {
     KINDS.iter().find(|kind| kind.form == operands.form())
 }
 
-/// The rows of a joint; empty if the operands are not those of a joint.
+/// The rows of a joint, from the typed struct of its kind that is made of the operands; empty if the operands are not those
+/// of a joint.
 pub(crate) fn rows_of(a: &mut Assembly<'_>, operands: &Operands) -> JointRows {
     kind_of(operands).map_or_else(JointRows::default, |kind| (kind.rows)(a, operands))
 }

@@ -42,7 +42,7 @@ pub(super) fn transpose(graph: &mut Graph, solution: &[ExprId], r: &[ExprId], ro
                 add(graph, &mut weights, a, weight);
             }
             Node::Opaque(a) => {
-                let weight = graph.whole(weight);
+                let weight = graph.opaque(weight);
                 add(graph, &mut weights, a, weight);
             }
             Node::Add(a, b) => {

@@ -95,7 +95,7 @@ impl Reduction<'_> {
         let norm = graph.plain_dot([a, b], [a, b]);
         let square = graph.square(det);
         let row = graph.sub(norm, square);
-        let square = graph.whole(square);
+        let square = graph.opaque(square);
         let (cos, sin) = (graph.mul(a, det), graph.mul(b, det));
         let vectors = [[c1, s1], [c2, s2]].map(|v| graph.plain_dot(v, v));
         Some((PairValue::Angle { turn, cos, sin, size: square, square: None, vectors: Some(vectors) }, row))

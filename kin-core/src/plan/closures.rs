@@ -71,7 +71,7 @@ pub(super) fn squared_sine(graph: &mut Graph, square: ExprId, [a, b]: [ExprId; 2
 pub(super) fn inverse(graph: &mut Graph, a: ExprId) -> ExprId {
     let one = graph.number(1.0);
     let inverse = graph.div(one, a);
-    graph.whole(inverse)
+    graph.opaque(inverse)
 }
 
 /// mode · √|inside|, kept as one value.
@@ -79,7 +79,7 @@ fn signed_root(graph: &mut Graph, mode: ExprId, inside: ExprId) -> ExprId {
     let magnitude = graph.call(Function::Abs, inside);
     let root = graph.call(Function::Sqrt, magnitude);
     let w = graph.mul(mode, root);
-    graph.whole(w)
+    graph.opaque(w)
 }
 
 /// `size` plus `TERM_WEIGHT` times the squared terms of `off`, the distance of the common chord of two circles from the
@@ -166,12 +166,12 @@ pub(super) fn quadratic(graph: &mut Graph, mode: ExprId, [a, b, c]: [ExprId; 3])
     let sign = graph.sign(h);
     let w = signed_root(graph, sign, inside);
     let t = graph.add(h, w);
-    let t = graph.whole(t);
+    let t = graph.opaque(t);
     // 1 for the first root and 0 for the second: this selects a root without a conditional.
     let same = graph.mul(mode, sign);
     let same = graph.mul(half, same);
     let (first, second) = (graph.add(half, same), graph.sub(half, same));
-    let [first, second] = [first, second].map(|e| graph.whole(e));
+    let [first, second] = [first, second].map(|e| graph.opaque(e));
     let (top, bottom) = (graph.plain_dot([first, second], [c, t]), graph.plain_dot([first, second], [t, a]));
     let x = graph.div(top, bottom);
     let x = graph.neg(x);

@@ -34,7 +34,7 @@ pub(super) fn solve(graph: &mut Graph, matrix: &[Vec<ExprId>], rights: &[Vec<Exp
         1 => {
             let one = graph.number(1.0);
             let inverse = graph.div(one, matrix[0][0]);
-            let inverse = graph.whole(inverse);
+            let inverse = graph.opaque(inverse);
             alone(rights.iter().map(|b| vec![graph.mul(b[0], inverse)]).collect())
         }
         2 | 3 => cramer(graph, matrix, rights, lengths),
@@ -55,7 +55,7 @@ pub(super) fn solution(graph: &mut Graph, matrix: &[Vec<ExprId>], right: &[ExprI
     let mut minors = Minors::new(&rows, graph);
     let (det, one) = (minors.determinant(graph), graph.number(1.0));
     let inverse = graph.div(one, det);
-    let inverse = graph.whole(inverse);
+    let inverse = graph.opaque(inverse);
     minors.replaced(graph, &right).into_iter().map(|top| graph.mul(top, inverse)).collect()
 }
 
@@ -80,7 +80,7 @@ fn scaled_rows(graph: &mut Graph, matrix: &[Vec<ExprId>], lengths: &[bool], unit
             let norm = graph.add(norm, least);
             let root = graph.call(Function::Sqrt, norm);
             let inverse = graph.div(one, root);
-            (graph.whole(inverse), one)
+            (graph.opaque(inverse), one)
         };
         scaled.rows.push(row.iter().map(|&entry| graph.mul(factor, entry)).collect());
         scaled.factors.push(factor);
@@ -110,7 +110,7 @@ fn invert(graph: &mut Graph, matrix: &[Vec<ExprId>], rights: &[Vec<ExprId>], len
     let (det, adjugate) = (minors.determinant(graph), minors.adjugate(graph));
     let one = graph.number(1.0);
     let inverse = graph.div(one, det);
-    let inverse = graph.whole(inverse);
+    let inverse = graph.opaque(inverse);
     let solution = |b: &Vec<ExprId>| {
         let b: Vec<ExprId> = b.iter().zip(&factors).map(|(&b, &factor)| graph.mul(factor, b)).collect();
         let tops = adjugate.iter().map(|row| {
@@ -184,7 +184,7 @@ fn squared_length(graph: &mut Graph, matrix: &[Vec<ExprId>], lengths: &[bool]) -
         return None;
     }
     let square = graph.div(angles, lengths);
-    Some(graph.whole(square))
+    Some(graph.opaque(square))
 }
 
 /// Solves for two or three unknowns by Cramer's rule.
@@ -193,7 +193,7 @@ fn cramer(graph: &mut Graph, matrix: &[Vec<ExprId>], rights: &[Vec<ExprId>], len
     let det = minors.determinant(graph);
     let one = graph.number(1.0);
     let inverse = graph.div(one, det);
-    let inverse = graph.whole(inverse);
+    let inverse = graph.opaque(inverse);
     let mut solution = |b: &Vec<ExprId>| {
         let tops = minors.replaced(graph, b);
         tops.into_iter().map(|top| graph.mul(top, inverse)).collect()
@@ -300,7 +300,7 @@ fn eliminate(graph: &mut Graph, matrix: &[Vec<ExprId>], rights: &[Vec<ExprId>], 
         columns.retain(|&c| c != j);
         let one = graph.number(1.0);
         let inverse = graph.div(one, m[i][j]);
-        let inverse = graph.whole(inverse);
+        let inverse = graph.opaque(inverse);
         for &r in &rows {
             if graph.is_zero(m[r][j]) {
                 continue;

@@ -46,7 +46,7 @@ impl Build<'_> {
             *start = self.stages.len();
             let slot = |k| if order == 0 { Slot::Velocity(k) } else { Slot::Acceleration(k) };
             self.stages.push(Stage::Closed(solution.iter().enumerate().map(|(k, e)| (slot(k), *e)).collect()));
-            let solution: Vec<ExprId> = solution.into_iter().map(|e| self.graph.whole(e)).collect();
+            let solution: Vec<ExprId> = solution.into_iter().map(|e| self.graph.opaque(e)).collect();
             self.check_rates(order, &right, &solution);
             self.known.rates = (0..).zip(solution).collect();
         }
@@ -71,7 +71,7 @@ impl Build<'_> {
 
     /// Records the value of a coordinate, and its cosine and sine if they were found without the angle.
     fn record_solution(&mut self, k: u32, value: ExprId, turned: Option<Turned>) {
-        let value = self.graph.whole(value);
+        let value = self.graph.opaque(value);
         self.known.values.insert(k, value);
         self.known.turns.insert(k, turned.unwrap_or(Turned::Angle(value)));
         self.write(Slot::Position(k as usize), value);
@@ -122,7 +122,7 @@ impl Build<'_> {
                         None => self.divide(step, pair, size, Vec::new()),
                     }
                 }
-                let found = [*cos, *sin].map(|e| self.known_value(e)).map(|e| self.graph.whole(e));
+                let found = [*cos, *sin].map(|e| self.known_value(e)).map(|e| self.graph.opaque(e));
                 let size = self.known_value(*size);
                 let inverse = inverse(&mut self.graph, size);
                 self.angle(pair.coordinate, turn, found, inverse);
@@ -140,7 +140,7 @@ impl Build<'_> {
     /// unknown angle up to whole turns divided by its multiple; the value nearest to the start value is taken.
     fn angle(&mut self, k: u32, turn: &[(u32, i32)], [x, y]: [ExprId; 2], scale: ExprId) {
         let graph = &mut self.graph;
-        let [cos, sin] = [x, y].map(|e| graph.mul(e, scale)).map(|e| graph.whole(e));
+        let [cos, sin] = [x, y].map(|e| graph.mul(e, scale)).map(|e| graph.opaque(e));
         let (mut start, mut others) = (graph.zero(), graph.zero());
         let (mut pair, mut own) = ([cos, sin], 1);
         for &(other, n) in turn {
@@ -209,7 +209,7 @@ impl Build<'_> {
                 let k = core.coordinates[0];
                 let value = angle_branch_value(&mut self.graph, (k, *times), [*a, *b]);
                 let (mode, index) = self.closure(step, value);
-                let [a, b, c] = [*a, *b, *c].map(|e| self.known_value(e)).map(|e| self.graph.whole(e));
+                let [a, b, c] = [*a, *b, *c].map(|e| self.known_value(e)).map(|e| self.graph.opaque(e));
                 let (turned, inverse, margin) = closures::angle(&mut self.graph, mode, [a, b, c]);
                 self.write(Slot::Margin(index), margin);
                 self.angle(k, &[(k, *times)], turned, inverse);

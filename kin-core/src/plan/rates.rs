@@ -89,9 +89,9 @@ impl<'g> Rates<'g> {
             // The inverse is one value that the solutions for all right-hand sides b share.
             let one = self.graph.number(1.0);
             let inverse = self.graph.div(one, coefficient);
-            let inverse = self.graph.whole(inverse);
+            let inverse = self.graph.opaque(inverse);
             let value = self.graph.mul(self.right[pivot.row], inverse);
-            let value = self.graph.whole(value);
+            let value = self.graph.opaque(value);
             self.solution[pivot.coordinate as usize] = Some(value);
         }
     }
@@ -122,7 +122,7 @@ impl<'g> Rates<'g> {
         }
         let product = self.graph.mul(factor, self.right[other]);
         let right = self.graph.sub(self.right[row], product);
-        self.right[row] = self.graph.whole(right);
+        self.right[row] = self.graph.opaque(right);
     }
 
     /// The value of an expression of the tree.
@@ -140,7 +140,7 @@ impl<'g> Rates<'g> {
         let lengths = dense::lengths(self.coordinates, &core.coordinates);
         let dense::Solved { solutions, margin, orientation } = dense::solve(self.graph, &matrix, &[right], &lengths);
         for (&k, value) in core.coordinates.iter().zip(solutions.into_iter().flatten()) {
-            self.solution[k as usize] = Some(self.graph.whole(value));
+            self.solution[k as usize] = Some(self.graph.opaque(value));
         }
         let iterates = matches!(core.method, SolutionMethod::Newton { .. });
         if let (Some(mut margin), Some(&row)) = (margin, core.rows.first()) {
@@ -259,9 +259,9 @@ impl<'g> Rates<'g> {
         let top = self.graph.plain_dot([p, q], rights);
         let one = self.graph.number(1.0);
         let inverse = self.graph.div(one, square);
-        let inverse = self.graph.whole(inverse);
+        let inverse = self.graph.opaque(inverse);
         let value = self.graph.mul(top, inverse);
-        self.solution[pair.coordinate as usize] = Some(self.graph.whole(value));
+        self.solution[pair.coordinate as usize] = Some(self.graph.opaque(value));
     }
 }
 

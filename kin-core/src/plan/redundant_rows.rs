@@ -87,12 +87,12 @@ impl Build<'_> {
             all = self.graph.add(all, square);
         }
         if order == 0 {
-            sizes.velocity = self.graph.whole(all);
+            sizes.velocity = self.graph.opaque(all);
         } else {
             let turning = self.graph.square(sizes.velocity);
             all = self.graph.add(all, turning);
         }
-        let all = self.graph.whole(all);
+        let all = self.graph.opaque(all);
         let tolerance = self.tolerance(sizes.nearness, 2 + order as i32);
         for mut redundant in std::mem::take(&mut self.redundant) {
             let rows = redundant.paired.map_or(vec![redundant.row], |paired| paired.rows.to_vec());
@@ -123,7 +123,7 @@ impl Build<'_> {
         let share = self.graph.div(square, size);
         let share = self.graph.div(share, tolerance);
         let margin = self.graph.sub(redundant.margin, share);
-        redundant.margin = self.graph.whole(margin);
+        redundant.margin = self.graph.opaque(margin);
         self.write(Slot::Margin(redundant.place), redundant.margin);
     }
 
@@ -136,7 +136,7 @@ impl Build<'_> {
         let sum = graph.add(tolerance, rounding);
         let coarseness = graph.symbol(Symbol::Coarseness);
         let sum = graph.mul(coarseness, sum);
-        graph.whole(sum)
+        graph.opaque(sum)
     }
 
     fn sizes(&mut self) -> Sizes {
@@ -160,7 +160,7 @@ impl Build<'_> {
             let inverse = self.graph.div(one, magnitude);
             nearness = self.graph.add(nearness, inverse);
         }
-        let nearness = self.graph.whole(nearness);
+        let nearness = self.graph.opaque(nearness);
         Sizes { weights, nearness, velocity: one }
     }
 
@@ -200,7 +200,7 @@ impl Build<'_> {
             self.graph.div(sums[0], sums[1])
         };
         let square = self.graph.add(square, least);
-        self.graph.whole(square)
+        self.graph.opaque(square)
     }
 
     /// Σ Φᵣₖ² wₖ of a row r.
@@ -212,6 +212,6 @@ impl Build<'_> {
             let square = self.graph.mul(square, weights[k as usize]);
             size = self.graph.add(size, square);
         }
-        self.graph.whole(size)
+        self.graph.opaque(size)
     }
 }

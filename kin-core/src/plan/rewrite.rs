@@ -8,7 +8,7 @@ pub(crate) trait Substitution {
     /// The replacement of a symbol.
     fn symbol(&mut self, graph: &mut Graph, symbol: Symbol) -> Option<ExprId>;
     /// The replacement of an expression, taken before its operands are rewritten.
-    fn whole(&mut self, _graph: &mut Graph, _id: ExprId) -> Option<ExprId> {
+    fn expression(&mut self, _graph: &mut Graph, _id: ExprId) -> Option<ExprId> {
         None
     }
     /// The rotation that replaces the cosine and sine of `angle`; `known` contains the rewritten operands of the angle.
@@ -89,7 +89,7 @@ impl<S: Substitution> Algebra for Rewriting<'_, S> {
         self.known
     }
     fn at_once(&mut self, id: ExprId) -> Option<ExprId> {
-        self.substitution.whole(self.graph, id)
+        self.substitution.expression(self.graph, id)
     }
     fn number(&mut self, id: ExprId, _: f64) -> ExprId {
         id
@@ -118,8 +118,8 @@ impl<S: Substitution> Algebra for Rewriting<'_, S> {
     fn powi(&mut self, _: ExprId, a: ExprId, n: i32) -> ExprId {
         self.graph.powi(a, n)
     }
-    fn whole(&mut self, a: ExprId) -> ExprId {
-        self.graph.whole(a)
+    fn opaque(&mut self, a: ExprId) -> ExprId {
+        self.graph.opaque(a)
     }
     fn rotate(&mut self, r: Rotation) -> [ExprId; 2] {
         let vector = [self.value(r.x), self.value(r.y)];

@@ -83,7 +83,7 @@ impl Substitution for SavedValues<'_> {
         None
     }
 
-    fn whole(&mut self, graph: &mut Graph, id: ExprId) -> Option<ExprId> {
+    fn expression(&mut self, graph: &mut Graph, id: ExprId) -> Option<ExprId> {
         if !self.is_saved(graph, id) {
             return None;
         }
@@ -212,6 +212,6 @@ fn save(graph: &mut Graph, outputs: &[(Slot, ExprId)], done: &mut SavedValues<'_
     }
     needed.sort_unstable();
     for id in needed {
-        done.whole(graph, id);
+        done.expression(graph, id);
     }
 }

@@ -1,4 +1,4 @@
-//! Extrapolation to a limit: its place and the configuration there, more accurate than a state computed near the limit.
+//! Extrapolation to a limit: where it is and the configuration there, more accurate than a state computed near the limit.
 //!
 //! Near a limit t and all of q are smooth functions of w, the signed distance of the group from its limit, both at a
 //! fold, where q depends on √(t* − t), and at a crossing of branches. So t and q at w = 0 follow from states on the way
@@ -35,7 +35,7 @@ const DOUBLINGS: usize = 60;
 const FLAT: f64 = 0.1;
 
 /// Largest change that leaving out one of the samples may cause, relative to 1 + |q_k| for a coordinate and to the
-/// interval for the place.
+/// interval for its parameter.
 const AGREEMENT: f64 = 1e-7;
 
 /// Largest branch value of an iterated group at its limit, relative to that of the nearest sample. Within a sharp corner
@@ -44,19 +44,19 @@ const AT_LIMIT: f64 = 0.01;
 
 /// An extrapolated limit.
 pub(super) struct Found<M: Mechanism> {
-    /// Its place on the course.
-    pub(super) place: f64,
+    /// Its parameter on the course.
+    pub(super) s: f64,
     /// q there.
     pub(super) q: M::Coordinates<f64>,
     /// The change that leaving out one of the samples causes, relative to 1 + |q_k| for a coordinate, and to the
-    /// interval for the place.
+    /// interval for its parameter.
     error: f64,
     /// The kind of limit, where it is clear.
     pub(super) kind: Option<LimitKind>,
 }
 
 impl<M: Mechanism> PlanFollower<M> {
-    /// The limit of a group, near the place `at` of the course; `group` is its index.
+    /// The limit of a group, near the parameter `at` of the course; `group` is its index.
     /// `None` where the motion did not start far enough away, or the states are not on a smooth curve.
     pub(super) fn extrapolate(
         &mut self,
@@ -89,7 +89,7 @@ impl<M: Mechanism> PlanFollower<M> {
         let margin = M::model().plan.margin_of_group(group)?;
         // Moves away from the limit in steps that grow with the distance.
         let [start, _] = course.ends();
-        let (mut s, mut from, mut w) = (blocked.places[0], blocked.here, 0.0);
+        let (mut s, mut from, mut w) = (blocked.interval[0], blocked.here, 0.0);
         for _ in 0..DOUBLINGS {
             // With inputs, the motion before the start of the course is not known.
             let back = farther_back((at, s), start, M::INPUTS > 0);
@@ -107,9 +107,9 @@ impl<M: Mechanism> PlanFollower<M> {
         for (k, sample) in samples.iter_mut().enumerate().rev().skip(1) {
             // At a fold w is proportional to the square root of the distance.
             let share = (k + 1) as f64 / SAMPLES as f64;
-            let place = at - reach * share * share;
-            (w, from) = self.sample(mechanism, course, (margin, place), (s, &from))?;
-            s = place;
+            let next = at - reach * share * share;
+            (w, from) = self.sample(mechanism, course, (margin, next), (s, &from))?;
+            s = next;
             *sample = (w, s, from.q);
         }
         let mut q = from.q;
@@ -118,19 +118,19 @@ impl<M: Mechanism> PlanFollower<M> {
         for (seen, (w, s, q)) in seen.iter_mut().zip(&samples) {
             *seen = (*w, *s, q.as_ref());
         }
-        let (place, error, kind) = interpolated(&seen, reach, q.as_mut())?;
-        let found = Found::<M> { place, q, error, kind };
+        let (s, error, kind) = interpolated(&seen, reach, q.as_mut())?;
+        let found = Found::<M> { s, q, error, kind };
         let is_there = group < M::model().plan.modes.len() || {
             let mut inputs = M::Inputs::<f64>::filled(Signal::constant(0.0));
-            let at = Instant { t: course.at(place, inputs.as_mut()), inputs: inputs.as_ref() };
+            let at = Instant { t: course.at(s, inputs.as_mut()), inputs: inputs.as_ref() };
             let values = BranchValues::<M>::at(mechanism, self.parameters.as_ref(), &at, found.q.as_ref()).ok()?;
             values.as_ref()[group].abs() <= AT_LIMIT * samples[0].0
         };
         (is_there && found.error.is_finite()).then_some(found)
     }
 
-    /// w, as the root of a margin, and the state at a place of the course that the motion has passed; the prediction
-    /// starts from the state `from` at the place `beside`.
+    /// w, as the root of a margin, and the state at a parameter of the course that the motion has passed; the prediction
+    /// starts from the state `from` at the parameter `beside`.
     fn sample(
         &mut self,
         mechanism: &M,
@@ -149,7 +149,7 @@ impl<M: Mechanism> PlanFollower<M> {
     }
 }
 
-/// The next place on the way back from a limit near `at`, in steps that grow with the distance, and never before the
+/// The next parameter on the way back from a limit near `at`, in steps that grow with the distance, and never before the
 /// start of the course if `stops_there`.
 fn farther_back((at, s): (f64, f64), start: f64, stops_there: bool) -> f64 {
     let least = 4.0 * f64::EPSILON * at.abs().max(start.abs());
@@ -157,7 +157,7 @@ fn farther_back((at, s): (f64, f64), start: f64, stops_there: bool) -> f64 {
     if stops_there && (stride > 0.0) == (s - stride < start) { start } else { s - stride }
 }
 
-/// The place, the error and the kind of the limit of samples (w, place, q); writes q there. `None` where w does not grow.
+/// The parameter, the error and the kind of the limit of samples (w, s, q); writes q there. `None` where w does not grow.
 fn interpolated(
     samples: &[(f64, f64, &[f64]); SAMPLES],
     reach: f64,
@@ -168,13 +168,13 @@ fn interpolated(
         return None;
     }
     let at_limit = Interpolation::new(w);
-    let (place, mut worst, kind) = at_limit.limit(&samples.map(|sample| sample.1), reach);
+    let (s, mut worst, kind) = at_limit.limit(&samples.map(|sample| sample.1), reach);
     for (k, q) in q.iter_mut().enumerate() {
         let error;
         (*q, error) = at_limit.value(&samples.map(|sample| sample.2[k]));
         worst = f64::max(worst, error / (1.0 + samples[0].2[k].abs()));
     }
-    Some((place, worst, kind))
+    Some((s, worst, kind))
 }
 
 /// One number of every sample; the nearest to the limit comes first.
@@ -203,21 +203,21 @@ impl Interpolation {
         (values[0] + found, (found - dot(&self.fewer, &differences)).abs())
     }
 
-    /// The place of the limit, the change that leaving out the farthest sample causes, relative to `reach`, the length
+    /// The parameter of the limit, the change that leaving out the farthest sample causes, relative to `reach`, the length
     /// of the interval, and the kind of limit, where it is clear.
-    fn limit(&self, places: &Samples, reach: f64) -> (f64, f64, Option<LimitKind>) {
-        let (place, change) = self.value(places);
+    fn limit(&self, parameters: &Samples, reach: f64) -> (f64, f64, Option<LimitKind>) {
+        let (s, change) = self.value(parameters);
         // At a fold the slope ds/dw is 0, and w is proportional to the square root of the distance.
-        let slopes = core::array::from_fn(|k| (places[k] - place) / self.w[k]);
+        let slopes = core::array::from_fn(|k| (parameters[k] - s) / self.w[k]);
         let is_flat = dot(&self.all, &slopes).abs() < FLAT * slopes[SAMPLES - 1].abs();
-        let [near, far] = [SAMPLES / 2, SAMPLES - 1].map(|k| (self.w[k], (places[k] - place).abs()));
+        let [near, far] = [SAMPLES / 2, SAMPLES - 1].map(|k| (self.w[k], (parameters[k] - s).abs()));
         let is_root = far.1 * near.0 * Scalar::sqrt(near.0) > near.1 * far.0 * Scalar::sqrt(far.0);
         let kind = match (is_flat, is_root) {
             (true, true) => Some(LimitKind::DeadCentre),
             (false, false) => Some(LimitKind::BranchPoint),
             _ => None,
         };
-        (place, change / reach.abs(), kind)
+        (s, change / reach.abs(), kind)
     }
 }
 
@@ -225,11 +225,11 @@ fn dot(a: &Samples, b: &Samples) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
-/// Writes the weights of the values at `places` in the interpolating polynomial at 0.
-fn write_weights(places: &[f64], weights: &mut [f64]) {
+/// Writes the weights of the values at `at` in the interpolating polynomial at 0.
+fn write_weights(at: &[f64], weights: &mut [f64]) {
     for (k, weight) in weights.iter_mut().enumerate() {
-        let others = places.iter().enumerate().filter(|(j, _)| *j != k);
-        *weight = others.map(|(_, other)| other / (other - places[k])).product();
+        let others = at.iter().enumerate().filter(|(j, _)| *j != k);
+        *weight = others.map(|(_, other)| other / (other - at[k])).product();
     }
 }
 
@@ -247,10 +247,10 @@ mod tests {
         assert!((at_0 - 3.0).abs() < 1e-12, "{at_0}");
     }
 
-    /// The distances w of seven states at a fold or at a crossing; places are 0.7 − s.
+    /// The distances w of seven states at a fold or at a crossing, at the parameters 0.7 − s.
     const W: Samples = [0.01, 0.02, 0.03, 0.04, 0.05, 0.06, 0.07];
 
-    /// At a fold the place is quadratic in w, at a crossing linear; both with terms of higher order.
+    /// At a fold s is quadratic in w, at a crossing linear; both with terms of higher order.
     #[test]
     fn a_fold_is_told_from_a_crossing_and_both_are_met() {
         let of = |s: &dyn Fn(f64) -> f64| Interpolation::new(W).limit(&W.map(|w| 0.7 - s(w)), 0.01);

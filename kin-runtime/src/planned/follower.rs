@@ -68,7 +68,8 @@ pub(crate) struct PlanFollower<M: Mechanism> {
     pub(super) branch: Branch<M>,
     pub(super) t: f64,
     pub(super) inputs: M::Inputs<f64>,
-    /// The last accepted state and the trial state.
+    /// The last accepted state and the trial state; before a trial the latter still is the state before the accepted one
+    /// if `t_before` is a number, and gives the prediction its fourth and fifth order.
     pub(super) states: [PlanSolution<M>; 2],
     /// Index of the accepted state.
     pub(super) accepted: usize,
@@ -95,7 +96,8 @@ pub(crate) struct PlanFollower<M: Mechanism> {
     /// Whether a group may change the sign of its determinant although the turns of bodies do not bring it near its
     /// limit.
     pub(super) checks_determinant_signs: bool,
-    /// Whether a step to the accepted state was divided because its ends did not show the motion between them.
+    /// Whether a step to the accepted state was divided because its ends did not show the motion between them, such as a
+    /// pulse between two instants at rest.
     pub(super) hides_motion: bool,
     /// q at the limit that ended the last motion, if it was located.
     pub(super) q_at_limit: Option<M::Coordinates<f64>>,

@@ -30,7 +30,7 @@ pub(crate) struct Stretch<'a, V> {
     /// The path of the inputs.
     pub(crate) course: &'a dyn Course,
     /// The parameters of its first and last point.
-    pub(crate) places: [f64; 2],
+    pub(crate) interval: [f64; 2],
     /// q₀, q̇₀, q₁ and q̇₁, with rates along the course.
     pub(crate) ends: [&'a [V]; 4],
 }
@@ -46,7 +46,7 @@ pub(crate) fn certainty_within<M: Mechanism, V: Compare>(
     modes: &Modes<M, V>,
     (weights, allowed): (&[V], V),
 ) -> Result<V, LengthError> {
-    let Stretch { course, places: [s, next], ends } = stretch;
+    let Stretch { course, interval: [s, next], ends } = stretch;
     let zeros = M::Coordinates::<V>::filled(V::from_f64(0.0));
     let (mut cubic, mut found, mut rates) = (zeros, zeros, [zeros; 2]);
     let mut margins = Margins::<M, V>::filled(V::from_f64(0.0));
@@ -91,14 +91,14 @@ impl<M: Mechanism> PlanFollower<M> {
         self.hides_nothing(mechanism, course.unwrap_or(&between), [self.t, at.t], before, control)
     }
 
-    /// True if a step from a state in its modes to the trial state hides no motion; `places` are its ends on the course.
+    /// True if a step from a state in its modes to the trial state hides no motion; `interval` has its ends on the course.
     /// Where redundant rows let the motion pass limits of the rows that the plan uses, either modes may hold in between.
     #[inline]
     pub(super) fn hides_nothing(
         &self,
         mechanism: &M,
         course: &dyn Course,
-        places: [f64; 2],
+        interval: [f64; 2],
         (here, before): (&PlanSolution<M>, &Modes<M>),
         control: &Control,
     ) -> Result<bool, LengthError> {
@@ -106,10 +106,10 @@ impl<M: Mechanism> PlanFollower<M> {
             return Ok(true);
         }
         let (tried, weights) = (self.trial(), self.weights.as_ref());
-        let turn = largest_turn([here.q_dot.as_ref(), here.q_ddot.as_ref()], weights, places[1] - places[0]);
+        let turn = largest_turn([here.q_dot.as_ref(), here.q_ddot.as_ref()], weights, interval[1] - interval[0]);
         let allowed = control.correction * turn + NEGLIGIBLE;
         let ends = [here.q.as_ref(), here.q_dot.as_ref(), tried.q.as_ref(), tried.q_dot.as_ref()];
-        let stretch = Stretch { course, places, ends };
+        let stretch = Stretch { course, interval, ends };
         let is_near = |fraction: f64, modes: &Modes<M>| {
             let parameters = self.parameters.as_ref();
             let certainty = certainty_within(mechanism, parameters, (stretch, fraction), modes, (weights, allowed))?;

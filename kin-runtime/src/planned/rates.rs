@@ -9,8 +9,8 @@ pub(crate) fn largest_angle(model: &Model, turns: &[f64], rates: &[f64]) -> f64 
 }
 
 /// As [`largest_angle`], of some coordinates.
-pub(super) fn largest_of(model: &Model, turns: &[f64], places: &mut dyn Iterator<Item = usize>, rates: &[f64]) -> f64 {
-    places.map(|k| turning(model, turns, rates, k)).fold(0.0, f64::max)
+pub(super) fn largest_of(model: &Model, turns: &[f64], indices: &mut dyn Iterator<Item = usize>, rates: &[f64]) -> f64 {
+    indices.map(|k| turning(model, turns, rates, k)).fold(0.0, f64::max)
 }
 
 /// The size of a rate, in radians. Not inlined, because LLVM 22 crashes when it vectorises the loop around it.

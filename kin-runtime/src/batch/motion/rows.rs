@@ -78,7 +78,7 @@ impl<M: Mechanism> Motion<M> {
         }
         let (here, tried) = (self.poses(), &self.poses[1 - self.good]);
         let ends = [here.q.as_ref(), here.q_dot.as_ref(), tried.q.as_ref(), tried.q_dot.as_ref()];
-        let stretch = Stretch { course: &course, places: [self.t, t], ends };
+        let stretch = Stretch { course: &course, interval: [self.t, t], ends };
         let (parameters, weights) = (self.parameters.as_ref(), self.weights.as_ref());
         FRACTIONS.into_iter().fold(Octet::from_f64(1.0), |least, fraction| {
             let there = (stretch, fraction);

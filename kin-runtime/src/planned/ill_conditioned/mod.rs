@@ -75,7 +75,7 @@ impl<M: Mechanism> PlanFollower<M> {
         let here = *self.trial();
         let margin = here.margins.as_ref()[place];
         // The crossing may lie before or after this instant.
-        let blocked = Blocked { places: [t, t], here, fault: None };
+        let blocked = Blocked { interval: [t, t], here, fault: None };
         let found = [-1.0, 1.0].into_iter().find_map(|side| {
             let course = Around { instant: *at, from: t + side * (1.0 + t.abs()) };
             self.extrapolate(mechanism, &course, (group?, t), &blocked)
@@ -84,7 +84,7 @@ impl<M: Mechanism> PlanFollower<M> {
         // If it could not be located, the kind of the limit is known only for groups in closed form.
         let closes = group.is_some_and(|group| group < M::model().plan.modes.len());
         let unknown = (t, closes.then_some(LimitKind::BranchPoint));
-        let (crossing, kind) = found.map_or(unknown, |found| (found.place, found.kind));
+        let (crossing, kind) = found.map_or(unknown, |found| (found.s, found.kind));
         match Step::of_margin(M::model(), place) {
             Some(step) => {
                 let limit = Limit { step, margin, located: Some(Located { at: crossing, kind }) };

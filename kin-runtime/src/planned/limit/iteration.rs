@@ -31,7 +31,7 @@ impl<M: Mechanism> PlanFollower<M> {
         }
         self.predicted = blocked.here.q;
         let mut inputs = M::Inputs::<f64>::filled(Signal::constant(0.0));
-        if !self.solve_at(mechanism, course, blocked.places[1], &mut inputs).unwrap_or(false) {
+        if !self.solve_at(mechanism, course, blocked.interval[1], &mut inputs).unwrap_or(false) {
             return None;
         }
         let (here, beyond) = (&blocked.here, self.trial());

@@ -82,14 +82,14 @@ impl<M: Mechanism> PlanFollower<M> {
         at: &Instant<'_>,
         blocked: &Blocked<M>,
     ) -> (PlanError, f64) {
-        let last = blocked.places[0];
+        let last = blocked.interval[0];
         if let Some(error) = self.unusable(at) {
             return (error, last);
         }
         self.q_at_limit = None;
         let t = at.t;
         let mut inputs = M::Inputs::<f64>::filled(Signal::constant(0.0));
-        let reached = course.at(blocked.places[0], inputs.as_mut());
+        let reached = course.at(blocked.interval[0], inputs.as_mut());
         let Some(fault) = blocked.fault else { return (PlanError::TooManySteps { t: reached, t_refused: t }, last) };
         let plan = &M::model().plan;
         let Some((of_margin, step)) = step_of(M::model(), fault) else {
@@ -105,7 +105,7 @@ impl<M: Mechanism> PlanFollower<M> {
             return (why, last);
         };
         let Some(group) = plan.group_of_margin(of_margin) else {
-            let margin = self.margin_at(mechanism, course, blocked.places[1], of_margin, blocked);
+            let margin = self.margin_at(mechanism, course, blocked.interval[1], of_margin, blocked);
             return (of_kind(t, Limit { step, margin, located: Some(Located { at: reached, kind: None }) }), last);
         };
         let has_two_closures = group < plan.modes.len();
@@ -117,7 +117,7 @@ impl<M: Mechanism> PlanFollower<M> {
         let spot = if has_two_closures {
             self.locate(mechanism, course, of_margin, blocked)
         } else {
-            let s = blocked.places[1];
+            let s = blocked.interval[1];
             let margin = self.margin_at(mechanism, course, s, of_margin, blocked);
             Spot { s, margin, least: margin }
         };
@@ -143,7 +143,7 @@ impl<M: Mechanism> PlanFollower<M> {
         // A minimum is accurate to half of the digits, a root of the margin to all of them.
         let is_root = is_there && kind == Some(LimitKind::DeadCentre);
         let s = match &found {
-            Some(found) if !is_root => found.place,
+            Some(found) if !is_root => found.s,
             _ => s,
         };
         let limit_at = course.at(s, inputs.as_mut());
@@ -181,7 +181,7 @@ impl<M: Mechanism> PlanFollower<M> {
 
     /// The place beyond the last place reached at which the margin of this index is zero or has its minimum.
     fn locate(&mut self, mechanism: &M, course: &dyn Course, margin: usize, blocked: &Blocked<M>) -> Spot {
-        Spot::beyond(blocked.places, course.ends(), &mut |s| self.margin_at(mechanism, course, s, margin, blocked))
+        Spot::beyond(blocked.interval, course.ends(), &mut |s| self.margin_at(mechanism, course, s, margin, blocked))
     }
 }
 

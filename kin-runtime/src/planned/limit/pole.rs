@@ -30,7 +30,7 @@ impl<M: Mechanism> PlanFollower<M> {
         (group, step): (usize, Step),
         blocked: &Blocked<M>,
     ) -> (PlanError, f64) {
-        let Spot { s, margin, .. } = Spot::beyond(blocked.places, course.ends(), &mut |s| {
+        let Spot { s, margin, .. } = Spot::beyond(blocked.interval, course.ends(), &mut |s| {
             self.signed_margin(mechanism, course, s, group, blocked)
         });
         let kind = if self.goes_to_infinity(step, blocked) { LimitKind::Pole } else { LimitKind::BranchPoint };

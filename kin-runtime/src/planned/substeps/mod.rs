@@ -22,7 +22,7 @@ use crate::workspace::Array;
 /// Where on the course a walk was stopped.
 pub(crate) struct Blocked<M: Mechanism> {
     /// The last parameter of the course that was reached, and the next one, which could not be reached.
-    pub(super) places: [f64; 2],
+    pub(super) interval: [f64; 2],
     /// The state at the last one reached.
     pub(super) here: PlanSolution<M>,
     /// The reason; `None` where there were too many steps.
@@ -73,7 +73,7 @@ impl<M: Mechanism> PlanFollower<M> {
                 smallest = shortest_step(control.min_step, natural, [s, end]);
             }
             let (next, share) = next_parameter([s, end], natural.min(proposed));
-            let blocked = |fault| Blocked { places: [s, next], here, fault: Some(fault) };
+            let blocked = |fault| Blocked { interval: [s, next], here, fault: Some(fault) };
             if next == s {
                 return Err(blocked(self.fault_of_short_steps(&here, natural / remaining.abs())));
             }
@@ -107,7 +107,7 @@ impl<M: Mechanism> PlanFollower<M> {
                 }
             }
         }
-        Err(Blocked { places: [s, end], here, fault: None })
+        Err(Blocked { interval: [s, end], here, fault: None })
     }
 
     /// Solves at the instant at the end of the course.
@@ -119,7 +119,7 @@ impl<M: Mechanism> PlanFollower<M> {
         here: PlanSolution<M>,
     ) -> Result<(), Blocked<M>> {
         let end = course.ends()[1];
-        let blocked = |fault| Blocked { places: [end, end], here, fault: Some(fault) };
+        let blocked = |fault| Blocked { interval: [end, end], here, fault: Some(fault) };
         if !course.has_rates_of_end() {
             self.predicted = here.q;
             if !self.solve_in_modes(mechanism, at).unwrap_or(false) {
@@ -222,8 +222,8 @@ impl<M: Mechanism> PlanFollower<M> {
         Ok(away / allowed)
     }
 
-    /// Solves from the prediction at a place of the course, with rates along the course; true where the solution is
-    /// valid.
+    /// Solves from the prediction at a parameter of the course, with rates along the course; true where the solution is
+    /// valid. The trial state and, on a frozen course, those of two more solutions are overwritten.
     pub(super) fn solve_at(
         &mut self,
         mechanism: &M,

@@ -24,9 +24,9 @@ const SINGULAR: f64 = 1e5;
 
 /// A branch and the instant reached on it. Nodes and buffers are reused from step to step.
 pub(crate) struct Continuation {
-    /// The instant reached. Nodes are boxed so that swapping them is cheap.
+    /// The last instant reached. Nodes are boxed so that swapping them is cheap.
     node: Box<Node>,
-    /// The place of that node on the current course, and the derivatives of q along the course.
+    /// The parameter of that node on the current course, and the derivatives of q along the course.
     s: f64,
     q_dot: Vec<f64>,
     q_ddot: Vec<f64>,
@@ -46,7 +46,7 @@ pub(crate) struct Continuation {
     pub(crate) fallbacks: Vec<Fallback>,
 }
 
-/// A place on the way: its node, and the derivatives of q along the course there.
+/// What has been reached on the way to the next instant: a node, and the derivatives of q along the course there.
 struct Reached<'c> {
     node: &'c Node,
     rates: [&'c [f64]; 2],
@@ -202,7 +202,8 @@ impl Continuation {
         Ok(())
     }
 
-    /// Takes internal steps to `target` and leaves the last of them in `here`; false when no step was needed.
+    /// Takes internal steps to `target` and leaves the last of them in `here`; false when no step was needed. While `moved`
+    /// is false, `here` has no meaning and steps start from `node`.
     fn take_steps(&mut self, equations: &mut Equations<'_>, target: f64, by_plan: bool) -> Result<bool, SolveError> {
         let options = equations.options;
         let mut iterations = 0;
@@ -226,6 +227,7 @@ impl Continuation {
                 return Ok(moved);
             }
             let aim = if by_plan { target } else { self.limit_between(equations, from, target).unwrap_or(target) };
+            // The plan's follower divides a step itself where that is necessary, so one call leads to the target.
             let length = match by_plan {
                 true if !needs_every_step => f64::INFINITY,
                 true => self.longest_step(equations, moved).min(at_once),
@@ -236,6 +238,7 @@ impl Continuation {
             if by_plan {
                 by_plan = self.step_by_plan(equations, moved, s)?;
                 if !by_plan {
+                    // Full Newton takes the next round.
                     continue;
                 }
                 if let Some(plan) = self.plan.as_mut().filter(|plan| self.watch.is_some() && plan.hides_motion)
@@ -313,7 +316,7 @@ impl Continuation {
         })
     }
 
-    /// The place reached on the way to the next instant: after the last internal step, if there was one.
+    /// What has been reached on the way to the next instant: after the last internal step, if there was one.
     fn reached(&self, moved: bool) -> Reached<'_> {
         let Self { node, here, q_dot, q_ddot, s, .. } = self;
         match moved {
@@ -322,7 +325,7 @@ impl Continuation {
         }
     }
 
-    /// The place of the limit at which the plan had no further solution, if it lies between two places. Full Newton
+    /// The time of the limit at which the plan had no further solution, if it lies between two times. Full Newton
     /// stops there, as in one step it might pass two limits and arrive on another branch.
     fn limit_between(&self, equations: &Equations<'_>, from: f64, target: f64) -> Option<f64> {
         let in_time = [from, target].map(|s| equations.time_at(s)) == [from, target];
@@ -330,7 +333,7 @@ impl Continuation {
         (from.min(target) < at && at < from.max(target)).then_some(at)
     }
 
-    /// The longest step from the place reached in which no body turns by more than the options allow.
+    /// The longest step from there in which no body turns by more than the options allow.
     fn longest_step(&self, equations: &mut Equations<'_>, moved: bool) -> f64 {
         let Reached { node, rates, .. } = self.reached(moved);
         if !equations.scale.is_known {
