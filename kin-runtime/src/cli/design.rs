@@ -201,6 +201,7 @@ fn searched(
         DesignError::NoStart { .. } | DesignError::NotKept { .. } | DesignError::Broken { .. } => {
             Failure::Analysis(format!("{}: {error}", engine.model().name))
         }
+        DesignError::Stopped => Failure::Interrupted(error.to_string()),
         other => Failure::usage(other.to_string()),
     })
 }

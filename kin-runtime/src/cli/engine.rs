@@ -120,6 +120,8 @@ pub(super) trait Engine {
     fn geometry(&self, at: &Instant<'_>) -> Result<Vec<f64>, SolveError>;
     /// A point of the curve of a joint.
     fn curve(&self, at: &Instant<'_>, joint: usize, s: f64) -> Option<CurvePoint>;
+    /// Φ_t and γ at q = q̇ = 0.
+    fn time_derivatives(&self, at: &Instant<'_>) -> Result<[Vec<f64>; 2], SolveError>;
     /// The worst rows of Φ_q q̇ = −Φ_t and of Φ_q q̈ = γ.
     fn misses(&self, state: &State) -> Result<[Option<Miss>; 2], SolveError>;
 }
@@ -306,9 +308,20 @@ impl<M: Mechanism + Default> Engine for Bound<M> {
         self.mechanism.curve_point(at, joint, s).ok().flatten()
     }
 
+    fn time_derivatives(&self, at: &Instant<'_>) -> Result<[Vec<f64>; 2], SolveError> {
+        time_derivatives(&mut Evaluator::<_, M>::new(&self.mechanism), at)
+    }
+
     fn misses(&self, state: &State) -> Result<[Option<Miss>; 2], SolveError> {
         misses(&mut Evaluator::<_, M>::new(&self.mechanism), state)
     }
+}
+
+fn time_derivatives(system: &mut dyn System, at: &Instant<'_>) -> Result<[Vec<f64>; 2], SolveError> {
+    let still = vec![0.0; system.model().coordinates.len()];
+    system.evaluate(Subset::ALL, at, &still, &still)?;
+    let parts = system.constraints();
+    Ok([parts.phi_t, parts.gamma].map(<[f64]>::to_vec))
 }
 
 fn misses(system: &mut dyn System, state: &State) -> Result<[Option<Miss>; 2], SolveError> {

@@ -3,6 +3,7 @@
 use super::engine::Engine;
 use super::setup::Setup;
 use super::solved::driven_state;
+use crate::workspace::Instant;
 use std::f64::consts::TAU;
 
 /// The default end of a motion that begins at `from`: after one turn of the slowest crank that is driven at constant
@@ -30,21 +31,30 @@ pub(super) fn speed(engine: &dyn Engine, setup: &Setup, from: f64) -> Option<f64
 /// The speed of the slowest of the cranks that these drivers drive at constant speed.
 fn slowest(engine: &dyn Engine, setup: &Setup, from: f64, counts: &dyn Fn(&str) -> bool) -> Option<f64> {
     let model = engine.model();
-    let (state, _) = driven_state(engine, setup, from, true).ok()?;
-    let angle = |column: usize| model.coordinates.get(column).is_some_and(|coordinate| !coordinate.kind.is_length());
-    let driven =
-        model.rows.iter().enumerate().filter(|(_, row)| row.driving || row.rheonomic).filter_map(|(index, row)| {
-            model.joints.get(row.joint).filter(|joint| counts(joint.name))?;
-            let mut entries = model.constraint_pattern.entries.iter().filter(|(row, _)| *row == index);
-            match (entries.next(), entries.next()) {
-                (Some(&(_, column)), None) if angle(column) => Some(column),
-                _ => None,
+    // The mechanism may close at other times only. Rows with a constant factor determine the rates of their cranks alone.
+    let rates = match driven_state(engine, setup, from, true) {
+        Ok((state, _)) => Ok([state.q_dot, state.q_ddot]),
+        Err(_) => Err(engine.time_derivatives(&Instant { t: from, inputs: &setup.inputs }).ok()?),
+    };
+    let pattern = &model.constraint_pattern;
+    let speed = |row: usize| {
+        model.joints.get(model.rows[row].joint).filter(|joint| counts(joint.name))?;
+        let mut entries = pattern.entries.iter().enumerate().filter(|(_, (of, _))| *of == row);
+        let (Some((entry, &(_, column))), None) = (entries.next(), entries.next()) else { return None };
+        if model.coordinates.get(column)?.kind.is_length() {
+            return None;
+        }
+        let [speed, acceleration] = match &rates {
+            Ok([q_dot, q_ddot]) => [*q_dot.get(column)?, *q_ddot.get(column)?],
+            Err([phi_t, gamma]) => {
+                let (_, factor) = pattern.constants.iter().find(|(index, _)| *index == entry)?;
+                [-phi_t.get(row)? / factor, gamma.get(row)? / factor]
             }
-        });
-    let speeds = driven.filter_map(|column| {
-        let (speed, acceleration) = (state.q_dot.get(column)?.abs(), state.q_ddot.get(column)?.abs());
+        };
+        let (speed, acceleration) = (speed.abs(), acceleration.abs());
         (speed > 0.0 && acceleration <= 1e-9 * speed * speed).then_some(speed)
-    });
-    let slowest = speeds.fold(f64::INFINITY, f64::min);
+    };
+    let driving = model.rows.iter().enumerate().filter(|(_, row)| row.driving || row.rheonomic);
+    let slowest = driving.filter_map(|(row, _)| speed(row)).fold(f64::INFINITY, f64::min);
     slowest.is_finite().then_some(slowest)
 }

@@ -1,6 +1,7 @@
 //! What can be wrong with a design.
 
 use crate::error::SolveError;
+use crate::present::number::rounded;
 use core::fmt;
 
 /// Why a design cannot be searched for, or a search has no result.
@@ -89,9 +90,28 @@ pub enum DesignError {
     NoStart {
         /// How many were drawn.
         drawn: usize,
+        /// How many others were examined for the following.
+        sampled: usize,
+        /// How many of these do not assemble during the whole motion.
+        open: usize,
         /// Why one of them does not assemble; `None` if all do.
-        why: Option<SolveError>,
+        why: Option<Box<SolveError>>,
+        /// Conditions that designs do not satisfy which assemble.
+        missed: Vec<Missed>,
     },
+    /// The search was stopped before there was a design that keeps the conditions.
+    Stopped,
+}
+
+/// A condition that random designs do not satisfy.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Missed {
+    /// The condition.
+    pub condition: String,
+    /// How many designs do not satisfy it.
+    pub designs: usize,
+    /// The least that one of them lacks, in the unit of the slack.
+    pub closest: Option<f64>,
 }
 
 impl fmt::Display for DesignError {
@@ -149,17 +169,28 @@ impl fmt::Display for DesignError {
                 "after {rounds} searches the best design still breaks a condition between the instants that the search \
                  evaluates; more instants or weaker conditions may help"
             ),
-            Self::NoStart { drawn, why } => {
+            Self::NoStart { drawn, sampled, open, why, missed } => {
                 write!(
                     f,
                     "none of {drawn} random designs can be assembled during the whole motion and satisfies the \
-                     conditions"
+                     conditions; of {sampled} others"
                 )?;
-                match why {
-                    Some(why) => write!(f, "; for example: {why}"),
-                    None => f.write_str("; wider bounds or weaker conditions may leave some"),
+                if let Some(why) = why {
+                    write!(f, ", {open} do not assemble, for example: {why}")?;
+                }
+                for (k, Missed { condition, designs, closest }) in missed.iter().enumerate() {
+                    let before = if k == 0 && why.is_some() { ";" } else { "," };
+                    write!(f, "{before} {designs} do not satisfy `{condition}`")?;
+                    if let Some(closest) = closest {
+                        write!(f, " (the best lacks {})", rounded(*closest))?;
+                    }
+                }
+                match (why, &missed[..]) {
+                    (None, []) => f.write_str(", some satisfy them: more starts may find one"),
+                    _ => Ok(()),
                 }
             }
+            Self::Stopped => f.write_str("stopped before a design was found that satisfies the conditions"),
         }
     }
 }

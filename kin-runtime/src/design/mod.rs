@@ -60,7 +60,7 @@ mod verify;
 pub use crate::results::varied::Number;
 pub use builder::Design;
 pub use condition::Shortest;
-pub use error::DesignError;
+pub use error::{DesignError, Missed};
 pub use objective::Direction;
 #[cfg(feature = "cli")]
 pub(crate) use objective::Quantity;

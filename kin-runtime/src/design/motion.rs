@@ -37,8 +37,9 @@ impl Problem<'_> {
     /// All misses and slacks, with derivatives if `slopes`.
     ///
     /// # Errors
-    /// Why the mechanism does not assemble all the way.
+    /// Why the mechanism does not assemble all the way, or that the search has been stopped.
     pub(crate) fn evaluate(&self, variables: &[f64], branch: &Branch, slopes: bool) -> Result<Evaluated, SolveError> {
+        self.go_on()?;
         let motion = self.motion(variables, branch);
         let rows = Rows { motion: &motion, task: self.task, slopes, variables: variables.len() };
         rows.evaluated(variables, branch.forward)

@@ -1,7 +1,7 @@
 //! Many starts on all cores: random designs, a first descent from each, and the best of them to the end.
 
 use super::builder::Design;
-use super::error::DesignError;
+use super::error::{DesignError, Missed};
 use super::evolution::evolve;
 use super::fit::{Effort, End, FIRST, GLANCE, LAST, NOTHING, SECOND, descend, error};
 use super::follow::{Branch, Family};
@@ -9,7 +9,6 @@ use super::problem::Problem;
 use super::result::{Designed, Slack};
 use super::task::Task;
 use super::variables::FIRST as PERIODS;
-use crate::error::SolveError;
 use crate::mechanism::Mechanism;
 use crate::planned::Sign;
 use crate::random::Random;
@@ -37,7 +36,8 @@ pub struct Search<'a> {
     pub starts: usize,
     /// The same seed gives the same result, on however many cores.
     pub seed: u64,
-    /// Is called after every descent; if it returns `Break`, the best design so far is the result.
+    /// Is called after every descent and before every evaluation of a design; if it returns `Break`, the best design so far
+    /// is the result.
     pub watch: Option<Watch<'a>>,
 }
 
@@ -76,7 +76,7 @@ impl<M: Mechanism> Design<M> {
     /// # Errors
     /// [`Nothing`](DesignError::Nothing) without free parameters or without objectives; [`Inputs`](DesignError::Inputs)
     /// for a mechanism with inputs; [`NoStart`](DesignError::NoStart) where no random design assembles all the way and
-    /// keeps the conditions.
+    /// keeps the conditions; [`Stopped`](DesignError::Stopped) by `watch` before there was a design.
     pub fn search(&self, search: &Search<'_>) -> Result<Designed<M>, DesignError> {
         let found = searched(self, &self.task, search)?;
         Ok(found.map(|parameters| self.mechanism(&parameters)))
@@ -104,22 +104,27 @@ pub(crate) fn searched(
     if task.objectives.iter().all(|objective| objective.instants() == 0) {
         return Err(DesignError::Nothing { what: "the design has no objective" });
     }
+    if search.starts == 0 {
+        return Err(DesignError::Nothing { what: "a search has at least one start" });
+    }
     if !task.model.inputs.is_empty() {
         return Err(DesignError::Inputs { inputs: task.model.inputs.to_vec() });
     }
-    let problem = Problem { family, task };
+    let problem = Problem { family, task, is_stopped: None };
     let modes = problem.all_modes();
     // Conditions are kept at instants; where they are broken between them, they are tightened by as much.
     let mut tightened = task.clone();
     let mut ends = Vec::new();
     for _ in 0..ROUNDS {
-        let design = Problem { family, task: &tightened };
+        let design = Problem { family, task: &tightened, is_stopped: None };
         let mut descents = Descents { design, search, modes: &modes, stopped: AtomicBool::new(false) };
         let found = descents.run(&mut ends);
         let stopped = *descents.stopped.get_mut();
         let Some(best) = found.first() else {
-            let drawn = search.starts * DRAWS;
-            return Err(DesignError::NoStart { drawn, why: problem.why(&modes, search.seed) });
+            if stopped {
+                return Err(DesignError::Stopped);
+            }
+            return Err(problem.no_start(&modes, search));
         };
         let slacks = problem.verified(&best.variables, &best.branch)?;
         let broken = slacks.iter().any(|slack| slack.slack < 0.0);
@@ -140,7 +145,7 @@ pub(crate) fn searched(
             condition.tighten(TIGHTER * (-slack.slack).max(0.0));
         }
         // New starts are drawn if none of the old ones keeps the tightened conditions.
-        let design = Problem { family, task: &tightened };
+        let design = Problem { family, task: &tightened, is_stopped: None };
         ends.retain(|end: &End| error(design, &end.variables, &end.branch).is_some());
     }
     Err(DesignError::NotKept { rounds: ROUNDS })
@@ -207,6 +212,7 @@ impl Problem<'_> {
         let mut random = Random::new(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) ^ ((number as u64) << 20));
         let mut found: Vec<End> = Vec::new();
         for _ in 0..DRAWS {
+            self.go_on().ok()?;
             let (variables, branch) = self.draw(&mut random, modes);
             let Some(error) = error(*self, &variables, &branch) else { continue };
             found.push(End { variables, error, branch });
@@ -219,13 +225,34 @@ impl Problem<'_> {
         tried.min_by(|a, b| a.error.total_cmp(&b.error))
     }
 
-    /// Why a random design does not assemble, if that is the reason.
-    fn why(&self, modes: &[(usize, Option<Sign>)], seed: u64) -> Option<SolveError> {
-        let mut random = Random::new(seed);
-        (0..DRAWS).find_map(|_| {
+    /// What is wrong with some of the random designs, of which none can be a start.
+    fn no_start(&self, modes: &[(usize, Option<Sign>)], search: &Search<'_>) -> DesignError {
+        let conditions = &self.task.conditions;
+        let (mut random, mut open, mut why) = (Random::new(search.seed), 0, None);
+        let mut missed: Vec<Missed> = conditions
+            .iter()
+            .map(|condition| Missed { condition: condition.name(), designs: 0, closest: None })
+            .collect();
+        for _ in 0..DRAWS {
             let (variables, branch) = self.draw(&mut random, modes);
-            self.evaluate(&variables, &branch, false).err()
-        })
+            let evaluated = match self.evaluate(&variables, &branch, false) {
+                Ok(evaluated) => evaluated,
+                Err(error) => {
+                    (open, why) = (open + 1, why.or(Some(Box::new(error))));
+                    continue;
+                }
+            };
+            for (index, missed) in missed.iter_mut().enumerate() {
+                let own = evaluated.conditions.iter().zip(&evaluated.slacks).filter(|(of, _)| **of == index);
+                let least = own.map(|(_, slack)| slack.value).fold(f64::INFINITY, f64::min);
+                if least <= 0.0 {
+                    missed.designs += 1;
+                    missed.closest = Some(missed.closest.map_or(-least, |closest| closest.min(-least)));
+                }
+            }
+        }
+        missed.retain(|missed| missed.designs > 0);
+        DesignError::NoStart { drawn: search.starts * DRAWS, sampled: DRAWS, open, why, missed }
     }
 }
 
@@ -249,12 +276,18 @@ impl Descents<'_> {
         let starts = self.search.starts;
         let taken = |count: usize| (count / TAKEN).max(FINISHED).min(count);
         let (done, total) = (AtomicUsize::new(0), starts + taken(starts) + FINISHED.min(starts));
-        let (design, search, stopped) = (self.design, self.search, &self.stopped);
-        let count = || {
-            let done = done.fetch_add(1, Ordering::Relaxed) + 1;
+        let (search, stopped) = (self.search, &self.stopped);
+        let is_stopped = || {
+            let done = done.load(Ordering::Relaxed);
             if search.watch.is_some_and(|watch| watch(Progress { done, total }).is_break()) {
                 stopped.store(true, Ordering::Relaxed);
             }
+            stopped.load(Ordering::Relaxed)
+        };
+        let design = Problem { is_stopped: Some(&is_stopped), ..self.design };
+        let count = || {
+            done.fetch_add(1, Ordering::Relaxed);
+            is_stopped();
         };
         if ends.is_empty() {
             let first = |number: usize| {

@@ -106,13 +106,16 @@ impl<'s> ClosureEquations<'s> {
         self.follow();
     }
 
-    /// Eliminates angles that occur in two equations only.
+    /// Eliminates angles that occur in two equations only, those of angles eliminated before included: the closures of
+    /// these depend on all coordinates in their equations.
     fn eliminate(&mut self, region: &[Interval]) {
+        let all = self.rows.clone();
         for k in self.unknown.clone() {
             let column = self.reduced.left[k];
-            let own = self.rows.iter().copied().filter(|&i| self.reduced.depends(i, k)).collect::<Vec<_>>();
+            let own = all.iter().copied().filter(|&i| self.reduced.depends(i, k)).collect::<Vec<_>>();
             let &[a, b] = own.as_slice() else { continue };
-            if !self.square.is_pinned_angle(column) || self.unknown.len() == 1 {
+            let are_left = self.rows.contains(&a) && self.rows.contains(&b);
+            if !are_left || !self.square.is_pinned_angle(column) || self.unknown.len() == 1 {
                 continue;
             }
             let Some(found) = self.eliminated_angle(k, [a, b], region) else { continue };

@@ -12,4 +12,5 @@ mod lifts;
 mod ranges;
 mod residues;
 mod searched_ranges;
+mod stephenson;
 mod three_loops;
