@@ -5,7 +5,7 @@ use crate::analysis::position::position;
 use crate::course::{InputPath, Kind};
 use crate::equations::Equations;
 use crate::equations::system::{Evaluator, System};
-use crate::error::SolveError;
+use crate::error::{Degeneracy, SolveError};
 use crate::mechanism::Mechanism;
 use crate::modes::{WantedAssembly, assemble_in};
 use crate::motion::Motion;
@@ -138,8 +138,19 @@ impl<'m> Tracker<'m> {
     }
 
     fn advance(&mut self, at: &Instant<'_>) -> Result<(), SolveError> {
+        let Err(error) = self.equations.check_instant(at) else { return self.follow(at) };
+        // If time alone makes a length negative, the motion may end at a limit before.
+        let by_time = self.equations.model.inputs.is_empty()
+            && matches!(&error, SolveError::DegenerateGeometry { fault: Degeneracy::NegativeLength { .. }, .. });
+        match by_time.then(|| self.follow(at)) {
+            Some(Err(before)) if before.limit().is_some_and(|limit| limit.at().is_some()) => Err(before),
+            _ => Err(error),
+        }
+    }
+
+    /// Follows the branch to an instant that was checked.
+    fn follow(&mut self, at: &Instant<'_>) -> Result<(), SolveError> {
         let Self { equations, follower, .. } = self;
-        equations.check_instant(at)?;
         follower.fallbacks.clear();
         if follower.advance_by_plan(equations, at)? {
             return Ok(());

@@ -10,6 +10,7 @@ mod inputs;
 mod larger;
 mod limits;
 mod orientations;
+mod passing_pins;
 mod plan_check;
 mod planned;
 mod poles;

@@ -16,12 +16,22 @@ use crate::workspace::Array;
 /// Distances √margin below which the accuracy of the rates is checked.
 pub(super) const NEAR: f64 = 0.1;
 
-/// Ratio √margin / |w| below which the outer pins of a group coincide while its closures are apart.
+/// Ratio √margin / |w| below which the outer pins of a group nearly coincide while its closures are apart.
 const PINS: f64 = 0.5;
+
+/// √margin of a group whose outer pins are the length of its terms apart: the weight of the terms is 10⁻⁶.
+const PINS_APART: f64 = 1e3;
+
+/// Smallest √margin of a group with nearly coinciding pins; its angles then still have nine digits.
+const COINCIDING: f64 = 2e-4;
 
 /// Largest accepted rounding error of q̈ near a crossing of branches, relative to the square of the rate of the group's
 /// *drive*: the bodies placed by earlier steps of the plan.
 const NOISE: f64 = 4e-6;
+
+/// The same where the outer pins of a group nearly coincide, relative to q̈ or q̇² of the group where these are larger: where
+/// the pins pass each other, the group turns fast, and its rates have almost as many digits as its angles.
+const NOISE_OF_PINS: f64 = 2.2e-4;
 
 /// Angle (rad) of the difference quotient that gives ẇ: so small that the motion over it is straight.
 const LITTLE: f64 = 1e-6;
@@ -106,7 +116,9 @@ fn groups_of(plan: &Plan) -> impl Iterator<Item = usize> {
 /// group, too.
 ///
 /// With x = q̇ w/ẇ, the angle between the group and the crossing, the rounding of w² causes an error of about ε/(w x²)
-/// in q̈/q̇². Where √margin is much smaller than |w|, the closures are apart and the outer pins of the group coincide.
+/// in q̈/q̇². Where √margin is much smaller than |w|, the closures are apart and the outer pins of the group nearly coincide. With
+/// δ, their distance relative to the terms of which it is the difference, the error of q̈ is about ε/δ³ times the square
+/// of the rate of the drive.
 pub(crate) fn blurred_group(
     model: &Model,
     [groups, rates_of_groups]: [&[f64]; 2],
@@ -115,7 +127,30 @@ pub(crate) fn blurred_group(
     turns: &[f64],
 ) -> Option<usize> {
     let plan = &model.plan;
-    let meet = |group: &usize| distances[*group] < NEAR.min(PINS * groups[*group].abs());
+    let of = |step: &'static PlanStep| step.coordinates.iter().map(|&(k, _)| k);
+    let own = |step: usize, rates: &[f64]| {
+        largest_of(model, turns, &mut plan.steps.iter().skip(step).take(1).flat_map(of), rates)
+    };
+    // The rate of the steps that drive a group; groups near their own limits are left out, since they move as fast as
+    // this one.
+    let is_near = |step: usize| groups_of(plan).enumerate().any(|(k, other)| other == step && distances[k] < NEAR);
+    let drive = |step: usize| {
+        let steps = plan.steps.iter().take(step).enumerate().filter(|(step, _)| !is_near(*step));
+        largest_of(model, turns, &mut steps.flat_map(|(_, step)| of(step)), q_dot)
+    };
+    let meet = |group: &usize| {
+        let distance = distances[*group];
+        if distance >= NEAR.min(PINS * groups[*group].abs()) {
+            return false;
+        }
+        let step = plan.modes[*group].step;
+        let (before, moves) = (drive(step), own(step, q_dot));
+        let apart = distance / PINS_APART;
+        let noise = f64::EPSILON / (apart * apart * apart) * before * before;
+        let largest = own(step, q_ddot).max(moves * moves).max(before * before);
+        // The comparisons are written so that NaN counts as not clear.
+        !(distance >= COINCIDING && noise <= NOISE_OF_PINS * largest)
+    };
     if let Some(group) = (0..plan.modes.len()).find(meet) {
         return Some(group);
     }
@@ -123,15 +158,12 @@ pub(crate) fn blurred_group(
     let is_linear = |step: usize| plan.steps.get(step).is_some_and(PlanStep::is_linear);
     let mut near = groups_of(plan).enumerate().filter(|(group, step)| distances[*group] < NEAR && !is_linear(*step));
     near.find_map(|(group, step)| {
-        let of = |step: &'static PlanStep| step.coordinates.iter().map(|&(k, _)| k);
-        let own =
-            |rates: &[f64]| largest_of(model, turns, &mut plan.steps.iter().skip(step).take(1).flat_map(of), rates);
-        // The rate of the steps that drive the group; groups near their own limits are left out, since they move
-        // as fast as this one.
-        let is_near = |step: usize| groups_of(plan).enumerate().any(|(k, other)| other == step && distances[k] < NEAR);
-        let steps = plan.steps.iter().take(step).enumerate().filter(|(step, _)| !is_near(*step));
-        let before = largest_of(model, turns, &mut steps.flat_map(|(_, step)| of(step)), q_dot);
-        let (moves, acceleration, distance) = (own(q_dot), own(q_ddot), distances[group]);
+        let (before, moves, acceleration) = (drive(step), own(step, q_dot), own(step, q_ddot));
+        let distance = distances[group];
+        // Where pins nearly coincide, the margin does not measure the distance of the closures.
+        if distance < PINS * groups[group].abs() && group < plan.modes.len() {
+            return None;
+        }
         let any = |of_kind: &dyn Fn(usize) -> bool| plan.steps.iter().skip(step).take(1).flat_map(of).any(of_kind);
         let (has_angles, turns_rows) =
             (any(&|k| is_angle(model, k)), any(&|k| turns.get(k).is_some_and(|turn| *turn > 0.0)));

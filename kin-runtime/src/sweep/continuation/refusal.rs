@@ -53,7 +53,11 @@ pub(super) fn refusal(
     let there = |equations: &mut Equations<'_>| {
         equations.move_to(refused).ok().and_then(|()| by_plan::limit_in(equations, groups, q))
     };
-    let limit = located.filter(|limit| limit.at().is_some()).or_else(|| there(equations)).filter(|_| !jumps);
+    // The plan may have looked for it from another instant, and have found one beyond.
+    let [t_start, t_ahead] = [start.s, start.s + natural].map(|s| equations.time_at(s));
+    let is_met = |at: f64| is_between(at, t_start, t_refused, (t_ahead - t_start).abs());
+    let located = located.filter(|limit| limit.at().is_some_and(is_met));
+    let limit = located.or_else(|| there(equations)).filter(|_| !jumps);
     let evaluated = equations.move_to(start.s).and_then(|()| equations.evaluate(Subset::VELOCITY, q, None));
     if let Err(error) = evaluated {
         return error;
@@ -87,6 +91,12 @@ pub(super) fn refusal(
     let names = |row| (equations.row_name(row), equations.joint_name(row));
     let (row_name, joint) = row.map_or(("", ""), names);
     SolveError::StepRefused { t, t_refused, row_name, joint, reason, limit }
+}
+
+/// The error of a motion that has used all of its steps after this state.
+pub(super) fn too_many_steps(last: &State, t_refused: f64) -> SolveError {
+    let reason = Refusal::TooManySteps;
+    SolveError::StepRefused { t: last.t, t_refused, row_name: "", joint: "", reason, limit: None }
 }
 
 /// True for a time between two others, or outside of them by no more than `beside` and rounding.

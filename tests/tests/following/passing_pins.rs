@@ -1,0 +1,116 @@
+//! Pins that pass each other at a small distance: a crank that is longer than the distance of the pivots by a gap. The
+//! arm turns by half a turn while the crank turns by a few gaps, at rates of 1/gap, and all of that is regular.
+
+use kin_runtime::{Instant, Kinematics, Planned, SweepError, Trajectory, mechanism};
+use std::f64::consts::PI;
+
+/// The pin of the crank slides in an arm.
+#[mechanism]
+#[bodies(crank, arm)]
+#[revolute(O: ground @ (0, 0), crank @ (0, 0))]
+#[revolute(P: ground @ (1, 0), arm @ (0, 0))]
+#[point_on_line(slot: arm @ (0, 0), crank @ (1 + gap, 0), axis = (1, 0))]
+#[driver(drive: crank.phi = t)]
+struct Slot {
+    gap: f64,
+}
+
+/// A four-bar whose coupler and rocker are equally long.
+#[mechanism]
+#[bodies(crank, coupler, rocker)]
+#[revolute(O: ground @ (0, 0), crank @ (0, 0))]
+#[revolute(A: crank @ (1 + gap, 0), coupler @ (0, 0))]
+#[revolute(B: coupler @ (0.5, 0), rocker @ (0.5, 0))]
+#[revolute(P: ground @ (1, 0), rocker @ (0, 0))]
+#[driver(drive: crank.phi = t)]
+struct Kite {
+    gap: f64,
+}
+
+/// The direction from the pivot to the pin of the crank, between 0 and a whole turn, its rate, and their distance.
+fn direction(gap: f64, t: f64) -> [f64; 3] {
+    let half = (0.5 * t).sin();
+    let square = gap * gap + 4.0 * (1.0 + gap) * half * half;
+    let angle = ((1.0 + gap) * t.sin()).atan2(gap * t.cos() - 2.0 * half * half);
+    // From −π/2 at t < 0 through 0 to π/2.
+    [angle, (1.0 + gap) * (gap + 2.0 * half * half) / square, square.sqrt()]
+}
+
+/// Half of the angle of the kite at its pivot.
+fn half_of_kite(distance: f64) -> f64 {
+    distance.acos()
+}
+
+/// The instants of three motions: through the passage at once, with an instant in it, and in equal steps.
+fn grids(gap: f64) -> Vec<Vec<f64>> {
+    let mut all: Vec<Vec<f64>> = (-20..=20).map(|k| vec![-0.8, 0.5 * f64::from(k) * gap, 0.8]).collect();
+    all.push(vec![-0.8, 0.8]);
+    all.push((-400..=400).map(|k| 0.002 * f64::from(k)).collect());
+    all
+}
+
+/// Largest relative error of angles and rates: the conditioning of a direction between two pins a gap apart.
+fn allowed(gap: f64) -> f64 {
+    2e-15 / gap + 1e-13
+}
+
+fn check(found: Result<Trajectory, SweepError>, gap: f64, times: &[f64], angle: &dyn Fn([f64; 3]) -> f64) {
+    let motion = found.unwrap_or_else(|error| panic!("{gap:e} {times:?}: {error}"));
+    assert_eq!(times.len(), motion.states.len());
+    for state in &motion.states {
+        let truth = direction(gap, state.t);
+        let off = state.q[5] - angle(truth);
+        assert!((off - (off / (2.0 * PI)).round() * 2.0 * PI).abs() < allowed(gap), "{gap:e} {}: {off:e}", state.t);
+    }
+}
+
+#[test]
+fn a_slot_follows_the_pin_that_passes_its_pivot() {
+    for gap in [1e-2, 1e-3, 1e-4, 1e-5, 1e-6] {
+        let slot = Slot { gap };
+        let start = [0.0, 0.0, -0.8, 1.0, 0.0, direction(gap, -0.8)[0]];
+        for times in grids(gap) {
+            check(slot.solver().sweep_from(&start, &times), gap, &times, &|[angle, ..]| angle);
+            let mut planned = Planned::new(&slot, &Instant::at(-0.8), &start).unwrap();
+            let mut tracker = slot.solver().tracker_from(&Instant::at(-0.8), &start).unwrap();
+            for &t in &times[1..] {
+                let [_, rate, _] = direction(gap, t);
+                planned.at(&Instant::at(t)).unwrap_or_else(|error| panic!("{gap:e} {t}: {error}"));
+                let tracked = tracker.update(&Instant::at(t)).unwrap_or_else(|error| panic!("{gap:e} {t}: {error}"));
+                for found in [planned.q_dot()[5], tracked.q_dot[5]] {
+                    assert!((found / rate - 1.0).abs() < allowed(gap), "{gap:e} {t}: {found} for {rate}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn a_kite_stays_in_its_mode_where_its_pins_pass() {
+    for gap in [1e-3, 1e-4, 1e-5, 1e-6] {
+        let kite = Kite { gap };
+        // The rocker points from the pivot to the knee, the coupler from the pin.
+        let rocker = |[angle, _, distance]: [f64; 3]| angle + half_of_kite(distance);
+        let at = direction(gap, -0.8);
+        let knee = rocker(at);
+        let pin = [(1.0 + gap) * 0.8_f64.cos(), -(1.0 + gap) * 0.8_f64.sin()];
+        let (x, y) = (1.0 + 0.5 * knee.cos() - pin[0], 0.5 * knee.sin() - pin[1]);
+        let start = [0.0, 0.0, -0.8, pin[0], pin[1], y.atan2(x), 1.0, 0.0, knee];
+        let coupler = |truth: [f64; 3]| PI + truth[0] - half_of_kite(truth[2]);
+        for times in grids(gap) {
+            check(kite.solver().sweep_from(&start, &times), gap, &times, &coupler);
+        }
+    }
+}
+
+/// Without a gap the direction between the pins is not determined, and nor is the motion.
+#[test]
+fn where_pins_meet_the_motion_ends() {
+    let slot = Slot { gap: 0.0 };
+    let start = [0.0, 0.0, -0.8, 1.0, 0.0, direction(0.0, -0.8)[0]];
+    for times in [vec![-0.8, 0.0, 0.8], vec![-0.8, 1e-6, 0.8], vec![-0.8, -1e-6, 0.8]] {
+        let error = slot.solver().sweep_from(&start, &times).expect_err("the pins meet");
+        let t = error.source.limit().and_then(|limit| limit.at()).unwrap_or(f64::NAN);
+        assert!(t.abs() < 2e-6, "{times:?}: {error}");
+    }
+}
