@@ -102,7 +102,11 @@ fn a_parameter_is_free_or_equal_to_another_once() {
 #[test]
 fn a_search_stops_when_it_is_told() {
     let design = four_bar([0.1, 10.0], &["rcx", "rcy"], 10.0).unwrap().path_at("P", &timed(2)).unwrap();
-    let stop = |_: Progress| ControlFlow::Break(());
+    // It is asked all the time, so that a search that has found nothing yet stops, too.
+    let at_once = |_: Progress| ControlFlow::Break(());
+    let nothing = design.search(&Search { starts: 40, seed: 1, watch: Some(&at_once) });
+    assert!(matches!(nothing, Err(DesignError::Stopped)), "{nothing:?}");
+    let stop = |progress: Progress| if progress.done > 0 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) };
     let found = design.search(&Search { starts: 40, seed: 1, watch: Some(&stop) }).unwrap();
     assert!(found.stopped && found.assembled < 40, "{found}");
 }
@@ -123,7 +127,10 @@ fn what_cannot_be_searched_for_is_refused() {
     assert!(matches!(begin().path("P", &[], 0.0, Direction::Forward), Err(DesignError::NotFinite { .. })));
     assert!(matches!(begin().search(&FEW), Err(DesignError::Nothing { .. })));
     let apart = begin().at_least(&[("r1", 1.0)], 20.0).unwrap().path_at("P", &timed(2)).unwrap();
-    assert!(matches!(apart.search(&FEW), Err(DesignError::NoStart { .. })));
+    let Err(DesignError::NoStart { sampled, open: 0, why: None, missed, .. }) = apart.search(&FEW) else {
+        panic!("a length of at most 10 is not 20")
+    };
+    assert!(missed.len() == 1 && missed[0].designs == sampled && missed[0].closest.is_some_and(|lack| lack > 0.0));
 }
 
 /// An arm that a cylinder lifts.

@@ -311,15 +311,15 @@ impl Continuation {
     ) -> SolveError {
         let reached = self.reached(moved).node.state.t;
         let limit = |plan: &Option<CheckedPlan>| plan.as_ref().and_then(CheckedPlan::limit);
-        // The plan's last attempt may have begun long before; from here it tells the limit better.
+        let mut found = (limit(&self.plan), self.plan.as_ref().is_some_and(CheckedPlan::found_a_jump));
+        // The plan's last attempt may have begun long before; from here it finds the limit better.
         let is_far = |at: f64| (at - reached).abs() > (equations.time_at(s) - reached).abs();
-        if moved && limit(&self.plan).and_then(|limit| limit.at()).is_some_and(is_far) {
-            let attempt = self.step_by_plan(equations, moved, target);
-            if let Err(error) = attempt {
-                return error;
+        if moved && found.0.and_then(|limit| limit.at()).is_some_and(is_far) {
+            match self.step_by_plan(equations, moved, target) {
+                Ok(_) => found.0 = limit(&self.plan).filter(|limit| limit.at().is_some()).or(found.0),
+                Err(error) => return error,
             }
         }
-        let found = (limit(&self.plan), self.plan.as_ref().is_some_and(CheckedPlan::found_a_jump));
         let Reached { node, rates: [q_dot, q_ddot], s: from } = self.reached(moved);
         let Some(basis) = &node.basis else { return too_many_steps(&node.state, equations.time_at(target)) };
         let start = Start { node, basis, s: from, q_dot, q_ddot };

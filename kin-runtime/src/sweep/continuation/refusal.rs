@@ -53,11 +53,7 @@ pub(super) fn refusal(
     let there = |equations: &mut Equations<'_>| {
         equations.move_to(refused).ok().and_then(|()| by_plan::limit_in(equations, groups, q))
     };
-    // The plan may have looked for it from another instant, and have found one beyond.
-    let [t_start, t_ahead] = [start.s, start.s + natural].map(|s| equations.time_at(s));
-    let is_met = |at: f64| is_between(at, t_start, t_refused, (t_ahead - t_start).abs());
-    let located = located.filter(|limit| limit.at().is_some_and(is_met));
-    let limit = located.or_else(|| there(equations)).filter(|_| !jumps);
+    let limit = located.filter(|limit| limit.at().is_some()).or_else(|| there(equations)).filter(|_| !jumps);
     let evaluated = equations.move_to(start.s).and_then(|()| equations.evaluate(Subset::VELOCITY, q, None));
     if let Err(error) = evaluated {
         return error;
