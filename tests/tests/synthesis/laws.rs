@@ -130,7 +130,10 @@ fn what_cannot_be_searched_for_is_refused() {
     let Err(DesignError::NoStart { sampled, open: 0, why: None, missed, .. }) = apart.search(&FEW) else {
         panic!("a length of at most 10 is not 20")
     };
-    assert!(missed.len() == 1 && missed[0].designs == sampled && missed[0].closest.is_some_and(|lack| lack > 0.0));
+    let all = |missed: &kin_runtime::design::Missed| {
+        missed.designs == sampled && missed.closest.is_some_and(|lack| lack > 0.0)
+    };
+    assert!(missed.iter().any(all), "{missed:?}");
 }
 
 /// An arm that a cylinder lifts.
