@@ -1,7 +1,7 @@
 //! What can be wrong with a design.
 
 use crate::error::SolveError;
-use crate::present::number::rounded;
+use crate::text::rounded;
 use core::fmt;
 
 /// Why a design cannot be searched for, or a search has no result.

@@ -233,7 +233,11 @@ impl Problem<'_> {
             .iter()
             .map(|condition| Missed { condition: condition.name(), designs: 0, closest: None })
             .collect();
+        let progress = Progress { done: search.starts, total: search.starts };
         for _ in 0..DRAWS {
+            if search.watch.is_some_and(|watch| watch(progress).is_break()) {
+                return DesignError::Stopped;
+            }
             let (variables, branch) = self.draw(&mut random, modes);
             let evaluated = match self.evaluate(&variables, &branch, false) {
                 Ok(evaluated) => evaluated,
