@@ -114,6 +114,14 @@ pub struct Missed {
     pub closest: Option<f64>,
 }
 
+/// For example ``12 do not satisfy `B.transmission` (the best lacks 0.1)``.
+impl fmt::Display for Missed {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} do not satisfy `{}`", self.designs, self.condition)?;
+        self.closest.map_or(Ok(()), |closest| write!(f, " (the best lacks {})", rounded(closest)))
+    }
+}
+
 impl fmt::Display for DesignError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -178,12 +186,9 @@ impl fmt::Display for DesignError {
                 if let Some(why) = why {
                     write!(f, ", {open} do not assemble, for example: {why}")?;
                 }
-                for (k, Missed { condition, designs, closest }) in missed.iter().enumerate() {
+                for (k, missed) in missed.iter().enumerate() {
                     let before = if k == 0 && why.is_some() { ";" } else { "," };
-                    write!(f, "{before} {designs} do not satisfy `{condition}`")?;
-                    if let Some(closest) = closest {
-                        write!(f, " (the best lacks {})", rounded(*closest))?;
-                    }
+                    write!(f, "{before} {missed}")?;
                 }
                 match (why, &missed[..]) {
                     (None, []) => f.write_str(", some satisfy them: more starts may find one"),
