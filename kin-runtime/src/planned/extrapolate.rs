@@ -23,7 +23,7 @@ use crate::workspace::Array;
 const SAMPLES: usize = 7;
 
 /// Lower bounds of w of the farthest state, which are tried in turn.
-const WIDTHS: [f64; 11] = [0.02, 0.006, 0.002, 6e-4, 2e-4, 6e-5, 2e-5, 1e-5, 6e-6, 3e-6, 2e-6];
+const WIDTHS: [f64; 9] = [0.02, 0.006, 0.002, 6e-4, 2e-4, 6e-5, 2e-5, 6e-6, 2e-6];
 
 /// The smallest w of the farthest state where the motion did not start farther away.
 const NARROWEST: f64 = 1e-6;
@@ -90,20 +90,14 @@ impl<M: Mechanism> PlanFollower<M> {
         // Moves away from the limit in steps that grow with the distance.
         let [start, _] = course.ends();
         let (mut s, mut from, mut w) = (blocked.interval[0], blocked.here, 0.0);
-        // The parameter of the state `from`.
-        let mut beside = s;
         for _ in 0..DOUBLINGS {
             // With inputs, the motion before the start of the course is not known.
             let back = farther_back((at, s), start, M::INPUTS > 0);
             if w >= width || back == s {
                 break;
             }
-            match self.sample(mechanism, course, (margin, back), (beside, &from)) {
-                Some(sample) => (s, beside, (w, from)) = (back, back, sample),
-                // Where the motion was stopped by a small margin, rounding decides for some way whether there are samples.
-                None if w == 0.0 => s = back,
-                None => break,
-            }
+            let Some(sample) = self.sample(mechanism, course, (margin, back), (s, &from)) else { break };
+            (s, (w, from)) = (back, sample);
         }
         if w < NARROWEST {
             return None;

@@ -29,7 +29,11 @@ const COINCIDING: f64 = 2e-4;
 /// *drive*: the bodies placed by earlier steps of the plan.
 const NOISE: f64 = 4e-6;
 
-/// The same where the outer pins of a group nearly coincide, relative to q̈ or q̇² of the group where these are larger: where
+/// The least rate of a group whose outer pins pass each other at a small distance, relative to its drive: it turns by half
+/// a turn on the way past.
+const FAST_PASSAGE: f64 = 30.0;
+
+/// The same as `NOISE` where the outer pins of a group pass each other, relative to q̈ or q̇² of the group where these are larger: where
 /// the pins pass each other, the group turns fast, and its rates have almost as many digits as its angles.
 const NOISE_OF_PINS: f64 = 2.2e-4;
 
@@ -149,7 +153,7 @@ pub(crate) fn blurred_group(
         let noise = f64::EPSILON / (apart * apart * apart) * before * before;
         let largest = own(step, q_ddot).max(moves * moves).max(before * before);
         // The comparisons are written so that NaN counts as not clear.
-        !(distance >= COINCIDING && noise <= NOISE_OF_PINS * largest)
+        !(distance >= COINCIDING && moves >= FAST_PASSAGE * before && noise <= NOISE_OF_PINS * largest)
     };
     if let Some(group) = (0..plan.modes.len()).find(meet) {
         return Some(group);

@@ -5,12 +5,12 @@ use super::checked_plan::CheckedPlan;
 use super::groups;
 use super::integrate::integrate;
 use super::nodes::{at_instant, basis_with, complete_basis, natural_step, rates};
-use super::refusal::{refusal, too_many_steps};
-use super::step::{Fault, Node, Reached, Scratch, Start, step};
+use super::refusal::refusal;
+use super::step::{Fault, Node, Scratch, Start, step};
 use crate::analysis::poses::poses;
 use crate::equations::Equations;
 use crate::equations::scale::Scale;
-use crate::error::SolveError;
+use crate::error::{Refusal, SolveError};
 use crate::events::Watch;
 use crate::linear::Factorization;
 use crate::planned::LimitKind;
@@ -44,6 +44,13 @@ pub(crate) struct Continuation {
     pub(crate) watch: Option<Watch>,
     /// Internal steps that the plan could not solve and that full Newton took.
     pub(crate) fallbacks: Vec<Fallback>,
+}
+
+/// What has been reached on the way to the next instant: a node, and the derivatives of q along the course there.
+struct Reached<'c> {
+    node: &'c Node,
+    rates: [&'c [f64]; 2],
+    s: f64,
 }
 
 impl Continuation {
@@ -248,6 +255,7 @@ impl Continuation {
                 self.watch_step(equations, moved, from)?;
             } else {
                 let limit = self.plan.as_ref().and_then(CheckedPlan::limit);
+                let jumps = self.plan.as_ref().is_some_and(CheckedPlan::found_a_jump);
                 let Self { node, here, next, q_dot, q_ddot, scratch, .. } = self;
                 let node = if moved { here } else { node };
                 complete_basis(equations, node)?;
@@ -258,12 +266,12 @@ impl Continuation {
                 if s == from || is_pole && !equations.model.plan.has_redundant_rows() {
                     // The step is shorter than the spacing of floating-point numbers, or the coordinates grow without
                     // bound, so that no step is short enough.
-                    return Err(self.refused(equations, moved, [target, target], Fault::Coarse(0.5)));
+                    return Err(refusal(equations, &start, target, Fault::Coarse(0.5), (limit, jumps)));
                 }
                 // The iteration must also converge fully at a limit that the plan has found: two solutions may meet there.
                 match (self.step)(equations, scratch, start, next, s, s == aim) {
                     Ok(_) if s == aim && s != target && next.state.condition.is_some_and(|c| c > SINGULAR) => {
-                        return Err(self.refused(equations, moved, [s, target], Fault::Coarse(0.5)));
+                        return Err(refusal(equations, &start, s, Fault::Coarse(0.5), (limit, jumps)));
                     }
                     Ok(growth) => {
                         iterations += self.next.state.iterations;
@@ -281,7 +289,7 @@ impl Continuation {
                         let factor = if let Fault::Coarse(factor) = fault { factor } else { 0.5 };
                         let shorter = factor * (s - from).abs();
                         if shorter < smallest {
-                            return Err(self.refused(equations, moved, [s, target], fault));
+                            return Err(refusal(equations, &start, s, fault, (limit, jumps)));
                         }
                         (self.proposed, refused) = (shorter, s);
                         continue;
@@ -298,32 +306,14 @@ impl Continuation {
             }
         }
         let last = if moved { &self.here } else { &self.node };
-        Err(too_many_steps(&last.state, equations.time_at(target)))
-    }
-
-    /// The error with the reason why full Newton cannot go on to `s` on the way to `target`.
-    fn refused(
-        &mut self,
-        equations: &mut Equations<'_>,
-        moved: bool,
-        [s, target]: [f64; 2],
-        fault: Fault,
-    ) -> SolveError {
-        let reached = self.reached(moved).node.state.t;
-        let limit = |plan: &Option<CheckedPlan>| plan.as_ref().and_then(CheckedPlan::limit);
-        let mut found = (limit(&self.plan), self.plan.as_ref().is_some_and(CheckedPlan::found_a_jump));
-        // The plan's last attempt may have begun long before; from here it finds the limit better.
-        let is_far = |at: f64| (at - reached).abs() > (equations.time_at(s) - reached).abs();
-        if moved && found.0.and_then(|limit| limit.at()).is_some_and(is_far) {
-            match self.step_by_plan(equations, moved, target) {
-                Ok(_) => found.0 = limit(&self.plan).filter(|limit| limit.at().is_some()).or(found.0),
-                Err(error) => return error,
-            }
-        }
-        let Reached { node, rates: [q_dot, q_ddot], s: from } = self.reached(moved);
-        let Some(basis) = &node.basis else { return too_many_steps(&node.state, equations.time_at(target)) };
-        let start = Start { node, basis, s: from, q_dot, q_ddot };
-        refusal(equations, &start, s, fault, found)
+        Err(SolveError::StepRefused {
+            t: last.state.t,
+            t_refused: equations.time_at(target),
+            row_name: "",
+            joint: "",
+            reason: Refusal::TooManySteps,
+            limit: None,
+        })
     }
 
     /// What has been reached on the way to the next instant: after the last internal step, if there was one.

@@ -89,12 +89,6 @@ pub(super) fn refusal(
     SolveError::StepRefused { t, t_refused, row_name, joint, reason, limit }
 }
 
-/// The error of a motion that has used all of its steps after this state.
-pub(super) fn too_many_steps(last: &State, t_refused: f64) -> SolveError {
-    let reason = Refusal::TooManySteps;
-    SolveError::StepRefused { t: last.t, t_refused, row_name: "", joint: "", reason, limit: None }
-}
-
 /// True for a time between two others, or outside of them by no more than `beside` and rounding.
 fn is_between(t: f64, a: f64, b: f64, beside: f64) -> bool {
     let beside = beside + 1e-9 * a.abs().max(b.abs());

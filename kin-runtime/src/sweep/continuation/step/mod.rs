@@ -65,13 +65,6 @@ pub(crate) struct Start<'n> {
     pub(crate) q_ddot: &'n [f64],
 }
 
-/// What has been reached on the way to the next instant: a node, and the derivatives of q along the course there.
-pub(super) struct Reached<'c> {
-    pub(super) node: &'c Node,
-    pub(super) rates: [&'c [f64]; 2],
-    pub(super) s: f64,
-}
-
 /// Why a step was rejected.
 #[derive(Clone, Debug)]
 pub(crate) enum Fault {
