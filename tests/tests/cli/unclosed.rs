@@ -12,6 +12,21 @@ fn what_does_not_close_is_told_what_is_proven() {
     assert!(!ran.err.contains("close at all"), "{}", ran.err);
 }
 
+/// Dimensions that do not close at t = 0, with the crank at 45°, but a quarter of a turn later.
+#[test]
+fn an_angle_says_when_although_nothing_closes_at_the_beginning() {
+    let line = |at: &str| format!("fourbar solve --set l1=0.35,l2=0.55 --at {at} --format json");
+    assert_eq!(Some(1), kin(&line("0")).status);
+    let ran = kin(&line("90deg"));
+    assert_eq!(ran.status, Some(0), "{}", ran.err);
+    let solved: serde_json::Value = serde_json::from_str(&ran.out).expect("json");
+    let t = solved["t"].as_f64().expect("a time");
+    assert!((t - std::f64::consts::FRAC_PI_2 / 2.3).abs() < 1e-15, "{t}");
+    // The default of a range is a turn.
+    let ranges = good("fourbar limits --set l1=0.35,l2=0.55");
+    assert!(ranges.starts_with("FourbarLectureMid from t = 0 to t = 2.73182\n"), "{ranges}");
+}
+
 #[test]
 fn a_motion_between_two_limits_has_its_start_once() {
     let ran = kin(&format!("fourbar sweep {ROCKING} --from limit --to limit --steps 8 --format csv"));

@@ -393,24 +393,3 @@ fn a_restart_begins_prescribed_coordinates_anew() {
     assert!((tracker.update(&Instant { t: 0.7, inputs: &inputs }).unwrap().q[free] - 0.8).abs() < 1e-12);
     assert!((tracker.restart(&Instant { t: 5.0, inputs: &inputs }).unwrap().q[free] - 0.1).abs() < 1e-12);
 }
-
-/// A boom on a cylinder whose length is a function of time; its links are in line at 0.5, long before the length is
-/// negative.
-#[mechanism]
-#[bodies(boom)]
-#[revolute(foot: ground @ (0, 0), boom @ (0, 0))]
-#[driver(ram: distance(ground @ (1, 0), boom @ (1.5, 0)) = 1.2 - t)]
-#[guess(boom.phi = 0.9)]
-struct Boom;
-
-#[test]
-fn a_limit_comes_before_a_negative_length() {
-    for t in [1.0, 2.0] {
-        let mut tracker = Boom.solver().tracker(&Instant::at(0.0)).unwrap();
-        let error = tracker.update(&Instant::at(t)).expect_err("it locks");
-        let limit = error.limit().and_then(|limit| limit.at()).unwrap_or_else(|| panic!("{t}: {error}"));
-        assert!((limit - 0.7).abs() < 1e-9 && tracker.q_at_limit().is_some(), "{t}: {error}");
-        assert_eq!(0.0, tracker.state().t);
-        assert!(tracker.update(&Instant::at(0.6)).is_ok());
-    }
-}

@@ -127,6 +127,12 @@ fn a_dead_centre_before_a_negative_length_is_found() {
         assert!((limit.at().unwrap() - dead).abs() < 1e-9, "{limit}, expected {dead}");
         assert_eq!(planned.t(), 0.0);
         assert!(planned.at(&Instant::at(times[1])).is_ok());
+        let mut tracker = solver.tracker(&Instant::at(0.0)).unwrap();
+        let error = tracker.update(&Instant::at(times[2])).map(|_| ()).unwrap_err();
+        let limit = error.limit().unwrap_or_else(|| panic!("{error}"));
+        assert!((limit.at().unwrap() - dead).abs() < 1e-9, "{limit}, expected {dead}");
+        assert!(tracker.state().t == 0.0 && tracker.q_at_limit().is_some());
+        assert!(tracker.update(&Instant::at(times[1])).is_ok());
     }
     // The same by an input that is a function of time; a value that is given is wrong by itself.
     let by_input = |t: f64, inputs: &mut [Signal]| inputs[0] = Signal::new(0.9 - 0.3 * t, -0.3, 0.0);

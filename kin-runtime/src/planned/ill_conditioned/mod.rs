@@ -59,14 +59,14 @@ const FOLD: f64 = 0.03;
 impl<M: Mechanism> PlanFollower<M> {
     /// True where the trial state is so near to a crossing of branches that rounding errors dominate its rates.
     #[inline]
-    pub(super) fn is_blurred(&self, mechanism: &M, at: &Instant<'_>) -> bool {
-        self.distances.as_ref().iter().any(|w| *w < NEAR) && self.blurred(mechanism, at).is_some()
+    pub(super) fn is_ill_conditioned(&self, mechanism: &M, at: &Instant<'_>) -> bool {
+        self.distances.as_ref().iter().any(|w| *w < NEAR) && self.ill_conditioned(mechanism, at).is_some()
     }
 
     /// The group that is so near to a crossing of branches that rounding errors dominate the rates.
     #[cold]
     #[inline(never)]
-    pub(super) fn blurred(&self, mechanism: &M, at: &Instant<'_>) -> Option<usize> {
+    pub(super) fn ill_conditioned(&self, mechanism: &M, at: &Instant<'_>) -> Option<usize> {
         let tried = self.trial();
         let (q, q_dot) = (tried.q.as_ref(), tried.q_dot.as_ref());
         // A configuration ahead, so near that the motion to it is straight: ẇ is the difference quotient.
@@ -77,14 +77,14 @@ impl<M: Mechanism> PlanFollower<M> {
         let (now, mut rates) = (of(q)?, of(ahead.as_ref())?);
         rates.as_mut().iter_mut().zip(now.as_ref()).for_each(|(then, now)| *then = (*then - now) / further);
         let groups = [now.as_ref(), rates.as_ref()];
-        blurred_group(M::model(), groups, self.distances.as_ref(), [q_dot, tried.q_ddot.as_ref()], turns)
+        ill_conditioned_group(M::model(), groups, self.distances.as_ref(), [q_dot, tried.q_ddot.as_ref()], turns)
     }
 
     /// The error for a trial state whose rates are dominated by rounding.
     #[cold]
-    pub(super) fn explain_blurred(&mut self, mechanism: &M, at: &Instant<'_>) -> PlanError {
+    pub(super) fn explain_ill_conditioned(&mut self, mechanism: &M, at: &Instant<'_>) -> PlanError {
         let t = at.t;
-        let group = self.blurred(mechanism, at);
+        let group = self.ill_conditioned(mechanism, at);
         let place = group.and_then(|group| M::model().plan.margin_of_group(group)).unwrap_or(0);
         let here = *self.trial();
         let margin = here.margins.as_ref()[place];
@@ -123,7 +123,7 @@ fn groups_of(plan: &Plan) -> impl Iterator<Item = usize> {
 /// in q̈/q̇². Where √margin is much smaller than |w|, the closures are apart and the outer pins of the group nearly coincide. With
 /// δ, their distance relative to the terms of which it is the difference, the error of q̈ is about ε/δ³ times the square
 /// of the rate of the drive.
-pub(crate) fn blurred_group(
+pub(crate) fn ill_conditioned_group(
     model: &Model,
     [groups, rates_of_groups]: [&[f64]; 2],
     distances: &[f64],

@@ -20,12 +20,12 @@ impl Beside {
         Self { w, w_dot: 1.0, distance: w.abs(), crank: 1.0, group: 1.0, acceleration: 0.0 }
     }
 
-    fn is_blurred(self) -> bool {
+    fn is_ill_conditioned(self) -> bool {
         let (mut q_dot, mut q_ddot) = ([1e9; 9], [1e9; 9]);
         // Angles of the crank, the coupler and the rocker; rates of x and y are ignored.
         (q_dot[2], q_dot[5], q_dot[8]) = (self.crank, 0.5 * self.group, -self.group);
         (q_ddot[2], q_ddot[5], q_ddot[8]) = (1e9, -self.acceleration, 0.5 * self.acceleration);
-        let found = blurred_group(
+        let found = ill_conditioned_group(
             PlannedFourBar::model(),
             [&[self.w], &[self.w_dot]],
             &[self.distance],
@@ -46,11 +46,11 @@ fn edge(x_by_w: f64) -> f64 {
 fn rates_mean_nothing_where_rounding_makes_too_much_of_them() {
     let crossing = Beside::crossing;
     let of = |change: fn(&mut Beside), x_by_w: f64| {
-        for (factor, blurred) in [(0.99, true), (1.01, false)] {
+        for (factor, expected) in [(0.99, true), (1.01, false)] {
             for side in [1.0, -1.0] {
                 let mut beside = crossing(side * factor * edge(x_by_w));
                 change(&mut beside);
-                assert_eq!(blurred, beside.is_blurred(), "{x_by_w} {factor} {side}");
+                assert_eq!(expected, beside.is_ill_conditioned(), "{x_by_w} {factor} {side}");
             }
         }
     };
@@ -75,7 +75,7 @@ fn a_fold_is_not_taken_for_a_crossing() {
     for (velocity, w) in [(1.0, 3e-4), (-2.0, 2e-4)] {
         let at = |share: f64| {
             let acceleration = share * velocity * velocity / w;
-            Beside { crank: velocity, group: velocity, acceleration, ..Beside::crossing(w) }.is_blurred()
+            Beside { crank: velocity, group: velocity, acceleration, ..Beside::crossing(w) }.is_ill_conditioned()
         };
         assert!(at(0.029) && !at(0.031) && !at(1.0) && at(0.0), "{velocity}");
         assert!(at(-0.029) && !at(-0.031), "{velocity}");
@@ -86,21 +86,22 @@ fn a_fold_is_not_taken_for_a_crossing() {
 /// crossing. Where it clearly belongs to one of the two, accelerations have no effect.
 #[test]
 fn what_drives_a_group_tells_folds_from_crossings() {
-    let at = |crank: f64, acceleration: f64| Beside { crank, acceleration, ..Beside::crossing(3e-4) }.is_blurred();
+    let at =
+        |crank: f64, acceleration: f64| Beside { crank, acceleration, ..Beside::crossing(3e-4) }.is_ill_conditioned();
     assert!(at(-0.0031, 0.0) && !at(-0.0029, 0.0));
     assert!(at(3.1, 1e9) && !at(2.9, 1e9));
 }
 
 #[test]
 fn where_nothing_moves_rates_are_right() {
-    let at = |w: f64, crank: f64| Beside { crank, group: 0.0, w_dot: 0.0, ..Beside::crossing(w) }.is_blurred();
+    let at = |w: f64, crank: f64| Beside { crank, group: 0.0, w_dot: 0.0, ..Beside::crossing(w) }.is_ill_conditioned();
     assert!(!at(1e-6, 0.0) && !at(0.05, 0.0));
 }
 
 /// The angle between a standing group and the crossing is measured by the motion of its drive.
 #[test]
 fn a_group_that_stands_still_may_cross() {
-    let at = |w: f64, group: f64| Beside { group, acceleration: 1e9, ..Beside::crossing(w) }.is_blurred();
+    let at = |w: f64, group: f64| Beside { group, acceleration: 1e9, ..Beside::crossing(w) }.is_ill_conditioned();
     for group in [0.0, 1e-3, -9e-3] {
         assert!(at(0.99 * edge(1.0), group) && !at(1.01 * edge(1.0), group), "{group}");
     }
@@ -111,7 +112,7 @@ fn a_group_that_stands_still_may_cross() {
 #[test]
 fn only_near_groups_are_asked() {
     // With such a fast w the angle to the crossing is as small as possible.
-    let at = |w: f64| Beside { w_dot: 1e9, ..Beside::crossing(w) }.is_blurred();
+    let at = |w: f64| Beside { w_dot: 1e9, ..Beside::crossing(w) }.is_ill_conditioned();
     assert!(at(0.099) && !at(0.101));
 }
 
@@ -120,7 +121,7 @@ fn only_near_groups_are_asked() {
 fn pins_that_meet_are_found_by_the_margin_alone() {
     let at = |w: f64, distance: f64| {
         // All other criteria say that this is far from a crossing.
-        Beside { distance, w_dot: 1e-9, ..Beside::crossing(w) }.is_blurred()
+        Beside { distance, w_dot: 1e-9, ..Beside::crossing(w) }.is_ill_conditioned()
     };
     for side in [1.0, -1.0] {
         assert!(at(side * 0.1, 0.049) && !at(side * 0.1, 0.051), "{side}");
@@ -134,7 +135,7 @@ fn pins_that_meet_are_found_by_the_margin_alone() {
 #[test]
 fn pins_that_pass_each_other_have_rates() {
     let at = |distance: f64, group: f64, acceleration: f64| {
-        Beside { distance, w_dot: 1e-9, group, acceleration, ..Beside::crossing(0.9) }.is_blurred()
+        Beside { distance, w_dot: 1e-9, group, acceleration, ..Beside::crossing(0.9) }.is_ill_conditioned()
     };
     // The error of q̈ at a distance of 10⁻⁵ of the terms is 0.22 times the square of the rate of the drive.
     assert!(at(0.01, 1.0, 0.0) && at(0.01, 31.0, 900.0) && !at(0.01, 33.0, 0.0) && !at(0.01, 31.0, 1.1e3));

@@ -127,7 +127,7 @@ impl<M: Mechanism> PlanFollower<M> {
             }
             self.measure();
         }
-        match self.blurred(mechanism, at) {
+        match self.ill_conditioned(mechanism, at) {
             Some(group) => Err(blocked(Fault::Group(group))),
             None => Ok(()),
         }

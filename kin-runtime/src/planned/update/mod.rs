@@ -254,8 +254,8 @@ impl<M: Mechanism> PlanFollower<M> {
         let nearest = self.measure();
         let q = self.trial().q;
         self.measure_turns(mechanism, at, &q);
-        if self.is_blurred(mechanism, at) {
-            let error = self.explain_blurred(mechanism, at);
+        if self.is_ill_conditioned(mechanism, at) {
+            let error = self.explain_ill_conditioned(mechanism, at);
             (self.branch.modes, self.turns, self.weights) = kept;
             return Err(error);
         }

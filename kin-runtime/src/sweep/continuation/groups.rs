@@ -9,7 +9,7 @@ use crate::analysis::by_plan;
 use crate::equations::Equations;
 use crate::planned::branch::{OUT_OF_REACH, certainty_of, resolves};
 use crate::planned::gradient_turns::{Span, stays_in_bends};
-use crate::planned::ill_conditioned::blurred_group;
+use crate::planned::ill_conditioned::ill_conditioned_group;
 use crate::planned::interior::{LEAST, fractions, input_within, on_cubic, time_within};
 use crate::planned::predict::weight;
 use crate::planned::rates::largest_angle;
@@ -140,7 +140,7 @@ pub(super) fn stay_between(equations: &Equations<'_>, [before, found]: [&[f64]; 
 
 /// True where the configuration is so near to a crossing of branches that its rates are dominated by rounding.
 /// `condition` is the condition number of Φ_q.
-pub(super) fn are_blurred(
+pub(super) fn are_ill_conditioned(
     equations: &mut Equations<'_>,
     groups: &[f64],
     [q, q_dot, q_ddot]: [&[f64]; 3],
@@ -161,7 +161,7 @@ pub(super) fn are_blurred(
     let mut rates = Vec::new();
     equations.write_branch_values(&ahead, &mut rates);
     rates.iter_mut().zip(groups).for_each(|(then, now)| *then = (*then - now) / further);
-    blurred_group(equations.model, [groups, &rates], &distances, [q_dot, q_ddot], &turns).is_some()
+    ill_conditioned_group(equations.model, [groups, &rates], &distances, [q_dot, q_ddot], &turns).is_some()
 }
 
 /// The smallest size of a branch value, at most 1.

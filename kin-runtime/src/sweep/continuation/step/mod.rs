@@ -209,7 +209,7 @@ pub(super) fn settle(
     })?;
     if last
         && !is_redundant
-        && groups::are_blurred(equations, groups, [&state.q, &state.q_dot, &state.q_ddot], found.condition)
+        && groups::are_ill_conditioned(equations, groups, [&state.q, &state.q_dot, &state.q_ddot], found.condition)
     {
         return Err(Fault::Jump(worst));
     }
