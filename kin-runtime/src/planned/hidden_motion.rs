@@ -6,8 +6,8 @@
 //! cubic through q and q̇ of both ends (see [`interior`](super::interior)). Everywhere it must have a solution, and the
 //! solution must be near the cubic.
 //!
-//! The instants are irregularly spaced: of a function that repeats itself up to 200 times within the step, at least three of them are
-//! more than a tenth of a half period away from its zeros.
+//! The instants are irregularly spaced: of a function that repeats itself up to 200 times within the step, at least three
+//! of them are more than a tenth of a half period away from its zeros.
 
 use super::follower::{Control, NEGLIGIBLE, PlanFollower, PlanSolution};
 use super::interior::on_cubic;
@@ -20,8 +20,8 @@ use crate::scalar::compare::Compare;
 use crate::signal::{Instant, Signal};
 use crate::workspace::Array;
 
-/// The instants within a step at which the plan is solved, as fractions of its length: a random number from each seventh of the
-/// step, drawn again until they had the property above, which a test checks.
+/// The instants within a step at which the plan is solved, as fractions of its length: a random number from each seventh
+/// of the step, drawn again until they had the property above, which a test checks.
 pub(crate) const FRACTIONS: [f64; 7] = [0.091, 0.2175, 0.3422, 0.4602, 0.5892, 0.7423, 0.9181];
 
 /// A step of a course: its first and last parameter, and q, q̇ of both.

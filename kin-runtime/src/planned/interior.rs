@@ -66,8 +66,9 @@ pub(crate) fn input_within<V: Scalar>([from, to]: [&Signal<V>; 2], s: V) -> Sign
     Signal { value: from.value + s * (to.value - from.value), ..*to }
 }
 
-/// A measure that is negative if a group with a determinant, or any group where rows in closed form turn, comes much nearer to its limit within a step than at its
-/// ends, or has another sign there; a number instead of a Boolean, so that batches can take the least over their lanes.
+/// A measure that is negative if a group with a determinant, or any group where rows in closed form turn, comes much
+/// nearer to its limit within a step than at its ends, or has another sign there; a number instead of a Boolean, so that
+/// batches can take the least over their lanes.
 /// `at` is the instant of the end, and `from` are the inputs at the start.
 #[cold]
 #[inline(never)]

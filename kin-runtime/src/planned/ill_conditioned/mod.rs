@@ -33,8 +33,8 @@ const NOISE: f64 = 4e-6;
 /// a turn on the way past.
 const FAST_PASSAGE: f64 = 30.0;
 
-/// The same as `NOISE` where the outer pins of a group pass each other, relative to q̈ or q̇² of the group where these are larger: where
-/// the pins pass each other, the group turns fast, and its rates have almost as many digits as its angles.
+/// The same as `NOISE` where the outer pins of a group pass each other, relative to q̈ or q̇² of the group where these are
+/// larger: the group turns fast there, and its rates have almost as many digits as its angles.
 const NOISE_OF_PINS: f64 = 2.2e-4;
 
 /// Angle (rad) of the difference quotient that gives ẇ: so small that the motion over it is straight.
@@ -120,9 +120,9 @@ fn groups_of(plan: &Plan) -> impl Iterator<Item = usize> {
 /// group, too.
 ///
 /// With x = q̇ w/ẇ, the angle between the group and the crossing, the rounding of w² causes an error of about ε/(w x²)
-/// in q̈/q̇². Where √margin is much smaller than |w|, the closures are apart and the outer pins of the group nearly coincide. With
-/// δ, their distance relative to the terms of which it is the difference, the error of q̈ is about ε/δ³ times the square
-/// of the rate of the drive.
+/// in q̈/q̇². Where √margin is much smaller than |w|, the closures are apart and the outer pins of the group nearly coincide.
+/// With δ, their distance relative to the terms of which it is the difference, the error of q̈ is about ε/δ³ times the
+/// square of the rate of the drive.
 pub(crate) fn ill_conditioned_group(
     model: &Model,
     [groups, rates_of_groups]: [&[f64]; 2],
@@ -152,8 +152,10 @@ pub(crate) fn ill_conditioned_group(
         let apart = distance / PINS_APART;
         let noise = f64::EPSILON / (apart * apart * apart) * before * before;
         let largest = own(step, q_ddot).max(moves * moves).max(before * before);
-        // The comparisons are written so that NaN counts as not clear.
-        !(distance >= COINCIDING && moves >= FAST_PASSAGE * before && noise <= NOISE_OF_PINS * largest)
+        // The comparisons are written so that NaN counts as not clear. A drive that turns nothing has no rate to compare
+        // with.
+        let is_fast = before > 0.0 && moves >= FAST_PASSAGE * before;
+        !(distance >= COINCIDING && is_fast && noise <= NOISE_OF_PINS * largest)
     };
     if let Some(group) = (0..plan.modes.len()).find(meet) {
         return Some(group);

@@ -140,8 +140,11 @@ fn pins_that_pass_each_other_have_rates() {
     // The error of q̈ at a distance of 10⁻⁵ of the terms is 0.22 times the square of the rate of the drive.
     assert!(at(0.01, 1.0, 0.0) && at(0.01, 31.0, 900.0) && !at(0.01, 33.0, 0.0) && !at(0.01, 31.0, 1.1e3));
     assert!(at(1.9e-4, 1e9, 1e18) && !at(2.1e-4, 1e9, 1e18));
-    // A group that is not much faster than its drive does not pass.
+    // A group that is not much faster than its drive does not pass, and nor does one without a drive that turns.
     assert!(at(0.05, 29.0, 1e9) && !at(0.05, 31.0, 1e9) && at(0.01, f64::NAN, 0.0));
+    let without =
+        Beside { distance: 0.05, crank: 0.0, w_dot: 1e-9, group: 31.0, acceleration: 1e9, ..Beside::crossing(0.9) };
+    assert!(without.is_ill_conditioned());
 }
 
 #[test]
