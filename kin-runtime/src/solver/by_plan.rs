@@ -48,7 +48,7 @@ impl<M: Mechanism> Solver<'_, M> {
     }
 
     /// The parameters, and the start of a solution by the plan; `None` if the general path must be used.
-    #[inline]
+    #[inline(always)]
     fn start_by_plan(&self, at: &Instant<'_>, start: Option<&[f64]>) -> Option<(M::Parameters<f64>, Start<M>)> {
         if !self.has_solution_by_plan(at) {
             return None;
