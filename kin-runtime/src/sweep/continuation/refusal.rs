@@ -23,6 +23,10 @@ const COARSEST: f64 = 1e-2;
 /// Largest distance of a limit from the last instant tried, relative to the longest step that the options allow.
 const BESIDE: f64 = 1e-3;
 
+/// The same beyond which a limit is not the one at which the motion ends, but one that the plan found before full Newton
+/// went on. Steps shrink with the distance from a dead centre, and motions end less than ten of them before it.
+const ELSEWHERE: f64 = 100.0;
+
 /// The error with the reason why the motion cannot go from `start` to the place `refused`. `located` is the limit
 /// that the plan found, and `jumps` is true if the plan found that a driver or an input jumps.
 pub(super) fn refusal(
@@ -53,16 +57,17 @@ pub(super) fn refusal(
     let there = |equations: &mut Equations<'_>| {
         equations.move_to(refused).ok().and_then(|()| by_plan::limit_in(equations, groups, q))
     };
-    let limit = located.filter(|limit| limit.at().is_some()).or_else(|| there(equations)).filter(|_| !jumps);
+    let (t_here, after_natural) = (equations.time_at(start.s), equations.time_at(start.s + natural));
+    let is_within = |steps: f64, at: f64| is_between(at, t_here, t_refused, steps * (after_natural - t_here).abs());
+    let located = located.filter(|limit| limit.at().is_some_and(|at| is_within(ELSEWHERE, at)));
+    let limit = located.or_else(|| there(equations)).filter(|_| !jumps);
     let evaluated = equations.move_to(start.s).and_then(|()| equations.evaluate(Subset::VELOCITY, q, None));
     if let Err(error) = evaluated {
         return error;
     }
     let expected_rank = start.basis.factor.rank;
     // The instant of the limit itself is reported if the motion was followed up to it.
-    let beside = (equations.time_at(start.s + BESIDE * natural) - equations.t).abs();
-    let is_here = |at: &f64| is_between(*at, equations.t, t_refused, beside);
-    let t = limit.and_then(|limit| limit.at()).filter(is_here).unwrap_or(equations.t);
+    let t = limit.and_then(|limit| limit.at()).filter(|at| is_within(BESIDE, *at)).unwrap_or(equations.t);
     let all: Vec<usize> = (0..equations.rows()).collect();
     let columns = &equations.scale.columns;
     let factor = Factorization::revealing(&equations.scaled_rows(&all), columns, NEARLY_SINGULAR);
