@@ -121,6 +121,19 @@ impl JointKind {
         matches!(self, Self::Distance | Self::Rope) || matches!(self, Self::Driver) && has_second_point
     }
 
+    /// True for kinds with one row that is a length, or the square of one: what drives it is a force.
+    pub const fn prescribes_length(self) -> bool {
+        matches!(
+            self,
+            Self::Distance | Self::Rope | Self::PointOnLine | Self::X | Self::Y | Self::RackPinion | Self::Screw
+        )
+    }
+
+    /// True for kinds with one row that is an angle: what drives it is a moment.
+    pub const fn prescribes_angle(self) -> bool {
+        matches!(self, Self::Angle | Self::RelativeAngle)
+    }
+
     /// True if a number with this role may be degenerate for some parameters: an axis without a direction, a radius of 0,
     /// a negative length.
     pub const fn may_degenerate(self, role: Role, has_second_point: bool) -> bool {

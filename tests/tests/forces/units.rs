@@ -51,6 +51,34 @@ struct Unknown {
     l: f64,
 }
 
+/// A block on a rod that turns: a point on a line drives it across the line, a relative angle turns the rod.
+#[mechanism]
+#[bodies(rod, block)]
+#[revolute(O: ground @ (0, 0), rod @ (0, 0))]
+#[relative_angle(turn: ground, rod = 0.2 + t)]
+#[translational(guide: rod @ (0, 0), block @ (0, 0), axis = (1, 0))]
+#[point_on_line(lift: ground @ (0, 0), block @ (0, a), axis = (1, 0), offset = a + v * t)]
+#[guess(rod.phi = 0.2, block.x = a, block.y = 0)]
+#[mass(block @ (0, 0), mass = m)]
+struct Lifted {
+    #[param(0.1, unit = "m/s")]
+    v: f64,
+    #[param(0.3, unit = "m")]
+    a: f64,
+    #[param(2, unit = "kg")]
+    m: f64,
+}
+
+/// What drives a length is a force, what drives an angle a moment, whatever else the row contains.
+#[test]
+fn efforts_have_the_units_of_what_they_drive() {
+    let out = concat!(env!("CARGO_TARGET_TMPDIR"), "/efforts.svg");
+    let args = ["lifted", "plot", "lift.effort", "turn.effort", "--to", "1", "--steps", "4", "--out", out];
+    assert_eq!(std::process::ExitCode::SUCCESS, kin_runtime::cli::run_from::<Lifted>(args));
+    let picture = std::fs::read_to_string(out).unwrap();
+    assert!(["effort in N<", "effort in N·m<"].iter().all(|label| picture.contains(label)), "{picture}");
+}
+
 #[test]
 fn forces_have_the_units_of_masses_lengths_and_times() {
     let of = |model: &kin_runtime::model::Model| model.forces.unwrap().units.to_string();

@@ -42,8 +42,11 @@ fn unit_of_effort(model: &Model, info: &ForceModel, driver: &str) -> Option<&'st
         Dimension::In(_) | Dimension::Unknown => None,
     };
     let Some(joint) = model.joints.iter().find(|joint| joint.name == driver) else { return of(driver) };
-    if joint.keeps_distance() {
+    if joint.keeps_distance() || joint.kind.prescribes_length() {
         return force;
+    }
+    if joint.kind.prescribes_angle() {
+        return moment;
     }
     // A row with a single coordinate drives that coordinate.
     let entries = model.constraint_pattern.entries.iter().filter(|(row, _)| *row == joint.first_row);
