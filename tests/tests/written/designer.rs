@@ -290,3 +290,30 @@ fn curves_end_at_their_limits_with_a_mark() {
     let (svg, _) = good("fourbar plot rocker.phi B.transmission");
     assert!(!svg.contains("dead centre"));
 }
+
+/// A parallelogram, whose coupler does not turn, with a point at the height of its ground.
+#[mechanism]
+#[bodies(left, right, coupler)]
+#[revolute(A: ground @ (0, 0), left @ (0, 0))]
+#[revolute(B: ground @ (0.7, 0.1), right @ (0, 0))]
+#[revolute(C: left @ (0.3, 0), coupler @ (0, 0))]
+#[revolute(D: right @ (0.3, 0), coupler @ (0.7, 0.1))]
+#[driver(drive: left.phi = 0.6 + 0.9 * sin(t))]
+#[guess(left.phi = 0.6, right.phi = 0.6, coupler.phi = 0)]
+#[point(fixed = coupler @ (0.3, 0.2))]
+struct Parallelogram;
+
+/// The angle of a coupler that does not turn is rounding, neither least nor greatest.
+#[test]
+fn rounding_is_no_extreme() {
+    let out = concat!(env!("CARGO_TARGET_TMPDIR"), "/rounding.txt");
+    let command = |what: &[&str]| {
+        let words = [&["parallelogram", "extremes"], what, &["--to", "3", "--out", out]].concat();
+        assert_eq!(std::process::ExitCode::SUCCESS, cli::run_from::<Parallelogram>(words));
+        std::fs::read_to_string(out).unwrap()
+    };
+    let all = command(&[]);
+    assert!(all.contains("right.phi") && all.contains("fixed.y") && !all.contains("coupler.phi"), "{all}");
+    let asked = command(&["coupler.phi", "coupler.phi_dot"]);
+    assert_eq!(4, asked.matches("constant").count(), "{asked}");
+}

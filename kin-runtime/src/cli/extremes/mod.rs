@@ -6,7 +6,7 @@ mod search;
 mod written;
 
 use record::{MotionRecord, Range};
-use search::{Search, is_constant};
+use search::Search;
 use written::{csv, text};
 
 use crate::cli::columns::quantities;
@@ -161,7 +161,7 @@ fn one(
         let what = "has no value in all of the motion: it is undetermined, or not defined there";
         return Err(Failure::Analysis(format!("{}: `{}` {what}", model.name, measures[place].name())));
     }
-    let varies = |place: &usize| !wanted.is_empty() || !is_constant(&columns[*place]);
+    let varies = |place: &usize| !wanted.is_empty() || !search.is_constant(*place);
     let extremes = (first..measures.len()).filter(varies).map(range).collect();
     let parameters = Parameters::new(model, &engine.parameters());
     Ok((MotionRecord { varied: None, parameters, from, to, complete: ended.is_none(), extremes }, ended))

@@ -10,7 +10,8 @@ use crate::state::State;
 
 /// Largest number of peaks that are refined, the highest possible ones first.
 const REFINED: usize = 8;
-/// A quantity whose variation is smaller than this, relative to its largest value, is constant.
+/// A quantity whose variation is smaller than this, relative to its largest value or to the largest coordinate from which
+/// it is computed, is constant.
 const CONSTANT: f64 = 1e-12;
 
 /// The least or the greatest of a quantity.
@@ -30,11 +31,6 @@ fn bounds(values: &[f64]) -> [f64; 2] {
     finite.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], v| [low.min(*v), high.max(*v)])
 }
 
-pub(super) fn is_constant(values: &[f64]) -> bool {
-    let [low, high] = bounds(values);
-    low > high || high - low <= CONSTANT * low.abs().max(high.abs())
-}
-
 /// A motion whose extremes are searched.
 pub(super) struct Search<'a> {
     pub(super) walk: Walk<'a>,
@@ -47,13 +43,20 @@ pub(super) struct Search<'a> {
 }
 
 impl Search<'_> {
+    /// True for a quantity that varies by rounding at most.
+    pub(super) fn is_constant(&self, place: usize) -> bool {
+        let [low, high] = bounds(&self.columns[place]);
+        let terms = self.states.iter().map(|state| self.walk.measures[place].largest_term(state)).fold(0.0, f64::max);
+        low > high || high - low <= CONSTANT * low.abs().max(high.abs()).max(terms)
+    }
+
     /// The greatest of a quantity, or with the sign −1 the least.
     pub(super) fn extreme(&self, place: usize, sign: f64) -> Option<Extreme> {
         let values: Vec<f64> = self.columns[place].iter().map(|value| sign * value).collect();
         let [low, high] = bounds(&values);
         let top = values.iter().position(|value| *value == high)?;
         let sampled = || self.at_instant(place, top);
-        if is_constant(&values) {
+        if self.is_constant(place) {
             return Some(Extreme { place: "constant", ..sampled() });
         }
         // Rates grow without bounds towards a dead centre, and are NaN at it.

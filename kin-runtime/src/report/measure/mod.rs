@@ -22,6 +22,8 @@ mod dimension;
 mod force;
 mod poses;
 mod source;
+#[cfg(feature = "cli")]
+mod terms;
 mod value;
 mod varied;
 
