@@ -29,7 +29,7 @@ pub(super) struct Checker<'m> {
     pub(super) met: [Vec<Met>; 2],
     /// The unit of positions.
     pub(super) length: Unit,
-    /// The first name whose unit contains a length.
+    /// The first name whose unit contains that unit.
     pub(super) first_length: Option<String>,
     /// The unit of t.
     pub(super) time: Unit,
@@ -78,14 +78,32 @@ pub(super) fn texts(mechanism: &Mechanism) -> impl Iterator<Item = (&str, &str)>
     all.filter_map(|(name, unit)| Some((name.as_str(), unit.as_deref()?)))
 }
 
-/// The scale of the first symbol of a length (0), time (1) or mass (2) in a unit, as in `mm/s`, and the symbol.
-pub(super) fn base(unit: &str, kind: usize) -> Option<(f64, &str)> {
+/// A unit of length, time or mass in which a mechanism is written.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Base<'m> {
+    /// The first name whose unit contains it.
+    pub(super) name: &'m str,
+    pub(super) scale: f64,
+    pub(super) symbol: &'m str,
+}
+
+/// The unit of length (0), time (1) or mass (2) that most of the written units contain, the first of these if several
+/// are equally frequent: whoever writes one wrong unit is told about that one.
+pub(super) fn base(mechanism: &Mechanism, kind: usize) -> Option<Base<'_>> {
+    let all: Vec<Base<'_>> = texts(mechanism).filter_map(|(name, text)| base_in(name, text, kind)).collect();
+    let uses = |base: &Base<'_>| all.iter().filter(|other| other.scale == base.scale).count();
+    // Of equal elements, `max_by_key` returns the last.
+    all.iter().rev().max_by_key(|base| uses(base)).copied()
+}
+
+/// The first unit of length, time or mass in a unit such as `mm/s`.
+fn base_in<'m>(name: &'m str, unit: &'m str, kind: usize) -> Option<Base<'m>> {
     let symbols = unit.split(|c: char| !c.is_alphabetic());
     let mut bases = symbols
         .filter_map(|symbol| parse(symbol).ok().map(|unit| (unit, symbol)))
         .filter(|(unit, _)| near(unit.powers[kind], 1.0));
     let (unit, symbol) = bases.find(|(unit, _)| unit.powers.iter().sum::<f64>() == 1.0)?;
-    unit.scale.map(|scale| (scale, symbol))
+    unit.scale.map(|scale| Base { name, scale, symbol })
 }
 
 impl<'m> Checker<'m> {
@@ -95,7 +113,7 @@ impl<'m> Checker<'m> {
             let text = unit.as_deref()?;
             Some(Written { unit: parse(text).ok()?, angle: angles(text) })
         };
-        let first = |kind: usize| texts(m).find_map(|(name, text)| base(text, kind).map(|(scale, s)| (name, scale, s)));
+        let [length, time, mass] = [0, 1, 2].map(|kind| base(m, kind));
         Self {
             mechanism,
             written: [
@@ -105,10 +123,10 @@ impl<'m> Checker<'m> {
                 m.defines.iter().map(|d| written(&d.unit)).collect(),
             ],
             met: [vec![Met::Nothing; m.scalars.len()], vec![Met::Nothing; m.inputs.len()]],
-            length: Unit { powers: [1.0, 0.0, 0.0], scale: first(0).map(|(_, scale, _)| scale) },
-            first_length: first(0).map(|(name, _, _)| name.to_owned()),
-            time: Unit { powers: [0.0, 1.0, 0.0], scale: Some(first(1).map_or(1.0, |(_, scale, _)| scale)) },
-            mass: Unit { powers: [0.0, 0.0, 1.0], scale: first(2).map(|(_, scale, _)| scale) },
+            length: Unit { powers: [1.0, 0.0, 0.0], scale: length.map(|base| base.scale) },
+            first_length: length.map(|base| base.name.to_owned()),
+            time: Unit { powers: [0.0, 1.0, 0.0], scale: Some(time.map_or(1.0, |base| base.scale)) },
+            mass: Unit { powers: [0.0, 0.0, 1.0], scale: mass.map(|base| base.scale) },
             defines: vec![None; m.defines.len()],
             at: Origin::default(),
             errors: Vec::new(),

@@ -30,7 +30,7 @@ pub fn derive(mechanism: &Mechanism) -> Units {
     let mut checker = Checker::new(mechanism);
     checker.mechanism();
     let any = are_written(mechanism);
-    let symbol = |kind| texts(mechanism).find_map(|(_, text)| base(text, kind)).map(|(_, symbol)| symbol.to_owned());
+    let symbol = |kind| base(mechanism, kind).map(|base| base.symbol.to_owned());
     let mut units = Units { length: symbol(0), time: symbol(1).or(any.then(|| "s".to_owned())), named: Vec::new() };
     let of = |name: &str, own: &Option<String>, derived: Option<String>| {
         own.clone().or(derived).map(|unit| (name.to_owned(), unit))

@@ -1,6 +1,6 @@
 //! The units of forces, moments, energies and powers, which follow from the written units of masses, lengths and times.
 
-use super::checker::{Checker, texts};
+use super::checker::{Checker, base, texts};
 use super::derived::derive;
 use super::parse::parse;
 use super::unit::Unit;
@@ -46,8 +46,7 @@ fn known(mechanism: &Mechanism) -> Option<ForceUnits> {
     let names = derive(mechanism);
     let (length, time) = (names.length?, names.time?);
     let force = symbol(unit(1.0, -2.0)).unwrap_or_else(|| {
-        let mass =
-            texts(mechanism).find_map(|(_, text)| super::checker::base(text, 2)).map_or("kg", |(_, symbol)| symbol);
+        let mass = base(mechanism, 2).map_or("kg", |base| base.symbol);
         format!("{mass}·{length}/{time}²")
     });
     let moment = format!("{force}·{length}");

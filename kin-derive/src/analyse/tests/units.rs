@@ -47,6 +47,20 @@ fn units_that_differ_in_scale_are_named_with_what_to_do() {
     );
 }
 
+/// The first length has a wrong unit: it is the one that is told, not those that agree with one another.
+#[test]
+fn one_wrong_unit_is_the_one_that_is_told() {
+    let source = "#[bodies(crank, rod)] #[revolute(O: ground @ (a, b), crank @ (0, 0))]
+        #[revolute(A: crank @ (r, 0), rod @ (l, b))] #[driver(drive: crank.phi = t)] #[driver(b: rod.phi = t)]
+        struct S { #[param(200, unit = \"mm\")] a: f64, #[param(0.1, unit = \"m\")] b: f64,
+            #[param(0.2, unit = \"m\")] r: f64, #[param(0.7, unit = \"m\")] l: f64 }";
+    let [only] = &errors(source)[..] else { panic!("{:?}", errors(source)) };
+    assert_eq!(
+        "the units do not agree: this is mm, but m, the unit of `b`, is expected here; divided by 1000 it is m",
+        only
+    );
+}
+
 /// The units that are derived for the names of a description.
 fn derived(source: &str) -> units::Units {
     match analyse(tokens(""), tokens(source)).1 {
