@@ -13,7 +13,7 @@ use crate::analysis::assemble::propagated;
 use crate::equations::Equations;
 use crate::equations::scale::Scale;
 use crate::error::SolveError;
-use crate::workspace::Subset;
+use crate::workspace::{Instant, Subset};
 use nalgebra::{DMatrix, DVector};
 
 /// Largest number of iterations.
@@ -26,19 +26,38 @@ const TURN: f64 = 0.5;
 const CLOSED: f64 = 1e-9;
 
 /// Sets some inputs, given by their indices, to values with which the mechanism closes near its guess; true if it finds
-/// such values.
+/// such values. It starts at the values that the inputs have, and then at the size of the mechanism: a row may not tell
+/// how to change an input that is 0, and may be satisfied by a negative length as well.
 pub(crate) fn fit_inputs(
     equations: &mut Equations<'_>,
     guesses: &[Option<f64>],
-    places: &[usize],
+    indices: &[usize],
 ) -> Result<bool, SolveError> {
-    let mut q = propagated(equations, guesses);
+    let q = propagated(equations, guesses);
     equations.scale = Scale::around(equations, &q);
+    let size = equations.scale.columns.iter().fold(1.0, |size: f64, &column| size.max(column));
+    let (t, given) = (equations.t, equations.inputs.clone());
+    for start in [None, Some(size)] {
+        equations.inputs.clone_from(&given);
+        for &index in indices {
+            equations.inputs[index].value = start.unwrap_or(given[index].value);
+        }
+        if fit_from(equations, q.clone(), indices, size)? {
+            let inputs = equations.inputs.clone();
+            if equations.set_instant(&Instant { t, inputs: &inputs }).is_ok() {
+                return Ok(true);
+            }
+        }
+    }
+    Ok(false)
+}
+
+/// [`fit_inputs`] from a configuration and the values that the inputs have. `size` is that of the mechanism.
+fn fit_from(equations: &mut Equations<'_>, mut q: Vec<f64>, indices: &[usize], size: f64) -> Result<bool, SolveError> {
     let (n, rows) = (q.len(), equations.rows());
     let all: Vec<usize> = (0..rows).collect();
     // The weights include the size of the mechanism, so that the result does not depend on the unit of length.
-    let size = equations.scale.columns.iter().fold(1.0, |size: f64, &column| size.max(column));
-    let weights: Vec<f64> = places.iter().map(|&k| WEIGHT * equations.inputs[k].value.abs().max(size)).collect();
+    let weights: Vec<f64> = indices.iter().map(|&k| WEIGHT * equations.inputs[k].value.abs().max(size)).collect();
     for _ in 0..ITERATIONS {
         equations.evaluate(Subset { phi: true, ..Subset::VELOCITY }, &q, None)?;
         let right = DVector::from_fn(rows, |row, _| -equations.scale.rows[row] * equations.phi[row]);
@@ -46,9 +65,9 @@ pub(crate) fn fit_inputs(
             return Ok(true);
         }
         let by_q = equations.scaled(&all);
-        let mut matrix = DMatrix::zeros(rows, n + places.len());
+        let mut matrix = DMatrix::zeros(rows, n + indices.len());
         matrix.view_mut((0, 0), (rows, n)).copy_from(&by_q);
-        for (k, &index) in places.iter().enumerate() {
+        for (k, &index) in indices.iter().enumerate() {
             let phi_u = equations.along(Some(index), |equations| {
                 equations.evaluate(Subset::TIME_DERIVATIVE, &q, None)?;
                 Ok(equations.phi_t.clone())
@@ -61,7 +80,7 @@ pub(crate) fn fit_inputs(
         let most = step.rows(0, n).amax();
         let share = if most > TURN { TURN / most } else { 1.0 };
         q.iter_mut().enumerate().for_each(|(k, q)| *q += share * equations.scale.columns[k] * step[k]);
-        for (k, &index) in places.iter().enumerate() {
+        for (k, &index) in indices.iter().enumerate() {
             equations.inputs[index].value += share * weights[k] * step[n + k];
         }
     }

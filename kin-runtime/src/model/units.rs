@@ -3,9 +3,9 @@
 /// Units that are written in a description, and those that follow from them. Numbers are never converted.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Units {
-    /// Of x, y and distances: the first unit of length that is written.
+    /// Of x, y and distances: the unit of length that most of the written units contain.
     pub length: Option<&'static str>,
-    /// Of t: the first unit of time that is written, or s where units are written and none of them is a time.
+    /// Of t: the unit of time that most of the written units contain, or s where units are written and none of them is a time.
     pub time: Option<&'static str>,
     /// Of scalar coordinates, inputs and defines, by their names without index; only those with a unit.
     pub named: &'static [(&'static str, &'static str)],

@@ -36,6 +36,8 @@ pub struct InputRange {
     pub least: f64,
     /// The greatest value; ∞ where no limit was met.
     pub greatest: f64,
+    /// The unit of the input, if it is known.
+    pub unit: Option<&'static str>,
     /// The groups that are at their limits at either end, if they are known.
     pub limits: [Option<Limit>; 2],
 }
@@ -57,6 +59,10 @@ impl InputRange {
     pub fn contains(&self, value: f64) -> bool {
         (self.least..=self.greatest).contains(&value)
     }
+
+    fn write_unit(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.unit.map_or(Ok(()), |unit| write!(f, " {unit}"))
+    }
 }
 
 /// `boom_length from 0.62 to 1.41`.
@@ -67,23 +73,27 @@ impl fmt::Display for InputRange {
             (true, true) => write!(f, "from {} to {}", rounded(self.least), rounded(self.greatest)),
             (true, false) => write!(f, "at least {}", rounded(self.least)),
             (false, true) => write!(f, "up to {}", rounded(self.greatest)),
-            (false, false) => f.write_str("unlimited"),
-        }
+            (false, false) => return f.write_str("unlimited"),
+        }?;
+        self.write_unit(f)
     }
 }
 
 impl fmt::Display for OutOfRange {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let InputRange { input, least, greatest, .. } = self.range;
+        let range @ InputRange { input, least, greatest, .. } = self.range;
         // All digits where six would make the value equal to the limit that it is beyond.
         let alike = |limit: f64| rounded(self.value).to_bits() == rounded(limit).to_bits();
         let number = |x: f64| if alike(least) || alike(greatest) { x } else { rounded(x) };
-        write!(f, "input {input} = {}: the mechanism cannot close; possible values here: ", number(self.value))?;
+        write!(f, "input {input} = {}", number(self.value))?;
+        range.write_unit(f)?;
+        f.write_str(": the mechanism cannot close; possible values here: ")?;
         match (least.is_finite(), greatest.is_finite()) {
             (true, true) => write!(f, "{} to {}", number(least), number(greatest)),
-            (true, false) => write!(f, "{} or more", number(least)),
-            _ => write!(f, "{} or less", number(greatest)),
-        }
+            (true, false) => write!(f, "at least {}", number(least)),
+            _ => write!(f, "up to {}", number(greatest)),
+        }?;
+        range.write_unit(f)
     }
 }
 
@@ -152,7 +162,7 @@ impl<M: Mechanism> Planned<'_, M> {
         let name = name.ok_or(unknown)?;
         let [(least, low), (greatest, high)] =
             [-1.0, 1.0].map(|direction| self.follower.range_end(self.mechanism.get(), input.0, direction));
-        Ok(InputRange { input: name, least, greatest, limits: [low, high] })
+        Ok(InputRange { input: name, least, greatest, unit: M::model().units.of(name), limits: [low, high] })
     }
 
     /// The input because of which the mechanism does not close at an instant, with the range in which it closes, for an

@@ -30,6 +30,34 @@ struct Bars {
     l1: f64,
 }
 
+/// A boom that a cylinder raises.
+#[mechanism]
+#[bodies(boom)]
+#[input(ram, unit = "m")]
+#[revolute(foot: ground @ (0, 0), boom @ (0, 0))]
+#[distance(cylinder: ground @ (1, 0), boom @ (l, 0), length = ram)]
+#[guess(boom.phi = 1)]
+struct Raised {
+    #[param(0.4, unit = "m")]
+    l: f64,
+}
+
+/// A row with the square of a length does not tell how to change a length of 0, and is satisfied by −0.6, too.
+#[test]
+fn possible_lengths_are_positive_and_have_a_unit() {
+    let raised = Raised::default();
+    for asked in [0.0, 1e-6, 0.3, 5.0] {
+        let inputs = constant(&[asked]);
+        let why = raised.solver().out_of_range(&Instant { t: 0.0, inputs: &inputs }).expect("the input is the cause");
+        assert!((why.range.least - 0.6).abs() < 1e-12 && (why.range.greatest - 1.4).abs() < 1e-12, "{asked}: {why}");
+        assert_eq!(
+            format!("input ram = {asked} m: the mechanism cannot close; possible values here: 0.6 to 1.4 m"),
+            why.to_string()
+        );
+        assert_eq!("ram from 0.6 to 1.4 m", why.range.to_string());
+    }
+}
+
 fn constant(values: &[f64]) -> Vec<Signal> {
     values.iter().map(|value| Signal::constant(*value)).collect()
 }
