@@ -58,8 +58,10 @@ pub(super) fn refusal(
         equations.move_to(refused).ok().and_then(|()| by_plan::limit_in(equations, groups, q))
     };
     let (t_here, after_natural) = (equations.time_at(start.s), equations.time_at(start.s + natural));
-    let is_within = |steps: f64, at: f64| is_between(at, t_here, t_refused, steps * (after_natural - t_here).abs());
-    let located = located.filter(|limit| limit.at().is_some_and(|at| is_within(ELSEWHERE, at)));
+    let step = (after_natural - t_here).abs();
+    // NaN where time stands still and the step has no bound.
+    let is_elsewhere = |at: f64| step.is_finite() && !is_between(at, t_here, t_refused, ELSEWHERE * step);
+    let located = located.filter(|limit| limit.at().is_some_and(|at| !is_elsewhere(at)));
     let limit = located.or_else(|| there(equations)).filter(|_| !jumps);
     let evaluated = equations.move_to(start.s).and_then(|()| equations.evaluate(Subset::VELOCITY, q, None));
     if let Err(error) = evaluated {
@@ -67,7 +69,10 @@ pub(super) fn refusal(
     }
     let expected_rank = start.basis.factor.rank;
     // The instant of the limit itself is reported if the motion was followed up to it.
-    let t = limit.and_then(|limit| limit.at()).filter(|at| is_within(BESIDE, *at)).unwrap_or(equations.t);
+    let t = limit
+        .and_then(|limit| limit.at())
+        .filter(|at| is_between(*at, t_here, t_refused, BESIDE * step))
+        .unwrap_or(equations.t);
     let all: Vec<usize> = (0..equations.rows()).collect();
     let columns = &equations.scale.columns;
     let factor = Factorization::revealing(&equations.scaled_rows(&all), columns, NEARLY_SINGULAR);
