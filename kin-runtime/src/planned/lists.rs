@@ -110,6 +110,15 @@ impl<M: Mechanism, T: Scalar> Modes<M, T> {
     }
 }
 
+impl<M: Mechanism> Modes<M> {
+    /// The modes of one lane.
+    pub(crate) fn lane_of<V: Compare>(modes: &Modes<M, V>, lane: usize) -> Self {
+        let mut own = Self::filled(0.0);
+        own.as_mut().iter_mut().zip(modes.as_ref()).for_each(|(to, from)| *to = from.lane(lane));
+        own
+    }
+}
+
 impl<M: Mechanism, V: Compare> Margins<M, V> {
     /// The smallest margin, at most 1; NaN is ignored.
     #[cfg(any(feature = "std", all(feature = "simd", feature = "alloc")))]

@@ -23,6 +23,7 @@ pub(crate) mod step_length;
 mod substeps;
 mod text;
 mod trial;
+pub(crate) mod turning_rows;
 mod update;
 
 pub use error::{Limit, LimitKind, Located, PlanError};

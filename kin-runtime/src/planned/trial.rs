@@ -1,12 +1,11 @@
 //! The trial state: the solution of the plan at an instant, and the check whether it is on the branch of the motion.
 
 use super::branch::{first_uncertain, may_have_touched_limit};
-use super::follower::{Control, NEGLIGIBLE, PlanFollower, PlanSolution};
-use super::gradient_turns::{Span, bends_are_followed};
-use super::interior::{certainty_at_samples, certainty_of_rates};
+use super::follower::{Control, PlanFollower, PlanSolution};
 use super::lists::BranchValues;
 use super::mode_changes::{self, Passed};
-use super::predict::{largest_turn, turned};
+use super::predict::largest_turn;
+use super::turning_rows::TrialStep;
 use crate::mechanism::{LengthError, Mechanism};
 use crate::plan::{Depth, Solved};
 use crate::scalar::compare::all_finite;
@@ -82,34 +81,19 @@ impl<M: Mechanism> PlanFollower<M> {
         if !self.rows_turn_alone {
             return Ok(true);
         }
-        let (turns, tried) = (self.turns.as_ref(), self.trial());
-        let turn = largest_turn([here.q_dot.as_ref(), here.q_ddot.as_ref()], turns, h);
-        let away = turned(tried.q.as_ref(), self.predicted.as_ref(), turns);
-        let is_near = turn <= control.rotation && away <= control.correction * turn + NEGLIGIBLE;
-        if !is_near {
-            return Ok(false);
-        }
-        let ends = [here.q.as_ref(), here.q_dot.as_ref(), tried.q.as_ref(), tried.q_dot.as_ref()];
-        if h == 0.0 {
-            // An input may have jumped; its rates do not show how far the rows have turned.
-            return Ok(!M::CLOSED_ROWS_TURN || have_values_of(from, at.inputs));
-        }
-        if !M::CLOSED_ROWS_TURN && !M::model().plan.iterates() {
-            return Ok(true);
-        }
-        let is_smooth = certainty_of_rates(M::model(), M::CLOSED_ROWS_TURN, (ends, turns), h) >= 0.0;
-        if !is_smooth {
-            return Ok(false);
-        }
-        let (parameters, modes) = (self.parameters.as_ref(), &self.branch.modes);
-        if M::ROWS_CURVE {
-            let span = Span { ends, inputs: from, h };
-            let followed = bends_are_followed(mechanism, (parameters, at), modes, span, control.rotation)?;
-            if !followed || !M::CLOSED_ROWS_TURN {
-                return Ok(followed);
-            }
-        }
-        Ok(certainty_at_samples(mechanism, (parameters, from, at), modes, ends, h)? >= 0.0)
+        let tried = self.trial();
+        let step = TrialStep {
+            parameters: self.parameters.as_ref(),
+            modes: &self.branch.modes,
+            turns: self.turns.as_ref(),
+            before: [here.q.as_ref(), here.q_dot.as_ref(), here.q_ddot.as_ref()],
+            predicted: self.predicted.as_ref(),
+            tried: [tried.q.as_ref(), tried.q_dot.as_ref()],
+            inputs: from,
+            h,
+            at,
+        };
+        Ok(step.certainty_of_rows(mechanism, control)? >= 0.0)
     }
 
     /// True if no group has changed the sign of its determinant.
@@ -153,11 +137,6 @@ impl<M: Mechanism> PlanFollower<M> {
         let (foretold, found) = (of(predicted)?, of(self.trial().q.as_ref())?);
         Ok(first_uncertain(self.branch.modes.as_ref(), foretold.as_ref(), found.as_ref()))
     }
-}
-
-/// True if all inputs have the same values.
-fn have_values_of(some: &[Signal], others: &[Signal]) -> bool {
-    some.iter().zip(others).all(|(a, b)| a.value == b.value)
 }
 
 /// True if all branch values have the signs of their groups.

@@ -4,15 +4,24 @@ use super::Scalar;
 
 /// Numbers that can be compared: a single one, or one in every lane.
 pub(crate) trait Compare: Scalar + Default {
+    /// The number of lanes.
+    const LANES: usize;
+
     /// The smaller number in every lane. Where one of them is NaN, either may be returned.
     fn least(self, other: Self) -> Self;
     /// The larger number in every lane. Where one of them is NaN, either may be returned.
     fn greatest(self, other: Self) -> Self;
     /// ±1 with the sign of the number; NaN for 0 and NaN.
     fn direction(self) -> Self;
+    /// The number in a lane.
+    fn lane(&self, lane: usize) -> f64;
+    /// Sets the number in a lane.
+    fn set_lane(&mut self, lane: usize, value: f64);
 }
 
 impl Compare for f64 {
+    const LANES: usize = 1;
+
     #[inline(always)]
     fn least(self, other: Self) -> Self {
         if other < self { other } else { self }
@@ -32,6 +41,16 @@ impl Compare for f64 {
         } else {
             f64::NAN
         }
+    }
+
+    #[inline(always)]
+    fn lane(&self, _lane: usize) -> f64 {
+        *self
+    }
+
+    #[inline(always)]
+    fn set_lane(&mut self, _lane: usize, value: f64) {
+        *self = value;
     }
 }
 

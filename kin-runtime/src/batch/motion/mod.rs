@@ -315,15 +315,6 @@ impl<M: Mechanism> Motion<M> {
     }
 }
 
-impl<M: Mechanism> Modes<M> {
-    /// The modes of one lane.
-    fn lane_of(modes: &Modes<M, Octet>, lane: usize) -> Self {
-        let mut own = Self::filled(0.0);
-        own.as_mut().iter_mut().zip(modes.as_ref()).for_each(|(to, from)| *to = from.lane(lane));
-        own
-    }
-}
-
 impl<M: Mechanism> Margins<M> {
     /// The margins of one lane.
     fn lane_of(margins: &Margins<M, Octet>, lane: usize) -> Self {

@@ -227,6 +227,8 @@ impl Pack for Octet {
 }
 
 impl Compare for Octet {
+    const LANES: usize = Self::COUNT;
+
     #[inline(always)]
     fn least(self, other: Self) -> Self {
         self.pairs(other, Compare::least)
@@ -240,5 +242,15 @@ impl Compare for Octet {
     #[inline(always)]
     fn direction(self) -> Self {
         self.map(Compare::direction)
+    }
+
+    #[inline(always)]
+    fn lane(&self, lane: usize) -> f64 {
+        Self::lane(self, lane)
+    }
+
+    #[inline(always)]
+    fn set_lane(&mut self, lane: usize, value: f64) {
+        self.set(lane, value);
     }
 }
