@@ -1,7 +1,7 @@
 //! Elimination of angles: rotation does not change the length of a vector.
 
-use super::form::{Form, Key, Reader};
 use super::reduce::{Eliminated, Reduction};
+use super::term_sum::{Reader, TermKey, TermSum};
 use super::tree::{Exchange, PairValue};
 use crate::expr::ExprId;
 use std::collections::{BTreeMap, BTreeSet};
@@ -14,18 +14,18 @@ impl Reduction<'_> {
         &mut self,
         rows: &[usize],
         unknowns: &BTreeSet<u32>,
-        forms: &BTreeMap<usize, Form>,
+        forms: &BTreeMap<usize, TermSum>,
     ) -> Option<Eliminated> {
         let mut candidates = Vec::new();
         for &k in unknowns {
-            let held = |form: &Form| self.unknowns(form, unknowns).contains(&k);
+            let held = |form: &TermSum| self.unknowns(form, unknowns).contains(&k);
             let Some(two) = Self::only_two(rows, forms, held) else { continue };
             let of_rest = two.iter().any(|row| {
-                let rest = forms[row].rest.map(|rest| Form { rest: Some(rest), ..Form::default() });
+                let rest = forms[row].rest.map(|rest| TermSum { rest: Some(rest), ..TermSum::default() });
                 rest.is_some_and(|rest| self.unknowns(&rest, unknowns).contains(&k))
             });
-            let keys: BTreeSet<&Key> =
-                two.iter().flat_map(|row| forms[row].terms.keys()).filter(|key| key.holds(k)).collect();
+            let keys: BTreeSet<&TermKey> =
+                two.iter().flat_map(|row| forms[row].terms.keys()).filter(|key| key.contains(k)).collect();
             let mut keys = keys.into_iter();
             if let (Some(key), None, false) = (keys.next(), keys.next(), of_rest)
                 && key.powers.is_empty()
@@ -44,15 +44,15 @@ impl Reduction<'_> {
     /// For two rows F + M (cos θ, sin θ) = 0, the value of θ and the combination of the rows that does not contain θ.
     fn without_angle(
         &mut self,
-        [f, g]: [&Form; 2],
+        [f, g]: [&TermSum; 2],
         k: u32,
-        key: &Key,
+        key: &TermKey,
         unknowns: &BTreeSet<u32>,
     ) -> Option<(PairValue, ExprId)> {
         let zero = self.graph.zero();
-        let of = |form: &Form| form.terms.get(key).copied().unwrap_or([zero; 2]);
+        let of = |form: &TermSum| form.terms.get(key).copied().unwrap_or([zero; 2]);
         let ([c1, s1], [c2, s2]) = (of(f), of(g));
-        let without = |form: &Form| {
+        let without = |form: &TermSum| {
             let mut form = form.clone();
             form.terms.remove(key);
             form
@@ -62,7 +62,7 @@ impl Reduction<'_> {
         let (graph, zero_test) = (&mut *self.graph, &mut self.memory.zero_test);
         let minus_c2 = graph.neg(c2);
         let minus_s1 = graph.neg(s1);
-        let turn = key.turn.clone();
+        let turn = key.angle.clone();
         let direct = zero_test.equal(graph, s2, c1) && zero_test.equal(graph, c2, minus_s1);
         let reflected = zero_test.opposite(graph, s2, c1) && zero_test.equal(graph, minus_c2, minus_s1);
         if direct || reflected {
@@ -81,7 +81,7 @@ impl Reduction<'_> {
             let row = graph.mul(half, row);
             // Where θ contains the angle n times, its entries of Φ_q have the factor n, and |s|² is not the sum of
             // their squares.
-            let once = key.turn.iter().any(|&(other, n)| other == k && n.abs() == 1);
+            let once = key.angle.iter().any(|&(other, n)| other == k && n.abs() == 1);
             let value =
                 PairValue::Angle { turn, cos, sin, size: square, square: once.then_some(square), vectors: None };
             return Some((value, row));
@@ -108,14 +108,14 @@ impl Reduction<'_> {
         &mut self,
         rows: &[usize],
         unknowns: &BTreeSet<u32>,
-        forms: &BTreeMap<usize, Form>,
+        forms: &BTreeMap<usize, TermSum>,
     ) -> Option<Eliminated> {
-        let mut candidates: Vec<(usize, u32, Key, Vec<usize>)> = Vec::new();
+        let mut candidates: Vec<(usize, u32, TermKey, Vec<usize>)> = Vec::new();
         for &k in unknowns {
             let with: Vec<usize> =
                 rows.iter().copied().filter(|row| self.unknowns(&forms[row], unknowns).contains(&k)).collect();
-            let keys: BTreeSet<&Key> =
-                with.iter().flat_map(|row| forms[row].terms.keys()).filter(|key| key.holds(k)).collect();
+            let keys: BTreeSet<&TermKey> =
+                with.iter().flat_map(|row| forms[row].terms.keys()).filter(|key| key.contains(k)).collect();
             let mut keys = keys.into_iter();
             // The combined row of Φ_q is the derivative of a replaced row only up to a factor, and a row with a rest
             // cannot be split into terms.
@@ -144,7 +144,7 @@ impl Reduction<'_> {
     }
 
     /// The two rows with the fewest terms whose coefficient vectors of `key` are linearly independent.
-    fn shortest_loop(&mut self, rows: &[usize], forms: &BTreeMap<usize, Form>, key: &Key) -> Option<[usize; 2]> {
+    fn shortest_loop(&mut self, rows: &[usize], forms: &BTreeMap<usize, TermSum>, key: &TermKey) -> Option<[usize; 2]> {
         let pairs = rows.iter().enumerate().flat_map(|(index, &f)| rows[index + 1..].iter().map(move |&g| [f, g]));
         let mut pairs: Vec<(usize, [usize; 2])> =
             pairs.map(|two| (two.iter().map(|row| forms[row].terms.len()).sum(), two)).collect();
@@ -162,8 +162,8 @@ impl Reduction<'_> {
         &mut self,
         other: usize,
         two: [usize; 2],
-        forms: &BTreeMap<usize, Form>,
-        key: &Key,
+        forms: &BTreeMap<usize, TermSum>,
+        key: &TermKey,
         unknowns: &BTreeSet<u32>,
     ) -> Option<(Exchange, ExprId)> {
         let zero = self.graph.zero();

@@ -8,10 +8,10 @@
 //! row of the same joint is kept and both rotate the same vector: together they give the cosine and the sine of the
 //! angle, so no sign has to be chosen.
 
-use super::form::ReaderCache;
 use super::guides::Guides;
 use super::matching;
 use super::reduce::{PairedRows, Reduction};
+use super::term_sum::ReaderCache;
 use super::tree::{Block, Part, SolutionMethod};
 use crate::expr::{Graph, IdMap};
 use crate::structure::RemovableRows;

@@ -5,10 +5,10 @@
 //! Such a row is left for a closed form with another row in x and y, which holds for all directions, or in an iteration
 //! (see `with_guides`).
 
-use super::form::{Form, Key, Reader};
 use super::minors;
 use super::recognise::recognise;
 use super::reduce::Reduction;
+use super::term_sum::{Reader, TermKey, TermSum};
 use super::tree::{Block, Core, SolutionMethod};
 use crate::expr::{ExprId, Node};
 use std::collections::{BTreeMap, BTreeSet};
@@ -52,7 +52,8 @@ impl Reduction<'_> {
     fn is_too_large(&self, core: &Core) -> bool {
         let SolutionMethod::Newton { residuals } = &core.method else { return false };
         let all = core.coordinates.iter().copied().collect();
-        let held = residuals.iter().map(|&rest| self.unknowns(&Form { rest: Some(rest), ..Form::default() }, &all));
+        let held =
+            residuals.iter().map(|&rest| self.unknowns(&TermSum { rest: Some(rest), ..TermSum::default() }, &all));
         let filled = held.map(|held| core.coordinates.iter().map(|k| held.contains(k)).collect());
         !minors::are_few(&filled.collect::<Vec<_>>())
     }
@@ -64,13 +65,13 @@ impl Reduction<'_> {
         &mut self,
         rows: &[usize],
         unknowns: &BTreeSet<u32>,
-        forms: &BTreeMap<usize, Form>,
+        forms: &BTreeMap<usize, TermSum>,
     ) -> Option<(usize, u32)> {
         let mut best = None;
         for &row in rows {
             let form = &forms[&row];
             let of_rest = form.rest.map_or_else(BTreeSet::new, |rest| {
-                self.unknowns(&Form { rest: Some(rest), ..Form::default() }, unknowns)
+                self.unknowns(&TermSum { rest: Some(rest), ..TermSum::default() }, unknowns)
             });
             let own = self.unknowns(form, unknowns);
             let guides = self.is_guide(form, unknowns);
@@ -78,9 +79,9 @@ impl Reduction<'_> {
             let left = guides && self.guides.left || self.closes_with_another((row, &own), rows, unknowns, forms);
             for (key, [coefficient, _]) in &form.terms {
                 let &[(coordinate, 1)] = key.powers.as_slice() else { continue };
-                let alone = key.turn.is_empty()
+                let alone = key.angle.is_empty()
                     && !of_rest.contains(&coordinate)
-                    && form.terms.keys().filter(|other| other.holds(coordinate)).count() == 1;
+                    && form.terms.keys().filter(|other| other.contains(coordinate)).count() == 1;
                 let rank = match self.graph.literal(*coefficient) {
                     Some(value) if value.abs() == 1.0 => 0,
                     Some(_) => 1,
@@ -99,14 +100,14 @@ impl Reduction<'_> {
     }
 
     /// True for a row a x + b y + …, where x and y are unknown coordinates of one origin and a and b are parameters.
-    fn is_guide(&self, form: &Form, unknowns: &BTreeSet<u32>) -> bool {
+    fn is_guide(&self, form: &TermSum, unknowns: &BTreeSet<u32>) -> bool {
         let open = |k: u32| unknowns.contains(&k) && self.coefficient(form, k).is_some_and(|id| self.is_open(id));
         self.guides.origins.iter().any(|origin| origin.iter().all(|&k| open(k)))
     }
 
     /// The coefficient of a coordinate to the first power.
-    fn coefficient(&self, form: &Form, coordinate: u32) -> Option<ExprId> {
-        form.terms.get(&Key::power(coordinate, 1)).map(|&[coefficient, _]| coefficient)
+    fn coefficient(&self, form: &TermSum, coordinate: u32) -> Option<ExprId> {
+        form.terms.get(&TermKey::power(coordinate, 1)).map(|&[coefficient, _]| coefficient)
     }
 
     /// True if a coefficient depends on parameters alone.
@@ -121,7 +122,7 @@ impl Reduction<'_> {
         (row, own): (usize, &BTreeSet<u32>),
         rows: &[usize],
         unknowns: &BTreeSet<u32>,
-        forms: &BTreeMap<usize, Form>,
+        forms: &BTreeMap<usize, TermSum>,
     ) -> bool {
         let is_open = |&k: &u32| self.coefficient(&forms[&row], k).is_some_and(|id| self.is_open(id));
         if own.len() != 2 || !own.iter().all(is_open) {
@@ -146,8 +147,8 @@ impl Reduction<'_> {
     }
 
     /// The value of a coordinate from a row in which it is linear.
-    pub(super) fn solved_for(&mut self, form: &Form, coordinate: u32) -> ExprId {
-        let key = Key::power(coordinate, 1);
+    pub(super) fn solved_for(&mut self, form: &TermSum, coordinate: u32) -> ExprId {
+        let key = TermKey::power(coordinate, 1);
         let coefficient = form.terms[&key][0];
         let mut others = form.clone();
         others.terms.remove(&key);

@@ -1,6 +1,6 @@
 //! Recognises parts that are solvable in closed form.
 
-use super::form::{Form, Key, Reader};
+use super::term_sum::{Reader, TermKey, TermSum};
 use super::tree::SolutionMethod;
 use crate::expr::ExprId;
 use std::collections::{BTreeMap, BTreeSet};
@@ -9,10 +9,10 @@ use std::collections::{BTreeMap, BTreeSet};
 pub(super) fn recognise(
     reader: &mut Reader<'_>,
     rows: &[usize],
-    forms: &BTreeMap<usize, Form>,
+    forms: &BTreeMap<usize, TermSum>,
 ) -> Option<SolutionMethod> {
     let unknowns: Vec<u32> = reader.unknowns().iter().copied().collect();
-    let forms: Vec<&Form> = rows.iter().map(|row| &forms[row]).collect();
+    let forms: Vec<&TermSum> = rows.iter().map(|row| &forms[row]).collect();
     if forms.iter().any(|form| form.rest.is_some()) {
         return None;
     }
@@ -27,20 +27,20 @@ pub(super) fn recognise(
 }
 
 /// The coefficients [C, S] of a key, zero if the key is missing.
-fn coefficient(reader: &mut Reader<'_>, form: &Form, key: &Key) -> [ExprId; 2] {
+fn coefficient(reader: &mut Reader<'_>, form: &TermSum, key: &TermKey) -> [ExprId; 2] {
     let zero = reader.graph.zero();
     form.terms.get(key).copied().unwrap_or([zero; 2])
 }
 
 /// True if a form contains no other keys than `keys`.
-fn only(form: &Form, keys: &[Key]) -> bool {
+fn only(form: &TermSum, keys: &[TermKey]) -> bool {
     form.terms.keys().all(|key| keys.contains(key))
 }
 
-fn linear(reader: &mut Reader<'_>, forms: &[&Form], unknowns: &[u32]) -> Option<SolutionMethod> {
-    let keys: Vec<Key> = unknowns.iter().map(|&k| Key::power(k, 1)).collect();
-    let allowed: BTreeSet<&Key> = keys.iter().collect();
-    let is_linear = |form: &&Form| form.terms.keys().all(|key| *key == Key::default() || allowed.contains(key));
+fn linear(reader: &mut Reader<'_>, forms: &[&TermSum], unknowns: &[u32]) -> Option<SolutionMethod> {
+    let keys: Vec<TermKey> = unknowns.iter().map(|&k| TermKey::power(k, 1)).collect();
+    let allowed: BTreeSet<&TermKey> = keys.iter().collect();
+    let is_linear = |form: &&TermSum| form.terms.keys().all(|key| *key == TermKey::default() || allowed.contains(key));
     if !forms.iter().all(is_linear) {
         return None;
     }
@@ -48,24 +48,24 @@ fn linear(reader: &mut Reader<'_>, forms: &[&Form], unknowns: &[u32]) -> Option<
     let mut constant = Vec::new();
     for form in forms {
         matrix.push(keys.iter().map(|key| coefficient(reader, form, key)[0]).collect());
-        constant.push(coefficient(reader, form, &Key::default())[0]);
+        constant.push(coefficient(reader, form, &TermKey::default())[0]);
     }
     Some(SolutionMethod::Linear { matrix, constant })
 }
 
-fn angle(reader: &mut Reader<'_>, form: &Form) -> Option<SolutionMethod> {
+fn angle(reader: &mut Reader<'_>, form: &TermSum) -> Option<SolutionMethod> {
     // The row contains a single multiple of the angle; an equation in several multiples has no such closed form.
-    let mut turning = form.terms.keys().filter(|key| **key != Key::default());
+    let mut turning = form.terms.keys().filter(|key| **key != TermKey::default());
     let (Some(turn), None) = (turning.next(), turning.next()) else { return None };
-    let (&[], &[(_, times)]) = (turn.powers.as_slice(), turn.turn.as_slice()) else { return None };
+    let (&[], &[(_, times)]) = (turn.powers.as_slice(), turn.angle.as_slice()) else { return None };
     let [a, b] = coefficient(reader, form, turn);
-    let constant = coefficient(reader, form, &Key::default())[0];
+    let constant = coefficient(reader, form, &TermKey::default())[0];
     let c = reader.graph.neg(constant);
     Some(SolutionMethod::Angle { times, a, b, c })
 }
 
-fn quadratic(reader: &mut Reader<'_>, form: &Form, k: u32) -> Option<SolutionMethod> {
-    let keys = [Key::power(k, 2), Key::power(k, 1), Key::default()];
+fn quadratic(reader: &mut Reader<'_>, form: &TermSum, k: u32) -> Option<SolutionMethod> {
+    let keys = [TermKey::power(k, 2), TermKey::power(k, 1), TermKey::default()];
     if !only(form, &keys) {
         return None;
     }
@@ -74,13 +74,13 @@ fn quadratic(reader: &mut Reader<'_>, form: &Form, k: u32) -> Option<SolutionMet
 }
 
 /// The intersection of two circles, or of a circle and a line.
-fn circle(reader: &mut Reader<'_>, forms: [&Form; 2], [x, y]: [u32; 2]) -> Option<SolutionMethod> {
-    let squares = [Key::power(x, 2), Key::power(y, 2)];
-    let keys = [squares[0].clone(), squares[1].clone(), Key::power(x, 1), Key::power(y, 1), Key::default()];
+fn circle(reader: &mut Reader<'_>, forms: [&TermSum; 2], [x, y]: [u32; 2]) -> Option<SolutionMethod> {
+    let squares = [TermKey::power(x, 2), TermKey::power(y, 2)];
+    let keys = [squares[0].clone(), squares[1].clone(), TermKey::power(x, 1), TermKey::power(y, 1), TermKey::default()];
     if !forms.iter().all(|form| only(form, &keys)) {
         return None;
     }
-    let of = |reader: &mut Reader<'_>, form: &Form| {
+    let of = |reader: &mut Reader<'_>, form: &TermSum| {
         let [e, e_y, l_x, l_y, k] = [0, 1, 2, 3, 4].map(|index: usize| coefficient(reader, form, &keys[index])[0]);
         reader.memory.zero_test.equal(reader.graph, e, e_y).then_some((e, [l_x, l_y], k))
     };

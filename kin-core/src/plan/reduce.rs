@@ -20,11 +20,11 @@
 //! intersection of a circle with a line or a circle. A block that has no such closed form is solved by Newton's
 //! iteration on its unknowns.
 
-use super::form::{Form, Key, Reader, ReaderCache};
 use super::guides::Guides;
 use super::matching::blocks;
 use super::recognise::recognise;
 use super::rewrite::{Substitution, rewrite};
+use super::term_sum::{Reader, ReaderCache, TermKey, TermSum};
 use super::tree::{Block, Core, Exchange, Pair, PairValue, Part, Pivot, SolutionMethod};
 use crate::expr::{ExprId, Graph, IdMap, Node, Symbol};
 use std::collections::{BTreeMap, BTreeSet};
@@ -88,10 +88,10 @@ impl Reduction<'_> {
     pub(super) fn block(&mut self, rows: &[usize], unknowns: &BTreeSet<u32>, removable: &[usize]) -> Option<Block> {
         let (mut rows, mut unknowns) = (rows.to_vec(), unknowns.clone());
         let mut out = Block::default();
-        let mut forms: BTreeMap<usize, Form> = rows.iter().map(|&row| (row, self.form(row, &unknowns))).collect();
+        let mut forms: BTreeMap<usize, TermSum> = rows.iter().map(|&row| (row, self.form(row, &unknowns))).collect();
         while let Some((row, coordinate)) = self.pivot(&rows, &unknowns, &forms) {
             let form = forms.remove(&row)?;
-            let coefficient = form.terms[&Key::power(coordinate, 1)][0];
+            let coefficient = form.terms[&TermKey::power(coordinate, 1)][0];
             let value = self.solved_for(&form, coordinate);
             rows.retain(|&other| other != row);
             unknowns.remove(&coordinate);
@@ -144,7 +144,7 @@ impl Reduction<'_> {
             return Some(Part::Pair(Box::new(pair)));
         }
         // The unknowns of other parts count as known here.
-        let forms: BTreeMap<usize, Form> = rows.iter().map(|&row| (row, self.form(row, unknowns))).collect();
+        let forms: BTreeMap<usize, TermSum> = rows.iter().map(|&row| (row, self.form(row, unknowns))).collect();
         let method = recognise(&mut Reader::new(self.graph, self.memory, unknowns), rows, &forms);
         let pair = match &method {
             Some(_) => None,
@@ -192,7 +192,7 @@ impl Reduction<'_> {
 
     /// The form of a row. Unknowns that cancel out are also removed from the row's expression, because they may not be
     /// known yet when the row is evaluated.
-    pub(super) fn form(&mut self, row: usize, unknowns: &BTreeSet<u32>) -> Form {
+    pub(super) fn form(&mut self, row: usize, unknowns: &BTreeSet<u32>) -> TermSum {
         loop {
             let (form, written) = Reader::new(self.graph, self.memory, unknowns).read(self.rows[row]);
             let left = self.unknowns(&form, unknowns);
@@ -208,15 +208,17 @@ impl Reduction<'_> {
     }
 
     /// True if a form contains a coordinate.
-    fn has(&self, form: &Form, coordinate: u32) -> bool {
+    fn has(&self, form: &TermSum, coordinate: u32) -> bool {
         let in_rest = |rest: ExprId| {
-            !self.unknowns(&Form { rest: Some(rest), ..Form::default() }, &BTreeSet::from([coordinate])).is_empty()
+            !self
+                .unknowns(&TermSum { rest: Some(rest), ..TermSum::default() }, &BTreeSet::from([coordinate]))
+                .is_empty()
         };
-        form.terms.keys().any(|key| key.holds(coordinate)) || form.rest.is_some_and(in_rest)
+        form.terms.keys().any(|key| key.contains(coordinate)) || form.rest.is_some_and(in_rest)
     }
 
     /// The unknowns that a form contains.
-    pub(super) fn unknowns(&self, form: &Form, unknowns: &BTreeSet<u32>) -> BTreeSet<u32> {
+    pub(super) fn unknowns(&self, form: &TermSum, unknowns: &BTreeSet<u32>) -> BTreeSet<u32> {
         form.unknowns(|rest| {
             let nodes = self.graph.reachable([rest]).into_iter().map(|id| self.graph.node(id));
             let found = nodes.filter_map(|node| match node {
@@ -229,7 +231,7 @@ impl Reduction<'_> {
 
     /// The unknowns that occur in a row's expression, including those that would cancel.
     fn written(&self, row: usize, unknowns: &BTreeSet<u32>) -> BTreeSet<u32> {
-        self.unknowns(&Form { rest: Some(self.rows[row]), ..Form::default() }, unknowns)
+        self.unknowns(&TermSum { rest: Some(self.rows[row]), ..TermSum::default() }, unknowns)
     }
 
     /// Combines a single row in one angle with a redundant row in which the angle rotates the same vector. The two rows
@@ -240,7 +242,7 @@ impl Reduction<'_> {
         if unknowns.len() != 1 || rows.iter().any(|row| self.replaced.contains(row)) {
             return None;
         }
-        let forms: BTreeMap<usize, Form> = rows.iter().map(|&row| (row, self.form(row, unknowns))).collect();
+        let forms: BTreeMap<usize, TermSum> = rows.iter().map(|&row| (row, self.form(row, unknowns))).collect();
         let Eliminated { rows, coordinate, value, row, exchanges } = self.norm(&rows, unknowns, &forms)?;
         let PairValue::Angle { square: Some(square), .. } = value else { return None };
         self.paired.push(PairedRows { rows, difference: row, square });
@@ -250,8 +252,8 @@ impl Reduction<'_> {
     /// The two rows for which `found` holds, if exactly two do.
     pub(super) fn only_two(
         rows: &[usize],
-        forms: &BTreeMap<usize, Form>,
-        found: impl Fn(&Form) -> bool,
+        forms: &BTreeMap<usize, TermSum>,
+        found: impl Fn(&TermSum) -> bool,
     ) -> Option<[usize; 2]> {
         let mut with = rows.iter().copied().filter(|row| found(&forms[row]));
         let two = [with.next()?, with.next()?];
@@ -268,33 +270,39 @@ impl Reduction<'_> {
         });
         let coordinates: BTreeSet<u32> = coordinates.collect();
         let (form, _) = Reader::new(self.graph, self.memory, &coordinates).read(id);
-        let [value, _] = *form.terms.get(&Key::default())?;
+        let [value, _] = *form.terms.get(&TermKey::default())?;
         let alone = form.rest.is_none() && form.terms.len() == 1;
         (alone && self.graph.depends(value).is_static()).then_some(value)
     }
 
     /// The elimination *ratio*: an unknown that is linear in two rows and appears in no other.
-    fn ratio(&mut self, rows: &[usize], unknowns: &BTreeSet<u32>, forms: &BTreeMap<usize, Form>) -> Option<Eliminated> {
+    fn ratio(
+        &mut self,
+        rows: &[usize],
+        unknowns: &BTreeSet<u32>,
+        forms: &BTreeMap<usize, TermSum>,
+    ) -> Option<Eliminated> {
         if forms.values().any(|form| form.rest.is_some()) {
             return None;
         }
         for &k in unknowns {
-            let Some(two) = Self::only_two(rows, forms, |form| form.terms.keys().any(|key| key.holds(k))) else {
+            let Some(two) = Self::only_two(rows, forms, |form| form.terms.keys().any(|key| key.contains(k))) else {
                 continue;
             };
-            let linear = |key: &Key| !key.turns(k) && key.powers.iter().all(|&(other, power)| other != k || power == 1);
+            let linear =
+                |key: &TermKey| !key.turns(k) && key.powers.iter().all(|&(other, power)| other != k || power == 1);
             if !two.iter().all(|row| forms[row].terms.keys().all(linear)) {
                 continue;
             }
             let [f, g] = two.map(|row| split(&forms[&row], k));
             let mut reader = Reader::new(self.graph, self.memory, unknowns);
-            let product = |reader: &mut Reader<'_>, a: &Form, b: &Form| reader.product(a, b);
+            let product = |reader: &mut Reader<'_>, a: &TermSum, b: &TermSum| reader.product(a, b);
             let (Some(a), Some(b)) = (product(&mut reader, &f.0, &g.1), product(&mut reader, &g.0, &f.1)) else {
                 continue;
             };
             let Some(row) = reader.sum(&a, &b, -1.0) else { continue };
             let row = reader.clean(row);
-            if row.terms.keys().all(|key| key.powers.is_empty() && key.turn.is_empty()) {
+            if row.terms.keys().all(|key| key.powers.is_empty() && key.angle.is_empty()) {
                 continue;
             }
             let [f1, f0, g1, g0] = [&f.0, &f.1, &g.0, &g.1].map(|form| reader.written(form));
@@ -310,12 +318,12 @@ impl Reduction<'_> {
 }
 
 /// The coefficients f₁ and f₀ of f₁ x + f₀.
-fn split(form: &Form, x: u32) -> (Form, Form) {
-    let (mut with, mut without) = (Form::default(), Form::default());
+fn split(form: &TermSum, x: u32) -> (TermSum, TermSum) {
+    let (mut with, mut without) = (TermSum::default(), TermSum::default());
     for (key, pair) in &form.terms {
         if key.powers.iter().any(|&(k, _)| k == x) {
             let powers = key.powers.iter().copied().filter(|&(k, _)| k != x).collect();
-            with.terms.insert(Key { powers, turn: key.turn.clone() }, *pair);
+            with.terms.insert(TermKey { powers, angle: key.angle.clone() }, *pair);
         } else {
             without.terms.insert(key.clone(), *pair);
         }
@@ -323,14 +331,14 @@ fn split(form: &Form, x: u32) -> (Form, Form) {
     (with, without)
 }
 
-impl Key {
+impl TermKey {
     /// True if the key contains an unknown.
-    pub(super) fn holds(&self, unknown: u32) -> bool {
+    pub(super) fn contains(&self, unknown: u32) -> bool {
         self.turns(unknown) || self.powers.iter().any(|&(k, _)| k == unknown)
     }
 
     /// True if an unknown is one of the key's angles.
     pub(super) fn turns(&self, unknown: u32) -> bool {
-        self.turn.iter().any(|&(k, _)| k == unknown)
+        self.angle.iter().any(|&(k, _)| k == unknown)
     }
 }

@@ -1,6 +1,6 @@
 //! The tree of a plan: blocks with their pivots, and the parts of each block.
 
-use super::form::Key;
+use super::term_sum::TermKey;
 use crate::expr::ExprId;
 
 /// Rows and unknowns that are solved together.
@@ -116,9 +116,9 @@ impl Block {
     }
 }
 
-impl Key {
+impl TermKey {
     /// The key of a power of a coordinate.
     pub(super) fn power(coordinate: u32, power: u8) -> Self {
-        Self { powers: vec![(coordinate, power)], turn: Vec::new() }
+        Self { powers: vec![(coordinate, power)], angle: Vec::new() }
     }
 }

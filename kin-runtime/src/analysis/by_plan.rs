@@ -15,7 +15,7 @@ pub(crate) struct Answer {
     pub(crate) q_dot: Vec<f64>,
     pub(crate) q_ddot: Vec<f64>,
     margins: Vec<f64>,
-    closures: Vec<f64>,
+    branch_values: Vec<f64>,
 }
 
 /// True if the mechanism has a plan and no coordinates are prescribed.
@@ -43,8 +43,8 @@ impl Answer {
     pub(crate) fn new(equations: &Equations<'_>) -> Self {
         let n = vec![0.0; equations.coordinates()];
         let plan = &equations.model.plan;
-        let (margins, closures) = (vec![0.0; plan.margins], vec![0.0; plan.signs()]);
-        Self { q: n.clone(), q_dot: n.clone(), q_ddot: n, margins, closures }
+        let (margins, branch_values) = (vec![0.0; plan.margins], vec![0.0; plan.signs()]);
+        Self { q: n.clone(), q_dot: n.clone(), q_ddot: n, margins, branch_values }
     }
 
     /// Solves at the current instant in the given modes, from `start`.
@@ -76,8 +76,8 @@ impl Answer {
     /// True if q is certainly in these modes.
     pub(crate) fn is_in(&mut self, equations: &Equations<'_>, modes: &[f64], q: &[f64]) -> bool {
         let at = equations.instant();
-        equations.system.branches(&at, q, &mut self.closures).is_ok()
-            && modes.iter().zip(&self.closures).all(|(mode, closure)| mode * closure > UNDECIDED)
+        equations.system.branches(&at, q, &mut self.branch_values).is_ok()
+            && modes.iter().zip(&self.branch_values).all(|(mode, value)| mode * value > UNDECIDED)
     }
 }
 

@@ -141,5 +141,5 @@ impl<M: Mechanism> PlanFollower<M> {
 
 /// True if all branch values have the signs of their groups.
 fn have_signs(modes: &[f64], branch_values: &[f64]) -> bool {
-    modes.iter().zip(branch_values).all(|(mode, closure)| mode * closure > 0.0)
+    modes.iter().zip(branch_values).all(|(mode, value)| mode * value > 0.0)
 }

@@ -22,26 +22,26 @@ const MAX_TERMS: usize = 64;
 /// The key of a term: a product of unknowns (index of q, power) and a sum of multiples of unknown angles (index of q,
 /// multiple), the first multiple being positive.
 #[derive(Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) struct Key {
+pub(super) struct TermKey {
     pub(super) powers: Vec<(u32, u8)>,
-    pub(super) turn: Vec<(u32, i32)>,
+    pub(super) angle: Vec<(u32, i32)>,
 }
 
-impl Key {
+impl TermKey {
     /// All unknowns of the key.
     fn unknowns(&self) -> impl Iterator<Item = u32> + '_ {
-        self.powers.iter().map(|(k, _)| *k).chain(self.turn.iter().map(|(k, _)| *k))
+        self.powers.iter().map(|(k, _)| *k).chain(self.angle.iter().map(|(k, _)| *k))
     }
 }
 
 /// An angle θ with its coefficients [C, S].
-type Turning<'t> = (&'t [(u32, i32)], [ExprId; 2]);
+type OfAngle<'t> = (&'t [(u32, i32)], [ExprId; 2]);
 
 /// A row as a sum of terms.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Form {
+pub(super) struct TermSum {
     /// The coefficients [C, S] of every key.
-    pub(super) terms: BTreeMap<Key, [ExprId; 2]>,
+    pub(super) terms: BTreeMap<TermKey, [ExprId; 2]>,
     /// The part of the row that is not a sum of such terms.
     pub(super) rest: Option<ExprId>,
 }
@@ -51,7 +51,7 @@ pub(super) struct ReaderCache {
     pub(super) zero_test: ZeroTest,
     unknowns: BTreeSet<u32>,
     holds: IdMap<bool>,
-    read: IdMap<Rc<Form>>,
+    read: IdMap<Rc<TermSum>>,
 }
 
 impl ReaderCache {
@@ -85,7 +85,7 @@ impl<'a> Reader<'a> {
     }
 
     /// True if the expression `id` contains an unknown.
-    pub(super) fn holds(&mut self, id: ExprId) -> bool {
+    pub(super) fn contains_unknown(&mut self, id: ExprId) -> bool {
         if !self.memory.holds.contains(id) {
             let order = self.graph.reachable([id]);
             self.find(&order);
@@ -111,7 +111,7 @@ impl<'a> Reader<'a> {
     }
 
     /// The form of a row, and the unknowns that occur in its expression.
-    pub(super) fn read(&mut self, id: ExprId) -> (Form, BTreeSet<u32>) {
+    pub(super) fn read(&mut self, id: ExprId) -> (TermSum, BTreeSet<u32>) {
         let order = self.graph.reachable([id]);
         self.find(&order);
         let mut written = BTreeSet::new();
@@ -123,7 +123,7 @@ impl<'a> Reader<'a> {
                 written.insert(k);
             }
             if !self.memory.read.contains(id) {
-                let form = self.node(id).unwrap_or_else(|| Form { rest: Some(id), ..Form::default() });
+                let form = self.node(id).unwrap_or_else(|| TermSum { rest: Some(id), ..TermSum::default() });
                 self.memory.read.insert(id, Rc::new(form));
             }
         }
@@ -133,7 +133,7 @@ impl<'a> Reader<'a> {
     }
 
     /// Removes coefficients that are identically zero.
-    pub(super) fn clean(&mut self, mut form: Form) -> Form {
+    pub(super) fn clean(&mut self, mut form: TermSum) -> TermSum {
         let zero = self.graph.zero();
         form.terms.retain(|_, pair| {
             for coefficient in pair.iter_mut() {
@@ -146,27 +146,27 @@ impl<'a> Reader<'a> {
         form
     }
 
-    fn known_form(&mut self, id: ExprId) -> Rc<Form> {
+    fn known_form(&mut self, id: ExprId) -> Rc<TermSum> {
         match self.memory.read.get(id) {
             Some(form) => Rc::clone(form),
             None => Rc::new(self.constant(id)),
         }
     }
 
-    pub(super) fn constant(&mut self, id: ExprId) -> Form {
+    pub(super) fn constant(&mut self, id: ExprId) -> TermSum {
         let zero = self.graph.zero();
         if id == zero {
-            return Form::default();
+            return TermSum::default();
         }
-        Form { terms: BTreeMap::from([(Key::default(), [id, zero])]), rest: None }
+        TermSum { terms: BTreeMap::from([(TermKey::default(), [id, zero])]), rest: None }
     }
 
-    fn node(&mut self, id: ExprId) -> Option<Form> {
+    fn node(&mut self, id: ExprId) -> Option<TermSum> {
         let form = match self.graph.node(id) {
             Node::Symbol(Symbol::Coordinate(k)) => {
                 let (one, zero) = (self.graph.number(1.0), self.graph.zero());
-                let key = Key { powers: vec![(k, 1)], turn: Vec::new() };
-                Form { terms: BTreeMap::from([(key, [one, zero])]), rest: None }
+                let key = TermKey { powers: vec![(k, 1)], angle: Vec::new() };
+                TermSum { terms: BTreeMap::from([(key, [one, zero])]), rest: None }
             }
             Node::Neg(a) => {
                 let a = self.known_form(a);
@@ -198,10 +198,10 @@ impl<'a> Reader<'a> {
                 }
                 power
             }
-            Node::Call(Function::Sin, a) => self.turned(a)?[1].clone(),
-            Node::Call(Function::Cos, a) => self.turned(a)?[0].clone(),
+            Node::Call(Function::Sin, a) => self.cos_and_sin(a)?[1].clone(),
+            Node::Call(Function::Cos, a) => self.cos_and_sin(a)?[0].clone(),
             Node::RotX(r) | Node::RotY(r) => {
-                let [cos, sin] = self.turned(r.angle)?;
+                let [cos, sin] = self.cos_and_sin(r.angle)?;
                 let (x, y) = (self.known_form(r.x), self.known_form(r.y));
                 if matches!(self.graph.node(id), Node::RotX(_)) {
                     let (a, b) = (self.product(&cos, &x)?, self.product(&sin, &y)?);
@@ -229,15 +229,15 @@ impl<'a> Reader<'a> {
 
     /// The forms of cos and sin of an angle that is a sum of integer multiples of unknowns and a known expression;
     /// `None` for any other angle.
-    fn turned(&mut self, angle: ExprId) -> Option<[Form; 2]> {
+    fn cos_and_sin(&mut self, angle: ExprId) -> Option<[TermSum; 2]> {
         let zero = self.graph.zero();
-        let (mut turn, mut known) = (BTreeMap::<u32, i64>::new(), zero);
+        let (mut multiples, mut known) = (BTreeMap::<u32, i64>::new(), zero);
         for (times, id) in terms(self.graph, angle) {
             match self.graph.node(id) {
                 Node::Symbol(Symbol::Coordinate(k)) if self.unknowns.contains(&k) => {
-                    *turn.entry(k).or_default() += times
+                    *multiples.entry(k).or_default() += times
                 }
-                _ if self.holds(id) => return None,
+                _ if self.contains_unknown(id) => return None,
                 _ => {
                     let factor = self.graph.number(times as f64);
                     let term = self.graph.mul(factor, id);
@@ -245,39 +245,39 @@ impl<'a> Reader<'a> {
                 }
             }
         }
-        turn.retain(|_, times| *times != 0);
-        let turn: Vec<(u32, i32)> =
-            turn.into_iter().map(|(k, times)| Some((k, i32::try_from(times).ok()?))).collect::<Option<_>>()?;
+        multiples.retain(|_, times| *times != 0);
+        let multiples: Vec<(u32, i32)> =
+            multiples.into_iter().map(|(k, times)| Some((k, i32::try_from(times).ok()?))).collect::<Option<_>>()?;
         // cos(θ + δ) = cos δ cos θ − sin δ sin θ.
         let (cos, sin) = (self.graph.cos(known), self.graph.sin(known));
         let minus_sin = self.graph.neg(sin);
-        Some([self.term(&turn, [cos, minus_sin]), self.term(&turn, [sin, cos])])
+        Some([self.term(&multiples, [cos, minus_sin]), self.term(&multiples, [sin, cos])])
     }
 
     /// The term C cos θ + S sin θ, with the sign of θ normalised.
-    fn term(&mut self, turn: &[(u32, i32)], [c, s]: [ExprId; 2]) -> Form {
+    fn term(&mut self, multiples: &[(u32, i32)], [c, s]: [ExprId; 2]) -> TermSum {
         let zero = self.graph.zero();
-        if turn.is_empty() {
+        if multiples.is_empty() {
             return self.constant(c);
         }
-        let negative = turn[0].1 < 0;
-        let turn = turn.iter().map(|&(k, n)| (k, if negative { -n } else { n })).collect();
+        let negative = multiples[0].1 < 0;
+        let multiples = multiples.iter().map(|&(k, n)| (k, if negative { -n } else { n })).collect();
         let s = if negative { self.graph.neg(s) } else { s };
-        let key = Key { powers: Vec::new(), turn };
-        let mut form = Form::default();
+        let key = TermKey { powers: Vec::new(), angle: multiples };
+        let mut form = TermSum::default();
         if c != zero || s != zero {
             form.terms.insert(key, [c, s]);
         }
         form
     }
 
-    fn scaled(&mut self, a: &Form, factor: f64) -> Option<Form> {
-        let nothing = Form::default();
+    fn scaled(&mut self, a: &TermSum, factor: f64) -> Option<TermSum> {
+        let nothing = TermSum::default();
         self.sum(&nothing, a, factor)
     }
 
     /// a + factor · b, where the factor is ±1.
-    pub(super) fn sum(&mut self, a: &Form, b: &Form, factor: f64) -> Option<Form> {
+    pub(super) fn sum(&mut self, a: &TermSum, b: &TermSum, factor: f64) -> Option<TermSum> {
         let mut out = a.clone();
         let zero = self.graph.zero();
         let plus = |graph: &mut Graph, x, y| if factor < 0.0 { graph.sub(x, y) } else { graph.add(x, y) };
@@ -295,18 +295,18 @@ impl<'a> Reader<'a> {
     }
 
     /// a · b; `None` if one of the forms has a rest or the product has too many terms.
-    pub(super) fn product(&mut self, a: &Form, b: &Form) -> Option<Form> {
+    pub(super) fn product(&mut self, a: &TermSum, b: &TermSum) -> Option<TermSum> {
         if a.rest.is_some() || b.rest.is_some() || a.terms.len() * b.terms.len() > 4 * MAX_TERMS {
             return None;
         }
-        let mut out = Form::default();
+        let mut out = TermSum::default();
         for (key_a, pair_a) in &a.terms {
             for (key_b, pair_b) in &b.terms {
                 let powers = multiplied(&key_a.powers, &key_b.powers);
-                for part in self.turns((&key_a.turn, *pair_a), (&key_b.turn, *pair_b)) {
+                for part in self.product_of_angles((&key_a.angle, *pair_a), (&key_b.angle, *pair_b)) {
                     let terms = part.terms.into_iter();
-                    let terms = terms.map(|(key, pair)| (Key { powers: powers.clone(), ..key }, pair)).collect();
-                    out = self.sum(&out, &Form { terms, rest: None }, 1.0)?;
+                    let terms = terms.map(|(key, pair)| (TermKey { powers: powers.clone(), ..key }, pair)).collect();
+                    out = self.sum(&out, &TermSum { terms, rest: None }, 1.0)?;
                 }
             }
         }
@@ -314,7 +314,7 @@ impl<'a> Reader<'a> {
     }
 
     /// The product (C cos α + S sin α)(C′ cos β + S′ sin β) as terms in α + β and α − β.
-    fn turns(&mut self, (alpha, [c, s]): Turning<'_>, (beta, [d, r]): Turning<'_>) -> Vec<Form> {
+    fn product_of_angles(&mut self, (alpha, [c, s]): OfAngle<'_>, (beta, [d, r]): OfAngle<'_>) -> Vec<TermSum> {
         let graph = &mut *self.graph;
         if alpha.is_empty() {
             let pair = [graph.mul(c, d), graph.mul(c, r)];
@@ -329,15 +329,15 @@ impl<'a> Reader<'a> {
         let plus = [graph.sub(cd, sr), graph.add(cr, sd)].map(|e| graph.mul(half, e));
         let minus = [graph.add(cd, sr), graph.sub(sd, cr)].map(|e| graph.mul(half, e));
         let combined = |sign: i32| {
-            let mut turn: BTreeMap<u32, i32> = alpha.iter().copied().collect();
-            beta.iter().for_each(|&(k, n)| *turn.entry(k).or_default() += sign * n);
-            turn.into_iter().filter(|(_, n)| *n != 0).collect::<Vec<_>>()
+            let mut multiples: BTreeMap<u32, i32> = alpha.iter().copied().collect();
+            beta.iter().for_each(|&(k, n)| *multiples.entry(k).or_default() += sign * n);
+            multiples.into_iter().filter(|(_, n)| *n != 0).collect::<Vec<_>>()
         };
         vec![self.term(&combined(1), plus), self.term(&combined(-1), minus)]
     }
 
     /// The expression of a form.
-    pub(super) fn written(&mut self, form: &Form) -> ExprId {
+    pub(super) fn written(&mut self, form: &TermSum) -> ExprId {
         let mut sum = form.rest.unwrap_or_else(|| self.graph.zero());
         for (key, pair) in &form.terms {
             let value = self.value(key, *pair);
@@ -347,12 +347,12 @@ impl<'a> Reader<'a> {
     }
 
     /// The expression of one term, m (C cos θ + S sin θ).
-    pub(super) fn value(&mut self, key: &Key, [c, s]: [ExprId; 2]) -> ExprId {
+    pub(super) fn value(&mut self, key: &TermKey, [c, s]: [ExprId; 2]) -> ExprId {
         let graph = &mut *self.graph;
         let mut value = c;
-        if !key.turn.is_empty() {
+        if !key.angle.is_empty() {
             let mut angle = graph.zero();
-            for &(k, n) in &key.turn {
+            for &(k, n) in &key.angle {
                 let (factor, symbol) = (graph.number(f64::from(n)), graph.symbol(Symbol::Coordinate(k)));
                 let term = graph.mul(factor, symbol);
                 angle = graph.add(angle, term);
@@ -376,11 +376,11 @@ fn multiplied(a: &[(u32, u8)], b: &[(u32, u8)]) -> Vec<(u32, u8)> {
     powers.into_iter().collect()
 }
 
-impl Form {
+impl TermSum {
     /// The unknowns of a form; `of_rest` gives those of its rest.
     pub(super) fn unknowns(&self, of_rest: impl FnOnce(ExprId) -> BTreeSet<u32>) -> BTreeSet<u32> {
         let mut found = self.rest.map_or_else(BTreeSet::new, of_rest);
-        found.extend(self.terms.keys().flat_map(Key::unknowns));
+        found.extend(self.terms.keys().flat_map(TermKey::unknowns));
         found
     }
 }
