@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 use super::engine::{Arc, Engine};
 use super::failure::{Failure, Ledger};
 use super::setup::Setup;
-use super::solved::analysis;
+use super::solved::misfit;
 use super::turns::{natural_end, speed, turn};
 use super::values::{self, Moment};
 use crate::error::SolveError;
@@ -185,14 +185,20 @@ impl Asked {
     }
 
     /// The instant at which the mechanism is assembled. If the motion begins at a limit, it is followed backwards from
-    /// there.
+    /// there: from t = 0, which the guesses describe, or if it does not close there from another instant.
     pub(super) fn first(&self, engine: &dyn Engine, setup: &Setup) -> Result<f64, Failure> {
         let at = |option: &str, moment: &Moment| instant(option, *moment, engine, setup);
         match self {
             Self::Times(times) => times.first().map_or(Ok(0.0), |moment| at("--times", moment)),
             Self::Grid { from: End::At(from), .. } | Self::Arc { from, .. } => at("--from", from),
-            Self::Grid { from: End::Limit, to: Some(End::At(to)), .. } => Ok(at("--to", to)?.min(0.0)),
-            Self::Grid { from: End::Limit, .. } => Ok(0.0),
+            Self::Grid { from: End::Limit, to: Some(End::At(to)), .. } => {
+                let to = at("--to", to)?;
+                Ok(closing(engine, setup, [to.min(0.0), to]))
+            }
+            Self::Grid { from: End::Limit, .. } => {
+                let either_way = (-4..=6).flat_map(|power| [1.0, -1.0].map(|sign| sign * 2_f64.powi(power)));
+                Ok(closing(engine, setup, std::iter::once(0.0).chain(either_way)))
+            }
         }
     }
 
@@ -214,12 +220,18 @@ impl Asked {
             }
             Self::Grid { from: End::Limit, to, steps } => {
                 let start = self.first(engine, setup)?;
+                // Before t = 0 a motion starts at its end.
+                let starts_elsewhere = start > 0.0 || start < 0.0 && !matches!(to, Some(End::At(_)));
+                let note =
+                    format!("note: it does not close at t = 0: the motion is that through t = {}", rounded(start));
                 let to = match to {
                     Some(End::At(to)) => Some(at("--to", to)?),
                     Some(End::Limit) => None,
                     None => Some(natural_end(engine, setup, start)),
                 };
-                as_far(engine, setup, (start, [None, to]), *steps)
+                let mut found = as_far(engine, setup, (start, [None, to]), *steps)?;
+                found.notes.extend(starts_elsewhere.then_some(note));
+                Ok(found)
             }
             Self::Arc { from, to, steps } => {
                 let (from, to) = (at("--from", from)?, to.as_ref().map(|to| at("--to", to)).transpose()?);
@@ -239,6 +251,13 @@ pub(super) fn instant(option: &str, moment: Moment, engine: &dyn Engine, setup: 
             Failure::option(option, what)
         }),
     }
+}
+
+/// The first of some instants at which the mechanism closes; the first of all if it closes at none, whose error says why.
+fn closing(engine: &dyn Engine, setup: &Setup, instants: impl IntoIterator<Item = f64>) -> f64 {
+    let mut instants = instants.into_iter().peekable();
+    let first = instants.peek().copied().unwrap_or(0.0);
+    instants.find(|t| engine.state(setup, *t).is_ok()).unwrap_or(first)
 }
 
 /// If no crank turns at constant speed, a limit is searched within these durations, one after the other.
@@ -360,7 +379,7 @@ fn limit(engine: &dyn Engine, setup: &Setup, start: f64, direction: f64) -> Resu
                 let text = found.map_or_else(|| error.to_string(), ToString::to_string);
                 return Ok(Sought::Found(Stop { t, q, name, text }));
             }
-            Some(error) => return Err(analysis(engine, &error)),
+            Some(error) => return Err(misfit(engine, setup, start, &error)),
         }
     }
     Ok(Sought::None(start + direction * ranges.last().copied().unwrap_or(1.0)))

@@ -165,7 +165,8 @@ fn run(
         Err(error) if matches!(error.kind(), ErrorKind::DisplayHelp | ErrorKind::DisplayVersion) => {
             return session.help(&error.render());
         }
-        Err(error) => {
+        Err(mut error) => {
+            suggest_option(&mut error, &command, asked.as_deref());
             let hint = hint(&error, &command, asked.as_deref());
             return session.refuse(&error.render(), &hint);
         }
@@ -219,6 +220,29 @@ fn hint(error: &clap::Error, command: &clap::Command, asked: Option<&str>) -> St
     }
 }
 
+/// Suggests the option of the command that was called that is nearest to an unknown one; clap's suggestion may be far from
+/// it, and may be one where another command has the option itself.
+fn suggest_option(error: &mut clap::Error, command: &clap::Command, asked: Option<&str>) {
+    let Some(ContextValue::String(wrong)) = error.get(ContextKind::InvalidArg).cloned() else { return };
+    if error.kind() != ErrorKind::UnknownArgument || !wrong.starts_with("--") {
+        return;
+    }
+    error.remove(ContextKind::SuggestedArg);
+    error.remove(ContextKind::Usage);
+    let own = options_of(command, asked);
+    let own: Vec<&str> = own.iter().map(String::as_str).collect();
+    if let Some(near) = names::nearest(&wrong, &own) {
+        error.insert(ContextKind::SuggestedArg, ContextValue::String(near.to_owned()));
+    }
+}
+
+/// The options of the command that was called.
+fn options_of(command: &clap::Command, asked: Option<&str>) -> Vec<String> {
+    let this = asked.and_then(|asked| command.find_subcommand(asked));
+    let own = this.unwrap_or(command).get_arguments().filter(|arg| !arg.is_hide_set()).filter_map(clap::Arg::get_long);
+    own.filter(|long| *long != "help").map(|long| format!("--{long}")).collect()
+}
+
 /// The commands that have the unknown option `wrong`, and the options of the command that was called.
 fn options_there_are(wrong: &str, command: &clap::Command, asked: Option<&str>) -> String {
     let name = wrong.trim_start_matches('-').split('=').next().unwrap_or_default();
@@ -226,8 +250,7 @@ fn options_there_are(wrong: &str, command: &clap::Command, asked: Option<&str>) 
     let others: Vec<String> =
         command.get_subcommands().filter(|c| has(c)).map(|c| format!("`{}`", c.get_name())).collect();
     let this = asked.and_then(|asked| command.find_subcommand(asked));
-    let own = this.unwrap_or(command).get_arguments().filter(|arg| !arg.is_hide_set()).filter_map(clap::Arg::get_long);
-    let own: Vec<String> = own.filter(|long| *long != "help").map(|long| format!("--{long}")).collect();
+    let own = options_of(command, asked);
     let own: Vec<&str> = own.iter().map(String::as_str).collect();
     let who = this.map_or_else(|| "the report".to_owned(), |command| format!("`{}`", command.get_name()));
     let elsewhere = match others.is_empty() {

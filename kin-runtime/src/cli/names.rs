@@ -101,7 +101,10 @@ pub(super) fn find_quantity(model: &'static Model, option: &str, name: &str) -> 
     let coordinates = others.len().min(1 + 3 * model.coordinates.len());
     let (first, rest) = others.split_at(coordinates);
     let all: Vec<&str> = first.iter().chain(&angles).chain(rest).map(Measure::name).collect();
-    let Err(failure) = search(option, Kind::Quantity, name, &all, None) else {
+    let is_force = |(_, of): (&str, &str)| ["effort", "force", "force_x", "force_y", "moment"].contains(&of);
+    let forces = (model.forces.is_none() && name.rsplit_once('.').is_some_and(is_force))
+        .then_some("forces need masses or loads in the description: #[mass(…)], #[force(…)], …");
+    let Err(failure) = search(option, Kind::Quantity, name, &all, forces) else {
         return Err(Failure::option(option, format!("`{name}` is no quantity")));
     };
     let mut text = failure.to_string();

@@ -283,6 +283,13 @@ fn a_reader_that_has_gone_is_told_nothing_and_the_status_says_so() {
 }
 
 #[test]
+fn forces_without_masses_say_what_is_missing() {
+    let ran = driven("sweep drive.effort");
+    assert!(ran.err.contains("no quantity named `drive.effort`; forces need masses or loads"), "{}", ran.err);
+    assert!(!driven("sweep drive.efort_x").err.contains("masses"));
+}
+
+#[test]
 fn unknown_options_say_what_there_is() {
     let bad = |line: &str| {
         let ran = driven(line);
@@ -296,6 +303,11 @@ fn unknown_options_say_what_there_is() {
         let err = bad("solve --vary r=0.1,0.2");
         assert!(err.contains("--vary is an option of `sweep`, `extremes` and `plot`\n`solve` has --at"), "{err}");
     }
+    // The nearest option is suggested, and none where another command has the option itself.
+    let err = bad("solve --st r=0.1");
+    assert!(err.contains("similar argument exists: '--set'"), "{err}");
+    let err = bad("sweep --at 1");
+    assert!(err.contains("--at is an option of") && !err.contains("similar"), "{err}");
     let err = bad("--nothing");
     assert!(err.contains("the report has --at,") && !err.contains("is an option of"), "{err}");
 }

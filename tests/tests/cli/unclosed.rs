@@ -27,6 +27,23 @@ fn an_angle_says_when_although_nothing_closes_at_the_beginning() {
     assert!(ranges.starts_with("FourbarLectureMid from t = 0 to t = 2.73182\n"), "{ranges}");
 }
 
+/// The same dimensions: a motion up to a limit says what is proven at t = 0, and one between limits is that which exists.
+#[test]
+fn limits_are_those_of_a_motion_that_closes() {
+    let line = |rest: &str| format!("fourbar sweep crank.phi --set l1=0.35,l2=0.55 {rest} --steps 4 --format csv");
+    let ran = failed(&line("--to limit"), 1, &["it is proven that it cannot be assembled at t = 0"]);
+    assert!(!ran.err.contains("close at all"), "{}", ran.err);
+    for rest in ["--from limit --to limit", "--from limit --to 90deg"] {
+        let ran = kin(&line(rest));
+        assert_eq!(Some(0), ran.status, "{}", ran.err);
+        assert!(ran.err.contains("note: it does not close at t = 0: the motion is that through t = "), "{}", ran.err);
+        let times: Vec<f64> =
+            ran.out.lines().skip(1).map(|line| line.split(',').next().unwrap().parse().unwrap()).collect();
+        assert!(times[0] > 0.0 && times.windows(2).all(|pair| pair[1] > pair[0]), "{times:?}");
+    }
+    assert!(!kin(&format!("fourbar sweep crank.phi {ROCKING} --from limit --to limit")).err.contains("does not close"));
+}
+
 #[test]
 fn a_motion_between_two_limits_has_its_start_once() {
     let ran = kin(&format!("fourbar sweep {ROCKING} --from limit --to limit --steps 8 --format csv"));
