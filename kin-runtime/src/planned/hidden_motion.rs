@@ -15,6 +15,7 @@ use super::lists::{Margins, Modes};
 use super::predict::{largest_turn, turned};
 use crate::course::{Between, Course, kind};
 use crate::mechanism::{LengthError, Mechanism};
+use crate::model::{Component, CoordinateKind, Model};
 use crate::plan::{Depth, Plan, Solved};
 use crate::scalar::compare::Compare;
 use crate::signal::{Instant, Signal};
@@ -23,6 +24,10 @@ use crate::workspace::Array;
 /// The instants within a step at which the plan is solved, as fractions of its length: a random number from each seventh
 /// of the step, drawn again until they had the property above, which a test checks.
 pub(crate) const FRACTIONS: [f64; 7] = [0.091, 0.2175, 0.3422, 0.4602, 0.5892, 0.7423, 0.9181];
+
+/// Distances from the cubic up to this, relative to the largest coordinate that is a length, are always accepted: kinks,
+/// at which velocities jump, are passed in steps that are as short.
+const NEGLIGIBLE_LENGTH: f64 = 1e-9;
 
 /// A step of a course: its first and last parameter, and q, q̇ of both.
 #[derive(Clone, Copy)]
@@ -36,7 +41,8 @@ pub(crate) struct Stretch<'a, V> {
 }
 
 /// A measure that is negative if at a fraction of the step the plan has no solution in these modes, or
-/// one that is farther from the cubic than `allowed`, in radians; `weights` converts coordinates to radians.
+/// one that is farther from the cubic than `allowed`, in radians; `weights` converts coordinates to radians. Lengths, which
+/// have no radians, are compared with the farthest motion of a length.
 #[cold]
 #[inline(never)]
 pub(crate) fn certainty_within<M: Mechanism, V: Compare>(
@@ -45,6 +51,7 @@ pub(crate) fn certainty_within<M: Mechanism, V: Compare>(
     (stretch, fraction): (Stretch<'_, V>, f64),
     modes: &Modes<M, V>,
     (weights, allowed): (&[V], V),
+    control: &Control,
 ) -> Result<V, LengthError> {
     let Stretch { course, interval: [s, next], ends } = stretch;
     let zeros = M::Coordinates::<V>::filled(V::from_f64(0.0));
@@ -61,7 +68,32 @@ pub(crate) fn certainty_within<M: Mechanism, V: Compare>(
     mechanism.solve_with(parameters, &at, modes.of_closures(), cubic.as_ref(), Depth::Position, solved)?;
     let away = turned(found.as_ref(), cubic.as_ref(), weights);
     let margin = margins.as_ref().iter().fold(V::from_f64(1.0), |least, margin| least_or_nan(least, *margin));
-    Ok(least_or_nan(margin - V::from_f64(Plan::SMALLEST_MARGIN), allowed - away))
+    let lengths = certainty_of_lengths(M::model(), found.as_ref(), cubic.as_ref(), ends, (next - s, control));
+    Ok(least_or_nan(least_or_nan(margin - V::from_f64(Plan::SMALLEST_MARGIN), allowed - away), lengths))
+}
+
+/// A measure that is negative if a length is farther from the cubic than the motions of lengths in the step of the length h
+/// tell, as where a driver jumps.
+fn certainty_of_lengths<V: Compare>(
+    model: &Model,
+    found: &[V],
+    cubic: &[V],
+    [q0, v0, q1, v1]: [&[V]; 4],
+    (h, control): (f64, &Control),
+) -> V {
+    let zero = V::from_f64(0.0);
+    let (mut away, mut motion, mut size) = (zero, zero, zero);
+    for (k, coordinate) in model.coordinates.iter().enumerate() {
+        if matches!(coordinate.kind, CoordinateKind::Pose { component: Component::X | Component::Y, .. }) {
+            away = away.greatest((found[k] - cubic[k]).abs());
+            motion = motion.greatest(v0[k].abs()).greatest(v1[k].abs());
+            size = size.greatest(q0[k].abs()).greatest(q1[k].abs());
+        }
+    }
+    // As far as the ends of unit links that turn as far as a step may.
+    let share = control.correction * control.rotation;
+    let allowed = V::from_f64(share * h.abs()) * motion + V::from_f64(NEGLIGIBLE_LENGTH) * size;
+    allowed - away
 }
 
 /// The smaller number, or NaN where one of them is not finite, which [`least`](Compare::least) may not show.
@@ -112,7 +144,8 @@ impl<M: Mechanism> PlanFollower<M> {
         let stretch = Stretch { course, interval, ends };
         let is_near = |fraction: f64, modes: &Modes<M>| {
             let parameters = self.parameters.as_ref();
-            let certainty = certainty_within(mechanism, parameters, (stretch, fraction), modes, (weights, allowed))?;
+            let certainty =
+                certainty_within(mechanism, parameters, (stretch, fraction), modes, (weights, allowed), control)?;
             Ok(certainty >= 0.0)
         };
         let after = &self.branch.modes;

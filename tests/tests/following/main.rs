@@ -7,6 +7,7 @@ mod guides;
 mod hidden;
 mod input_ranges;
 mod inputs;
+mod jumps;
 mod larger;
 mod limits;
 mod orientations;

@@ -59,7 +59,8 @@ impl<M: Mechanism> Motion<M> {
         let (parameters, weights) = (self.parameters.as_ref(), self.weights.as_ref());
         FRACTIONS.into_iter().fold(Octet::from_f64(1.0), |least, fraction| {
             let there = (stretch, fraction);
-            let certainty = certainty_within(mechanism, parameters, there, &self.modes, (weights, allowed));
+            let known = (weights, allowed);
+            let certainty = certainty_within(mechanism, parameters, there, &self.modes, known, &Control::USUAL);
             debug_assert!(certainty.is_ok(), "the columns have been counted");
             least_or_nan(least, certainty.unwrap_or_else(|_| Octet::from_f64(-1.0)))
         })
