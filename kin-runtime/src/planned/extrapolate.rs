@@ -36,7 +36,7 @@ const FLAT: f64 = 0.1;
 
 /// Largest change that leaving out one of the samples may cause, relative to 1 + |q_k| for a coordinate and to the
 /// interval for its parameter.
-const AGREEMENT: f64 = 1e-7;
+const AGREEMENT: f64 = 5e-7;
 
 /// Largest branch value of an iterated group at its limit, relative to that of the nearest sample. Within a sharp corner
 /// of a curve w may seem to go to 0 before it is followed around the corner.
