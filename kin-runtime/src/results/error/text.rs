@@ -90,11 +90,14 @@ impl fmt::Display for SolveError {
                 )
             }
             Self::StepRefused { t, reason: Refusal::TimeTooCoarse, .. } => {
-                let spacing = t.abs().next_up() - t.abs();
+                let (spacing, t) = (t.abs().next_up() - t.abs(), rounded(*t));
+                f.write_str("the motion cannot be followed from t = ")?;
+                if t.abs() < 1e6 { write!(f, "{t}") } else { write!(f, "{t:e}") }?;
                 write!(
                     f,
-                    "the motion cannot be followed from t = {t:e}: neighbouring floating-point numbers are {spacing} \
-                     apart there, too far for a step of this motion; let t begin at a smaller number"
+                    ": neighbouring floating-point numbers are {spacing:.1e} apart there, too far for a step of this \
+                     motion; if t is large, let it begin at a smaller number, and otherwise the motion grows without \
+                     bound there"
                 )
             }
             Self::StepRefused { t, t_refused, row_name, joint, reason, limit } => {
