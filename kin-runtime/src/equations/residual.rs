@@ -6,13 +6,11 @@
 //!
 //! ```text
 //! Rᵢ = Σⱼ |∂Φᵢ/∂qⱼ| cⱼ        cⱼ = 1 for angles and scalars, L for lengths
-//! |Φᵢ| ≤ ε Rᵢ        |Φ_q q̇ + Φ_t|ᵢ ≤ δ Rᵢ v        |Φ_q q̈ − γ|ᵢ ≤ δ Rᵢ max(a, v²)
-//! v = maxⱼ |q̇ⱼ|/cⱼ        a = maxⱼ |q̈ⱼ|/cⱼ
+//! |Φᵢ| ≤ ε Rᵢ        |Φ_q q̇ + Φ_t|ᵢ ≤ δ Rᵢ maxⱼ |q̇ⱼ|/cⱼ        |Φ_q q̈ − γ|ᵢ ≤ δ Rᵢ maxⱼ |q̈ⱼ|/cⱼ
 //! ```
 //!
-//! where L is the largest arm of an angle in a row of lengths. γ is a sum of terms with q̇², which may cancel. If |Φ_t|ᵢ or
-//! |γ|ᵢ is larger than Rᵢ times the largest rate, it takes the place of this product. ε is at least the rounding error of
-//! q, and no residual counts that has underflowed.
+//! where L is the largest arm of an angle in a row of lengths. If |Φ_t|ᵢ or |γ|ᵢ is larger than Rᵢ times the largest rate, it
+//! takes the place of this product. ε is at least the rounding error of q, and no residual counts that has underflowed.
 
 use crate::equations::system::Parts;
 use crate::model::{Level, Model};
@@ -157,9 +155,8 @@ pub(crate) fn closed(
     let unit = arm(rows);
     let inverse = 1.0 / unit;
     let allowed = tolerances.position.max(rounding(largest(q, lengths, inverse)));
-    let [v, a] = [q_dot, q_ddot].map(|rates| largest(rates, lengths, inverse));
+    let [fast, faster] = [q_dot, q_ddot].map(|rates| tolerances.rates * largest(rates, lengths, inverse));
     let delta = tolerances.rates;
-    let (fast, faster) = (delta * v, delta * f64::max(a, v * v));
     let (mut residual, mut all) = (0.0, true);
     let right = parts.phi.iter().zip(parts.phi_t).zip(parts.gamma);
     for ((row, info), ((phi, phi_t), gamma)) in rows.iter().zip(model.rows).zip(right) {

@@ -202,25 +202,3 @@ fn a_sign_that_is_kept_leads_across_no_crossing() {
         }
     }
 }
-
-/// A row whose slope grows without bound, while its coordinate does not: 1 + tan² u is 10¹⁰ at the last instant.
-#[mechanism]
-#[coordinates(u)]
-#[constraint(slope: tan(u) = 1 / (1 - t))]
-#[guess(u = 0.78)]
-struct Steep;
-
-/// The terms of the acceleration of a steep row are much larger than the acceleration, and their rounding is no limit.
-#[test]
-fn a_steep_row_is_no_limit() {
-    let times = [0.0, 0.5, 0.9, 0.999, 0.99999];
-    let sweep = Steep.solver().sweep(&times).unwrap_or_else(|error| panic!("{error}"));
-    for (state, t) in sweep.states.iter().zip(times) {
-        let (x, square) = (1.0 - t, 1.0 + (1.0 - t) * (1.0 - t));
-        let (u, rate, acceleration) = (1_f64.atan2(x), 1.0 / square, 2.0 * x / (square * square));
-        assert!((state.q[0] - u).abs() < 1e-14 && (state.q_dot[0] - rate).abs() < 1e-9, "{t}: {state}");
-        assert!((state.q_ddot[0] - acceleration).abs() < 1e-5, "{t}: {state}");
-    }
-    let mut tracker = Steep.solver().tracker(&Instant::at(0.0)).expect("it closes");
-    assert!(times[1..].iter().all(|t| tracker.update(&Instant::at(*t)).is_ok()));
-}
