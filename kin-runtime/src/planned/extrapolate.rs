@@ -25,6 +25,9 @@ const SAMPLES: usize = 7;
 /// Lower bounds of w of the farthest state, which are tried in turn.
 const WIDTHS: [f64; 9] = [0.02, 0.006, 0.002, 6e-4, 2e-4, 6e-5, 2e-5, 6e-6, 2e-6];
 
+/// Further bounds between these, which are tried where none of them is accurate.
+const FURTHER_WIDTHS: [f64; 8] = [0.011, 0.0035, 1.1e-3, 3.5e-4, 1.1e-4, 3.5e-5, 1.1e-5, 3.5e-6];
+
 /// The smallest w of the farthest state where the motion did not start farther away.
 const NARROWEST: f64 = 1e-6;
 
@@ -36,7 +39,7 @@ const FLAT: f64 = 0.1;
 
 /// Largest change that leaving out one of the samples may cause, relative to 1 + |q_k| for a coordinate and to the
 /// interval for its parameter.
-const AGREEMENT: f64 = 5e-7;
+const AGREEMENT: f64 = 1e-7;
 
 /// Largest branch value of an iterated group at its limit, relative to that of the nearest sample. Within a sharp corner
 /// of a curve w may seem to go to 0 before it is followed around the corner.
@@ -68,7 +71,10 @@ impl<M: Mechanism> PlanFollower<M> {
         // Narrow intervals avoid the influence of other limits, wide ones that of rounding; the one with the smallest
         // error is used.
         let mut best: Option<Found<M>> = None;
-        for width in WIDTHS {
+        for (k, width) in WIDTHS.into_iter().chain(FURTHER_WIDTHS).enumerate() {
+            if k == WIDTHS.len() && best.as_ref().is_some_and(|best| best.error <= AGREEMENT) {
+                break;
+            }
             let found = self.extrapolate_from(mechanism, course, (group, at, width), blocked);
             let is_better = |found: &Found<M>| best.as_ref().is_none_or(|best| found.error < best.error);
             if let Some(found) = found.filter(is_better) {

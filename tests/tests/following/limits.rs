@@ -1,7 +1,7 @@
 //! Dyads of every kind near, at and beyond their limits: rounding errors grow as the conditioning predicts, the mode is
 //! kept, and a group that cannot close is named.
 
-use kin_runtime::{Instant, Kinematics, Options, PlanError, Planned, Sign, SolveError, mechanism};
+use kin_runtime::{Instant, Kinematics, Limit, Options, PlanError, Planned, Sign, SolveError, mechanism};
 use kin_tests::compare::largest;
 use kin_tests::random::Random;
 
@@ -199,6 +199,39 @@ fn a_sign_that_is_kept_leads_across_no_crossing() {
             let SolveError::Singular { t, .. } = error.source else { panic!("{error}") };
             assert!((t - 0.3).abs() < 2e-3, "{error}");
             assert_eq!(error.trajectory.len(), times.iter().filter(|t| **t < 0.3).count());
+        }
+    }
+}
+
+/// A beam on a rope that runs over its end and becomes shorter, up to the shortest rope that reaches the end.
+#[mechanism]
+#[bodies(beam)]
+#[revolute(hinge: ground @ (0, 0), beam @ (0, 0))]
+#[rope(tackle: ground @ (-1.144, 1.456), beam @ (0.65, 0.28), ground @ (0.941, 0.312), length = 2.425 + 0.33 * sin(0.245 * t))]
+#[guess(beam.phi = 1)]
+struct Hoist;
+
+/// The limit is where it is, not at the last instant before it, at which rates are inaccurate already.
+#[test]
+fn a_limit_is_not_moved_to_an_instant_beside_it() {
+    let length = |phi: f64| {
+        let (sin, cos) = phi.sin_cos();
+        let [x, y] = [0.65 * cos - 0.28 * sin, 0.65 * sin + 0.28 * cos];
+        (x + 1.144).hypot(y - 1.456) + (x - 0.941).hypot(y - 0.312)
+    };
+    let near = Hoist.solver().sweep(&[0.0, 6.0, 13.0]).expect("it is before the limit").states[2].q[2];
+    let (mut low, mut high) = (near - 0.8, near + 0.8);
+    while high - low > 1e-9 {
+        let [a, b] = [low + (high - low) / 3.0, high - (high - low) / 3.0];
+        if length(a) < length(b) { high = b } else { low = a }
+    }
+    let shortest = length(0.5 * (low + high));
+    let limit = (std::f64::consts::PI - ((shortest - 2.425) / 0.33).asin()) / 0.245;
+    for before in [3e-8, 1e-7, 2e-7, 1e-6] {
+        for times in [vec![0.0, limit - before, 14.0], vec![0.0, 6.0, 13.0, limit - before, 14.0]] {
+            let error = Hoist.solver().sweep(&times).expect_err("the rope is too short");
+            let at = error.source.limit().and_then(Limit::at).expect("it is located");
+            assert!((at - limit).abs() < 1e-9 * limit, "{before} {}: {at} {limit}", times.len());
         }
     }
 }
