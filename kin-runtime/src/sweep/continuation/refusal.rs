@@ -59,9 +59,7 @@ pub(super) fn refusal(
     };
     let (t_here, after_natural) = (equations.time_at(start.s), equations.time_at(start.s + natural));
     let step = (after_natural - t_here).abs();
-    // NaN where time stands still and the step has no bound.
-    let is_elsewhere = |at: f64| step.is_finite() && !is_between(at, t_here, t_refused, ELSEWHERE * step);
-    let located = located.filter(|limit| limit.at().is_some_and(|at| !is_elsewhere(at)));
+    let located = located.filter(|limit| limit.at().is_some_and(|at| !is_elsewhere(at, [t_here, t_refused], step)));
     let limit = located.or_else(|| there(equations)).filter(|_| !jumps);
     let evaluated = equations.move_to(start.s).and_then(|()| equations.evaluate(Subset::VELOCITY, q, None));
     if let Err(error) = evaluated {
@@ -99,6 +97,12 @@ pub(super) fn refusal(
     SolveError::StepRefused { t, t_refused, row_name, joint, reason, limit }
 }
 
+/// True for the time of a limit at which a motion that ends between these two times cannot end. `step` is the longest step
+/// there; it is not finite where it has no bound or time stands still, so that no limit is known to be elsewhere.
+fn is_elsewhere(t: f64, [from, refused]: [f64; 2], step: f64) -> bool {
+    step.is_finite() && !is_between(t, from, refused, ELSEWHERE * step)
+}
+
 /// True for a time between two others, or outside of them by no more than `beside` and rounding.
 fn is_between(t: f64, a: f64, b: f64, beside: f64) -> bool {
     let beside = beside + 1e-9 * a.abs().max(b.abs());
@@ -107,7 +111,7 @@ fn is_between(t: f64, a: f64, b: f64, beside: f64) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::is_between;
+    use super::{is_between, is_elsewhere};
 
     #[test]
     fn a_time_is_on_the_way_in_either_direction_or_just_beside_it() {
@@ -122,5 +126,17 @@ mod tests {
         }
         // The rounding is that of the time with the larger absolute value.
         assert!(is_between(1e-7, -200.0, 0.0, 0.0) && !is_between(3e-7, -200.0, 0.0, 0.0));
+    }
+
+    #[test]
+    fn a_limit_that_is_many_steps_away_is_another_one() {
+        for refused in [0.5746, 0.5747] {
+            let elsewhere = |t: f64| is_elsewhere(t, [0.5746, refused], 1e-6);
+            assert!([1.2697, 0.5749, 0.574_49, -1.0].into_iter().all(elsewhere), "{refused}");
+            assert!(![0.5746, 0.574_69, 0.574_51].into_iter().any(elsewhere), "{refused}");
+        }
+        for step in [f64::INFINITY, f64::NAN] {
+            assert!(!is_elsewhere(1.2697, [0.5746, 0.5747], step));
+        }
     }
 }
