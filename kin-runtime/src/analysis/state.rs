@@ -16,6 +16,7 @@ pub(crate) fn state(equations: &mut Equations<'_>, position: Position) -> Result
     equations.scale = Scale::around(equations, &q);
     let (q_dot, factor) = velocity(equations, &q, None)?;
     let q_ddot = acceleration(equations, &q, &q_dot, &factor)?;
+    equations.check_slopes([&q, &q_dot, &q_ddot])?;
     let mut state = State {
         model: equations.model,
         t: equations.t,

@@ -3,6 +3,7 @@
 use crate::mechanism::Mechanism;
 use crate::plan::{Depth, Plan, Solved, StepKind};
 use crate::planned::lists::Margins;
+use crate::planned::rounded_rates::certainty_of_slopes;
 use crate::scalar::Scalar;
 use crate::scalar::lanes::Octet;
 use crate::signal::Instant;
@@ -143,6 +144,35 @@ impl<Q: AsRef<[Octet]> + AsMut<[Octet]>> BlockSolution<Q> {
         self.margin.set(lane, poses.margin.lane(lane));
         self.good[lane] = poses.is_good(lane);
         limit
+    }
+
+    /// Refuses lanes in which rounding errors dominate a solution because the slopes of iterated rows change too fast.
+    /// Rates count if accelerations have been computed.
+    #[inline(always)]
+    pub(super) fn refuse_steep<M: Mechanism>(
+        &mut self,
+        mechanism: &M,
+        (parameters, at): (&[Octet], &Instant<'_, Octet>),
+        depth: Depth,
+    ) {
+        if !M::ROWS_TURN || !M::model().plan.iterates() {
+            return;
+        }
+        let [mut turns, still] = [M::Coordinates::<Octet>::filled(Octet::default()); 2];
+        let counted = mechanism.turns_with(parameters, at, self.q.as_ref(), turns.as_mut());
+        debug_assert!(counted.is_ok(), "the columns have been counted");
+        let rates = match depth {
+            Depth::Acceleration => [self.q_dot.as_ref(), self.q_ddot.as_ref()],
+            _ => [still.as_ref(); 2],
+        };
+        let certainty = certainty_of_slopes(M::model(), turns.as_ref(), [self.q.as_ref(), rates[0], rates[1]]);
+        for lane in 0..Octet::COUNT {
+            // The comparison is written so that NaN is refused.
+            if self.is_good(lane) && !(certainty.lane(lane) >= 0.0) {
+                self.refuse(lane);
+                self.margin.set(lane, 0.0);
+            }
+        }
     }
 
     /// Whether a lane is solved.

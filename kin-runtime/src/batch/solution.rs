@@ -184,6 +184,7 @@ impl<M: Mechanism> Solve<'_, M> {
         let mut poses = BlockSolution { q, q_dot, q_ddot, margin: Octet::default(), good: [true; Octet::COUNT] };
         let mut good = Octet::from_f64(1.0);
         let all = poses.solve(self.mechanism, &Question { parameters, at, modes, start, depth }, margins).is_none();
+        poses.refuse_steep(self.mechanism, (parameters, at), depth);
         let lengths = least_length(self.mechanism, parameters, at);
         for lane in (0..Octet::COUNT).filter(|lane| lengths.lane(*lane) < 0.0) {
             poses.refuse(lane);

@@ -25,6 +25,7 @@ mod radii;
 pub(crate) mod residual;
 pub(crate) mod scale;
 pub(crate) mod system;
+mod turns;
 
 /// A coordinate that the caller prescribes: the row q_k − value.
 #[derive(Clone, Copy, Debug)]

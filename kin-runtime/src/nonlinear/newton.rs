@@ -67,6 +67,8 @@ const LAST_STEP: f64 = 1e-9;
 const PROGRESS: f64 = 1e-3;
 const PATIENCE: usize = 12;
 const LARGEST_RADIUS: f64 = 2.0;
+/// Reduction of the residual by one full step that only steps near a root bring about.
+const CONTRACTION: f64 = 1e-3;
 /// Residuals above this never count as zero, however large the coordinates are.
 const LARGEST_ROUNDING: f64 = 1e-6;
 
@@ -80,9 +82,10 @@ pub(crate) fn solve(problem: &mut dyn Residual, q: &mut [f64], settings: &Settin
     (outcome.worst, outcome.gap) = largest(&residual);
     let mut radius = settings.trust_radius;
     let mut history = vec![residual.norm()];
+    let mut contracts = false;
     let mut trial = q.to_vec();
     while outcome.iterations < settings.max_iterations {
-        outcome.converged = outcome.gap <= tolerance(settings, q, problem.columns());
+        outcome.converged = is_closed(problem, settings, q, &residual, contracts);
         if outcome.gap == 0.0 {
             return outcome;
         }
@@ -123,9 +126,10 @@ pub(crate) fn solve(problem: &mut dyn Residual, q: &mut [f64], settings: &Settin
             if ratio >= 1e-4 {
                 q.copy_from_slice(&trial);
                 let improved = gap <= 0.5 * outcome.gap;
+                contracts |= newton_fits && gap <= CONTRACTION * outcome.gap;
                 (outcome.worst, outcome.gap) = (worst, gap);
                 residual = new;
-                let closed = gap <= tolerance(settings, q, problem.columns());
+                let closed = is_closed(problem, settings, q, &residual, contracts);
                 if closed && newton_fits && (length <= LAST_STEP || (outcome.converged && !improved)) {
                     outcome.converged = true;
                     return outcome;
@@ -144,13 +148,24 @@ pub(crate) fn solve(problem: &mut dyn Residual, q: &mut [f64], settings: &Settin
         }
         history.push(residual.norm());
         let before = history.len().checked_sub(PATIENCE + 1).map(|k| history[k]);
-        let closed = outcome.gap <= tolerance(settings, q, problem.columns());
+        let closed = is_closed(problem, settings, q, &residual, contracts);
         if !closed && before.is_some_and(|before| residual.norm() > (1.0 - PROGRESS) * before) {
             return Outcome { converged: false, ..outcome };
         }
     }
-    outcome.converged = outcome.gap <= tolerance(settings, q, problem.columns());
+    outcome.converged = is_closed(problem, settings, q, &residual, contracts);
     outcome
+}
+
+/// True if every r is zero within tolerance. A row that is steeper here than on the common scale may be open by as much
+/// more once a full step has reduced the residual as only steps near a root do: beside a pole of a row they halve it.
+fn is_closed(problem: &dyn Residual, settings: &Settings, q: &[f64], residual: &DVector<f64>, contracts: bool) -> bool {
+    let allowed = tolerance(settings, q, problem.columns());
+    if !contracts || largest(residual).1 <= allowed {
+        return largest(residual).1 <= allowed;
+    }
+    let jacobian = scale_columns(problem.jacobian(), problem.columns());
+    residual.iter().zip(jacobian.row_iter()).all(|(r, row)| r.abs() <= allowed * row.amax().max(1.0))
 }
 
 /// The tolerance of the settings, but not below the effect of rounding in q.

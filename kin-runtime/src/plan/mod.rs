@@ -148,9 +148,9 @@ impl Plan {
     }
 }
 
-/// A correction this small, for an unknown of size 1, is the last one: the next would be its square, which is below
-/// rounding.
-const LAST: f64 = 3e-9;
+/// A correction this small, for an unknown of size 1, is the last one: the next would be about its square, which is below
+/// rounding. The rounding of a larger unknown is proportional to its size, and so is the square of its last correction.
+pub(crate) const LAST: f64 = 3e-9;
 
 /// A correction this small, for an unknown of size 1, is a rounding error.
 const ROUNDING: f64 = 1e-13;
@@ -204,7 +204,10 @@ pub fn iterate<T: Scalar, const N: usize, const M: usize>(
         rounding = true;
         for ((index, step), is_length) in places.into_iter().zip(steps).zip(lengths) {
             let relative = step / (T::from_f64(1.0) + x[index].abs());
-            last &= relative.is_within(last_step) && (!is_length || (step / length).is_within(last_step));
+            last &= match is_length {
+                true => relative.is_within(last_step) && (step / length).is_within(last_step),
+                false => (step * relative).is_within(last_step * last_step),
+            };
             rounding &= relative.is_within(rounding_step);
         }
         if last {

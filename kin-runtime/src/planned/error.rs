@@ -254,6 +254,14 @@ pub enum PlanError {
         /// The instant requested.
         t_refused: f64,
     },
+    /// Rounding errors dominate a coordinate or its rates, because the slopes of the rows that determine it change too
+    /// fast there.
+    Rounded {
+        /// Time.
+        t: f64,
+        /// The name of the coordinate.
+        coordinate: &'static str,
+    },
     /// NaN or infinity in an argument, a parameter or a result.
     NonFinite {
         /// The list: `q`, `t`, `parameters`, `inputs`, `margins`, ….
@@ -280,6 +288,12 @@ impl PlanError {
     pub(super) fn negative_length(model: &Model, t: f64, index: usize, length: f64) -> Self {
         let joint = model.joints.iter().filter(|joint| joint.keeps_distance()).nth(index);
         Self::NegativeLength { t, joint: joint.map_or("", |joint| joint.name), length }
+    }
+
+    /// The error for a coordinate that rounding errors dominate, given its index.
+    #[cold]
+    pub(super) fn rounded(model: &Model, t: f64, k: usize) -> Self {
+        Self::Rounded { t, coordinate: model.coordinates.get(k).map_or("", |coordinate| coordinate.name) }
     }
 
     /// The step that has no solution, with its margin.
@@ -338,6 +352,12 @@ impl fmt::Display for PlanError {
                     t_refused = rounded(*t_refused)
                 )
             }
+            Self::Rounded { t, coordinate } => write!(
+                f,
+                "at t = {t}, rounding errors dominate the rates of `{coordinate}`, because the slopes of its rows change \
+                 too fast there",
+                t = rounded(*t)
+            ),
             Self::NonFinite { what: "margins", t, .. } => write!(
                 f,
                 "at t = {t} the plan has no solution: a dimension, or a difference of dimensions, by which it divides \

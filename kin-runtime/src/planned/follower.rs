@@ -120,6 +120,8 @@ pub(crate) enum Fault {
     Group(usize),
     /// The motion is too far from its prediction.
     Coarse,
+    /// Rounding errors dominate this coordinate or its rates; its index.
+    Rounded(usize),
     /// A number is not finite.
     NonFinite,
 }

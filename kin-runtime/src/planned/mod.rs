@@ -18,6 +18,7 @@ pub(crate) mod predict;
 mod range;
 pub(crate) mod rates;
 mod report;
+pub(crate) mod rounded_rates;
 mod step;
 pub(crate) mod step_length;
 mod substeps;

@@ -23,6 +23,7 @@ use crate::planned::PlanError;
 use crate::planned::branch::FAR_FROM_LIMITS;
 use crate::planned::follower::{PlanFollower, PlanSolution};
 use crate::planned::lists::{BranchValues, Margins, Modes};
+use crate::planned::rounded_rates::first_steep;
 use crate::scalar::compare::{all_above, all_finite};
 use crate::state::State;
 use crate::workspace::{Array, Instant, Subset};
@@ -199,6 +200,9 @@ impl<M: Mechanism> Solver<'_, M> {
             self.mechanism.evaluate_with(parameters.as_ref(), Subset::ALL, at, q, q_dot, &mut workspace).ok()?;
             self.residual(&Parts::of(&workspace), solution)?
         };
+        if !self.slopes_are_certain(parameters, at, solution) {
+            return None;
+        }
         if !solution.iter().all(|numbers| all_finite(numbers)) || model.has_curves && !self.touches(at, q) {
             return None;
         }
@@ -210,6 +214,17 @@ impl<M: Mechanism> Solver<'_, M> {
         self.mechanism.observe_with(parameters.as_ref(), at, q, q_dot, &mut observations).ok()?;
         write_poses(&Parts::of(&observations), &mut state).ok()?;
         Some(state)
+    }
+
+    /// True if rounding errors dominate no coordinate.
+    #[inline]
+    fn slopes_are_certain(&self, parameters: &M::Parameters<f64>, at: &Instant<'_>, solution: [&[f64]; 3]) -> bool {
+        if !M::ROWS_TURN || !M::model().plan.iterates() {
+            return true;
+        }
+        let mut turns = M::Coordinates::<f64>::filled(0.0);
+        let counted = self.mechanism.turns_with(parameters.as_ref(), at, solution[0], turns.as_mut());
+        counted.is_ok() && first_steep(M::model(), turns.as_ref(), solution).is_none()
     }
 
     /// The largest residual if all rows of position level are satisfied; otherwise none.
@@ -264,7 +279,12 @@ impl<M: Mechanism> Solver<'_, M> {
         let mut margins = Margins::filled(0.0);
         let mut q = M::Coordinates::<f64>::filled(0.0);
         self.solved(parameters, at, start.q.as_ref(), start.modes.of_closures(), q.as_mut(), &mut margins)?;
-        if !margins.are_good() || !self.stays_near(parameters, at, start.q.as_ref(), q.as_ref()) {
+        let still = M::Coordinates::<f64>::filled(0.0);
+        let solution = [q.as_ref(), still.as_ref(), still.as_ref()];
+        if !margins.are_good()
+            || !self.stays_near(parameters, at, start.q.as_ref(), q.as_ref())
+            || !self.slopes_are_certain(parameters, at, solution)
+        {
             return None;
         }
         if !all_above(margins.as_ref(), ACCURATE) {

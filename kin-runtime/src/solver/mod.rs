@@ -336,7 +336,9 @@ fn acceleration_at(equations: &mut Equations<'_>, q: &[f64], q_dot: &[f64]) -> R
     equations.check("q_dot", q_dot)?;
     equations.scale = Scale::around(equations, q);
     let factor = factorize(equations, q, None)?;
-    acceleration(equations, q, q_dot, &factor).map_err(|error| explain(equations, q, &factor, error))
+    let found = acceleration(equations, q, q_dot, &factor).map_err(|error| explain(equations, q, &factor, error))?;
+    equations.check_slopes([q, q_dot, &found])?;
+    Ok(found)
 }
 
 fn motion_at(equations: &mut Equations<'_>, state: &State, sharing: Sharing) -> Result<Motion, SolveError> {

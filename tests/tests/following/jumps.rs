@@ -46,7 +46,7 @@ struct Kinked {
 }
 
 /// How many instants a sweep, one without the plan, a tracker, the plan's follower and a batch reach.
-fn reached<M: Mechanism + Sync>(mechanism: &M, times: &[f64]) -> [usize; 5] {
+pub(super) fn reached<M: Mechanism + Sync>(mechanism: &M, times: &[f64]) -> [usize; 5] {
     let (solver, first) = (mechanism.solver(), Instant::at(times[0]));
     let start = solver.state(&first).expect("it closes").q;
     let count = |options: Options| match mechanism.solver().with_options(options).sweep(times) {

@@ -18,5 +18,6 @@ mod poles;
 mod ratios;
 mod redundant;
 mod special_dimensions;
+mod steep_rows;
 mod tracker;
 mod transmission;

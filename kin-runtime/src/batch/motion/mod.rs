@@ -12,6 +12,7 @@ use crate::mechanism::Mechanism;
 use crate::plan::{Depth, Plan};
 use crate::planned::branch::{FAR_FROM_LIMITS, OUT_OF_REACH, certainty_of, resolves};
 use crate::planned::follower::{Control, NEGLIGIBLE, PlanFollower, has_scalars, rows_turn_alone};
+use crate::planned::hidden_motion::least_or_nan;
 use crate::planned::lists::{BranchValues, Distances, Margins, Modes};
 use crate::planned::mode_changes::CLOSE;
 use crate::planned::predict::{parabola, turned, weights};
@@ -38,8 +39,9 @@ pub(super) struct Motion<M: Mechanism> {
     t: f64,
     /// The weight of each coordinate in every set: radians per unit.
     weights: M::Coordinates<Octet>,
-    /// The angles by which the gradients of rows turn per unit of each coordinate; used if `rows_turn_alone`.
-    turns: M::Coordinates<Octet>,
+    /// The angles by which the gradients of rows turn per unit of each coordinate, for both states; used if
+    /// `rows_turn_alone`.
+    turns: [M::Coordinates<Octet>; 2],
     rows_turn_alone: bool,
     /// Whether there are scalar coordinates, whose weights change with their values.
     has_scalars: bool,
@@ -64,7 +66,7 @@ impl<M: Mechanism> Motion<M> {
             inputs: Array::filled(Signal::constant(0.0)),
             t: 0.0,
             weights: Array::filled(nothing),
-            turns: Array::filled(nothing),
+            turns: [Array::filled(nothing); 2],
             rows_turn_alone: rows_turn_alone::<M>(),
             has_scalars: has_scalars(M::model()),
         }
@@ -79,15 +81,20 @@ impl<M: Mechanism> Motion<M> {
     pub(super) fn begin(&mut self, mechanism: &M, at: &Instant<'_, Octet>) -> Option<Refusals> {
         let mut limits = self.solve(mechanism, at);
         self.orient(mechanism, at);
+        let trial = &mut self.poses[1 - self.good];
+        trial.refuse_steep(mechanism, (self.parameters.as_ref(), at), Depth::Acceleration);
         let lengths = least_length(mechanism, self.parameters.as_ref(), at);
         for lane in 0..Octet::COUNT {
             if lengths.lane(lane) < 0.0 {
                 self.poses[1 - self.good].refuse(lane);
                 self.poses[1 - self.good].margin.set(lane, 0.0);
-                limits.get_or_insert([None; Octet::COUNT]);
             }
         }
-        self.keep(mechanism, at);
+        if self.poses[1 - self.good].good != [true; Octet::COUNT] {
+            limits.get_or_insert([None; Octet::COUNT]);
+        }
+        self.measure_turns(mechanism, at);
+        self.keep(at);
         weights(M::model(), self.poses[self.good].q.as_ref(), self.weights.as_mut());
         let poses = self.poses();
         let limits = limits?;
@@ -167,12 +174,17 @@ impl<M: Mechanism> Motion<M> {
         }
         // No group is so near to its limit that rates are inaccurate, and no number is NaN.
         let far = (nearer - Octet::from_f64(1.0)).is_within(1.0 - FAR_FROM_LIMITS);
+        self.measure_turns(mechanism, at);
+        if self.rows_turn_alone && plan.iterates() {
+            least = least_or_nan(least, self.certainty_of_slopes());
+        }
         if limits.is_none() & far & is_positive(least) {
-            self.keep(mechanism, at);
+            self.keep(at);
             return None;
         }
         let refusals = self.alone(mechanism, at, least);
-        self.keep(mechanism, at);
+        self.measure_turns(mechanism, at);
+        self.keep(at);
         refusals
     }
 
@@ -202,18 +214,24 @@ impl<M: Mechanism> Motion<M> {
         self.poses[1 - self.good].solve(mechanism, &question, &mut self.margins)
     }
 
+    /// Computes the turns of the gradients of rows at the trial state, if they are used.
+    #[inline(always)]
+    fn measure_turns(&mut self, mechanism: &M, at: &Instant<'_, Octet>) {
+        if self.rows_turn_alone {
+            let trial = 1 - self.good;
+            let (q, to) = (self.poses[trial].q.as_ref(), self.turns[trial].as_mut());
+            let turns = mechanism.turns_with(self.parameters.as_ref(), at, q, to);
+            debug_assert!(turns.is_ok(), "q and turns have n numbers");
+        }
+    }
+
     /// Accepts the trial state.
     #[inline(always)]
-    fn keep(&mut self, mechanism: &M, at: &Instant<'_, Octet>) {
+    fn keep(&mut self, at: &Instant<'_, Octet>) {
         self.margins_before = self.margins;
         self.good = 1 - self.good;
         self.t = at.t.lane(0);
         self.inputs.as_mut().iter_mut().zip(at.inputs).for_each(|(to, from)| *to = from.map(|x| x.lane(0)));
-        if self.rows_turn_alone {
-            let q = self.poses[self.good].q;
-            let turns = mechanism.turns_with(self.parameters.as_ref(), at, q.as_ref(), self.turns.as_mut());
-            debug_assert!(turns.is_ok(), "q and turns have n numbers");
-        }
         if self.has_scalars {
             weights(M::model(), self.poses[self.good].q.as_ref(), self.weights.as_mut());
         }
@@ -307,7 +325,7 @@ impl<M: Mechanism> Motion<M> {
         own(&mut self.modes, from, to);
         own(&mut self.margins_before, from, to);
         own(&mut self.weights, from, to);
-        own(&mut self.turns, from, to);
+        own(&mut self.turns[self.good], from, to);
         let poses = &mut self.poses[self.good];
         let others = *poses;
         poses.copy_lane(&others, from, to);

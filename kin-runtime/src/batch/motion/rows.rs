@@ -1,11 +1,12 @@
 //! The check of a common step where the gradients of rows turn otherwise than bodies do.
 
-use super::Motion;
+use super::{BlockSolution, Motion};
 use crate::course::{Between, Course, kind};
 use crate::mechanism::Mechanism;
 use crate::planned::follower::Control;
 use crate::planned::hidden_motion::{FRACTIONS, Stretch, certainty_within, least_or_nan};
 use crate::planned::predict::largest_turn;
+use crate::planned::rounded_rates::certainty_of_slopes;
 use crate::planned::turning_rows::TrialStep;
 use crate::scalar::Scalar;
 use crate::scalar::lanes::Octet;
@@ -16,7 +17,7 @@ impl<M: Mechanism> Motion<M> {
     /// The largest turn of the gradients of rows in a step of the length h from the last instant.
     pub(super) fn turn_of_rows(&self, h: f64) -> Octet {
         let here = self.poses();
-        largest_turn([here.q_dot.as_ref(), here.q_ddot.as_ref()], self.turns.as_ref(), h)
+        largest_turn([here.q_dot.as_ref(), here.q_ddot.as_ref()], self.turns[self.good].as_ref(), h)
     }
 
     /// Not negative in lanes in which a step of the length h turns the gradients of rows no farther than bodies may turn,
@@ -27,7 +28,7 @@ impl<M: Mechanism> Motion<M> {
         let step = TrialStep {
             parameters: self.parameters.as_ref(),
             modes: &self.modes,
-            turns: self.turns.as_ref(),
+            turns: self.turns[self.good].as_ref(),
             before: [here.q.as_ref(), here.q_dot.as_ref(), here.q_ddot.as_ref()],
             predicted: self.predicted.as_ref(),
             tried: [tried.q.as_ref(), tried.q_dot.as_ref()],
@@ -38,6 +39,15 @@ impl<M: Mechanism> Motion<M> {
         let certainty = step.certainty_of_rows(mechanism, control);
         debug_assert!(certainty.is_ok(), "the columns have been counted");
         certainty.unwrap_or_else(|_| Octet::from_f64(-1.0))
+    }
+
+    /// Not negative in lanes in which rounding errors are small in the trial state; may be NaN in others.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn certainty_of_slopes(&self) -> Octet {
+        let BlockSolution { q, q_dot, q_ddot, .. } = &self.poses[1 - self.good];
+        let turns = self.turns[1 - self.good].as_ref();
+        certainty_of_slopes(M::model(), turns, [q.as_ref(), q_dot.as_ref(), q_ddot.as_ref()])
     }
 
     /// Not negative in lanes in which the step to the time t hides no motion; `allowed` is the largest distance of the

@@ -92,6 +92,9 @@ impl<M: Mechanism> PlanFollower<M> {
         let reached = course.at(blocked.interval[0], inputs.as_mut());
         let Some(fault) = blocked.fault else { return (PlanError::TooManySteps { t: reached, t_refused: t }, last) };
         let plan = &M::model().plan;
+        if let Fault::Rounded(k) = fault {
+            return (PlanError::rounded(M::model(), t, k), last);
+        }
         let Some((of_margin, step)) = step_of(M::model(), fault) else {
             self.predicted = blocked.here.q;
             let why = match self.solve_in_modes(mechanism, at) {
@@ -286,7 +289,7 @@ fn step_of(model: &'static Model, fault: Fault) -> Option<(usize, Step)> {
     let index = match fault {
         Fault::Margin(index) => index,
         Fault::Group(group) => model.plan.margin_of_group(group)?,
-        Fault::Coarse | Fault::NonFinite => return None,
+        Fault::Coarse | Fault::Rounded(_) | Fault::NonFinite => return None,
     };
     Step::of_margin(model, index).map(|step| (index, step))
 }

@@ -127,8 +127,11 @@ impl<M: Mechanism> PlanFollower<M> {
             }
             self.measure();
         }
-        match self.ill_conditioned(mechanism, at) {
-            Some(group) => Err(blocked(Fault::Group(group))),
+        if let Some(group) = self.ill_conditioned(mechanism, at) {
+            return Err(blocked(Fault::Group(group)));
+        }
+        match self.first_rounded(mechanism, at) {
+            Some(k) => Err(blocked(Fault::Rounded(k))),
             None => Ok(()),
         }
     }

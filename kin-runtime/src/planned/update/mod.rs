@@ -259,6 +259,10 @@ impl<M: Mechanism> PlanFollower<M> {
             (self.branch.modes, self.turns, self.weights) = kept;
             return Err(error);
         }
+        if let Some(k) = self.first_rounded(mechanism, at) {
+            (self.branch.modes, self.turns, self.weights) = kept;
+            return Err(PlanError::rounded(M::model(), at.t, k));
+        }
         if !plan.orientations.is_empty() {
             // An iteration may find any solution near its start, so its orientation is taken from the result.
             let q = &self.trial().q;
@@ -312,7 +316,7 @@ impl<M: Mechanism> PlanFollower<M> {
             true => !self.checks_determinant_signs || self.keeps_orientations(mechanism, at)?,
             false => self.stays_on_its_branch(mechanism, at, resolves(least, turn))?,
         };
-        if !stays {
+        if !stays || self.first_rounded(mechanism, at).is_some() {
             return Ok(false);
         }
         self.accept(at, nearest, true);

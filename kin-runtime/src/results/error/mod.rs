@@ -26,6 +26,8 @@ pub enum Refusal {
     StepTooSmall,
     /// More internal steps than allowed.
     TooManySteps,
+    /// Rounding errors dominate the rates, because the slopes of rows change too fast.
+    Rounded,
     /// A driver or an input is discontinuous.
     Discontinuous,
     /// t is so large that neighbouring `f64` are farther apart than a step of the motion.
@@ -39,6 +41,7 @@ impl fmt::Display for Refusal {
             Self::NotAssembled => "the mechanism cannot be assembled beyond it",
             Self::StepTooSmall => "the internal step became too small",
             Self::TooManySteps => "too many internal steps",
+            Self::Rounded => "rounding errors dominate the rates there, because the slopes of rows change too fast",
             Self::Discontinuous => "a driver or an input jumps there",
             Self::TimeTooCoarse => {
                 "t is too large: neighbouring floating-point numbers are too far apart there for a step of the motion"
@@ -116,6 +119,14 @@ pub enum SolveError {
         joint: &'static str,
         /// Rank of all rows.
         rank: usize,
+    },
+    /// Rounding errors dominate a coordinate or its rates, because the slopes of the rows that determine it change too
+    /// fast there.
+    Rounded {
+        /// Time.
+        t: f64,
+        /// The name of the coordinate.
+        coordinate: &'static str,
     },
     /// No derivative of this order satisfies all rows.
     InconsistentDerivative {

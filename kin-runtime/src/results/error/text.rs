@@ -1,7 +1,7 @@
 //! Messages of the errors of analyses.
 
 use super::{Refusal, SolveError};
-use crate::planned::Limit;
+use crate::planned::{Limit, PlanError};
 use crate::text::{entry, rounded};
 use core::fmt;
 
@@ -52,6 +52,7 @@ impl fmt::Display for SolveError {
                  {residual:.3e} (scaled; rank {rank})",
                 t = rounded(*t)
             ),
+            Self::Rounded { t, coordinate } => PlanError::Rounded { t: *t, coordinate }.fmt(f),
             Self::InconsistentDerivative { t, order, residual, row_name, joint, rank } => write!(
                 f,
                 "no derivative of order {order} satisfies all rows at t = {t}: row `{row_name}` of joint `{joint}` is \

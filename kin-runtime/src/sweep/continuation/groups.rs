@@ -29,19 +29,6 @@ const REGULAR: f64 = 1e3;
 const PASSING: f64 = 0.5;
 const FLAT: f64 = 1e-3;
 
-/// The angles by which the gradients of rows turn per unit of every coordinate at q; empty without a plan, with
-/// prescribed coordinates, or where the evaluation fails.
-pub(super) fn turns(equations: &Equations<'_>, at: &Instant<'_>, q: &[f64]) -> Vec<f64> {
-    if equations.given() > 0 || !equations.model.plan.exists() {
-        return Vec::new();
-    }
-    let mut turns = vec![0.0; q.len()];
-    if equations.system.turns(at, q, &mut turns).is_err() {
-        turns.clear();
-    }
-    turns
-}
-
 /// The largest angle by which a displacement, or a rate, turns a body at q, in radians.
 ///
 /// Where branch values and the turns of rows show how far the groups are from their limits, lengths do not count: a
@@ -155,7 +142,7 @@ pub(super) fn are_ill_conditioned(
     let by_margin = |group: usize| plan.margin_of_group(group).map_or(1.0, |margin| margins[margin].max(0.0).sqrt());
     let distance = |(group, w): (usize, &f64)| if w.is_nan() { 1.0 } else { w.abs().min(by_margin(group)) };
     let distances: Vec<f64> = groups.iter().enumerate().map(distance).collect();
-    let turns = turns(equations, &equations.instant(), q);
+    let turns = equations.turns(&equations.instant(), q);
     let further = 1e-6 / largest_angle(equations.model, &turns, q_dot);
     let ahead: Vec<f64> = q.iter().zip(q_dot).map(|(q, v)| q + further * v).collect();
     let mut rates = Vec::new();

@@ -60,7 +60,7 @@ pub(super) fn basis_with(equations: &Equations<'_>, state: &State, factor: Facto
     let orientation = Orientation::here(equations, &factor).ok_or_else(singular)?;
     let mut groups = Vec::new();
     equations.write_branch_values(&state.q, &mut groups);
-    let turns = groups::turns(equations, &state.instant(), &state.q);
+    let turns = equations.turns(&state.instant(), &state.q);
     Ok(Basis { orientation, factor, groups, turns })
 }
 
@@ -97,7 +97,7 @@ pub(super) fn rates(
 }
 
 /// The longest step from q in which no body turns by more than the options allow. `nearest` is the distance of the group
-/// that is nearest to its limit; `turns` are those of [`groups::turns`].
+/// that is nearest to its limit; `turns` are those of [`Equations::turns`].
 pub(super) fn natural_step(
     equations: &Equations<'_>,
     [q, q_dot, q_ddot]: [&[f64]; 3],

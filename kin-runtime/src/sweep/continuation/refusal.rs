@@ -40,6 +40,7 @@ pub(super) fn refusal(
         Fault::Error(error) => return error,
         Fault::Open(row) => (Some(row), Refusal::NotAssembled),
         Fault::Jump(row) => (Some(row), Refusal::WouldJump),
+        Fault::Rounded(row) => (Some(row), Refusal::Rounded),
         Fault::Coarse(_) => (None, Refusal::StepTooSmall),
     };
     let spacing = f64::EPSILON * start.s.abs();

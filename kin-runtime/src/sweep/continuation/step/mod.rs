@@ -74,6 +74,8 @@ pub(crate) enum Fault {
     Jump(usize),
     /// The step is too long for the accuracy requested; the factor by which it should be shortened.
     Coarse(f64),
+    /// Rounding errors dominate the rates; the row with the largest residual at the prediction.
+    Rounded(usize),
     /// An evaluation failed.
     Error(SolveError),
 }
@@ -142,8 +144,11 @@ pub(super) fn settle(
     let Scratch { closing, groups: [predicted_groups, groups], predicted, motion, .. } = scratch;
     let state = &mut to.state;
     equations.evaluate(Subset { phi: true, ..Subset::VELOCITY }, &state.q, None)?;
-    let gap = closing.iter().map(|&row| (equations.phi[row] * equations.scale.rows[row]).abs()).fold(0.0, f64::max);
-    if gap > equations.options.tolerance && gap > closed(equations, &state.q) {
+    let allowed = closed(equations, &state.q);
+    let scaled_phi = |row: usize| (equations.phi[row] * equations.scale.rows[row]).abs();
+    // A row may have become steeper than where the scale was chosen.
+    let is_open = |&row: &usize| scaled_phi(row) > allowed && scaled_phi(row) > allowed * equations.largest_scaled(row);
+    if closing.iter().any(is_open) {
         return Err(Fault::Open(worst));
     }
     if let Some(row) = contact::turned_about(equations, &from.node.state.q, &state.q) {
@@ -213,6 +218,10 @@ pub(super) fn settle(
     {
         return Err(Fault::Jump(worst));
     }
+    if last && equations.check_slopes([&state.q, &state.q_dot, &state.q_ddot]).is_err() {
+        return Err(Fault::Rounded(worst));
+    }
+    let turns = equations.turns(&equations.instant(), &state.q);
     to.s = s;
     state.t = equations.t;
     state.inputs.clone_from(&equations.inputs);
@@ -220,7 +229,6 @@ pub(super) fn settle(
     state.condition = Some(found.condition);
     state.residual = closing.iter().map(|&row| equations.phi[row].abs()).fold(0.0, f64::max);
     state.iterations = iterations;
-    let turns = groups::turns(equations, &equations.instant(), &state.q);
     to.basis = Some(Basis { orientation: oriented, factor: found, groups: groups.clone(), turns });
     Ok(())
 }

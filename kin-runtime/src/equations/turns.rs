@@ -1,0 +1,36 @@
+//! How fast the gradients of rows turn, and rounding errors that dominate a solution for that reason.
+
+use super::Equations;
+use crate::error::SolveError;
+use crate::planned::rounded_rates::first_steep;
+use crate::signal::Instant;
+
+impl Equations<'_> {
+    /// How far the gradients of rows turn with each coordinate at a configuration, in radians per unit; empty if there is
+    /// no plan, or if coordinates are prescribed.
+    pub(crate) fn turns(&self, at: &Instant<'_>, q: &[f64]) -> Vec<f64> {
+        if self.given() > 0 || !self.model.plan.exists() {
+            return Vec::new();
+        }
+        let mut turns = vec![0.0; q.len()];
+        if self.system.turns(at, q, &mut turns).is_err() {
+            turns.clear();
+        }
+        turns
+    }
+
+    /// An error if rounding errors dominate a coordinate in a solution q, q̇, q̈ of the current instant. Where the plan
+    /// divides by 0 it cannot tell.
+    pub(crate) fn check_slopes(&self, solution: [&[f64]; 3]) -> Result<(), SolveError> {
+        if !self.model.plan.iterates() {
+            return Ok(());
+        }
+        let turns = self.turns(&self.instant(), solution[0]);
+        let is_known = !turns.is_empty() && turns.iter().all(|turn| turn.is_finite());
+        let found = if is_known { first_steep(self.model, &turns, solution) } else { None };
+        match found {
+            Some(k) => Err(SolveError::Rounded { t: self.t, coordinate: self.model.coordinates[k].name }),
+            None => Ok(()),
+        }
+    }
+}

@@ -1,0 +1,113 @@
+//! Detection of iterated rows whose slopes change so fast that rounding errors dominate what they determine.
+//!
+//! If a row f determines a coordinate x, then ẍ = −(f″/f′) ẋ² + …. Rounding changes x by ε|x|, so it changes f″/f′ by about
+//! ε|x|w² with w = |f″/f′|, the turn of the row per unit of x ([`turns_with`](crate::Mechanism::turns_with)). What this
+//! does to ẍ must be small compared with ẍ or, where its terms cancel, with ẋ². And within the last correction of the
+//! iteration, λ = 3·10⁻⁹ √(1 + |x|), or 3·10⁻⁹ |x| for a length, the slope must be about the same: beside a pole of f a correction is small, although
+//! there is no root.
+//!
+//! ```text
+//! ε |x| w² ẋ² ≤ 4·10⁻⁶ max(|ẍ|, u ẋ²),   λ w ≤ 0.1
+//! ```
+//!
+//! Here u is 1 for an angle, w for a length, whose unit is arbitrary, and the smaller of 1 and w for a scalar coordinate,
+//! whose unit is not known.
+
+use super::follower::{PlanFollower, PlanSolution};
+use super::hidden_motion::least_or_nan;
+use super::ill_conditioned::NOISE;
+use crate::mechanism::Mechanism;
+use crate::model::{Component, CoordinateKind, Model};
+use crate::plan::{LAST, StepKind};
+use crate::scalar::compare::Compare;
+use crate::signal::Instant;
+use crate::workspace::Array;
+
+/// Largest relative change of a slope within the last correction.
+const CHANGE: f64 = 0.1;
+
+/// Not negative where rounding errors are small in all unknowns of iterations and in their rates; NaN where this is not
+/// certain. The arguments are the turns of rows per unit of each coordinate, and q, q̇ and q̈.
+pub(crate) fn certainty_of_slopes<V: Compare>(model: &Model, turns: &[V], solution: [&[V]; 3]) -> V {
+    let unknowns =
+        unknowns(model).map(|k| certainty(model.coordinates[k].kind, turns[k], solution.map(|list| list[k])));
+    unknowns.fold(V::from_f64(1.0), least_or_nan)
+}
+
+impl<M: Mechanism> PlanFollower<M> {
+    /// The first coordinate of the trial state that rounding errors dominate.
+    #[inline]
+    pub(super) fn first_rounded(&self, mechanism: &M, at: &Instant<'_>) -> Option<usize> {
+        if !self.rows_turn_alone || !M::model().plan.iterates() {
+            return None;
+        }
+        let PlanSolution { q, q_dot, q_ddot, .. } = self.trial();
+        let mut turns = M::Coordinates::<f64>::filled(0.0);
+        let counted = mechanism.turns_with(self.parameters.as_ref(), at, q.as_ref(), turns.as_mut());
+        debug_assert!(counted.is_ok(), "q and turns have n numbers");
+        first_steep(M::model(), turns.as_ref(), [q.as_ref(), q_dot.as_ref(), q_ddot.as_ref()])
+    }
+}
+
+/// The first coordinate that rounding errors dominate.
+pub(crate) fn first_steep(model: &Model, turns: &[f64], solution: [&[f64]; 3]) -> Option<usize> {
+    // The comparison is written so that NaN is rejected.
+    let is_certain = |k: usize| certainty(model.coordinates[k].kind, turns[k], solution.map(|list| list[k])) >= 0.0;
+    unknowns(model).find(|k| !is_certain(*k))
+}
+
+/// The coordinates for which the plan iterates.
+fn unknowns(model: &Model) -> impl Iterator<Item = usize> {
+    model.plan.steps.iter().flat_map(|step| {
+        let unknowns = if let StepKind::Newton(unknowns) = step.kind { unknowns } else { 0 };
+        step.coordinates.iter().take(unknowns).map(|&(k, _)| k)
+    })
+}
+
+/// The lesser difference of both sides of the two conditions, for one coordinate.
+fn certainty<V: Compare>(kind: CoordinateKind, w: V, [x, v, a]: [V; 3]) -> V {
+    let one = V::from_f64(1.0);
+    let [unit, last] = match kind {
+        CoordinateKind::Pose { component: Component::Phi, .. } => [one, (one + x.abs()).sqrt()],
+        CoordinateKind::Pose { .. } => [w, x.abs()],
+        CoordinateKind::Scalar => [w.least(one), (one + x.abs()).sqrt()],
+    };
+    let noise = V::from_f64(f64::EPSILON) * x.abs() * (w * v) * (w * v);
+    let of_rates = V::from_f64(NOISE) * a.abs().greatest(unit * v * v) - noise;
+    least_or_nan(of_rates, V::from_f64(CHANGE) - V::from_f64(LAST) * last * w)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const ANGLE: CoordinateKind = CoordinateKind::Pose { body: 0, component: Component::Phi };
+    const LENGTH: CoordinateKind = CoordinateKind::Pose { body: 0, component: Component::X };
+
+    /// At w² |x| = 4·10⁻⁶/ε the rounding of an angle is as large as allowed.
+    #[test]
+    fn an_acceleration_is_uncertain_where_rounding_makes_too_much_of_it() {
+        let edge = (4e-6 / f64::EPSILON).sqrt();
+        for (w, certain) in [(0.999 * edge, true), (1.001 * edge, false)] {
+            let is_certain = |kind: CoordinateKind, w: f64, solution: [f64; 3]| certainty(kind, w, solution) >= 0.0;
+            for v in [1.0, -30.0] {
+                for x in [1.0, -1.0] {
+                    assert_eq!(certain, is_certain(ANGLE, w, [x, v, 0.0]), "{w:e} {x} {v}");
+                    assert_eq!(certain, is_certain(CoordinateKind::Scalar, w, [x, v, 0.0]), "{w:e} {x} {v}");
+                    // A larger acceleration has more digits.
+                    assert!(is_certain(ANGLE, w, [x, v, 1.1 * v * v]) && is_certain(ANGLE, w, [x, v, -1.1 * v * v]));
+                    // A quarter of the rounding is as good as half of the turn.
+                    assert_eq!(certain, is_certain(ANGLE, 2.0 * w, [0.25 * x, v, 0.0]));
+                }
+            }
+            // What rests has no acceleration to lose.
+            assert!(is_certain(ANGLE, w, [1.0, 0.0, 0.0]) && is_certain(LENGTH, w, [1.0, 1.0, 0.0]));
+        }
+        let length = |x: f64| certainty(LENGTH, 10.0, [x, 2.0, 0.0]) >= 0.0;
+        assert!(length(0.999e-7 * edge * edge * 1e6) && !length(1.001e-1 * edge * edge));
+        // In a larger unit of a scalar the turn per unit and all rates are larger.
+        let scalar = |w: f64, x: f64| certainty(CoordinateKind::Scalar, w, [x, 3.0, 0.0]) >= 0.0;
+        assert!(scalar(1e-3, 0.999e3 * edge * edge) && !scalar(1e-3, 1.001e3 * edge * edge));
+        assert!(certainty(ANGLE, f64::NAN, [1.0, 1.0, 0.0]).is_nan());
+    }
+}
