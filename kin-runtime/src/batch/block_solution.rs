@@ -168,7 +168,8 @@ impl<Q: AsRef<[Octet]> + AsMut<[Octet]>> BlockSolution<Q> {
         let certainty = certainty_of_slopes(M::model(), turns.as_ref(), [self.q.as_ref(), rates[0], rates[1]]);
         for lane in 0..Octet::COUNT {
             // The comparison is written so that NaN is refused.
-            if self.is_good(lane) && !(certainty.lane(lane) >= 0.0) {
+            let is_certain = certainty.lane(lane) >= 0.0;
+            if self.is_good(lane) && !is_certain {
                 self.refuse(lane);
                 self.margin.set(lane, 0.0);
             }
