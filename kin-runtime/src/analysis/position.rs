@@ -67,6 +67,8 @@ pub(crate) fn finish(equations: &mut Equations<'_>, q: Vec<f64>, outcome: Outcom
     if outcome.converged {
         let rows = equations.rows_where(Equations::holonomic);
         let residual = rows.iter().map(|&row| equations.phi[row].abs()).fold(0.0, f64::max);
+        let still = vec![0.0; q.len()];
+        equations.check_slopes([&q, &still, &still])?;
         return Ok(Position { q, iterations: outcome.iterations, residual });
     }
     if let Some(conflict) = given_conflict(equations) {

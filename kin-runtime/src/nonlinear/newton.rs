@@ -143,6 +143,7 @@ pub(crate) fn solve(problem: &mut dyn Residual, q: &mut [f64], settings: &Settin
             }
             radius = 0.25 * length.min(radius);
             if radius < 1e-15 || !radius.is_finite() || outcome.iterations >= settings.max_iterations {
+                outcome.converged |= is_rounding(problem, q, &residual);
                 return outcome;
             }
         }
@@ -161,17 +162,30 @@ pub(crate) fn solve(problem: &mut dyn Residual, q: &mut [f64], settings: &Settin
 /// more once a full step has reduced the residual as only steps near a root do: beside a pole of a row they halve it.
 fn is_closed(problem: &dyn Residual, settings: &Settings, q: &[f64], residual: &DVector<f64>, contracts: bool) -> bool {
     let allowed = tolerance(settings, q, problem.columns());
-    if !contracts || largest(residual).1 <= allowed {
-        return largest(residual).1 <= allowed;
-    }
+    largest(residual).1 <= allowed || contracts && are_within(problem, residual, allowed)
+}
+
+/// True if every r at q, where no step reduces it any more, is as small as rounding of q makes it.
+fn is_rounding(problem: &mut dyn Residual, q: &[f64], residual: &DVector<f64>) -> bool {
+    // The last evaluation may have been at a rejected trial point.
+    problem.evaluate(q) && are_within(problem, residual, rounding(farthest(q, problem.columns()).max(1.0)))
+}
+
+/// True if every r is at most `allowed` of the largest entry of its row, at least of 1.
+fn are_within(problem: &dyn Residual, residual: &DVector<f64>, allowed: f64) -> bool {
     let jacobian = scale_columns(problem.jacobian(), problem.columns());
-    residual.iter().zip(jacobian.row_iter()).all(|(r, row)| r.abs() <= allowed * row.amax().max(1.0))
+    let largest = |allowed: f64| if allowed.is_finite() { allowed } else { 0.0 };
+    residual.iter().zip(jacobian.row_iter()).all(|(r, row)| r.abs() <= largest(allowed * row.amax().max(1.0)))
 }
 
 /// The tolerance of the settings, but not below the effect of rounding in q.
 fn tolerance(settings: &Settings, q: &[f64], columns: &[f64]) -> f64 {
-    let far = q.iter().zip(columns).map(|(x, d)| (x / d).abs()).fold(0.0, f64::max);
-    settings.tolerance.max(rounding(far))
+    settings.tolerance.max(rounding(farthest(q, columns)))
+}
+
+/// The largest scaled coordinate.
+fn farthest(q: &[f64], columns: &[f64]) -> f64 {
+    q.iter().zip(columns).map(|(x, d)| (x / d).abs()).fold(0.0, f64::max)
 }
 
 /// The residual that rounding of coordinates of scaled size `far` causes, at most [`LARGEST_ROUNDING`].
