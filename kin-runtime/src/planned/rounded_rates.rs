@@ -103,11 +103,22 @@ mod tests {
             // What rests has no acceleration to lose.
             assert!(is_certain(ANGLE, w, [1.0, 0.0, 0.0]) && is_certain(LENGTH, w, [1.0, 1.0, 0.0]));
         }
-        let length = |x: f64| certainty(LENGTH, 10.0, [x, 2.0, 0.0]) >= 0.0;
-        assert!(length(0.999e-7 * edge * edge * 1e6) && !length(1.001e-1 * edge * edge));
-        // In a larger unit of a scalar the turn per unit and all rates are larger.
-        let scalar = |w: f64, x: f64| certainty(CoordinateKind::Scalar, w, [x, 3.0, 0.0]) >= 0.0;
-        assert!(scalar(1e-3, 0.999e3 * edge * edge) && !scalar(1e-3, 1.001e3 * edge * edge));
+        // The unit of a length is arbitrary; in a larger unit of a scalar the turn per unit is larger.
+        let scalar = |x: f64| certainty(CoordinateKind::Scalar, 1e-3, [x, 3.0, 0.0]) >= 0.0;
+        assert!(scalar(0.999e3 * edge * edge) && !scalar(1.001e3 * edge * edge));
         assert!(certainty(ANGLE, f64::NAN, [1.0, 1.0, 0.0]).is_nan());
+    }
+
+    /// Beside a pole the slope changes within a correction that is small enough to be the last.
+    #[test]
+    fn a_slope_does_not_change_within_the_last_correction() {
+        for (factor, certain) in [(0.999, true), (1.001, false)] {
+            // An acceleration so large that rounding does not matter.
+            let is_certain = |kind: CoordinateKind, w: f64, x: f64| certainty(kind, w, [x, 1.0, 1e30]) >= 0.0;
+            let edge = factor * 0.1 / 3e-9;
+            assert_eq!([certain; 2], [ANGLE, CoordinateKind::Scalar].map(|kind| is_certain(kind, edge, 0.0)));
+            assert_eq!([certain; 2], [ANGLE, CoordinateKind::Scalar].map(|kind| is_certain(kind, 0.25 * edge, -15.0)));
+            assert_eq!([certain; 2], [0.2, -40.0].map(|x: f64| is_certain(LENGTH, edge / x.abs(), x)));
+        }
     }
 }
