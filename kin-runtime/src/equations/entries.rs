@@ -29,6 +29,13 @@ impl Equations<'_> {
         sizes.fold(0.0, f64::max)
     }
 
+    /// The smallest |entry| of a row of Φ_q that is not 0, with row and columns on the common scale.
+    pub(crate) fn smallest_scaled(&self, row: usize) -> f64 {
+        let scale = &self.scale;
+        let sizes = self.row(row).map(|(column, value)| (value * scale.rows[row] * scale.columns[column]).abs());
+        sizes.filter(|size| *size > 0.0).fold(f64::INFINITY, f64::min)
+    }
+
     /// The given rows of Φ_q as a dense matrix, rows on the common scale, columns in their own units.
     pub(crate) fn scaled_rows(&self, rows: &[usize]) -> DMatrix<f64> {
         let mut matrix = DMatrix::zeros(rows.len(), self.coordinates());

@@ -171,11 +171,15 @@ fn is_rounding(problem: &mut dyn Residual, q: &[f64], residual: &DVector<f64>) -
     problem.evaluate(q) && are_within(problem, residual, rounding(farthest(q, problem.columns()).max(1.0)))
 }
 
-/// True if every r is at most `allowed` of the largest entry of its row, at least of 1.
+/// True if every r is at most `allowed` of the smallest entry of its row that is not 0, and at least of 1.
 fn are_within(problem: &dyn Residual, residual: &DVector<f64>, allowed: f64) -> bool {
     let jacobian = scale_columns(problem.jacobian(), problem.columns());
-    let largest = |allowed: f64| if allowed.is_finite() { allowed } else { 0.0 };
-    residual.iter().zip(jacobian.row_iter()).all(|(r, row)| r.abs() <= largest(allowed * row.amax().max(1.0)))
+    let smallest = |row: usize| {
+        let entries =
+            jacobian.row(row).iter().map(|entry| entry.abs()).filter(|entry| *entry > 0.0).fold(f64::MAX, f64::min);
+        if entries < f64::MAX { entries.max(1.0) } else { 1.0 }
+    };
+    residual.iter().enumerate().all(|(row, r)| r.abs() <= allowed * smallest(row))
 }
 
 /// The tolerance of the settings, but not below the effect of rounding in q.

@@ -148,8 +148,8 @@ impl fmt::Display for Limit {
             (_, false) => "locks",
         };
         write!(f, "{step} {verb} at t = {}", rounded(at))?;
-        // The words for a closure are those of its dead centres.
-        if self.kind() != Some(LimitKind::Pole) || !step.closes() {
+        // The words for a closure are those of its dead centres, those for an iteration of all singular places.
+        if self.kind() != Some(LimitKind::Pole) || step.info().is_linear() {
             write!(f, ": {}", step.info().singular)?;
         }
         f.write_str(" (")?;
@@ -240,7 +240,7 @@ pub enum PlanError {
         /// The length.
         length: f64,
     },
-    /// The motion jumps: a driver or an input changes instantaneously, so that no step is short enough.
+    /// The motion jumps: a row or an input changes instantaneously, so that no step is short enough.
     Jump {
         /// Time of the last state before the jump.
         t: f64,

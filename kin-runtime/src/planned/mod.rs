@@ -19,6 +19,7 @@ mod range;
 pub(crate) mod rates;
 mod report;
 pub(crate) mod rounded_rates;
+pub(crate) mod row_end;
 mod step;
 pub(crate) mod step_length;
 mod substeps;
@@ -147,7 +148,7 @@ impl<'m, M: Mechanism> Planned<'m, M> {
     /// # Errors
     /// [`PlanError::Limit`] where a group reaches its limit on the way, [`PlanError::Singular`] where a step is
     /// singular, [`PlanError::Contradiction`] where redundant rows contradict the others, [`PlanError::Jump`] where a
-    /// driver or an input jumps, [`PlanError::TooManySteps`]; [`PlanError::NegativeLength`], [`PlanError::NonFinite`]
+    /// row or an input jumps, [`PlanError::TooManySteps`]; [`PlanError::NegativeLength`], [`PlanError::NonFinite`]
     /// and [`PlanError::Length`]. The last accepted state then remains; [`out_of_range`](Self::out_of_range) finds the
     /// input that is the cause, and its range.
     #[inline]

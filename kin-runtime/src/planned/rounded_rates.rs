@@ -28,6 +28,7 @@ const CHANGE: f64 = 0.1;
 
 /// Not negative where rounding errors are small in all unknowns of iterations and in their rates; NaN where this is not
 /// certain. The arguments are the turns of rows per unit of each coordinate, and q, q̇ and q̈.
+#[cfg(all(feature = "simd", feature = "alloc"))]
 pub(crate) fn certainty_of_slopes<V: Compare>(model: &Model, turns: &[V], solution: [&[V]; 3]) -> V {
     let unknowns =
         unknowns(model).map(|k| certainty(model.coordinates[k].kind, turns[k], solution.map(|list| list[k])));

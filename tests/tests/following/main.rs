@@ -17,6 +17,7 @@ mod planned;
 mod poles;
 mod ratios;
 mod redundant;
+mod row_ends;
 mod special_dimensions;
 mod steep_rows;
 mod tracker;

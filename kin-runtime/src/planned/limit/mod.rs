@@ -95,6 +95,10 @@ impl<M: Mechanism> PlanFollower<M> {
         if let Fault::Rounded(k) = fault {
             return (PlanError::rounded(M::model(), t, k), last);
         }
+        let rates = [blocked.here.q.as_ref(), blocked.here.q_dot.as_ref()];
+        if let Some(error) = self.end_of_row(mechanism, (course, last), rates, [reached, t]) {
+            return (error, last);
+        }
         let Some((of_margin, step)) = step_of(M::model(), fault) else {
             self.predicted = blocked.here.q;
             let why = match self.solve_in_modes(mechanism, at) {
@@ -114,6 +118,11 @@ impl<M: Mechanism> PlanFollower<M> {
         let has_two_closures = group < plan.modes.len();
         if step.info().is_linear() {
             return self.refusal_at_pole(mechanism, course, t, (group, step), blocked);
+        }
+        if !has_two_closures && self.has_gone_to_infinity(step, blocked) {
+            let margin = self.margin_at(mechanism, course, blocked.interval[1], of_margin, blocked);
+            let located = Some(Located { at: reached, kind: Some(LimitKind::Pole) });
+            return (PlanError::Limit { t, limit: Limit { step, margin, located } }, last);
         }
         // An iteration does not converge beyond a fold, so that its margin has no root: the limit is where the walk
         // stopped.

@@ -16,6 +16,10 @@ use crate::workspace::Array;
 /// which at the limit is 0 but for rounding.
 const INFINITE: f64 = 1e3;
 
+/// How much larger a solution that goes to infinity becomes in an iteration, which is followed up to a distance from the
+/// limit of about the spacing of numbers.
+const UNBOUNDED: f64 = 1e6;
+
 /// Smallest size of a solution before its limit, relative to the largest coordinate, that the size at the limit is
 /// compared with.
 const SMALL: f64 = 1e-3;
@@ -43,7 +47,12 @@ impl<M: Mechanism> PlanFollower<M> {
 
     /// True if a coordinate of a step is much larger at the limit, in the trial state, than at the last place reached.
     pub(super) fn goes_to_infinity(&self, step: Step, blocked: &Blocked<M>) -> bool {
-        is_larger(step, [blocked.here.q.as_ref(), self.trial().q.as_ref()])
+        is_larger(step, [blocked.here.q.as_ref(), self.trial().q.as_ref()], INFINITE)
+    }
+
+    /// True if a coordinate of an iterated step has grown without bound on the way to the last place reached.
+    pub(super) fn has_gone_to_infinity(&self, step: Step, blocked: &Blocked<M>) -> bool {
+        is_larger(step, [self.state().q.as_ref(), blocked.here.q.as_ref()], UNBOUNDED)
     }
 
     /// The margin of a linear group at a place of the course, negative where its determinant has the other sign.
@@ -58,12 +67,12 @@ impl<M: Mechanism> PlanFollower<M> {
     }
 }
 
-/// True if a coordinate of a step is much larger in the second configuration than in the first.
-fn is_larger(step: Step, [here, q]: [&[f64]; 2]) -> bool {
+/// True if a coordinate of a step is larger by this factor in the second configuration than in the first.
+fn is_larger(step: Step, [here, q]: [&[f64]; 2], factor: f64) -> bool {
     let own = step.info().coordinates;
     let larger = |largest: f64, x: &f64| largest.max(x.abs());
     let all = here.iter().fold(0.0, larger);
     let before = own.iter().filter_map(|&(k, _)| here.get(k)).fold(SMALL * all, larger);
-    let is_finite = own.iter().all(|&(k, _)| q.get(k).is_some_and(|x| x.abs() < INFINITE * before));
-    !is_finite
+    let is_finite = own.iter().all(|&(k, _)| q.get(k).is_some_and(|x| x.abs() < factor * before));
+    before > 0.0 && !is_finite
 }

@@ -76,7 +76,7 @@ impl CheckedPlan {
         self.refused.as_ref().and_then(PlanError::limit).copied()
     }
 
-    /// True if the follower found that a driver or an input jumps.
+    /// True if the follower found that a row or an input jumps.
     pub(super) fn found_a_jump(&self) -> bool {
         matches!(self.refused, Some(PlanError::Jump { .. }))
     }

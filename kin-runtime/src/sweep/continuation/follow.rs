@@ -266,12 +266,12 @@ impl Continuation {
                 if s == from || is_pole && !equations.model.plan.has_redundant_rows() {
                     // The step is shorter than the spacing of floating-point numbers, or the coordinates grow without
                     // bound, so that no step is short enough.
-                    return Err(refusal(equations, &start, target, Fault::Coarse(0.5), (limit, jumps)));
+                    return Err(refusal(equations, &start, [target; 2], Fault::Coarse(0.5), (limit, jumps)));
                 }
                 // The iteration must also converge fully at a limit that the plan has found: two solutions may meet there.
                 match (self.step)(equations, scratch, start, next, s, s == aim) {
                     Ok(_) if s == aim && s != target && next.state.condition.is_some_and(|c| c > SINGULAR) => {
-                        return Err(refusal(equations, &start, s, Fault::Coarse(0.5), (limit, jumps)));
+                        return Err(refusal(equations, &start, [s, target], Fault::Coarse(0.5), (limit, jumps)));
                     }
                     Ok(growth) => {
                         iterations += self.next.state.iterations;
@@ -289,7 +289,7 @@ impl Continuation {
                         let factor = if let Fault::Coarse(factor) = fault { factor } else { 0.5 };
                         let shorter = factor * (s - from).abs();
                         if shorter < smallest {
-                            return Err(refusal(equations, &start, s, fault, (limit, jumps)));
+                            return Err(refusal(equations, &start, [s, target], fault, (limit, jumps)));
                         }
                         (self.proposed, refused) = (shorter, s);
                         continue;

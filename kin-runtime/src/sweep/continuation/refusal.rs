@@ -9,8 +9,9 @@ use crate::equations::contact;
 use crate::error::{Refusal, SolveError};
 use crate::linear::{Factorization, null_space};
 use crate::planned::Limit;
+use crate::planned::row_end::{RowEnd, RowsBeyond, row_end};
 use crate::state::State;
-use crate::workspace::Subset;
+use crate::workspace::{Instant, Subset};
 
 /// Relative pivots below this, at the last configuration before a refused step, mean that the motion ends in a singular
 /// configuration.
@@ -27,12 +28,12 @@ const BESIDE: f64 = 1e-3;
 /// went on. Steps shrink with the distance from a dead centre, and motions end less than ten of them before it.
 const ELSEWHERE: f64 = 100.0;
 
-/// The error with the reason why the motion cannot go from `start` to the place `refused`. `located` is the limit
-/// that the plan found, and `jumps` is true if the plan found that a driver or an input jumps.
+/// The error with the reason why the motion cannot go from `start` to the place `refused` on its way to `target`.
+/// `located` is the limit that the plan found, and `jumps` is true if the plan found that a row or an input jumps.
 pub(super) fn refusal(
     equations: &mut Equations<'_>,
     start: &Start<'_>,
-    refused: f64,
+    [refused, target]: [f64; 2],
     fault: Fault,
     (located, jumps): (Option<Limit>, bool),
 ) -> SolveError {
@@ -44,6 +45,16 @@ pub(super) fn refusal(
         Fault::Coarse(_) => (None, Refusal::StepTooSmall),
     };
     let spacing = f64::EPSILON * start.s.abs();
+    let ended = if located.is_none() { end_of_row(equations, start, target) } else { None };
+    let (row, reason) = match ended {
+        Some(RowEnd::Undefined(index)) => {
+            let name = equations.model.rows.get(index).map_or("", |row| row.name);
+            let t = equations.time_at(start.s);
+            return SolveError::NonFinite { what: "Φ", index, name, t: Some(t) };
+        }
+        Some(RowEnd::Jump(row)) => (Some(row), Refusal::Discontinuous),
+        None => (row, reason),
+    };
     let natural = natural_step(equations, [&start.node.state.q, start.q_dot, start.q_ddot], 1.0, &start.basis.turns);
     let is_coarse = spacing > COARSEST * natural;
     let jumps = jumps && !is_coarse;
@@ -96,6 +107,37 @@ pub(super) fn refusal(
     let names = |row| (equations.row_name(row), equations.joint_name(row));
     let (row_name, joint) = row.map_or(("", ""), names);
     SolveError::StepRefused { t, t_refused, row_name, joint, reason, limit }
+}
+
+/// The rows at a distance from a place of the course.
+struct FromPlace<'a, 'e> {
+    equations: &'a mut Equations<'e>,
+    s: f64,
+}
+
+impl RowsBeyond for FromPlace<'_, '_> {
+    fn write(&mut self, distance: f64, q: &[f64], phi: &mut [f64]) -> bool {
+        let Self { equations, s } = self;
+        if equations.move_to(*s + distance).is_err() {
+            return false;
+        }
+        let at = Instant { t: equations.t, inputs: &equations.inputs };
+        let still = vec![0.0; q.len()];
+        let is_known = equations.system.evaluate(Subset::PHI, &at, q, &still).is_ok();
+        phi.copy_from_slice(equations.system.constraints().phi);
+        is_known
+    }
+}
+
+/// What becomes of a row of the mechanism just beyond the place that a motion has reached.
+fn end_of_row(equations: &mut Equations<'_>, start: &Start<'_>, target: f64) -> Option<RowEnd> {
+    let rows = equations.model.rows.len();
+    let [mut phi, mut other] = [(); 2].map(|()| vec![0.0; rows]);
+    let mut at = vec![0.0; start.q_dot.len()];
+    let rates = [&start.node.state.q[..], start.q_dot];
+    let (length, spacing) = (target - start.s, f64::EPSILON * start.s.abs());
+    let mut place = FromPlace { equations, s: start.s };
+    row_end(&mut place, rates, (length, spacing), (&mut at, [&mut phi, &mut other]))
 }
 
 /// True for the time of a limit at which a motion that ends between these two times cannot end. `step` is the longest step

@@ -147,7 +147,10 @@ pub(super) fn settle(
     let allowed = closed(equations, &state.q);
     let scaled_phi = |row: usize| (equations.phi[row] * equations.scale.rows[row]).abs();
     // A row may have become steeper than where the scale was chosen.
-    let is_open = |&row: &usize| scaled_phi(row) > allowed && scaled_phi(row) > allowed * equations.largest_scaled(row);
+    let is_open = |&row: &usize| {
+        let phi = scaled_phi(row);
+        phi > allowed && (phi > allowed * equations.smallest_scaled(row) || !phi.is_finite())
+    };
     if closing.iter().any(is_open) {
         return Err(Fault::Open(worst));
     }
