@@ -148,9 +148,9 @@ impl<'m, M: Mechanism> Planned<'m, M> {
     /// # Errors
     /// [`PlanError::Limit`] where a group reaches its limit on the way, [`PlanError::Singular`] where a step is
     /// singular, [`PlanError::Contradiction`] where redundant rows contradict the others, [`PlanError::Jump`] where a
-    /// row or an input jumps, [`PlanError::TooManySteps`]; [`PlanError::NegativeLength`], [`PlanError::NonFinite`]
-    /// and [`PlanError::Length`]. The last accepted state then remains; [`out_of_range`](Self::out_of_range) finds the
-    /// input that is the cause, and its range.
+    /// row or an input jumps, [`PlanError::TooManySteps`]; [`PlanError::Rounded`], [`PlanError::NegativeLength`],
+    /// [`PlanError::NonFinite`] and [`PlanError::Length`]. The last accepted state then remains;
+    /// [`out_of_range`](Self::out_of_range) finds the input that is the cause, and its range.
     #[inline]
     pub fn at(&mut self, at: &Instant<'_>) -> Result<&Self, PlanError> {
         self.follower.update(self.mechanism.get(), at, &Control::USUAL)?;

@@ -218,7 +218,12 @@ impl<M: Mechanism> Solver<'_, M> {
 
     /// True if rounding errors dominate no coordinate.
     #[inline]
-    fn slopes_are_certain(&self, parameters: &M::Parameters<f64>, at: &Instant<'_>, solution: [&[f64]; 3]) -> bool {
+    pub(super) fn slopes_are_certain(
+        &self,
+        parameters: &M::Parameters<f64>,
+        at: &Instant<'_>,
+        solution: [&[f64]; 3],
+    ) -> bool {
         if !M::ROWS_TURN || !M::model().plan.iterates() {
             return true;
         }

@@ -76,6 +76,7 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     /// # Errors
     /// [`NotAssembled`](SolveError::NotAssembled) with the residual of the best attempt,
     /// [`GivenConflict`](SolveError::GivenConflict), [`UnknownCoordinate`](SolveError::UnknownCoordinate);
+    /// [`Rounded`](SolveError::Rounded) where the slopes of rows change so fast that rounding errors dominate;
     /// [`UnknownMode`](SolveError::UnknownMode), [`ModeNotAssembled`](SolveError::ModeNotAssembled) and
     /// [`Plan`](SolveError::Plan) where a mode is requested; [`NonFinite`](SolveError::NonFinite) and
     /// [`Length`](SolveError::Length) for arguments and parameters, here and in every other analysis.
@@ -135,7 +136,8 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     /// Acceleration analysis of an assembled configuration with its q̇: q̈ with Φ_q q̈ = γ.
     ///
     /// # Errors
-    /// As [`velocity`](Self::velocity), and [`InconsistentAcceleration`](SolveError::InconsistentAcceleration).
+    /// As [`velocity`](Self::velocity), [`InconsistentAcceleration`](SolveError::InconsistentAcceleration), and
+    /// [`Rounded`](SolveError::Rounded).
     pub fn acceleration(&self, at: &Instant<'_>, q: &[f64], q_dot: &[f64]) -> Result<Vec<f64>, SolveError> {
         match self.rates_by_blocks(at, q, Some(q_dot)) {
             Some(q_ddot) => Ok(q_ddot),

@@ -44,7 +44,8 @@ impl<M: Mechanism> Solver<'_, M> {
         let mut found = M::Coordinates::<f64>::filled(0.0);
         M::solve_factorised(&factors, right.as_ref(), found.as_mut()).ok()?;
         let found = found.as_ref();
-        if !all_finite(found) || model.has_curves && !self.touches(at, q) {
+        let is_certain = q_dot.is_none_or(|q_dot| self.slopes_are_certain(&parameters, at, [q, q_dot, found]));
+        if !all_finite(found) || !is_certain || model.has_curves && !self.touches(at, q) {
             return None;
         }
 

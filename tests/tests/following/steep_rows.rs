@@ -150,3 +150,23 @@ fn the_plan_takes_no_pole_for_a_root() {
         }
     }
 }
+
+/// The acceleration of a given configuration, too.
+#[test]
+fn the_acceleration_of_a_configuration_is_right_or_refused() {
+    let (number, angle) = (OfNumber { end: 1.0 }, OfAngle { end: 1.0 });
+    for n in 2..=9 {
+        let at = Instant::at(1.0 - 0.1_f64.powi(n));
+        let s = 1.0 - at.t;
+        let q = [(1.0 / s).atan()];
+        for found in [
+            number.solver().velocity(&at, &q).and_then(|v| number.solver().acceleration(&at, &q, &v)),
+            angle.solver().velocity(&at, &q).and_then(|v| angle.solver().acceleration(&at, &q, &v)),
+        ] {
+            match found {
+                Ok(a) => assert!(n <= 4 && (a[0] - rates(s)[1]).abs() <= 1e-7, "10^-{n}: {a:?}"),
+                Err(error) => assert!(n > 4 && matches!(error, SolveError::Rounded { .. }), "10^-{n}: {error}"),
+            }
+        }
+    }
+}
