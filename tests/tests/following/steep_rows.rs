@@ -170,3 +170,16 @@ fn the_acceleration_of_a_configuration_is_right_or_refused() {
         }
     }
 }
+
+/// Step by step, the motion ends where ε |u| w² exceeds 4·10⁻⁶ with w = 2/s, at s = 1.9·10⁻⁵.
+#[test]
+fn all_ways_end_at_the_same_instant_of_a_fine_grid() {
+    let mut distances = vec![1.0, 0.3, 0.1, 0.03, 0.01];
+    while distances.last().is_some_and(|s| *s > 1e-7) {
+        distances.extend(distances.last().map(|s| 0.9 * s));
+    }
+    let times: Vec<f64> = distances.iter().map(|s| 1.0 - s).collect();
+    let expected = distances.iter().filter(|s| **s > 1.868e-5).count();
+    assert_eq!([expected; 5], reached(&OfNumber { end: 1.0 }, &times));
+    assert_eq!([expected; 5], reached(&OfAngle { end: 1.0 }, &times));
+}
