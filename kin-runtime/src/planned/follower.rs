@@ -92,7 +92,7 @@ pub(crate) struct PlanFollower<M: Mechanism> {
     /// See [`rows_turn_alone`].
     pub(super) rows_turn_alone: bool,
     /// Whether there are scalar coordinates, whose weights change with their values.
-    has_scalars: bool,
+    pub(super) has_scalars: bool,
     /// Whether a group may change the sign of its determinant although the turns of bodies do not bring it near its
     /// limit.
     pub(super) checks_determinant_signs: bool,

@@ -259,7 +259,7 @@ impl<M: Mechanism> PlanFollower<M> {
             (self.branch.modes, self.turns, self.weights) = kept;
             return Err(error);
         }
-        if let Some(k) = self.first_rounded(mechanism, at) {
+        if let Some(k) = self.first_rounded(&self.turns) {
             (self.branch.modes, self.turns, self.weights) = kept;
             return Err(PlanError::rounded(M::model(), at.t, k));
         }
@@ -316,12 +316,18 @@ impl<M: Mechanism> PlanFollower<M> {
             true => !self.checks_determinant_signs || self.keeps_orientations(mechanism, at)?,
             false => self.stays_on_its_branch(mechanism, at, resolves(least, turn))?,
         };
-        if !stays || self.first_rounded(mechanism, at).is_some() {
+        if !stays {
             return Ok(false);
         }
+        if self.rows_turn_alone {
+            let Some(turns) = self.turns_unless_rounded(mechanism, at) else { return Ok(false) };
+            self.turns = turns;
+        }
         self.accept(at, nearest, true);
-        let q = self.state().q;
-        self.measure_turns(mechanism, at, &q);
+        if self.has_scalars {
+            let q = self.state().q;
+            weights(M::model(), q.as_ref(), self.weights.as_mut());
+        }
         Ok(true)
     }
 }
