@@ -3,8 +3,8 @@
 //! If a row f determines a coordinate x, then ẍ = −(f″/f′) ẋ² + …. Rounding changes x by ε|x|, so it changes f″/f′ by about
 //! ε|x|w² with w = |f″/f′|, the turn of the row per unit of x ([`turns_with`](crate::Mechanism::turns_with)). What this
 //! does to ẍ must be small compared with ẍ or, where its terms cancel, with ẋ². And within the last correction of the
-//! iteration, λ = 3·10⁻⁹ √(1 + |x|), or 3·10⁻⁹ |x| for a length, the slope must be about the same: beside a pole of f a correction is small, although
-//! there is no root.
+//! iteration, λ = 3·10⁻⁹ √(1 + |x|), or 3·10⁻⁹ |x| for a length, the slope must be about the same: beside a pole of f
+//! corrections are small, too, although there is no root.
 //!
 //! ```text
 //! ε |x| w² ẋ² ≤ 4·10⁻⁶ max(|ẍ|, u ẋ²),   λ w ≤ 0.1

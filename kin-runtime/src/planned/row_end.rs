@@ -12,10 +12,12 @@ use crate::model::Model;
 use crate::signal::{Instant, Signal};
 use crate::workspace::Array;
 
-/// What becomes of the row with this index.
+/// What becomes of a row, given by its index.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum RowEnd {
+    /// It is not a finite number.
     Undefined(usize),
+    /// It is discontinuous.
     Jump(usize),
 }
 
@@ -38,11 +40,11 @@ pub(crate) trait RowsBeyond {
 }
 
 /// The end of a row at a configuration q with the rates q̇ along the course, whose length, with its direction as the sign,
-/// is `length`. `least` is the spacing of numbers on the course. `at` and the pair `phi` are buffers.
+/// is `length`. `spacing` is that of floating-point numbers on the course. `at` and the pair `phi` are buffers.
 pub(crate) fn row_end(
     rows: &mut dyn RowsBeyond,
     [q, q_dot]: [&[f64]; 2],
-    (length, least): (f64, f64),
+    (length, spacing): (f64, f64),
     (at, [phi, other]): (&mut [f64], [&mut [f64]; 2]),
 ) -> Option<RowEnd> {
     let relative = q.iter().zip(q_dot).map(|(q, v)| v.abs() / (1.0 + q.abs()));
@@ -56,7 +58,7 @@ pub(crate) fn row_end(
     // Where a coordinate goes to infinity, the distance is short; time alone may go farther.
     for (time, share) in [(LITTLE * length, 0.0), (distance, 1.0)] {
         // The comparison is written so that NaN is rejected.
-        let is_far = time.abs() >= 8.0 * least;
+        let is_far = time.abs() >= 8.0 * spacing;
         if !is_far || !write(time, share, phi) {
             return None;
         }
