@@ -254,3 +254,42 @@ impl Levenberg {
         step
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// tan x = 2.
+    struct Tangent {
+        x: f64,
+    }
+
+    impl Residual for Tangent {
+        fn evaluate(&mut self, q: &[f64]) -> bool {
+            self.x = q[0];
+            self.x.tan().is_finite()
+        }
+        fn residual(&self) -> DVector<f64> {
+            DVector::from_element(1, self.x.tan() - 2.0)
+        }
+        fn jacobian(&self) -> DMatrix<f64> {
+            DMatrix::from_element(1, 1, 1.0 + self.x.tan() * self.x.tan())
+        }
+        fn columns(&self) -> &[f64] {
+            &[1.0]
+        }
+    }
+
+    /// Beside the pole the residual is small relative to the slope, which is no reason to stop.
+    #[test]
+    fn a_pole_is_no_root() {
+        let settings = Settings { max_iterations: 200, tolerance: 1e-12, trust_radius: 1.0, rank_tolerance: 1e-12 };
+        let start = std::f64::consts::FRAC_PI_2;
+        for near in [1e-3, 1e-9, 1e-12, 1e-13, 1e-15] {
+            let mut q = [start - near];
+            let outcome = solve(&mut Tangent { x: 0.0 }, &mut q, &settings);
+            assert!(!outcome.converged || (q[0].tan() - 2.0).abs() < 1e-11, "{near}: {q:?}");
+            assert!(outcome.converged, "{near}: {outcome:?}");
+        }
+    }
+}
