@@ -127,8 +127,7 @@ impl<'m> Tracker<'m> {
     /// [`Singular`](SolveError::Singular) or [`StepRefused`](SolveError::StepRefused) where the branch ends on the way;
     /// [`Length`](SolveError::Length) and [`NonFinite`](SolveError::NonFinite) for inputs, which are named;
     /// [`InconsistentVelocity`](SolveError::InconsistentVelocity) and
-    /// [`InconsistentAcceleration`](SolveError::InconsistentAcceleration) where redundant rows disagree;
-    /// [`NonFinite`](SolveError::NonFinite) where a row is not defined beyond the last state.
+    /// [`InconsistentAcceleration`](SolveError::InconsistentAcceleration) where redundant rows disagree.
     pub fn update(&mut self, at: &Instant<'_>) -> Result<&State, SolveError> {
         if let Err(error) = self.advance(at) {
             self.is_at_limit = error.limit().is_some_and(|limit| limit.at().is_some());

@@ -3,7 +3,7 @@
 use crate::mechanism::Mechanism;
 use crate::plan::{Depth, Plan, Solved, StepKind};
 use crate::planned::lists::Margins;
-use crate::planned::rounded_rates::certainty_of_slopes;
+use crate::planned::steep_rows::certainty_of_slopes;
 use crate::scalar::Scalar;
 use crate::scalar::lanes::Octet;
 use crate::signal::Instant;

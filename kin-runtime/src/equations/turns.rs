@@ -2,7 +2,7 @@
 
 use super::Equations;
 use crate::error::SolveError;
-use crate::planned::rounded_rates::first_steep;
+use crate::planned::steep_rows::first_steep;
 use crate::signal::Instant;
 
 impl Equations<'_> {

@@ -171,7 +171,7 @@ fn is_rounding(problem: &mut dyn Residual, q: &[f64], residual: &DVector<f64>) -
     problem.evaluate(q) && are_within(problem, residual, rounding(farthest(q, problem.columns()).max(1.0)))
 }
 
-/// True if every r is at most `allowed` of the smallest entry of its row that is not 0, and at least of 1.
+/// True if every r is at most `allowed` times the smallest entry of its row that is not 0, or times 1 where that is larger.
 fn are_within(problem: &dyn Residual, residual: &DVector<f64>, allowed: f64) -> bool {
     let jacobian = scale_columns(problem.jacobian(), problem.columns());
     let smallest = |row: usize| {

@@ -364,6 +364,9 @@ impl fmt::Display for PlanError {
                  is 0",
                 t = rounded(*t)
             ),
+            Self::NonFinite { what: "Φ", name, t, .. } => {
+                write!(f, "the row `{name}` is not defined beyond t = {t}", t = rounded(*t))
+            }
             Self::NonFinite { what, index, name, t } => {
                 entry(f, what, *index, name)?;
                 write!(f, " is not a finite number at t = {t}", t = rounded(*t))

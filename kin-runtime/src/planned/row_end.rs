@@ -1,8 +1,8 @@
 //! Whether a motion ends because a row of Φ does: beyond the last place reached the row is not defined, as √(1 − t) beyond
 //! t = 1, or it jumps there, as the angle of a vector does by a full turn.
 //!
-//! A jump is as large over a hundredth of an interval as over the whole of it; the change of any continuous function is
-//! smaller.
+//! A jump is as large over a hundredth of an interval as over the whole of it. The change of a continuous function is at
+//! most half as large, unless it is steeper than the sixth root of |x| at 0.
 
 use super::error::PlanError;
 use super::follower::PlanFollower;

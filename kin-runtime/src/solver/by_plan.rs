@@ -23,7 +23,7 @@ use crate::planned::PlanError;
 use crate::planned::branch::FAR_FROM_LIMITS;
 use crate::planned::follower::{PlanFollower, PlanSolution};
 use crate::planned::lists::{BranchValues, Margins, Modes};
-use crate::planned::rounded_rates::first_steep;
+use crate::planned::steep_rows::first_steep;
 use crate::scalar::compare::{all_above, all_finite};
 use crate::state::State;
 use crate::workspace::{Array, Instant, Subset};

@@ -51,7 +51,7 @@ enum Ended {
 
 fn ended_sweep(error: &SolveError) -> Ended {
     match error {
-        SolveError::NonFinite { what: "Φ", t: Some(t), .. } => Ended::Undefined(*t),
+        SolveError::StepRefused { t, reason: Refusal::Undefined, .. } => Ended::Undefined(*t),
         SolveError::StepRefused { t, reason: Refusal::Discontinuous, .. } => Ended::Jumps(*t),
         _ => error.limit().map_or(Ended::Otherwise, ended_at_limit),
     }

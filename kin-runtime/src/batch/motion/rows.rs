@@ -6,7 +6,7 @@ use crate::mechanism::Mechanism;
 use crate::planned::follower::Control;
 use crate::planned::hidden_motion::{FRACTIONS, Stretch, certainty_within, least_or_nan};
 use crate::planned::predict::largest_turn;
-use crate::planned::rounded_rates::certainty_of_slopes;
+use crate::planned::steep_rows::certainty_of_slopes;
 use crate::planned::turning_rows::TrialStep;
 use crate::scalar::Scalar;
 use crate::scalar::lanes::Octet;

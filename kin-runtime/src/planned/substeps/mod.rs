@@ -130,7 +130,7 @@ impl<M: Mechanism> PlanFollower<M> {
         if let Some(group) = self.ill_conditioned(mechanism, at) {
             return Err(blocked(Fault::Group(group)));
         }
-        match self.first_rounded(&self.turns) {
+        match self.first_steep_unknown(&self.turns) {
             Some(k) => Err(blocked(Fault::Rounded(k))),
             None => Ok(()),
         }

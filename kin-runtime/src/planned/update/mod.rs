@@ -259,7 +259,7 @@ impl<M: Mechanism> PlanFollower<M> {
             (self.branch.modes, self.turns, self.weights) = kept;
             return Err(error);
         }
-        if let Some(k) = self.first_rounded(&self.turns) {
+        if let Some(k) = self.first_steep_unknown(&self.turns) {
             (self.branch.modes, self.turns, self.weights) = kept;
             return Err(PlanError::rounded(M::model(), at.t, k));
         }
@@ -320,7 +320,7 @@ impl<M: Mechanism> PlanFollower<M> {
             return Ok(false);
         }
         if self.rows_turn_alone {
-            let Some(turns) = self.turns_unless_rounded(mechanism, at) else { return Ok(false) };
+            let Some(turns) = self.turns_unless_steep(mechanism, at) else { return Ok(false) };
             self.turns = turns;
         }
         self.accept(at, nearest, true);

@@ -28,6 +28,8 @@ pub enum Refusal {
     TooManySteps,
     /// Rounding errors dominate the rates, because the slopes of rows change too fast.
     Rounded,
+    /// A row is not defined beyond this place: a root, a logarithm or another function in it ends there.
+    Undefined,
     /// A row or an input is discontinuous.
     Discontinuous,
     /// t is so large that neighbouring `f64` are farther apart than a step of the motion.
@@ -42,6 +44,7 @@ impl fmt::Display for Refusal {
             Self::StepTooSmall => "the internal step became too small",
             Self::TooManySteps => "too many internal steps",
             Self::Rounded => "rounding errors dominate the rates there, because the slopes of rows change too fast",
+            Self::Undefined => "a row is not defined beyond it",
             Self::Discontinuous => "a row or an input jumps there",
             Self::TimeTooCoarse => {
                 "t is too large: neighbouring floating-point numbers are too far apart there for a step of the motion"

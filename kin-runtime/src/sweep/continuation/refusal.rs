@@ -37,6 +37,13 @@ pub(super) fn refusal(
     fault: Fault,
     (located, jumps): (Option<Limit>, bool),
 ) -> SolveError {
+    // The plan has looked for the end of a row before it located a limit.
+    let ended = if located.is_none() { end_of_row(equations, start, target) } else { None };
+    if let Some((row, reason)) = ended {
+        let t = equations.time_at(start.s);
+        let (row_name, joint) = (equations.row_name(row), equations.joint_name(row));
+        return SolveError::StepRefused { t, t_refused: t, row_name, joint, reason, limit: None };
+    }
     let (row, reason) = match fault {
         Fault::Error(error) => return error,
         Fault::Open(row) => (Some(row), Refusal::NotAssembled),
@@ -45,16 +52,6 @@ pub(super) fn refusal(
         Fault::Coarse(_) => (None, Refusal::StepTooSmall),
     };
     let spacing = f64::EPSILON * start.s.abs();
-    let ended = if located.is_none() { end_of_row(equations, start, target) } else { None };
-    let (row, reason) = match ended {
-        Some(RowEnd::Undefined(index)) => {
-            let name = equations.model.rows.get(index).map_or("", |row| row.name);
-            let t = equations.time_at(start.s);
-            return SolveError::NonFinite { what: "Φ", index, name, t: Some(t) };
-        }
-        Some(RowEnd::Jump(row)) => (Some(row), Refusal::Discontinuous),
-        None => (row, reason),
-    };
     let natural = natural_step(equations, [&start.node.state.q, start.q_dot, start.q_ddot], 1.0, &start.basis.turns);
     let is_coarse = spacing > COARSEST * natural;
     let jumps = jumps && !is_coarse;
@@ -129,15 +126,19 @@ impl RowsBeyond for FromPlace<'_, '_> {
     }
 }
 
-/// What becomes of a row of the mechanism just beyond the place that a motion has reached.
-fn end_of_row(equations: &mut Equations<'_>, start: &Start<'_>, target: f64) -> Option<RowEnd> {
+/// The row of the mechanism that ends just beyond the place that a motion has reached, and the reason why the motion ends
+/// there.
+fn end_of_row(equations: &mut Equations<'_>, start: &Start<'_>, target: f64) -> Option<(usize, Refusal)> {
     let rows = equations.model.rows.len();
     let [mut phi, mut other] = [(); 2].map(|()| vec![0.0; rows]);
     let mut at = vec![0.0; start.q_dot.len()];
     let rates = [&start.node.state.q[..], start.q_dot];
     let (length, spacing) = (target - start.s, f64::EPSILON * start.s.abs());
     let mut place = FromPlace { equations, s: start.s };
-    row_end(&mut place, rates, (length, spacing), (&mut at, [&mut phi, &mut other]))
+    Some(match row_end(&mut place, rates, (length, spacing), (&mut at, [&mut phi, &mut other]))? {
+        RowEnd::Undefined(row) => (row, Refusal::Undefined),
+        RowEnd::Jump(row) => (row, Refusal::Discontinuous),
+    })
 }
 
 /// True for the time of a limit at which a motion that ends between these two times cannot end. `step` is the longest step

@@ -39,7 +39,7 @@ impl<M: Mechanism> PlanFollower<M> {
     /// The first coordinate of the trial state that rounding errors dominate, where the gradients of rows turn by these
     /// angles per unit of each coordinate; `turns` is used only if rows turn otherwise than bodies.
     #[inline]
-    pub(super) fn first_rounded(&self, turns: &M::Coordinates<f64>) -> Option<usize> {
+    pub(super) fn first_steep_unknown(&self, turns: &M::Coordinates<f64>) -> Option<usize> {
         if !self.rows_turn_alone || !M::model().plan.iterates() {
             return None;
         }
@@ -49,12 +49,12 @@ impl<M: Mechanism> PlanFollower<M> {
 
     /// The angles by which the gradients of rows turn per unit of each coordinate at the trial state; `None` where rounding
     /// errors dominate a coordinate.
-    pub(super) fn turns_unless_rounded(&self, mechanism: &M, at: &Instant<'_>) -> Option<M::Coordinates<f64>> {
+    pub(super) fn turns_unless_steep(&self, mechanism: &M, at: &Instant<'_>) -> Option<M::Coordinates<f64>> {
         let mut turns = M::Coordinates::<f64>::filled(0.0);
         let q = self.trial().q.as_ref();
         let counted = mechanism.turns_with(self.parameters.as_ref(), at, q, turns.as_mut());
         debug_assert!(counted.is_ok(), "q and turns have n numbers");
-        self.first_rounded(&turns).is_none().then_some(turns)
+        self.first_steep_unknown(&turns).is_none().then_some(turns)
     }
 }
 
