@@ -108,6 +108,18 @@ struct DeadCentre;
 #[derive(Default)]
 struct Eccentric;
 
+/// A press with a toggle whose law of motion ends at t = 2.
+#[mechanism]
+#[bodies(upper, lower)]
+#[body(ram, x = 0, phi = 0)]
+#[revolute(O: ground @ (0, 0), upper @ (0, 0))]
+#[revolute(K: upper @ (0.4, 0), lower @ (0, 0))]
+#[revolute(R: lower @ (0.5, 0), ram @ (0, 0))]
+#[driver(push: upper.phi = -1.1 - 0.3 * sqrt(2 - t) + 0.05 * sin(upper.phi))]
+#[guess(upper.phi = -1.5, lower.phi = -1.6, ram.y = -0.9)]
+#[derive(Default)]
+struct Press;
+
 /// A slider-crank with units, driven by a measured angle.
 #[mechanism]
 #[bodies(crank, rod)]
@@ -145,6 +157,7 @@ fn main() -> ExitCode {
         Some("infeasible") => run("InfeasibleFourbar", args),
         Some("limits") => run("StrokeLimits", args),
         Some("loaded") => run_from::<Loaded>(args),
+        Some("press") => run_from::<Press>(args),
         Some("redundant") => run("RedundantParallelogram", args),
         Some("robot") => run("Robot3rrr", args),
         Some("singular") => run("SingularSliderCrank", args),
@@ -153,7 +166,7 @@ fn main() -> ExitCode {
         Some("with_units") => run_from::<WithUnits>(args),
         _ => {
             eprintln!(
-                "error: the first argument is arm, balanced, cam, chain, wrong_cam, dead_centre, eccentric, excavator, fourbar, ends, infeasible, leg, limits, loaded, redundant, robot, singular, teeth, underdriven or with_units"
+                "error: the first argument is arm, balanced, cam, chain, wrong_cam, dead_centre, eccentric, excavator, fourbar, ends, infeasible, leg, limits, loaded, press, redundant, robot, singular, teeth, underdriven or with_units"
             );
             ExitCode::from(2)
         }

@@ -69,3 +69,18 @@ fn a_guess_that_changes_its_mode_on_the_way_is_told() {
     assert_eq!("", kin(&format!("{BETWEEN} --at 1")).err);
     assert_eq!("", kin(&format!("{BETWEEN} --at 3 --mode A-B-guide=-")).err);
 }
+
+/// Where the law of a driver ends, the motion does; full Newton and the plan say the same.
+#[test]
+fn a_motion_goes_as_far_as_its_rows_are_defined() {
+    let said = "at t = 2 a row is not defined beyond it (joint `push`, row `push`)";
+    let ran = kin("press sweep ram.y --to limit --steps 8 --format csv");
+    assert!(
+        ran.status == Some(0)
+            && ran.err.contains(&format!("note: it ends at t = 2: the branch ends after t = 2: {said}")),
+        "{}",
+        ran.err
+    );
+    assert_eq!(9, ran.out.lines().count(), "{}", ran.out);
+    failed("press sweep ram.y --to 3 --steps 4", 1, &[said]);
+}
