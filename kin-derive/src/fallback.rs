@@ -24,8 +24,17 @@ pub(crate) fn fallback(cleaned: Option<&ItemStruct>, item: TokenStream, broken: 
         let name = Ident::new(name, proc_macro2::Span::call_site());
         quote! { type #name<__T: __kin::Scalar> = [__T; 0]; }
     };
-    let types =
-        ["Parameters", "Coordinates", "Rows", "NonZeros", "Observables", "ObservableNonZeros", "Factors"].map(empty);
+    let arrays = [
+        "Parameters",
+        "Coordinates",
+        "Rows",
+        "NonZeros",
+        "Observables",
+        "ObservableNonZeros",
+        "Factors",
+        "KnownCurves",
+    ];
+    let types = arrays.map(empty);
     let default = promises_default(item).then(|| {
         quote! {
             #[automatically_derived]

@@ -91,6 +91,12 @@ pub(super) fn turns(plan: &SolutionPlan) -> Option<List> {
     (!plan.turns.outputs.is_empty()).then(|| List::of(TURNS, "turns", Given::Position, &plan.turns))
 }
 
+/// The list of known curves, unless there are none.
+pub(super) fn known_curves(plan: &SolutionPlan) -> Option<List> {
+    let length = plan.known_curves.outputs.len();
+    (length > 0).then(|| List::of("known_curves_with", "curves", Given::Position, &plan.known_curves))
+}
+
 /// The list of branch values, which give the modes of a configuration and, if there are iterations, their orientations.
 pub(super) fn branch_values(plan: &SolutionPlan) -> Option<List> {
     plan.absent.is_none().then(|| List::of("branches_with", "branches", Given::Position, &plan.branch_values))

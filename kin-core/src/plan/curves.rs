@@ -7,8 +7,9 @@
 use super::tree::{Block, Core, Part, SolutionMethod};
 use crate::constraint::ConstraintRow;
 use crate::expr::{Depends, ExprId, Graph, Node, Symbol};
+use crate::program::{Program, Slot, lower};
 use crate::vocabulary::Function;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// True if an expression has curves over coordinates: if it depends on them in another way than by sums, products and
 /// rotated vectors.
@@ -53,6 +54,94 @@ fn hides_motion(graph: &Graph, expression: ExprId, varies: &dyn Fn(ExprId) -> bo
     })
 }
 
+/// The parts of rows that hide motion and depend on time and inputs alone or on a single coordinate, or are curves over
+/// curves, each once. Parts with supplied functions are left out, because these have no enclosure.
+fn enclosable(graph: &mut Graph, rows: &[ConstraintRow]) -> Vec<ExprId> {
+    let (mut curves, mut seen) = (BTreeSet::new(), BTreeSet::new());
+    for row in rows {
+        let expression = row.velocity.map_or(row.phi, |velocity| velocity.eta);
+        add_curves(graph, expression, &mut seen, &mut curves);
+    }
+    curves.into_iter().collect()
+}
+
+/// Adds the curves of a sum: the terms that depend on the same variable together, and the curves within the other terms.
+fn add_curves(graph: &mut Graph, sum: ExprId, seen: &mut BTreeSet<ExprId>, curves: &mut BTreeSet<ExprId>) {
+    if !seen.insert(sum) {
+        return;
+    }
+    let mut of_variable: BTreeMap<Variable, ExprId> = BTreeMap::new();
+    let mut terms = vec![(sum, false)];
+    while let Some((id, is_negative)) = terms.pop() {
+        match graph.node(id) {
+            Node::Add(a, b) => terms.extend([(b, is_negative), (a, is_negative)]),
+            Node::Sub(a, b) => terms.extend([(b, !is_negative), (a, is_negative)]),
+            Node::Neg(a) => terms.push((a, !is_negative)),
+            Node::Opaque(a) => terms.push((a, is_negative)),
+            node => match variable(graph, id) {
+                Some(Variable::None) => {}
+                Some(variable) => {
+                    let before = of_variable.get(&variable).copied().unwrap_or_else(|| graph.zero());
+                    let sum = if is_negative { graph.sub(before, id) } else { graph.add(before, id) };
+                    of_variable.insert(variable, sum);
+                }
+                None if is_composed(graph, id) => _ = curves.insert(id),
+                None => {
+                    let mut operands = Vec::new();
+                    node.for_each_operand(|operand| operands.push(operand));
+                    operands.into_iter().for_each(|operand| add_curves(graph, operand, seen, curves));
+                }
+            },
+        }
+    }
+    let varies = |graph: &Graph, id: ExprId| graph.depends(id).on(RHEONOMIC.or(Depends::COORDINATE));
+    curves.extend(of_variable.into_values().filter(|&sum| hides_motion(graph, sum, &|id| varies(graph, id))));
+}
+
+/// True for a curve over a curve of several variables, as a radius over the angle of a point, without supplied functions.
+fn is_composed(graph: &Graph, id: ExprId) -> bool {
+    let varies = |id: ExprId| !graph.depends(id).is_static();
+    let is_curve = |id: ExprId| match graph.node(id) {
+        Node::Call(_, a) => varies(a),
+        _ => is_other_curve(graph, id, &varies),
+    };
+    let within = graph.reachable([id]);
+    is_curve(id)
+        && within.iter().any(|&inner| inner != id && is_curve(inner) && variable(graph, inner).is_none())
+        && !within.iter().any(|&inner| matches!(graph.node(inner), Node::Supplied(..)))
+}
+
+/// What a part of a row varies with.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Variable {
+    /// Nothing during a motion; or it has no enclosure.
+    None,
+    /// Time and inputs.
+    Instant,
+    /// One coordinate.
+    Coordinate(u32),
+}
+
+/// What an expression varies with; `None` if it varies with several variables.
+fn variable(graph: &Graph, id: ExprId) -> Option<Variable> {
+    let depends = graph.depends(id);
+    if depends.is_static() {
+        return Some(Variable::None);
+    }
+    let mut found = depends.is_rheonomic().then_some(Variable::Instant);
+    for id in graph.reachable([id]) {
+        match graph.node(id) {
+            Node::Supplied(..) => return Some(Variable::None),
+            Node::Symbol(Symbol::Coordinate(k)) => match found {
+                None => found = Some(Variable::Coordinate(k)),
+                Some(_) => return None,
+            },
+            _ => {}
+        }
+    }
+    found
+}
+
 /// True for a sum and difference of coordinates and constants.
 fn is_sum_of_angles(graph: &Graph, id: ExprId) -> bool {
     match graph.node(id) {
@@ -84,13 +173,23 @@ pub(super) fn iterates_on_curves(graph: &Graph, block: &Block) -> bool {
     })
 }
 
-/// True if a row contains a function that may hide motion, of time, of an input, or of a coordinate for which the plan does
-/// not iterate on that row. `sources` are the rows that each row of the plan combines; without a plan no row is iterated.
-pub(super) fn known_values_curve(
-    graph: &Graph,
+/// Whether known values curve, and the program of those curves that can be enclosed.
+pub(super) fn known_curves(
+    graph: &mut Graph,
     rows: &[ConstraintRow],
     plan: Option<(&Block, &[BTreeSet<usize>])>,
-) -> bool {
+) -> (bool, Program) {
+    let curve = known_values_curve(graph, rows, plan);
+    // Velocities that are integrated hide motion, too.
+    let is_integrated = rows.iter().any(|row| row.velocity.is_some());
+    let curves = if curve || is_integrated { enclosable(graph, rows) } else { Vec::new() };
+    let outputs: Vec<_> = curves.into_iter().enumerate().map(|(k, id)| (Slot::Entry(k), id)).collect();
+    (curve, lower(graph, &outputs))
+}
+
+/// True if a row contains a function that may hide motion, of time, of an input, or of a coordinate for which the plan does
+/// not iterate on that row. `sources` are the rows that each row of the plan combines; without a plan no row is iterated.
+fn known_values_curve(graph: &Graph, rows: &[ConstraintRow], plan: Option<(&Block, &[BTreeSet<usize>])>) -> bool {
     let (mut iterated, mut found) = (BTreeSet::new(), false);
     if let Some((tree, sources)) = plan {
         any_core(tree, &mut |core| {

@@ -100,6 +100,9 @@ pub struct SolutionPlan {
     /// time, of an input, or of a coordinate for which the plan does not iterate on the row, and more than one sinusoid.
     /// It is known without a plan, too.
     pub known_values_curve: bool,
+    /// Where known values curve: those functions of time and inputs alone, or of a single coordinate, that can be enclosed
+    /// over a step.
+    pub known_curves: Program,
     /// Two programs that solve Φ_q x = b at a configuration: the first computes the `factors` values that depend on
     /// Φ_q alone, the second computes x from these values and b.
     pub resolve: [Program; 2],
@@ -144,8 +147,10 @@ pub fn plan_and_linear(system: &KinematicSystem, rank: usize, formulas: bool) ->
     match planned(system, rank, formulas) {
         Ok((plan, linear)) => (plan, Some(linear)),
         Err(why) => {
-            let known_values_curve = curves::known_values_curve(&system.set.graph, &system.set.rows, None);
-            (SolutionPlan { absent: Some(why), known_values_curve, ..SolutionPlan::default() }, None)
+            let mut graph = system.set.graph.clone();
+            let (known_values_curve, known_curves) = curves::known_curves(&mut graph, &system.set.rows, None);
+            let plan = SolutionPlan { absent: Some(why), known_values_curve, known_curves, ..SolutionPlan::default() };
+            (plan, None)
         }
     }
 }
@@ -179,7 +184,7 @@ fn planned(system: &KinematicSystem, rank: usize, written: bool) -> Result<(Solu
     let outputs: Vec<_> = values.enumerate().map(|(k, id)| (Slot::Entry(k), id)).collect();
     let branch_values = lower(&graph, &outputs);
     let iterates_on_curves = curves::iterates_on_curves(&graph, &tree);
-    let known_values_curve = curves::known_values_curve(&graph, &set.rows, Some((&tree, &source_rows)));
+    let (known_values_curve, known_curves) = curves::known_curves(&mut graph, &set.rows, Some((&tree, &source_rows)));
     let turns::Turns { by_coordinates, looks_within } = turns::turns(&mut graph, &tree, &set.coordinates);
     let outputs: Vec<_> = by_coordinates.into_iter().enumerate().map(|(k, id)| (Slot::Entry(k), id)).collect();
     let turns = lower(&graph, &outputs);
@@ -210,6 +215,7 @@ fn planned(system: &KinematicSystem, rank: usize, written: bool) -> Result<(Solu
         looks_within,
         iterates_on_curves,
         known_values_curve,
+        known_curves,
         resolve,
         factors,
         regular,

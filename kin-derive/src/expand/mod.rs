@@ -118,6 +118,7 @@ fn mechanism(
     let turning = kernels.turns_rows().then(|| quote! { const ROWS_TURN: bool = true; });
     let within = plan.looks_within.then(|| quote! { const CLOSED_ROWS_TURN: bool = true; });
     let curving = plan.iterates_on_curves.then(|| quote! { const ROWS_CURVE: bool = true; });
+    let known_curves = plan.known_curves.outputs.len();
     let hiding = plan.known_values_curve.then(|| quote! { const KNOWN_VALUES_CURVE: bool = true; });
     let constraints_with = method(
         &TokenStream::new(),
@@ -182,6 +183,7 @@ fn mechanism(
             type Observables<__T: __kin::Scalar> = [__T; #seen];
             type ObservableNonZeros<__T: __kin::Scalar> = [__T; #seen_entries];
             type Factors<__T: __kin::Scalar> = [__T; #factors];
+            type KnownCurves<__T: __kin::Scalar> = [__T; #known_curves];
 
             fn model() -> &'static __kin::Model {
                 &__MODEL

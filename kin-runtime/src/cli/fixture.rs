@@ -127,6 +127,7 @@ impl<const KIND: u8> Mechanism for CrossHead<KIND> {
     type Observables<T: Scalar> = [T; 7];
     type ObservableNonZeros<T: Scalar> = [T; 5];
     type Factors<T: Scalar> = [T; 0];
+    type KnownCurves<T: Scalar> = [T; 0];
 
     fn model() -> &'static Model {
         match KIND {

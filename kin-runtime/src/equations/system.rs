@@ -10,6 +10,8 @@ use crate::model::{Model, Pattern};
 use crate::plan::{Depth, Solved};
 use crate::planned::PlanError;
 use crate::planned::follower::{Control, PlanFollower, PlanSolution};
+use crate::planned::gradient_turns::Span;
+use crate::planned::narrow_curves::narrow_curves_are_followed;
 use crate::scalar::{Interval, Scalar};
 use crate::signal::Signal;
 use crate::state::State;
@@ -96,6 +98,13 @@ pub(crate) trait System {
     /// Writes enclosures of the [`turns`](Self::turns) over a box; nothing where no rows with curves are iterated on.
     fn turns_over(&self, at: &Instant<'_, Interval>, q: &[Interval], turns: &mut [Interval])
     -> Result<(), LengthError>;
+    /// True if `is_near` is true wherever known functions may have a narrow feature within a step between two instants.
+    fn follows_narrow_curves(
+        &self,
+        instants: [&Instant<'_>; 2],
+        span: Span<'_>,
+        is_near: &mut dyn FnMut(f64) -> Result<bool, LengthError>,
+    ) -> Result<bool, LengthError>;
     /// The local points, axes and values of joints.
     fn geometry(&self, at: &Instant<'_>) -> Result<Vec<f64>, LengthError> {
         let mut numbers = vec![0.0; self.model().geometry];
@@ -264,6 +273,15 @@ impl<B: Borrow<M>, M: Mechanism> System for Evaluator<B, M> {
             self.mechanism.borrow().turns_with(known.as_ref(), at, q, turns)?;
         }
         Ok(())
+    }
+
+    fn follows_narrow_curves(
+        &self,
+        instants: [&Instant<'_>; 2],
+        span: Span<'_>,
+        is_near: &mut dyn FnMut(f64) -> Result<bool, LengthError>,
+    ) -> Result<bool, LengthError> {
+        narrow_curves_are_followed(self.mechanism.borrow(), self.parameters.as_ref(), instants, span, is_near)
     }
 
     fn generalized_forces(&self, at: &Instant<'_>, state: &State, generalized: &mut [f64]) -> Result<(), LengthError> {

@@ -5,13 +5,12 @@
 //! and return. Where rows contain such functions the plan is therefore also solved at instants within the step, from the
 //! cubic through q and q̇ of both ends (see [`interior`](super::interior)). Everywhere it must have a solution, and the
 //! solution must be near the cubic.
-//!
-//! The instants are irregularly spaced: of a function that repeats itself up to 200 times within the step, at least three
-//! of them are more than a tenth of a half period away from its zeros.
 
 use super::follower::{Control, NEGLIGIBLE, PlanFollower, PlanSolution};
-use super::interior::on_cubic;
+use super::gradient_turns::Span;
+use super::interior::{FRACTIONS, on_cubic};
 use super::lists::{Margins, Modes};
+use super::narrow_curves::narrow_curves_are_followed;
 use super::predict::{largest_turn, turned};
 use crate::course::{Between, Course, kind};
 use crate::mechanism::{LengthError, Mechanism};
@@ -20,10 +19,6 @@ use crate::plan::{Depth, Plan, Solved};
 use crate::scalar::compare::Compare;
 use crate::signal::{Instant, Signal};
 use crate::workspace::Array;
-
-/// The instants within a step at which the plan is solved, as fractions of its length: a random number from each seventh
-/// of the step, drawn again until they had the property above, which a test checks.
-pub(crate) const FRACTIONS: [f64; 7] = [0.091, 0.2175, 0.3422, 0.4602, 0.5892, 0.7423, 0.9181];
 
 /// Distances from the cubic up to this, relative to the largest coordinate that is a length, are always accepted: kinks,
 /// at which velocities jump, are passed in steps that are as short.
@@ -69,7 +64,25 @@ pub(crate) fn certainty_within<M: Mechanism, V: Compare>(
     let away = turned(found.as_ref(), cubic.as_ref(), weights);
     let margin = margins.as_ref().iter().fold(V::from_f64(1.0), |least, margin| least_or_nan(least, *margin));
     let lengths = certainty_of_lengths(M::model(), found.as_ref(), cubic.as_ref(), ends, (next - s, control));
-    Ok(least_or_nan(least_or_nan(margin - V::from_f64(Plan::SMALLEST_MARGIN), allowed - away), lengths))
+    let certainty = least_or_nan(least_or_nan(margin - V::from_f64(Plan::SMALLEST_MARGIN), allowed - away), lengths);
+    // 0, or NaN where a coordinate is not finite, which distances may not show.
+    let nothing = found.as_ref().iter().fold(V::from_f64(0.0), |sum, x| sum + V::from_f64(0.0) * *x);
+    Ok(certainty + nothing)
+}
+
+/// True if `is_near` is true wherever known functions may have a narrow feature within a step.
+pub(crate) fn curves_are_followed<M: Mechanism>(
+    mechanism: &M,
+    parameters: &[f64],
+    Stretch { course, interval, ends }: Stretch<'_, f64>,
+    is_near: &mut dyn FnMut(f64) -> Result<bool, LengthError>,
+) -> Result<bool, LengthError> {
+    let mut inputs = [M::Inputs::<f64>::filled(Signal::constant(0.0)); 2];
+    let [first, last] = &mut inputs;
+    let t = [course.at(interval[0], first.as_mut()), course.at(interval[1], last.as_mut())];
+    let instants = [0, 1].map(|end| Instant { t: t[end], inputs: inputs[end].as_ref() });
+    let span = Span { ends, inputs: instants[0].inputs, h: interval[1] - interval[0] };
+    narrow_curves_are_followed(mechanism, parameters, [&instants[0], &instants[1]], span, is_near)
 }
 
 /// A measure that is negative if a length is farther from the cubic than the motions of lengths in the step of the length h
@@ -150,31 +163,20 @@ impl<M: Mechanism> PlanFollower<M> {
         };
         let after = &self.branch.modes;
         let have_changed = after.as_ref() != before.as_ref();
+        let mut is_near = |fraction: f64| Ok(is_near(fraction, after)? || have_changed && is_near(fraction, before)?);
         for fraction in FRACTIONS {
-            let holds = is_near(fraction, after)? || have_changed && is_near(fraction, before)?;
-            if !holds {
+            if !is_near(fraction)? {
                 return Ok(false);
             }
         }
-        Ok(true)
+        let parameters = self.parameters.as_ref();
+        curves_are_followed(mechanism, parameters, stretch, &mut is_near)
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{FRACTIONS, least_or_nan};
-
-    #[test]
-    fn fractions_leave_no_wide_gap_and_have_no_common_period() {
-        let all: Vec<f64> = [0.0].into_iter().chain(FRACTIONS).chain([1.0]).collect();
-        assert!(all.windows(2).all(|pair| (0.06..0.18).contains(&(pair[1] - pair[0]))), "{all:?}");
-        // The zeros of a function that has n half periods in the step are at the multiples of 1/n.
-        for n in 1..=400 {
-            let phases = FRACTIONS.map(|fraction| (f64::from(n) * fraction).fract());
-            let far = phases.iter().filter(|phase| (0.1..0.9).contains(*phase)).count();
-            assert!(far >= 3, "{n}: {phases:?}");
-        }
-    }
+    use super::least_or_nan;
 
     #[test]
     fn the_smaller_number_is_no_number_if_one_is_none() {

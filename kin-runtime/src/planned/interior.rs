@@ -31,6 +31,11 @@ const SMOOTH: f64 = 0.25;
 /// [`of_coordinate`]).
 const ROUNDING: f64 = 1e-10;
 
+/// Instants within a step at which a motion is looked at, as fractions of its length. They are irregularly spaced: of a
+/// function that repeats itself up to 200 times within the step, at least three of them are more than a tenth of a half
+/// period away from its zeros. A random number from each seventh of the step was drawn until they had this property.
+pub(crate) const FRACTIONS: [f64; 7] = [0.091, 0.2175, 0.3422, 0.4602, 0.5892, 0.7423, 0.9181];
+
 /// The instants of these evaluations, as fractions of the step.
 pub(crate) fn fractions() -> impl Iterator<Item = f64> {
     (1..=SAMPLES).map(|sample| f64::from(sample) / f64::from(SAMPLES + 1))
@@ -166,7 +171,7 @@ fn of_coordinate<V: Compare>(kind: CoordinateKind, [first, v0, last, v1]: [V; 4]
 
 #[cfg(test)]
 mod tests {
-    use super::{certainty_of_rates, fractions, of_coordinate, on_cubic};
+    use super::{FRACTIONS, certainty_of_rates, fractions, of_coordinate, on_cubic};
     use crate::model::{Component, CoordinateKind};
 
     #[test]
@@ -183,6 +188,19 @@ mod tests {
         let all: Vec<f64> = fractions().collect();
         assert!(all.len() == 7 && all[0] == 0.125 && all[6] == 0.875);
     }
+
+    #[test]
+    fn fractions_leave_no_wide_gap_and_have_no_common_period() {
+        let all: Vec<f64> = [0.0].into_iter().chain(FRACTIONS).chain([1.0]).collect();
+        assert!(all.windows(2).all(|pair| (0.06..0.18).contains(&(pair[1] - pair[0]))), "{all:?}");
+        // The zeros of a function that has n half periods in the step are at the multiples of 1/n.
+        for n in 1..=400 {
+            let phases = FRACTIONS.map(|fraction| (f64::from(n) * fraction).fract());
+            let far = phases.iter().filter(|phase| (0.1..0.9).contains(*phase)).count();
+            assert!(far >= 3, "{n}: {phases:?}");
+        }
+    }
+
     const PHI: CoordinateKind = CoordinateKind::Pose { body: 0, component: Component::Phi };
     const X: CoordinateKind = CoordinateKind::Pose { body: 0, component: Component::X };
 

@@ -14,6 +14,7 @@ mod limit;
 pub(crate) mod lists;
 mod mode;
 pub(crate) mod mode_changes;
+pub(crate) mod narrow_curves;
 pub(crate) mod predict;
 mod range;
 pub(crate) mod rates;

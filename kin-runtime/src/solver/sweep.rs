@@ -20,12 +20,11 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     /// The motion over `times`, in any order and at any distances: the branch is followed from the first instant, at
     /// which the mechanism is assembled from the guesses, to the last.
     ///
-    /// Between two instants as many steps are taken as the motion needs by its velocities and accelerations. A motion
-    /// of a driver in between that does not show in these is not detected: if the driver rests at both instants, an
-    /// excursion between them causes no error, even one past a dead centre. Nor is a bump detected of a curve that is a
-    /// [supplied function](crate::ScalarFunction), if the curve is straight before it and the bump is much narrower than
-    /// the motion between two instants; bumps of curves that are written as formulas are. Choose instants on every rise
-    /// and dwell of a driver, and on every feature of such a curve.
+    /// Between two instants as many steps are taken as the motion needs by its velocities and accelerations. Drivers and
+    /// curves that are written as formulas of t or of an angle are enclosed over every step, so that a peak, a pole or a
+    /// gap of a formula is found down to a millionth of a step. [Supplied functions](crate::ScalarFunction) and inputs have no
+    /// enclosure: an excursion of theirs causes no error, even one past a dead centre, if they rest at both ends of a step
+    /// and the excursion is much narrower than the step. Choose instants on every rise and dwell of such a function.
     ///
     /// # Errors
     /// As [`state`](Self::state) for the first instant; then [`Singular`](SolveError::Singular) or

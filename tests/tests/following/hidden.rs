@@ -68,7 +68,7 @@ struct Redundant {
 }
 
 /// Every way from one of these times to the next ends at the dead centre, and passes no instant beyond it.
-fn ends_at<M: Kinematics + Sync>(mechanism: &M, times: &[f64], limit: f64) {
+pub(crate) fn ends_at<M: Kinematics + Sync>(mechanism: &M, times: &[f64], limit: f64) {
     let name = format!("{}, {} steps to {}", M::model().name, times.len() - 1, times.last().expect("times"));
     let sign = limit.signum();
     let last = times.iter().take_while(|t| sign * **t < sign * limit).count();

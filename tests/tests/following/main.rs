@@ -10,6 +10,7 @@ mod inputs;
 mod jumps;
 mod larger;
 mod limits;
+mod narrow;
 mod orientations;
 mod passing_pins;
 mod plan_check;

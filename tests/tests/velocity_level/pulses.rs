@@ -100,6 +100,46 @@ fn pulses_are_integrated_backwards_as_well() {
     }
 }
 
+#[mechanism]
+#[body(trolley, y = 0, phi = 0)]
+#[speed(motor: trolley @ (0, 0), value = exp(-pow((t - c) / w, 2)))]
+#[guess(trolley.x = 0)]
+struct Nudged {
+    c: f64,
+    w: f64,
+}
+
+#[mechanism]
+#[bodies(sled)]
+#[knife_edge(blade: sled @ (0, 0))]
+#[speed(push: sled @ (0, 0), value = 1)]
+#[driver(head: sled.phi = exp(-pow((t - c) / w, 2)))]
+#[guess(sled.x = 0, sled.y = 0)]
+struct Swerving {
+    c: f64,
+    w: f64,
+}
+
+/// Pulses of formulas, narrower than the distances of all places at which a step is looked into: ∫ exp(−x²) dx = √π.
+#[test]
+fn narrow_pulses_of_formulas_are_integrated() {
+    let area = std::f64::consts::PI.sqrt();
+    for (c, w) in [(33.7, 0.3), (87.3, 0.02), (12.9, 0.003)] {
+        for steps in [1, 3] {
+            let x = at_the_end(&Nudged { c, w }, 100.0, steps)[0];
+            assert!((x - w * area).abs() < 1e-7, "{c} {w} in {steps} steps: {x}");
+            let (found, expected) = (at_the_end(&Swerving { c, w }, 100.0, steps), swerved(w));
+            assert!((found[1] - expected).abs() < 1e-7 && (0.0..w).contains(&(100.0 - found[0])), "{c} {w}: {found:?}");
+        }
+    }
+}
+
+/// ∫ sin(exp(−(t/w)²)) dt by the trapezoidal rule, which converges fast for such functions.
+fn swerved(w: f64) -> f64 {
+    let at = |k: i32| (-(0.02 * f64::from(k)).powi(2)).exp().sin();
+    0.02 * w * (-400..=400).map(at).sum::<f64>()
+}
+
 /// s = u² − 1, whatever t does.
 #[mechanism]
 #[coordinates(s)]

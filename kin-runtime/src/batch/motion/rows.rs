@@ -4,11 +4,13 @@ use super::{BlockSolution, Motion};
 use crate::course::{Between, Course, kind};
 use crate::mechanism::Mechanism;
 use crate::planned::follower::Control;
-use crate::planned::hidden_motion::{FRACTIONS, Stretch, certainty_within, least_or_nan};
+use crate::planned::hidden_motion::{Stretch, certainty_within, curves_are_followed, least_or_nan};
+use crate::planned::interior::FRACTIONS;
 use crate::planned::predict::largest_turn;
 use crate::planned::steep_rows::certainty_of_slopes;
 use crate::planned::turning_rows::TrialStep;
 use crate::scalar::Scalar;
+use crate::scalar::compare::Compare;
 use crate::scalar::lanes::Octet;
 use crate::signal::{Instant, Signal};
 use crate::workspace::Array;
@@ -67,12 +69,27 @@ impl<M: Mechanism> Motion<M> {
         let ends = [here.q.as_ref(), here.q_dot.as_ref(), tried.q.as_ref(), tried.q_dot.as_ref()];
         let stretch = Stretch { course: &course, interval: [self.t, t], ends };
         let (parameters, weights) = (self.parameters.as_ref(), self.weights.as_ref());
-        FRACTIONS.into_iter().fold(Octet::from_f64(1.0), |least, fraction| {
+        let certainty_at = |fraction: f64| {
             let there = (stretch, fraction);
             let known = (weights, allowed);
             let certainty = certainty_within(mechanism, parameters, there, &self.modes, known, &Control::USUAL);
             debug_assert!(certainty.is_ok(), "the columns have been counted");
-            least_or_nan(least, certainty.unwrap_or_else(|_| Octet::from_f64(-1.0)))
-        })
+            certainty.unwrap_or_else(|_| Octet::from_f64(-1.0))
+        };
+        let mut least = Octet::from_f64(1.0);
+        FRACTIONS.into_iter().for_each(|fraction| least = least_or_nan(least, certainty_at(fraction)));
+        for lane in 0..Octet::LANES {
+            let pick = |list: &[Octet]| -> M::Coordinates<f64> { Array::generate(0.0, |k| list[k].lane(lane)) };
+            let ends = ends.map(pick);
+            let Stretch { course, interval, .. } = stretch;
+            let stretch = Stretch { course, interval, ends: ends.each_ref().map(AsRef::as_ref) };
+            let parameters: M::Parameters<f64> = Array::generate(0.0, |k| parameters[k].lane(lane));
+            let mut is_near = |fraction: f64| Ok(certainty_at(fraction).lane(lane) >= 0.0);
+            let is_certain = least.lane(lane) >= 0.0;
+            if is_certain && curves_are_followed(mechanism, parameters.as_ref(), stretch, &mut is_near) != Ok(true) {
+                least.set_lane(lane, -1.0);
+            }
+        }
+        least
     }
 }

@@ -58,6 +58,8 @@ pub trait Mechanism: Sized {
     type ObservableNonZeros<T: Scalar>: Array<T>;
     /// The factors that [`factorise_with`](Self::factorise_with) computes; empty without a plan.
     type Factors<T: Scalar>: Array<T>;
+    /// One `T` for every function that [`known_curves_with`](Self::known_curves_with) writes.
+    type KnownCurves<T: Scalar>: Array<T>;
     /// The factors that measure the distance from singularity, as margins do: the first index and one past the last.
     const REGULAR: (usize, usize) = (0, 0);
 
@@ -182,6 +184,21 @@ pub trait Mechanism: Sized {
     ) -> Result<(), LengthError> {
         turns.fill(T::from_f64(0.0));
         Ok(())
+    }
+
+    /// Writes the functions in rows that are known where the motion is, because they depend on time and inputs alone or on a
+    /// single coordinate, and that may hide motion (see [`KNOWN_VALUES_CURVE`](Self::KNOWN_VALUES_CURVE)); supplied
+    /// functions are not among them.
+    /// # Errors
+    /// When an argument has the wrong length.
+    fn known_curves_with<T: Scalar>(
+        &self,
+        parameters: &[T],
+        at: &Instant<'_, T>,
+        q: &[T],
+        curves: &mut [T],
+    ) -> Result<(), LengthError> {
+        length::empty("curves", curves)
     }
 
     /// Factorises Φ_q at q for systems Φ_q x = b, by the blocks of the plan; nothing is written where there is no plan.

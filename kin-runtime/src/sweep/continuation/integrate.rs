@@ -18,13 +18,13 @@
 //! also compared with the slope of the cubic through both ends at the fractions of
 //! [`planned::hidden_motion`](crate::planned::hidden_motion).
 
+use super::hidden_motion::places_of_narrow_curves;
 use super::step::{Fault, Node, Scratch, Start, correct, settle};
 use crate::analysis::velocity::scaled;
 use crate::equations::Equations;
 use crate::equations::factorisation::Purpose;
 use crate::nonlinear::dormand_prince::{StepResult, runge_kutta_step};
-use crate::planned::hidden_motion::FRACTIONS;
-use crate::planned::interior::{on_cubic, slope_of_cubic};
+use crate::planned::interior::{FRACTIONS, on_cubic, slope_of_cubic};
 use crate::workspace::Subset;
 
 /// Safety factor of the step length that the error estimate allows.
@@ -78,12 +78,20 @@ fn follows_cubic(
     let moved = |k: usize| (q1[k] - q0[k]).abs().max((h * v0[k]).abs()).max((h * v1[k]).abs());
     let allowed = of_kinds(equations, &moved).map(|motion| share * motion + negligible);
     let (mut cubic, mut slope) = (vec![0.0; q0.len()], vec![0.0; q0.len()]);
-    for fraction in FRACTIONS {
+    let mut is_near = |equations: &mut Equations<'_>, fraction: f64| -> Result<bool, Fault> {
         on_cubic(&mut cubic, ends, h, fraction);
         slope_of_cubic(&mut slope, ends, h, fraction);
         let found = velocity(equations, rank, [from, fraction * h], &cubic)?;
         let off = of_kinds(equations, &|k| (h * (slope[k] - found[k])).abs());
-        if off.iter().zip(&allowed).any(|(off, allowed)| off > allowed) || found.iter().any(|v| v.is_nan()) {
+        Ok(!off.iter().zip(&allowed).any(|(off, allowed)| off > allowed) && !found.iter().any(|v| v.is_nan()))
+    };
+    for fraction in FRACTIONS {
+        if !is_near(equations, fraction)? {
+            return Ok(false);
+        }
+    }
+    for place in places_of_narrow_curves(equations, [from, s], ends)? {
+        if !is_near(equations, place)? {
             return Ok(false);
         }
     }

@@ -6,7 +6,7 @@ use crate::analysis::poses::poses;
 use crate::equations::Equations;
 use crate::error::SolveError;
 use crate::nonlinear::root::{Value, bracket, tolerance};
-use crate::planned::hidden_motion::FRACTIONS;
+use crate::planned::interior::FRACTIONS;
 use crate::results::event::{Crossing, Event, Unwatched};
 use crate::state::State;
 use std::collections::HashMap;

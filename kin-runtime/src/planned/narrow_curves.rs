@@ -1,0 +1,88 @@
+//! Narrow features of known functions within a step.
+//!
+//! A function g of time, of inputs or of a single coordinate may have a peak, a pole or a gap between two places within a
+//! step at which the plan is solved (see [`hidden_motion`](super::hidden_motion)). Therefore g is enclosed over parts of
+//! the step, in interval arithmetic. A part hides nothing if
+//!
+//! ```text
+//! width of the enclosure of g ≤ 8 · range of g at the ends and near the middle of the step + 10⁻⁹ |g|
+//! ```
+//!
+//! Any other part is halved, and the plan is solved in its middle. If the enclosures of many parts are about as wide, they
+//! are wider than the function, as where it nearly rests, and tell nothing.
+
+use super::gradient_turns::{Span, halve, hull};
+use super::interior::{FRACTIONS, input_within, on_cubic};
+use crate::mechanism::{LengthError, Mechanism};
+use crate::scalar::{Interval, Scalar};
+use crate::signal::{Instant, Signal};
+use crate::workspace::Array;
+
+/// The largest number of parts of the same length that are looked at.
+const PARTS: usize = 16;
+
+/// Widths of an enclosure up to this hide nothing, relative to the range of the function in the step, and to the function.
+const USUAL: f64 = 8.0;
+const NEGLIGIBLE: f64 = 1e-9;
+
+/// Where the range is measured: at the ends of the step and at the middle one of the places at which it is looked into.
+const MEASURED: [f64; 3] = [0.0, FRACTIONS[3], 1.0];
+
+/// True if `is_near` is true wherever known functions may have a narrow feature within a step, whose first and last
+/// instants are given.
+#[cold]
+#[inline(never)]
+pub(crate) fn narrow_curves_are_followed<M: Mechanism>(
+    mechanism: &M,
+    parameters: &[f64],
+    [from, to]: [&Instant<'_>; 2],
+    span: Span<'_>,
+    is_near: &mut dyn FnMut(f64) -> Result<bool, LengthError>,
+) -> Result<bool, LengthError> {
+    let zero = M::KnownCurves::<f64>::filled(0.0);
+    if zero.as_ref().is_empty() {
+        return Ok(true);
+    }
+    let (mut least, mut most, mut curves) = (zero, zero, zero);
+    let mut q = M::Coordinates::<f64>::filled(0.0);
+    for s in MEASURED {
+        on_cubic(q.as_mut(), span.ends, span.h, s);
+        let inputs = inputs_within::<M, f64>([from, to], s);
+        let at = Instant { t: from.t + s * (to.t - from.t), inputs: inputs.as_ref() };
+        mechanism.known_curves_with(parameters, &at, q.as_ref(), curves.as_mut())?;
+        for (k, curve) in curves.as_ref().iter().enumerate() {
+            least.as_mut()[k] = if s == 0.0 { *curve } else { curve.min(least.as_ref()[k]) };
+            most.as_mut()[k] = if s == 0.0 { *curve } else { curve.max(most.as_ref()[k]) };
+        }
+    }
+    let known: M::Parameters<Interval> = Array::generate(Interval::ZERO, |k| Interval::from_f64(parameters[k]));
+    let mut box_of_part = M::Coordinates::<Interval>::filled(Interval::ZERO);
+    let mut enclosures = M::KnownCurves::<Interval>::filled(Interval::ZERO);
+    let mut excess = |start: f64, width: f64| -> Result<f64, LengthError> {
+        hull(box_of_part.as_mut(), span, start, width);
+        let place = Interval::new(start, start + width);
+        let inputs = inputs_within::<M, Interval>([from, to], place);
+        let [first, last] = [from.t, to.t].map(Interval::from_f64);
+        let at = Instant { t: first + place * (last - first), inputs: inputs.as_ref() };
+        mechanism.known_curves_with(known.as_ref(), &at, box_of_part.as_ref(), enclosures.as_mut())?;
+        let of_curve = |(k, enclosure): (usize, &Interval)| {
+            let [least, most] = [least.as_ref()[k], most.as_ref()[k]];
+            let usual = USUAL * (most - least) + NEGLIGIBLE * least.abs().max(most.abs()) + f64::MIN_POSITIVE;
+            let excess = (enclosure.upper() - enclosure.lower()) / usual;
+            if excess.is_nan() { f64::INFINITY } else { excess }
+        };
+        Ok(enclosures.as_ref().iter().enumerate().map(of_curve).fold(0.0, f64::max))
+    };
+    if excess(0.0, 1.0)? <= 1.0 {
+        return Ok(true);
+    }
+    Ok(halve(PARTS, &mut excess, is_near)?.unwrap_or(true))
+}
+
+/// The inputs at a fraction of a step.
+fn inputs_within<M: Mechanism, V: Scalar>([from, to]: [&Instant<'_>; 2], s: V) -> M::Inputs<V> {
+    M::Inputs::<V>::generate(Signal::constant(V::from_f64(0.0)), |k| {
+        let [from, to] = [from, to].map(|at| at.inputs[k].map(V::from_f64));
+        input_within([&from, &to], s)
+    })
+}
