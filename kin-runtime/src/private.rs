@@ -11,7 +11,7 @@ pub use crate::model::{
     Quantity, ReactionInfo, Role, RowInfo, SpringInfo, StepText, Structure, Units,
 };
 pub use crate::plan::{Depth, ModeInfo, Plan, PlanStep, Solved, StepKind, coarseness, iterate};
-pub use crate::scalar::Scalar;
+pub use crate::scalar::{Interval, Scalar};
 pub use crate::tables;
 pub use crate::workspace::{Evaluation, Instant, Signal, Subset};
 pub use core::default::Default;

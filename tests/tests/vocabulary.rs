@@ -258,3 +258,55 @@ fn a_screw_moves_its_carriage_by_the_lead_with_every_turn() {
     follows(&Spindle::default(), &TIMES, "carriage.x", |t| 0.3 + stroke(t) * (direction + 0.4 * t).cos());
     follows(&Spindle::default(), &TIMES, "carriage.y", |t| 0.1 + stroke(t) * (direction + 0.4 * t).sin());
 }
+
+/// Joints to bodies whose poses are held at scalar coordinates.
+#[test]
+fn bodies_may_be_held_at_scalar_coordinates() {
+    /// A crank of 0.5 and a rod of 1.1 move a slider along x, whose place is s.
+    #[mechanism]
+    #[coordinates(s)]
+    #[body(slider, x = s, y = 0, phi = 0)]
+    #[bodies(rod)]
+    #[body(crank, x = 0, y = 0)]
+    #[revolute(P: crank @ (0.5, 0), rod @ (0, 0))]
+    #[revolute(Q: rod @ (1.1, 0), slider @ (0, 0))]
+    #[driver(drive: crank.phi = 0.4 + t)]
+    #[guess(s = 1)]
+    struct Slider;
+
+    /// A bar from the origin to a load, which a carriage on a slope carries.
+    #[mechanism]
+    #[coordinates(s)]
+    #[body(carriage, x = s * cos(0.3), y = s * sin(0.3), phi = 0.3)]
+    #[body(load, origin = carriage @ (0.1, 0))]
+    #[distance(bar: ground @ (0, 0), load @ (0.2, 0), length = 2 + 0.1 * t)]
+    #[driver(tilt: load.phi = 0.3 + t)]
+    #[guess(s = 1)]
+    struct Slope;
+
+    /// A platform on a rocking guide: one scalar turns it, another one moves it.
+    #[mechanism]
+    #[coordinates(angle, s)]
+    #[body(platform, x = s, y = 0.2, phi = 2 * angle)]
+    #[point_on_line(guide: ground @ (0.3, 0), platform @ (0.5, 0), axis = (1, 1))]
+    #[driver(turn: angle = t)]
+    struct Platform;
+
+    let times: Vec<f64> = (0..=12).map(|k| 0.05 * f64::from(k)).collect();
+    let slider = |t: f64| {
+        let (sin, cos) = (0.4 + t).sin_cos();
+        0.5 * cos + (1.1_f64.powi(2) - (0.5 * sin).powi(2)).sqrt()
+    };
+    follows(&Slider, &times, "s", slider);
+    // The load is at s + 0.1 along the slope, and 0.2 further in a direction that turns by t against the slope.
+    let slope = |t: f64| {
+        let (sin, cos) = t.sin_cos();
+        ((2.0 + 0.1 * t).powi(2) - (0.2 * sin).powi(2)).sqrt() - 0.2 * cos - 0.1
+    };
+    follows(&Slope, &times, "s", slope);
+    // The line y = x − 0.3 goes through the point.
+    follows(&Platform, &times, "s", |t| 0.3 + 0.2 + 0.5 * (2.0 * t).sin() - 0.5 * (2.0 * t).cos());
+    for plan in [Slider::model().plan, Slope::model().plan, Platform::model().plan] {
+        assert!(plan.exists(), "{}", plan.absent.unwrap_or_default());
+    }
+}

@@ -93,8 +93,8 @@ pub(super) fn turns(plan: &SolutionPlan) -> Option<List> {
 
 /// The list of known curves, unless there are none.
 pub(super) fn known_curves(plan: &SolutionPlan) -> Option<List> {
-    let length = plan.known_curves.outputs.len();
-    (length > 0).then(|| List::of("known_curves_with", "curves", Given::Position, &plan.known_curves))
+    let program = &plan.known_curves.program;
+    (!program.outputs.is_empty()).then(|| List::of("known_curves_with", "curves", Given::Position, program))
 }
 
 /// The list of branch values, which give the modes of a configuration and, if there are iterations, their orientations.

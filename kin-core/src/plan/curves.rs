@@ -11,6 +11,19 @@ use crate::program::{Program, Slot, lower};
 use crate::vocabulary::Function;
 use std::collections::{BTreeMap, BTreeSet};
 
+/// Functions in rows that are known where the motion is, and whose course between two configurations these do not show.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct KnownCurves {
+    /// Whether a coordinate may move between two configurations otherwise than these show: a row contains a function of
+    /// time, of an input, or of a coordinate for which the plan does not iterate on the row, and more than one sinusoid.
+    pub hide_motion: bool,
+    /// The functions of time and inputs alone, or of a single coordinate, that can be enclosed over a step, and then the
+    /// arguments of supplied functions.
+    pub program: Program,
+    /// The supplied functions, in the order of their arguments.
+    pub supplied: Vec<usize>,
+}
+
 /// True if an expression has curves over coordinates: if it depends on them in another way than by sums, products and
 /// rotated vectors.
 pub(super) fn has_curves(graph: &Graph, expressions: &[ExprId]) -> bool {
@@ -55,14 +68,16 @@ fn hides_motion(graph: &Graph, expression: ExprId, varies: &dyn Fn(ExprId) -> bo
 }
 
 /// The parts of rows that hide motion and depend on time and inputs alone or on a single coordinate, or are curves over
-/// curves, each once. Parts with supplied functions are left out, because these have no enclosure.
-fn enclosable(graph: &mut Graph, rows: &[ConstraintRow]) -> Vec<ExprId> {
+/// curves, each once, without supplied functions; and these functions with their arguments.
+fn enclosable(graph: &mut Graph, rows: &[ConstraintRow]) -> (Vec<ExprId>, BTreeSet<(usize, ExprId)>) {
     let (mut curves, mut seen) = (BTreeSet::new(), BTreeSet::new());
-    for row in rows {
-        let expression = row.velocity.map_or(row.phi, |velocity| velocity.eta);
-        add_curves(graph, expression, &mut seen, &mut curves);
-    }
-    curves.into_iter().collect()
+    let expressions: Vec<_> = rows.iter().map(|row| row.velocity.map_or(row.phi, |velocity| velocity.eta)).collect();
+    expressions.iter().for_each(|&expression| add_curves(graph, expression, &mut seen, &mut curves));
+    let supplied = graph.reachable(expressions).into_iter().filter_map(|id| match graph.node(id) {
+        Node::Supplied(function, _, argument) => Some((function as usize, argument)),
+        _ => None,
+    });
+    (curves.into_iter().collect(), supplied.collect())
 }
 
 /// Adds the curves of a sum: the terms that depend on the same variable together, and the curves within the other terms.
@@ -173,18 +188,26 @@ pub(super) fn iterates_on_curves(graph: &Graph, block: &Block) -> bool {
     })
 }
 
-/// Whether known values curve, and the program of those curves that can be enclosed.
+/// Where known values curve: the functions that can be enclosed over a step.
 pub(super) fn known_curves(
     graph: &mut Graph,
     rows: &[ConstraintRow],
     plan: Option<(&Block, &[BTreeSet<usize>])>,
-) -> (bool, Program) {
-    let curve = known_values_curve(graph, rows, plan);
+) -> KnownCurves {
+    let hide_motion = known_values_curve(graph, rows, plan);
     // Velocities that are integrated hide motion, too.
     let is_integrated = rows.iter().any(|row| row.velocity.is_some());
-    let curves = if curve || is_integrated { enclosable(graph, rows) } else { Vec::new() };
-    let outputs: Vec<_> = curves.into_iter().enumerate().map(|(k, id)| (Slot::Entry(k), id)).collect();
-    (curve, lower(graph, &outputs))
+    if !hide_motion && !is_integrated {
+        return KnownCurves::default();
+    }
+    let (formulas, supplied) = enclosable(graph, rows);
+    let all = formulas.into_iter().chain(supplied.iter().map(|(_, argument)| *argument));
+    let outputs: Vec<_> = all.enumerate().map(|(k, id)| (Slot::Entry(k), id)).collect();
+    KnownCurves {
+        hide_motion,
+        program: lower(graph, &outputs),
+        supplied: supplied.into_iter().map(|(function, _)| function).collect(),
+    }
 }
 
 /// True if a row contains a function that may hide motion, of time, of an input, or of a coordinate for which the plan does

@@ -49,6 +49,7 @@ mod tree;
 mod turns;
 mod zero;
 
+pub use curves::KnownCurves;
 pub use formulas::{Formulas, Line};
 pub use redundant_rows::TOLERANCE;
 pub(crate) use rewrite::{Substitution, rewrite};
@@ -96,13 +97,8 @@ pub struct SolutionPlan {
     pub looks_within: bool,
     /// Whether rows with curves are iterated on.
     pub iterates_on_curves: bool,
-    /// Whether a coordinate may move between two configurations otherwise than these show: a row contains a function of
-    /// time, of an input, or of a coordinate for which the plan does not iterate on the row, and more than one sinusoid.
-    /// It is known without a plan, too.
-    pub known_values_curve: bool,
-    /// Where known values curve: those functions of time and inputs alone, or of a single coordinate, that can be enclosed
-    /// over a step.
-    pub known_curves: Program,
+    /// Functions whose course between two configurations these do not show. They are known without a plan, too.
+    pub known_curves: KnownCurves,
     /// Two programs that solve Φ_q x = b at a configuration: the first computes the `factors` values that depend on
     /// Φ_q alone, the second computes x from these values and b.
     pub resolve: [Program; 2],
@@ -148,9 +144,8 @@ pub fn plan_and_linear(system: &KinematicSystem, rank: usize, formulas: bool) ->
         Ok((plan, linear)) => (plan, Some(linear)),
         Err(why) => {
             let mut graph = system.set.graph.clone();
-            let (known_values_curve, known_curves) = curves::known_curves(&mut graph, &system.set.rows, None);
-            let plan = SolutionPlan { absent: Some(why), known_values_curve, known_curves, ..SolutionPlan::default() };
-            (plan, None)
+            let known_curves = curves::known_curves(&mut graph, &system.set.rows, None);
+            (SolutionPlan { absent: Some(why), known_curves, ..SolutionPlan::default() }, None)
         }
     }
 }
@@ -184,7 +179,7 @@ fn planned(system: &KinematicSystem, rank: usize, written: bool) -> Result<(Solu
     let outputs: Vec<_> = values.enumerate().map(|(k, id)| (Slot::Entry(k), id)).collect();
     let branch_values = lower(&graph, &outputs);
     let iterates_on_curves = curves::iterates_on_curves(&graph, &tree);
-    let (known_values_curve, known_curves) = curves::known_curves(&mut graph, &set.rows, Some((&tree, &source_rows)));
+    let known_curves = curves::known_curves(&mut graph, &set.rows, Some((&tree, &source_rows)));
     let turns::Turns { by_coordinates, looks_within } = turns::turns(&mut graph, &tree, &set.coordinates);
     let outputs: Vec<_> = by_coordinates.into_iter().enumerate().map(|(k, id)| (Slot::Entry(k), id)).collect();
     let turns = lower(&graph, &outputs);
@@ -214,7 +209,6 @@ fn planned(system: &KinematicSystem, rank: usize, written: bool) -> Result<(Solu
         turns,
         looks_within,
         iterates_on_curves,
-        known_values_curve,
         known_curves,
         resolve,
         factors,

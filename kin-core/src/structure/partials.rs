@@ -33,6 +33,9 @@ fn of_joint(system: &KinematicSystem, residues: &mut Residues<'_>, row: usize) -
     let set = &system.set;
     let joint = &set.joints[set.rows[row].joint];
     let p = local(set, joint, Role::P)?;
+    if [Role::P, Role::Q, Role::Axis].into_iter().any(|role| moves_with_scalars(set, joint, role)) {
+        return None;
+    }
     let r_p = residues.places.point(&set.graph, p);
     let motion_p = motion(residues, p.0, r_p);
     if let RowMeaning::Coordinate(component) = set.rows[row].meaning {
@@ -72,6 +75,25 @@ fn of_joint(system: &KinematicSystem, residues: &mut Residues<'_>, row: usize) -
         }
         _ => None,
     }
+}
+
+/// True if a point or an axis of a joint belongs to a body that is held at scalar coordinates, or is carried by such a body.
+/// Then the point moves with these coordinates, too.
+fn moves_with_scalars(set: &ConstraintSet, joint: &JointInstance, role: Role) -> bool {
+    let mut frame = local(set, joint, role).map(|(frame, ..)| frame);
+    for _ in 0..=set.bodies.len() {
+        let Some(Frame::Body(index)) = frame else { break };
+        let body = &set.bodies[index];
+        let held = (0..3).filter(|&component| {
+            // The origin of a carried body is where its carrier has it.
+            body.coordinates[component].is_none() && (component == 2 || body.carried_by.is_none())
+        });
+        if held.map(|component| body.pose[component]).any(|e| set.graph.depends(e).on(Depends::COORDINATE)) {
+            return true;
+        }
+        frame = body.carried_by;
+    }
+    false
 }
 
 /// True if the length of a joint depends on coordinates.

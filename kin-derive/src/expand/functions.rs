@@ -32,6 +32,10 @@ pub(super) fn derivatives_helper(number: usize) -> Ident {
     format_ident!("derivatives_{number}")
 }
 
+pub(super) fn enclosure_helper(number: usize) -> Ident {
+    format_ident!("enclosure_{number}")
+}
+
 /// The element type of an array type.
 fn element(ty: &Type) -> &Type {
     match ty {

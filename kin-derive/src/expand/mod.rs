@@ -118,8 +118,10 @@ fn mechanism(
     let turning = kernels.turns_rows().then(|| quote! { const ROWS_TURN: bool = true; });
     let within = plan.looks_within.then(|| quote! { const CLOSED_ROWS_TURN: bool = true; });
     let curving = plan.iterates_on_curves.then(|| quote! { const ROWS_CURVE: bool = true; });
-    let known_curves = plan.known_curves.outputs.len();
-    let hiding = plan.known_values_curve.then(|| quote! { const KNOWN_VALUES_CURVE: bool = true; });
+    let (known_curves, in_curves) = (plan.known_curves.program.outputs.len(), &plan.known_curves.supplied);
+    let hiding = plan.known_curves.hide_motion.then(|| quote! { const KNOWN_VALUES_CURVE: bool = true; });
+    let in_curves =
+        (!in_curves.is_empty()).then(|| quote! { const FUNCTIONS_IN_CURVES: &'static [usize] = &[#(#in_curves),*]; });
     let constraints_with = method(
         &TokenStream::new(),
         "constraints_with",
@@ -175,6 +177,7 @@ fn mechanism(
             #turning #within
             #curving
             #hiding
+            #in_curves
             type Parameters<__T: __kin::Scalar> = [__T; #p];
             type Inputs<__T: __kin::Scalar> = [__kin::Signal<__T>; #u];
             type Coordinates<__T: __kin::Scalar> = [__T; #n];

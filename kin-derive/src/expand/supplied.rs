@@ -1,7 +1,7 @@
 //! The items for supplied functions: a private trait with a method for each, and the methods that evaluate them by
 //! index.
 
-use super::functions::{calls, derivatives_helper, fields, function_type, helper};
+use super::functions::{calls, derivatives_helper, enclosure_helper, fields, function_type, helper};
 use super::generics::of_functions;
 use crate::lower::Lowered;
 use proc_macro2::{Literal, TokenStream};
@@ -31,6 +31,10 @@ pub(crate) fn helpers(lowered: &Lowered) -> TokenStream {
         let head = quote! { fn #derivatives(&self, #index x: f64, out: &mut [f64]) -> usize };
         bodies.push(quote! { #[inline] #head { <#ty as __kin::ScalarFunction>::derivatives(#function, x, out) } });
         heads.push(head);
+        let enclosure = enclosure_helper(number);
+        let head = quote! { fn #enclosure(&self, #index x: __kin::Interval) -> __kin::Interval };
+        bodies.push(quote! { #[inline] #head { <#ty as __kin::ScalarFunction>::enclose(#function, x) } });
+        heads.push(head);
     }
     if heads.is_empty() {
         return TokenStream::new();
@@ -50,18 +54,26 @@ pub(crate) fn helpers(lowered: &Lowered) -> TokenStream {
     }
 }
 
-/// The method `evaluate_function`, if there is a supplied function.
+/// The methods `evaluate_function` and `enclose_function`, if there is a supplied function.
 pub(crate) fn access(lowered: &Lowered) -> TokenStream {
-    let calls = calls(lowered, helper, &quote! { x });
-    if calls.is_empty() {
+    let [values, enclosures] = [helper, enclosure_helper].map(|helper| calls(lowered, helper, &quote! { x }));
+    if values.is_empty() {
         return TokenStream::new();
     }
-    let arms = calls.iter().enumerate().map(|(number, call)| quote! { #number => __kin::Some(#call), });
+    let arms = values.iter().enumerate().map(|(number, call)| quote! { #number => __kin::Some(#call), });
+    let enclosing = enclosures.iter().enumerate().map(|(number, call)| quote! { #number => #call, });
     quote! {
         fn evaluate_function(&self, index: usize, x: f64) -> __kin::Option<[f64; 3]> {
             match index {
                 #(#arms)*
                 _ => { let _ = x; __kin::None }
+            }
+        }
+
+        fn enclose_function(&self, index: usize, x: __kin::Interval) -> __kin::Interval {
+            match index {
+                #(#enclosing)*
+                _ => { let _ = x; __kin::Interval::UNDEFINED }
             }
         }
     }

@@ -6,6 +6,12 @@ use super::solved::driven_state;
 use crate::workspace::Instant;
 use std::f64::consts::TAU;
 
+/// The relative changes of a speed, also those within a turn, that count as none.
+const STEADY: f64 = 1e-9;
+
+/// Where else the speed of a crank is compared, in turns after the first instant.
+const SHARES: [f64; 3] = [0.137, 0.618, 2.71];
+
 /// The default end of a motion that begins at `from`: after one turn of the slowest crank that is driven at constant
 /// speed, or after one unit of time.
 pub(super) fn natural_end(engine: &dyn Engine, setup: &Setup, from: f64) -> f64 {
@@ -36,6 +42,13 @@ fn slowest(engine: &dyn Engine, setup: &Setup, from: f64, counts: &dyn Fn(&str) 
         Ok((state, _)) => Ok([state.q_dot, state.q_ddot]),
         Err(_) => Err(engine.time_derivatives(&Instant { t: from, inputs: &setup.inputs }).ok()?),
     };
+    // One instant may be one at which a speed is largest, as that of sin t at t = 0.
+    let phi_t =
+        |row: usize, t: f64| Some(*engine.time_derivatives(&Instant { t, inputs: &setup.inputs }).ok()?[0].get(row)?);
+    let is_as_fast = |row: usize, t: f64| match (phi_t(row, from), phi_t(row, t)) {
+        (Some(before), Some(then)) => (then - before).abs() <= STEADY * before.abs(),
+        _ => false,
+    };
     let pattern = &model.constraint_pattern;
     let speed = |row: usize| {
         model.joints.get(model.rows[row].joint).filter(|joint| counts(joint.name))?;
@@ -52,7 +65,8 @@ fn slowest(engine: &dyn Engine, setup: &Setup, from: f64, counts: &dyn Fn(&str) 
             }
         };
         let (speed, acceleration) = (speed.abs(), acceleration.abs());
-        (speed > 0.0 && acceleration <= 1e-9 * speed * speed).then_some(speed)
+        let is_steady = speed > 0.0 && acceleration <= STEADY * speed * speed;
+        (is_steady && SHARES.iter().all(|share| is_as_fast(row, from + share * TAU / speed))).then_some(speed)
     };
     let driving = model.rows.iter().enumerate().filter(|(_, row)| row.driving || row.rheonomic);
     let slowest = driving.filter_map(|(row, _)| speed(row)).fold(f64::INFINITY, f64::min);

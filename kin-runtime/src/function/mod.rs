@@ -20,6 +20,8 @@ mod polynomial;
 mod sequence;
 #[cfg(feature = "alloc")]
 mod spline;
+#[cfg(test)]
+mod tests;
 
 #[cfg(feature = "alloc")]
 pub use error::FunctionError;
@@ -30,6 +32,8 @@ pub use polynomial::Polynomial;
 pub use sequence::{Sequence, SequenceBuilder};
 #[cfg(feature = "alloc")]
 pub use spline::CubicSpline;
+
+use crate::scalar::Interval;
 
 /// A scalar function with its first two derivatives, known at run time.
 ///
@@ -67,6 +71,15 @@ pub trait ScalarFunction {
         let known = self.evaluate(x);
         out.iter_mut().zip(known).map(|(index, value)| *index = value).count()
     }
+
+    /// An interval that holds all values of the function over an interval of its argument; undefined by default.
+    ///
+    /// A motion uses it to find peaks and gaps that are narrower than its steps. The values may be those of
+    /// [`evaluate`](Self::evaluate), with its rounding errors.
+    fn enclose(&self, x: Interval) -> Interval {
+        let _ = x;
+        Interval::UNDEFINED
+    }
 }
 
 impl<F: ScalarFunction + ?Sized> ScalarFunction for &F {
@@ -78,6 +91,10 @@ impl<F: ScalarFunction + ?Sized> ScalarFunction for &F {
     #[inline]
     fn derivatives(&self, x: f64, out: &mut [f64]) -> usize {
         (**self).derivatives(x, out)
+    }
+
+    fn enclose(&self, x: Interval) -> Interval {
+        (**self).enclose(x)
     }
 }
 
@@ -95,12 +112,64 @@ macro_rules! behind {
             fn derivatives(&self, x: f64, out: &mut [f64]) -> usize {
                 (**self).derivatives(x, out)
             }
+
+            fn enclose(&self, x: Interval) -> Interval {
+                (**self).enclose(x)
+            }
         }
     )* };
 }
 
 #[cfg(feature = "alloc")]
 behind!(alloc::boxed::Box<F>, alloc::rc::Rc<F>, alloc::sync::Arc<F>);
+
+/// The values over an interval of a function that consists of pieces between increasing knots: `of_piece` encloses a piece
+/// over an interval that is within it, except that the first piece may be left towards smaller, and the last one towards
+/// larger arguments.
+#[cfg(feature = "alloc")]
+fn enclose_pieces(x: Interval, knots: &[f64], of_piece: &dyn Fn(usize, Interval) -> Interval) -> Interval {
+    let last = knots.len() - 2;
+    let within = |x: f64| knots[1..=last].partition_point(|knot| *knot <= x);
+    let (first, end) = (within(x.lower()), within(x.upper()));
+    let of = |piece: usize| {
+        let lower = if piece == first { x.lower() } else { knots[piece] };
+        let upper = if piece == end { x.upper() } else { knots[piece + 1] };
+        of_piece(piece, Interval::new(lower, upper))
+    };
+    (first..=end).map(of).reduce(Interval::hull).unwrap_or(Interval::UNDEFINED)
+}
+
+/// The values of a function over an interval, if it is straight before `start` and after `end`: `enclose` gives them over
+/// an interval between these.
+#[cfg(feature = "alloc")]
+fn enclose_straight(
+    x: Interval,
+    [start, end]: [f64; 2],
+    enclose: &dyn Fn(Interval) -> Interval,
+    value: &dyn Fn(f64) -> f64,
+) -> Interval {
+    let outside = [(x.lower(), x.upper().min(start)), (x.lower().max(end), x.upper())];
+    let beyond = outside.into_iter().filter(|(from, to)| from <= to);
+    let straight = beyond.map(|(from, to)| Interval::from(value(from)).hull(Interval::from(value(to))));
+    let inside = x.intersection(Interval::new(start, end)).map(enclose);
+    straight.chain(inside).reduce(Interval::hull).unwrap_or(Interval::UNDEFINED)
+}
+
+/// The values of a function over an interval, if it repeats itself with a period from `start` to `end`: `enclose` gives
+/// them over an interval within the period.
+#[cfg(feature = "alloc")]
+fn enclose_periodic(x: Interval, [start, end]: [f64; 2], enclose: &dyn Fn(Interval) -> Interval) -> Interval {
+    let width = x.upper() - x.lower();
+    if !x.is_bounded() || width >= end - start {
+        return enclose(Interval::new(start, end));
+    }
+    let from = wrapped(x.lower(), start, end);
+    let to = from + width;
+    match to <= end {
+        true => enclose(Interval::new(from, to)),
+        false => enclose(Interval::new(from, end)).hull(enclose(Interval::new(start, to - (end - start)))),
+    }
+}
 
 /// `x` shifted into the interval from `start` to `end` by a multiple of its length; the remainder is exact.
 #[cfg(feature = "alloc")]

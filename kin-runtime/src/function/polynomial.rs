@@ -1,6 +1,7 @@
 //! Polynomials.
 
 use super::ScalarFunction;
+use crate::scalar::Interval;
 use crate::text::number;
 use core::fmt;
 
@@ -17,6 +18,15 @@ impl<C: AsRef<[f64]>> ScalarFunction for Polynomial<C> {
     fn derivatives(&self, x: f64, out: &mut [f64]) -> usize {
         all_derivatives(self.0.as_ref(), x, out)
     }
+
+    fn enclose(&self, x: Interval) -> Interval {
+        enclose(self.0.as_ref(), x)
+    }
+}
+
+/// The values of Σ c_k x^k over an interval, by Horner's scheme; they are wider than need be where terms cancel.
+pub(super) fn enclose(coefficients: &[f64], x: Interval) -> Interval {
+    coefficients.iter().rev().fold(Interval::ZERO, |sum, c| sum * x + Interval::from(*c))
 }
 
 /// Σ c_k x^k with two derivatives, by Horner's scheme.

@@ -9,7 +9,8 @@
 //! ```
 //!
 //! Any other part is halved, and the plan is solved in its middle. If the enclosures of many parts are about as wide, they
-//! are wider than the function, as where it nearly rests, and tell nothing.
+//! are wider than the function, as where it nearly rests, and tell nothing. Supplied functions are enclosed by themselves
+//! ([`ScalarFunction::enclose`](crate::ScalarFunction::enclose)), or not at all.
 
 use super::gradient_turns::{Span, halve, hull};
 use super::interior::{FRACTIONS, input_within, on_cubic};
@@ -24,6 +25,9 @@ const PARTS: usize = 16;
 /// Widths of an enclosure up to this hide nothing, relative to the range of the function in the step, and to the function.
 const USUAL: f64 = 8.0;
 const NEGLIGIBLE: f64 = 1e-9;
+
+/// A function that has no enclosure even over a part as short as this, in the middle of the step, has none at all.
+const SHORTEST: f64 = 1e-6;
 
 /// Where the range is measured: at the ends of the step and at the middle one of the places at which it is looked into.
 const MEASURED: [f64; 3] = [0.0, FRACTIONS[3], 1.0];
@@ -50,6 +54,9 @@ pub(crate) fn narrow_curves_are_followed<M: Mechanism>(
         let inputs = inputs_within::<M, f64>([from, to], s);
         let at = Instant { t: from.t + s * (to.t - from.t), inputs: inputs.as_ref() };
         mechanism.known_curves_with(parameters, &at, q.as_ref(), curves.as_mut())?;
+        for (function, x) in supplied(M::FUNCTIONS_IN_CURVES, curves.as_mut()) {
+            *x = mechanism.evaluate_function(function, *x).map_or(f64::NAN, |[f, ..]| f);
+        }
         for (k, curve) in curves.as_ref().iter().enumerate() {
             least.as_mut()[k] = if s == 0.0 { *curve } else { curve.min(least.as_ref()[k]) };
             most.as_mut()[k] = if s == 0.0 { *curve } else { curve.max(most.as_ref()[k]) };
@@ -58,25 +65,43 @@ pub(crate) fn narrow_curves_are_followed<M: Mechanism>(
     let known: M::Parameters<Interval> = Array::generate(Interval::ZERO, |k| Interval::from_f64(parameters[k]));
     let mut box_of_part = M::Coordinates::<Interval>::filled(Interval::ZERO);
     let mut enclosures = M::KnownCurves::<Interval>::filled(Interval::ZERO);
-    let mut excess = |start: f64, width: f64| -> Result<f64, LengthError> {
+    let mut is_unknown = M::KnownCurves::<f64>::filled(0.0);
+    let mut excesses = |start: f64, width: f64| -> Result<M::KnownCurves<f64>, LengthError> {
         hull(box_of_part.as_mut(), span, start, width);
         let place = Interval::new(start, start + width);
         let inputs = inputs_within::<M, Interval>([from, to], place);
         let [first, last] = [from.t, to.t].map(Interval::from_f64);
         let at = Instant { t: first + place * (last - first), inputs: inputs.as_ref() };
         mechanism.known_curves_with(known.as_ref(), &at, box_of_part.as_ref(), enclosures.as_mut())?;
-        let of_curve = |(k, enclosure): (usize, &Interval)| {
-            let [least, most] = [least.as_ref()[k], most.as_ref()[k]];
+        for (function, x) in supplied(M::FUNCTIONS_IN_CURVES, enclosures.as_mut()) {
+            *x = mechanism.enclose_function(function, *x);
+        }
+        Ok(M::KnownCurves::<f64>::generate(0.0, |k| {
+            let (enclosure, [least, most]) = (enclosures.as_ref()[k], [least.as_ref()[k], most.as_ref()[k]]);
             let usual = USUAL * (most - least) + NEGLIGIBLE * least.abs().max(most.abs()) + f64::MIN_POSITIVE;
             let excess = (enclosure.upper() - enclosure.lower()) / usual;
             if excess.is_nan() { f64::INFINITY } else { excess }
-        };
-        Ok(enclosures.as_ref().iter().enumerate().map(of_curve).fold(0.0, f64::max))
+        }))
     };
-    if excess(0.0, 1.0)? <= 1.0 {
+    let whole = excesses(0.0, 1.0)?;
+    if whole.as_ref().iter().all(|excess| *excess <= 1.0) {
         return Ok(true);
     }
+    if !M::FUNCTIONS_IN_CURVES.is_empty() {
+        is_unknown = excesses(0.5, SHORTEST)?;
+    }
+    let mut excess = |start: f64, width: f64| -> Result<f64, LengthError> {
+        let excesses = excesses(start, width)?;
+        let known = excesses.as_ref().iter().zip(is_unknown.as_ref()).filter(|(_, unknown)| unknown.is_finite());
+        Ok(known.fold(0.0, |most, (excess, _)| excess.max(most)))
+    };
     Ok(halve(PARTS, &mut excess, is_near)?.unwrap_or(true))
+}
+
+/// The supplied functions among known curves, with the places of their arguments, which are the last ones.
+fn supplied<'a, V>(functions: &'a [usize], curves: &'a mut [V]) -> impl Iterator<Item = (usize, &'a mut V)> {
+    let first = curves.len() - functions.len();
+    functions.iter().copied().zip(&mut curves[first..])
 }
 
 /// The inputs at a fraction of a step.

@@ -21,10 +21,11 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     /// which the mechanism is assembled from the guesses, to the last.
     ///
     /// Between two instants as many steps are taken as the motion needs by its velocities and accelerations. Drivers and
-    /// curves that are written as formulas of t or of an angle are enclosed over every step, so that a peak, a pole or a
-    /// gap of a formula is found down to a millionth of a step. [Supplied functions](crate::ScalarFunction) and inputs have no
-    /// enclosure: an excursion of theirs causes no error, even one past a dead centre, if they rest at both ends of a step
-    /// and the excursion is much narrower than the step. Choose instants on every rise and dwell of such a function.
+    /// curves that are written as formulas are enclosed over every step, and so are supplied functions that
+    /// [enclose](crate::ScalarFunction::enclose) their values, as splines and sequences do: a peak, a pole or a gap is
+    /// found down to a millionth of a step. Of other supplied functions and of inputs an excursion causes no error, even
+    /// one past a dead centre, if they rest at both ends of a step and the excursion is much narrower than the step.
+    /// Choose instants on every rise and dwell of such a function.
     ///
     /// # Errors
     /// As [`state`](Self::state) for the first instant; then [`Singular`](SolveError::Singular) or

@@ -38,6 +38,20 @@ struct Teeth {
     k: f64,
 }
 
+/// A lever that swings, and is fastest at t = 0.
+#[mechanism]
+#[body(lever, x = 0, y = 0)]
+#[driver(swing: lever.phi = 0.3 * sin(t))]
+#[derive(Default)]
+struct Lever;
+
+/// A crank that becomes faster; at t = 0 it has no acceleration.
+#[mechanism]
+#[body(crank, x = 0, y = 0)]
+#[driver(drive: crank.phi = t + t * t * t)]
+#[derive(Default)]
+struct Faster;
+
 /// A beam on three equal arms, of which two would suffice, so that the pin forces are not determined.
 #[mechanism(allow_redundant)]
 #[bodies(a, b, c, beam)]
@@ -153,6 +167,8 @@ fn main() -> ExitCode {
         Some("excavator") => run("MeasuredExcavator", args),
         Some("fourbar") => run("FourbarLectureMid", args),
         Some("ends") => run("FourbarEnds", args),
+        Some("faster") => run_from::<Faster>(args),
+        Some("lever") => run_from::<Lever>(args),
         Some("leg") => run("FiveBarLeg", args),
         Some("infeasible") => run("InfeasibleFourbar", args),
         Some("limits") => run("StrokeLimits", args),
@@ -166,7 +182,7 @@ fn main() -> ExitCode {
         Some("with_units") => run_from::<WithUnits>(args),
         _ => {
             eprintln!(
-                "error: the first argument is arm, balanced, cam, chain, wrong_cam, dead_centre, eccentric, excavator, fourbar, ends, infeasible, leg, limits, loaded, press, redundant, robot, singular, teeth, underdriven or with_units"
+                "error: the first argument is arm, balanced, cam, chain, wrong_cam, dead_centre, eccentric, excavator, fourbar, ends, faster, infeasible, leg, lever, limits, loaded, press, redundant, robot, singular, teeth, underdriven or with_units"
             );
             ExitCode::from(2)
         }

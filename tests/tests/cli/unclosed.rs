@@ -27,6 +27,16 @@ fn an_angle_says_when_although_nothing_closes_at_the_beginning() {
     assert!(ranges.starts_with("FourbarLectureMid from t = 0 to t = 2.73182\n"), "{ranges}");
 }
 
+/// Cranks that are as fast at t = 0 as if their speed were constant.
+#[test]
+fn an_angle_says_when_only_if_the_speed_is_constant() {
+    for line in ["lever solve lever.phi --at 60deg", "faster solve crank.phi --at 1turn", "faster sweep --to 90deg"] {
+        failed(line, 2, &["an angle says when only if a crank is driven at constant speed"]);
+    }
+    // Without a turn the default range is one unit of time.
+    assert!(good("lever sweep --steps 1 --format csv").lines().last().is_some_and(|last| last.starts_with("1,")));
+}
+
 /// The same dimensions: a motion up to a limit says what is proven at t = 0, and one between limits is that which exists.
 #[test]
 fn limits_are_those_of_a_motion_that_closes() {

@@ -1,6 +1,7 @@
 //! Known functions with a peak, a pole or a gap much narrower than a step, between places at which nothing shows it.
 
 use crate::hidden::ends_at;
+use kin_runtime::function::{MotionLaw, Sequence};
 use kin_runtime::{Instant, Kinematics, Options, PlanError, Refusal, SolveError, mechanism};
 
 /// A rod of length 0.7 couples a slider to an arm of length 0.2: it closes for 0.5 ≤ x ≤ 0.9. The slider is driven.
@@ -53,6 +54,18 @@ struct OnACam {
     w: f64,
 }
 
+/// The slider is told to rise and to return, between two dwells.
+#[mechanism]
+#[function(lift)]
+#[body(arm, x = 0, y = 0)]
+#[body(slider, y = 0, phi = 0)]
+#[driver(push: slider.x = 0.8 + lift(t))]
+#[distance(rod: arm @ (0.2, 0), slider @ (0, 0), length = 0.7)]
+#[guess(arm.phi = 1, slider.x = 0.8)]
+struct Told {
+    lift: Sequence,
+}
+
 /// Places and widths of a peak, and grids of instants that do not show it.
 fn everywhere(mut check: impl FnMut(f64, f64, &[f64])) {
     for (c, w) in [(1.1, 0.03), (2.903, 0.004), (1.733, 0.0006), (0.611, 1e-4)] {
@@ -75,6 +88,22 @@ fn a_peak_is_found_however_narrow_it_is() {
         let w = w.max(6e-4);
         ends_at(&OfAngle { c, w }, times, first(w));
         ends_at(&OnACam { c, w }, times, first(w));
+    });
+}
+
+/// A rise by half of 1 − cos πτ has passed two thirds of its height where cos πτ = −1/3.
+#[test]
+fn a_rise_and_return_between_two_instants_is_found() {
+    everywhere(|c, w, times| {
+        let rest = Sequence::starting_at(0.0, 0.0).dwell(c - w);
+        let moved = rest.rise(MotionLaw::Harmonic, 0.15, w).fall(MotionLaw::Cycloidal, 0.15, w);
+        let lift = moved.dwell(5.0).build().expect("a sequence");
+        ends_at(&Told { lift: lift.clone() }, times, c - w + w * (-1.0_f64 / 3.0).acos() / std::f64::consts::PI);
+        // A smaller rise is followed.
+        let lift = Sequence::starting_at(0.0, 0.0).dwell(c - w).rise(MotionLaw::Harmonic, 0.09, w);
+        let lift = lift.fall(MotionLaw::Cycloidal, 0.09, w).dwell(5.0).build().expect("a sequence");
+        let told = Told { lift };
+        assert_eq!(times.len(), told.solver().sweep(times).expect("it closes everywhere").states.len());
     });
 }
 

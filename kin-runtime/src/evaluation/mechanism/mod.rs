@@ -3,7 +3,7 @@
 use crate::evaluation::curve::CurvePoint;
 use crate::model::Model;
 use crate::plan::{Depth, Solved};
-use crate::scalar::Scalar;
+use crate::scalar::{Interval, Scalar};
 use crate::signal::Signal;
 use crate::workspace::{Array, Evaluation, Instant, Subset};
 
@@ -19,7 +19,8 @@ pub use workspaces::{Observations, Workspace};
 /// have s numbers in the order of [`Model::rows`]; Φ_q is given by its non-zeros in the order of
 /// [`Model::constraint_pattern`]. Lengths are in the user's unit, angles in radians, counter-clockwise.
 ///
-/// The evaluation path needs neither `std` nor an allocator.
+/// The evaluation path needs neither `std` nor an allocator. Every method that returns a [`Result`] returns an error when
+/// an argument has the wrong length.
 #[allow(unused_variables, reason = "a default is for mechanisms without what it writes")]
 pub trait Mechanism: Sized {
     /// n, the number of generalized coordinates.
@@ -42,6 +43,9 @@ pub trait Mechanism: Sized {
     /// time, of an input, or of a coordinate for which the plan does not iterate on the row, and more than one sinusoid.
     const KNOWN_VALUES_CURVE: bool = false;
 
+    /// The supplied functions whose arguments [`known_curves_with`](Self::known_curves_with) writes, in their order.
+    const FUNCTIONS_IN_CURVES: &'static [usize] = &[];
+
     /// `[T; PARAMETERS]`.
     type Parameters<T: Scalar>: Array<T>;
     /// `[Signal<T>; INPUTS]`.
@@ -58,7 +62,7 @@ pub trait Mechanism: Sized {
     type ObservableNonZeros<T: Scalar>: Array<T>;
     /// The factors that [`factorise_with`](Self::factorise_with) computes; empty without a plan.
     type Factors<T: Scalar>: Array<T>;
-    /// One `T` for every function that [`known_curves_with`](Self::known_curves_with) writes.
+    /// One `T` for every number that [`known_curves_with`](Self::known_curves_with) writes.
     type KnownCurves<T: Scalar>: Array<T>;
     /// The factors that measure the distance from singularity, as margins do: the first index and one past the last.
     const REGULAR: (usize, usize) = (0, 0);
@@ -77,9 +81,13 @@ pub trait Mechanism: Sized {
         None
     }
 
+    /// The values of the supplied function at `index` of [`Model::functions`] over an interval of its argument; undefined
+    /// where they are not known (see [`ScalarFunction::enclose`](crate::ScalarFunction::enclose)).
+    fn enclose_function(&self, index: usize, x: Interval) -> Interval {
+        Interval::UNDEFINED
+    }
+
     /// Writes the arguments at which supplied functions are evaluated, one for every entry of [`Model::arguments`].
-    /// # Errors
-    /// As [`evaluate_with`](Self::evaluate_with).
     fn write_arguments<T: Scalar>(
         &self,
         parameters: &[T],
@@ -92,8 +100,6 @@ pub trait Mechanism: Sized {
 
     /// Evaluates Φ, Φ_q, Φ_t, γ, or any subset, at parameters of the caller; common terms are computed once.
     /// Units follow the parameters. Parts that `subset` does not request may be overwritten or left unchanged.
-    /// # Errors
-    /// When `parameters`, the inputs, `q` or `q_dot` have the wrong length.
     fn evaluate_with<T: Scalar>(
         &self,
         parameters: &[T],
@@ -105,8 +111,6 @@ pub trait Mechanism: Sized {
     ) -> Result<(), LengthError>;
 
     /// Evaluates Φ(q, t) alone. A scalar type that only this method uses (a dual number) compiles no derivatives.
-    /// # Errors
-    /// As [`evaluate_with`](Self::evaluate_with).
     fn constraints_with<T: Scalar>(
         &self,
         parameters: &[T],
@@ -122,8 +126,6 @@ pub trait Mechanism: Sized {
     }
 
     /// Evaluates η = B(q, t) q̇ + b(q, t) of the rows of velocity level, for any scalar type; 0 in all other rows.
-    /// # Errors
-    /// When an argument has the wrong length.
     fn velocity_constraints_with<T: Scalar>(
         &self,
         parameters: &[T],
@@ -140,8 +142,6 @@ pub trait Mechanism: Sized {
     /// possible. `modes` has a sign, ±1, for every mode of the plan. Angles are within half a turn of those in `start`,
     /// n numbers, from which iterations start. The results are valid only where all margins are positive; nothing is
     /// written without a plan.
-    /// # Errors
-    /// When an argument has the wrong length.
     fn solve_with<T: Scalar>(
         &self,
         parameters: &[T],
@@ -158,9 +158,6 @@ pub trait Mechanism: Sized {
     /// −1 ≤ w ≤ 1: the sign of w is the mode of the configuration, and its size measures the distance between the two
     /// closures, 0 where they meet. A number follows for every group of
     /// [`Plan::orientations`](crate::plan::Plan::orientations), the normalised determinant of the group's system.
-    ///
-    /// # Errors
-    /// When an argument has the wrong length.
     fn branches_with<T: Scalar>(
         &self,
         parameters: &[T],
@@ -173,8 +170,6 @@ pub trait Mechanism: Sized {
 
     /// Writes how far the gradients of rows turn with each coordinate, in radians per unit of the coordinate: of rows that
     /// the plan iterates, and of those that it solves in closed form for lengths or scalars.
-    /// # Errors
-    /// When an argument has the wrong length.
     fn turns_with<T: Scalar>(
         &self,
         parameters: &[T],
@@ -187,10 +182,8 @@ pub trait Mechanism: Sized {
     }
 
     /// Writes the functions in rows that are known where the motion is, because they depend on time and inputs alone or on a
-    /// single coordinate, and that may hide motion (see [`KNOWN_VALUES_CURVE`](Self::KNOWN_VALUES_CURVE)); supplied
-    /// functions are not among them.
-    /// # Errors
-    /// When an argument has the wrong length.
+    /// single coordinate, and that may hide motion (see [`KNOWN_VALUES_CURVE`](Self::KNOWN_VALUES_CURVE)); then the
+    /// arguments of the supplied functions among them, [`FUNCTIONS_IN_CURVES`](Self::FUNCTIONS_IN_CURVES).
     fn known_curves_with<T: Scalar>(
         &self,
         parameters: &[T],
@@ -202,8 +195,6 @@ pub trait Mechanism: Sized {
     }
 
     /// Factorises Φ_q at q for systems Φ_q x = b, by the blocks of the plan; nothing is written where there is no plan.
-    /// # Errors
-    /// When an argument has the wrong length.
     fn factorise_with<T: Scalar>(
         &self,
         parameters: &[T],
@@ -217,15 +208,11 @@ pub trait Mechanism: Sized {
     /// Solves Φ_q x = b for x (n numbers) from b (s numbers) and the factors of Φ_q; nothing is written where there is
     /// no plan. Where Φ_q is singular, x is not finite or far too large: the caller must check Φ_q x = b, or the
     /// margins of a solution.
-    /// # Errors
-    /// When an argument has the wrong length.
     fn solve_factorised<T: Scalar>(factors: &Self::Factors<T>, b: &[T], x: &mut [T]) -> Result<(), LengthError> {
         Ok(())
     }
 
     /// Evaluates the observables with their Jacobian, time derivative and acceleration right-hand side.
-    /// # Errors
-    /// As [`evaluate_with`](Self::evaluate_with).
     fn observe_with<T: Scalar>(
         &self,
         parameters: &[T],
@@ -236,8 +223,6 @@ pub trait Mechanism: Sized {
     ) -> Result<(), LengthError>;
 
     /// Writes local points, axes and values of all joints and points, [`Model::geometry`] numbers.
-    /// # Errors
-    /// As [`evaluate_with`](Self::evaluate_with).
     fn write_geometry<T: Scalar>(
         &self,
         parameters: &[T],
@@ -249,15 +234,11 @@ pub trait Mechanism: Sized {
 
     /// Writes the lengths that joints prescribe, [`LENGTHS`](Self::LENGTHS) numbers in the order of their joints. A row
     /// of such a joint contains the square, which hides a negative length; solvers report one as an error.
-    /// # Errors
-    /// As [`evaluate_with`](Self::evaluate_with).
     fn lengths_with<T: Scalar>(&self, parameters: &[T], at: &Instant<'_, T>, out: &mut [T]) -> Result<(), LengthError> {
         length::empty("lengths", out)
     }
 
     /// Writes r = Q − M q̈, n numbers: the generalized forces that the constraints must balance, Φ_qᵀ λ = r.
-    /// # Errors
-    /// When an argument has the wrong length.
     fn generalized_forces_with<T: Scalar>(
         &self,
         parameters: &[T],
@@ -272,8 +253,6 @@ pub trait Mechanism: Sized {
 
     /// Writes what gravity, applied loads and springs exert on bodies at q and q̇: for each of the model's
     /// [`loads`](crate::model::ForceModel::loads) the point and the force in the inertial frame, or the couple.
-    /// # Errors
-    /// When an argument has the wrong length.
     fn loads_with<T: Scalar>(
         &self,
         parameters: &[T],
@@ -288,8 +267,6 @@ pub trait Mechanism: Sized {
     /// Writes efforts, reactions, energies and powers at a solved q, q̇, q̈, the numbers of
     /// [`ForceModel`](crate::model::ForceModel). `right` is λ, s numbers; if it is empty, closed forms along the plan
     /// compute λ.
-    /// # Errors
-    /// When an argument has the wrong length.
     #[allow(clippy::too_many_arguments, reason = "one argument per quantity that the forces depend on")]
     fn forces_with<T: Scalar>(
         &self,
@@ -305,8 +282,6 @@ pub trait Mechanism: Sized {
     }
 
     /// Writes the guessed values of the coordinates listed in [`Model::guesses`].
-    /// # Errors
-    /// As [`evaluate_with`](Self::evaluate_with).
     fn write_guesses<T: Scalar>(&self, parameters: &[T], guesses: &mut [T]) -> Result<(), LengthError> {
         length::empty("guesses", guesses)
     }
@@ -314,8 +289,6 @@ pub trait Mechanism: Sized {
     /// A point of the curve of `joint`, an index in [`Model::joints`], at the argument `s` (see [`CurvePoint`]); `None`
     /// for a joint without a curve and for one in implicit form. With a roller it is the profile on which the roller
     /// runs, not the path of its centre.
-    /// # Errors
-    /// As [`evaluate_with`](Self::evaluate_with).
     fn curve_with<T: Scalar>(
         &self,
         parameters: &[T],
@@ -327,8 +300,6 @@ pub trait Mechanism: Sized {
     }
 
     /// [`curve_with`](Self::curve_with) at the struct's own parameters.
-    /// # Errors
-    /// As [`evaluate_with`](Self::evaluate_with).
     fn curve_point<T: Scalar>(
         &self,
         at: &Instant<'_, T>,
@@ -349,8 +320,6 @@ pub trait Mechanism: Sized {
     }
 
     /// Evaluates Φ, Φ_q, Φ_t, γ, or any subset of them, at the struct's own parameters.
-    /// # Errors
-    /// As [`evaluate_with`](Self::evaluate_with).
     #[inline(always)]
     fn evaluate<T: Scalar>(
         &self,
@@ -364,8 +333,6 @@ pub trait Mechanism: Sized {
     }
 
     /// Φ(q, t), s numbers.
-    /// # Errors
-    /// As [`evaluate_with`](Self::evaluate_with).
     fn constraints<T: Scalar>(&self, at: &Instant<'_, T>, q: &[T]) -> Result<Self::Rows<T>, LengthError> {
         let mut phi = Self::Rows::<T>::filled(T::from_f64(0.0));
         self.constraints_with(self.parameters::<T>().as_ref(), at, q, &mut phi)?;
@@ -373,8 +340,6 @@ pub trait Mechanism: Sized {
     }
 
     /// The non-zeros of Φ_q(q, t), in the order of [`Model::constraint_pattern`].
-    /// # Errors
-    /// As [`evaluate_with`](Self::evaluate_with).
     fn jacobian<T: Scalar>(&self, at: &Instant<'_, T>, q: &[T]) -> Result<Self::NonZeros<T>, LengthError> {
         let mut workspace = Self::workspace::<T>();
         let rest = Self::Coordinates::<T>::filled(T::from_f64(0.0));
@@ -383,8 +348,6 @@ pub trait Mechanism: Sized {
     }
 
     /// Φ_t(q, t), s numbers; ν = −Φ_t.
-    /// # Errors
-    /// As [`evaluate_with`](Self::evaluate_with).
     fn time_derivative<T: Scalar>(&self, at: &Instant<'_, T>, q: &[T]) -> Result<Self::Rows<T>, LengthError> {
         let mut workspace = Self::workspace::<T>();
         let rest = Self::Coordinates::<T>::filled(T::from_f64(0.0));
@@ -393,8 +356,6 @@ pub trait Mechanism: Sized {
     }
 
     /// γ(q, q̇, t) = −(Φ_q q̇)_q q̇ − 2 Φ_qt q̇ − Φ_tt, s numbers.
-    /// # Errors
-    /// As [`evaluate_with`](Self::evaluate_with).
     fn gamma<T: Scalar>(&self, at: &Instant<'_, T>, q: &[T], q_dot: &[T]) -> Result<Self::Rows<T>, LengthError> {
         let mut workspace = Self::workspace::<T>();
         self.evaluate(Subset::GAMMA, at, q, q_dot, &mut workspace)?;

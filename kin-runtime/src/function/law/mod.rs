@@ -11,6 +11,7 @@ mod wave;
 
 use super::ScalarFunction;
 use super::polynomial::all_derivatives;
+use crate::scalar::Interval;
 use core::fmt;
 use wave::Wave;
 
@@ -126,6 +127,12 @@ impl ScalarFunction for MotionLaw {
     fn derivatives(&self, tau: f64, out: &mut [f64]) -> usize {
         Self::derivatives(*self, tau, out);
         out.len()
+    }
+
+    /// Every law rises from 0 to 1.
+    fn enclose(&self, tau: Interval) -> Interval {
+        let [from, to] = [tau.lower(), tau.upper()].map(|tau| self.normalised(tau)[0]);
+        Interval::from(from).hull(Interval::from(to))
     }
 }
 

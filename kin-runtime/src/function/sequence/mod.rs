@@ -5,7 +5,8 @@ mod segment;
 #[cfg(test)]
 mod tests;
 
-use super::ScalarFunction;
+use super::{ScalarFunction, enclose_periodic, enclose_pieces, enclose_straight};
+use crate::scalar::Interval;
 use crate::text::counted;
 use alloc::vec::Vec;
 pub use builder::SequenceBuilder;
@@ -122,6 +123,17 @@ impl ScalarFunction for Sequence {
         }
         let index = self.segments[1..].partition_point(|segment| segment.start <= x);
         self.segments[index].evaluate(x)
+    }
+
+    fn enclose(&self, x: Interval) -> Interval {
+        let (start, end) = self.domain;
+        let knots: Vec<f64> = self.segments.iter().map(|segment| segment.start).chain([end]).collect();
+        let inside = |x: Interval| enclose_pieces(x, &knots, &|index, x| self.segments[index].enclose(x));
+        match self.periodic {
+            _ if !x.is_bounded() => Interval::UNDEFINED,
+            true => enclose_periodic(x, [start, end], &inside),
+            false => enclose_straight(x, [start, end], &inside, &|x| self.evaluate(x)[0]),
+        }
     }
 }
 

@@ -1,7 +1,9 @@
 //! One segment of a sequence.
 
+use crate::function::ScalarFunction;
 use crate::function::law::MotionLaw;
-use crate::function::polynomial::{all_derivatives, horner};
+use crate::function::polynomial::{self, all_derivatives, horner};
+use crate::scalar::Interval;
 use alloc::vec::Vec;
 
 /// A piece of a motion over [start, start + duration].
@@ -70,6 +72,18 @@ impl Segment {
             *place = if order == 0 { self.position + *place } else { *place / scale };
             scale *= self.duration;
         }
+    }
+
+    /// The values over an interval of x.
+    pub(super) fn enclose(&self, x: Interval) -> Interval {
+        let [from, to] = [x.lower(), x.upper()].map(|x| ((x - self.start) / self.duration).clamp(0.0, 1.0));
+        let tau = Interval::new(from, to);
+        let moved = match &self.course {
+            Course::Dwell => Interval::ZERO,
+            Course::Law(law, rise) => law.enclose(tau) * Interval::from(*rise),
+            Course::Polynomial(coefficients) => polynomial::enclose(coefficients, tau),
+        };
+        Interval::from(self.position) + moved
     }
 
     pub(super) fn at_start(&self) -> [f64; 3] {

@@ -4,8 +4,9 @@
 mod tests;
 mod tridiagonal;
 
-use super::ScalarFunction;
+use super::{ScalarFunction, enclose_periodic, enclose_pieces, enclose_straight, polynomial};
 use crate::function::FunctionError;
+use crate::scalar::{Interval, Scalar};
 use crate::text::counted;
 use alloc::vec::Vec;
 use core::fmt;
@@ -182,6 +183,19 @@ impl ScalarFunction for CubicSpline {
         super::polynomial::all_derivatives(&self.pieces[i], inside - self.knots[i], out)
     }
 
+    fn enclose(&self, x: Interval) -> Interval {
+        let (start, end) = self.domain();
+        let of_piece =
+            |i: usize, x: Interval| enclose_cubic(&self.pieces[i], [x.lower(), x.upper()].map(|x| x - self.knots[i]));
+        let inside = |x: Interval| enclose_pieces(x, &self.knots, &of_piece);
+        match self.outside {
+            _ if !x.is_bounded() => Interval::UNDEFINED,
+            Outside::Cubic => inside(x),
+            Outside::Straight => enclose_straight(x, [start, end], &inside, &|x| self.evaluate(x)[0]),
+            Outside::Periodic => enclose_periodic(x, [start, end], &inside),
+        }
+    }
+
     fn evaluate(&self, x: f64) -> [f64; 3] {
         let (start, end) = self.domain();
         match self.outside {
@@ -195,6 +209,16 @@ impl ScalarFunction for CubicSpline {
             Outside::Periodic => self.at(super::wrapped(x, start, end)),
         }
     }
+}
+
+/// The values of c₀ + c₁ u + c₂ u² + c₃ u³ between two arguments: the least and the largest of those at both and where
+/// c₁ + 2 c₂ u + 3 c₃ u² = 0.
+fn enclose_cubic(&[c0, c1, c2, c3]: &[f64; 4], [from, to]: [f64; 2]) -> Interval {
+    let root = Scalar::sqrt(c2 * c2 - 3.0 * c1 * c3);
+    let sum = -(c2 + if c2 < 0.0 { -root } else { root });
+    let inside = [sum / (3.0 * c3), c1 / sum].into_iter().filter(|u| (from..=to).contains(u));
+    let value = |u: f64| Interval::from(polynomial::horner(&[c0, c1, c2, c3], u)[0]);
+    inside.map(value).fold(value(from).hull(value(to)), Interval::hull)
 }
 
 /// The distances between abscissae, after checking the table.
