@@ -103,6 +103,14 @@ pub(super) fn run(args: &DesignArgs, engine: &mut dyn Engine, session: &mut Sess
     let output = ledger.take(session.destination(&args.output, "design"));
     let setup = ledger.take(args.setup.apply_complete(engine).and_then(Setup::without_closure));
     let all = ledger.take(wishes(args, &*engine));
+    let mut ask = |option, what: &str| ledger.take(Err::<(), _>(Failure::option(option, what)));
+    let positive = |period: f64| period > 0.0 && period.is_finite();
+    if args.period.is_some_and(|period| !positive(period)) {
+        ask("--period", "a turn takes a time that is finite and positive");
+    }
+    if args.starts == 0 {
+        ask("--starts", "a search has at least one start");
+    }
     let (output, setup, all) = ledger.close(zip3(output, setup, all))?;
     let period = match (args.period, args.turns.as_deref().filter(|driver| !driver.is_empty())) {
         (Some(period), _) => period,

@@ -11,7 +11,10 @@ pub(super) fn columns(option: &str, file: &str, lists: &[&[&str]]) -> Result<Vec
     for (line, record) in reader.map_err(|error| cannot(error.to_string()))?.records().enumerate() {
         let record = record.map_err(|error| cannot(error.to_string()))?;
         match record.iter().map(str::parse).collect::<Result<Vec<f64>, _>>() {
-            Ok(numbers) => rows.push(numbers),
+            Ok(numbers) => match numbers.iter().find(|number| !number.is_finite()) {
+                Some(number) => return Err(cannot(format!("line {} has {number}, which is not finite", line + 1))),
+                None => rows.push(numbers),
+            },
             Err(_) if line == 0 => {
                 let is = |(name, wanted): (&str, &&str)| name.rsplit('.').next() == Some(*wanted);
                 let fits = |list: &&[&str]| list.len() == record.len() && record.iter().zip(list.iter()).all(is);

@@ -205,3 +205,19 @@ fn a_page_tells_an_early_end_in_one_short_sentence() {
     assert!(note.starts_with("The motion ends early: ") && note.ends_with('.') && note.len() < 100, "{note}");
     assert_eq!(note.matches(": ").count(), 1, "{note}");
 }
+
+/// What is wanted must be numbers, in files as elsewhere.
+#[test]
+fn a_file_with_numbers_that_are_not_finite_is_refused() {
+    let place = Place::new("not-finite");
+    let file = place.file("places.csv");
+    fs::write(&file, "x,y\n0.2,0.1\n0.1,nan\n").expect("a file");
+    let drawing = format!("fourbar animate --targets {file} --out {}", place.file("x.svg"));
+    let wanted = format!("fourbar design --free l1=0.1..0.3 --path tip={file}");
+    for line in [drawing, wanted] {
+        failed(&line, 2, &["places.csv", "line 3 has NaN, which is not finite"]);
+    }
+    assert_eq!(["places.csv"], place.names()[..]);
+    let line = "fourbar design --free l1=0.1..0.3 --peak crank.y --period=-1 --starts 0";
+    failed(line, 2, &["--period: a turn takes a time that is finite and positive", "--starts: a search has at least"]);
+}
