@@ -364,12 +364,15 @@ enum Sought {
 /// one.
 fn limit(engine: &dyn Engine, setup: &Setup, start: f64, direction: f64) -> Result<Sought, Failure> {
     let ranges = turn(engine, setup, start).map_or(FAR.to_vec(), |turn| vec![turn]);
+    let mut followed = None;
     for far in &ranges {
         let times = [start, start + direction * far];
         let go_on = |_: crate::observer::Reached<'_>| ControlFlow::Continue(());
         let (trajectory, error) = engine.sweep_each(setup, &times, false, &go_on, &mut |_| ControlFlow::Continue(()));
         match error {
-            None => {}
+            None => followed = Some(start + direction * far),
+            // Numbers that grow too large farther away, as exp(−t) does towards the past, are no limit.
+            Some(SolveError::NonFinite { .. }) if followed.is_some() => break,
             Some(error @ (SolveError::StepRefused { t, .. } | SolveError::Singular { t, .. }))
                 if trajectory.reached > 0 =>
             {
@@ -382,7 +385,7 @@ fn limit(engine: &dyn Engine, setup: &Setup, start: f64, direction: f64) -> Resu
             Some(error) => return Err(misfit(engine, setup, start, &error)),
         }
     }
-    Ok(Sought::None(start + direction * ranges.last().copied().unwrap_or(1.0)))
+    Ok(Sought::None(followed.unwrap_or(start)))
 }
 
 /// `dead centre of A, B, D`.
