@@ -89,6 +89,9 @@ pub(crate) fn narrow_curves_are_followed<M: Mechanism>(
     }
     if !M::FUNCTIONS_IN_CURVES.is_empty() {
         is_unknown = excesses(0.5, SHORTEST)?;
+        // A formula without a value there has a gap.
+        let formulas = zero.as_ref().len() - M::FUNCTIONS_IN_CURVES.len();
+        is_unknown.as_mut()[..formulas].fill(0.0);
     }
     let mut excess = |start: f64, width: f64| -> Result<f64, LengthError> {
         let excesses = excesses(start, width)?;

@@ -1,7 +1,7 @@
 //! Known functions with a peak, a pole or a gap much narrower than a step, between places at which nothing shows it.
 
 use crate::hidden::ends_at;
-use kin_runtime::function::{MotionLaw, Sequence};
+use kin_runtime::function::{FromFn, MotionLaw, Sequence};
 use kin_runtime::{Instant, Kinematics, Options, PlanError, Refusal, SolveError, mechanism};
 
 /// A rod of length 0.7 couples a slider to an arm of length 0.2: it closes for 0.5 ≤ x ≤ 0.9. The slider is driven.
@@ -131,6 +131,18 @@ struct GapOfAngle {
     w: f64,
 }
 
+/// A gap beside a function without an enclosure.
+#[mechanism]
+#[coordinates(s, u)]
+#[function(f)]
+#[driver(drive: u = f(t))]
+#[driver(wave: s = 0.001 * sqrt(pow(t - c, 2) - w * w))]
+struct GapBesideAFunction {
+    c: f64,
+    w: f64,
+    f: FromFn<fn(f64) -> [f64; 3]>,
+}
+
 /// Beyond a gap in which a row has no value, the mechanism is not reached.
 fn ends_at_gap<M: Kinematics>(mechanism: &M, times: &[f64], start: f64) {
     for use_plan in [true, false] {
@@ -153,6 +165,9 @@ fn a_gap_ends_the_motion() {
         ends_at_gap(&Gap { c, w }, times, c - w);
         ends_at_gap(&GapOfAngle { c, w }, times, c - w);
     });
+    // In the middle of the only step.
+    let (c, w, f) = (1.0, 0.01, FromFn((|x| [x, 1.0, 0.0]) as fn(f64) -> [f64; 3]));
+    ends_at_gap(&GapBesideAFunction { c, w, f }, &[0.0, 2.0], c - w);
 }
 
 /// Peaks that the mechanism can follow are followed.
