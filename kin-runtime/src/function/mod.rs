@@ -123,20 +123,21 @@ macro_rules! behind {
 #[cfg(feature = "alloc")]
 behind!(alloc::boxed::Box<F>, alloc::rc::Rc<F>, alloc::sync::Arc<F>);
 
-/// The values over an interval of a function that consists of pieces between increasing knots: `of_piece` encloses a piece
-/// over an interval that is within it, except that the first piece may be left towards smaller, and the last one towards
-/// larger arguments.
+/// The values over an interval of a function that consists of pieces, of which those at both ends of the interval are
+/// `first` and `last`: `start` gives where a piece begins, and `of_piece` encloses a piece over an interval within it.
 #[cfg(feature = "alloc")]
-fn enclose_pieces(x: Interval, knots: &[f64], of_piece: &dyn Fn(usize, Interval) -> Interval) -> Interval {
-    let last = knots.len() - 2;
-    let within = |x: f64| knots[1..=last].partition_point(|knot| *knot <= x);
-    let (first, end) = (within(x.lower()), within(x.upper()));
+fn enclose_pieces(
+    x: Interval,
+    [first, last]: [usize; 2],
+    start: &dyn Fn(usize) -> f64,
+    of_piece: &dyn Fn(usize, Interval) -> Interval,
+) -> Interval {
     let of = |piece: usize| {
-        let lower = if piece == first { x.lower() } else { knots[piece] };
-        let upper = if piece == end { x.upper() } else { knots[piece + 1] };
+        let lower = if piece == first { x.lower() } else { start(piece) };
+        let upper = if piece == last { x.upper() } else { start(piece + 1) };
         of_piece(piece, Interval::new(lower, upper))
     };
-    (first..=end).map(of).reduce(Interval::hull).unwrap_or(Interval::UNDEFINED)
+    (first..=last).map(of).reduce(Interval::hull).unwrap_or(Interval::UNDEFINED)
 }
 
 /// The values of a function over an interval, if it is straight before `start` and after `end`: `enclose` gives them over

@@ -89,8 +89,12 @@ impl Sequence {
             return None;
         }
         let x = if self.periodic { super::wrapped(x, start, end) } else { x };
-        let index = self.segments[1..].partition_point(|segment| segment.start <= x);
-        Some((&self.segments[index], x))
+        Some((&self.segments[self.index_at(x)], x))
+    }
+
+    /// The index of the segment at `x` within the domain.
+    fn index_at(&self, x: f64) -> usize {
+        self.segments[1..].partition_point(|segment| segment.start <= x)
     }
 }
 
@@ -121,14 +125,15 @@ impl ScalarFunction for Sequence {
             // A dwell would ignore its argument, so NaN is handled here.
             return [f64::NAN; 3];
         }
-        let index = self.segments[1..].partition_point(|segment| segment.start <= x);
-        self.segments[index].evaluate(x)
+        self.segments[self.index_at(x)].evaluate(x)
     }
 
     fn enclose(&self, x: Interval) -> Interval {
         let (start, end) = self.domain;
-        let knots: Vec<f64> = self.segments.iter().map(|segment| segment.start).chain([end]).collect();
-        let inside = |x: Interval| enclose_pieces(x, &knots, &|index, x| self.segments[index].enclose(x));
+        let inside = |x: Interval| {
+            let ends = [x.lower(), x.upper()].map(|x| self.index_at(x));
+            enclose_pieces(x, ends, &|k| self.segments[k].start, &|k, x| self.segments[k].enclose(x))
+        };
         match self.periodic {
             _ if !x.is_bounded() => Interval::UNDEFINED,
             true => enclose_periodic(x, [start, end], &inside),

@@ -187,7 +187,10 @@ impl ScalarFunction for CubicSpline {
         let (start, end) = self.domain();
         let of_piece =
             |i: usize, x: Interval| enclose_cubic(&self.pieces[i], [x.lower(), x.upper()].map(|x| x - self.knots[i]));
-        let inside = |x: Interval| enclose_pieces(x, &self.knots, &of_piece);
+        let inside = |x: Interval| {
+            let ends = [x.lower(), x.upper()].map(|x| self.piece_at(x));
+            enclose_pieces(x, ends, &|i| self.knots[i], &of_piece)
+        };
         match self.outside {
             _ if !x.is_bounded() => Interval::UNDEFINED,
             Outside::Cubic => inside(x),
