@@ -55,7 +55,10 @@ pub(crate) fn narrow_curves_are_followed<M: Mechanism>(
         let at = Instant { t: from.t + s * (to.t - from.t), inputs: inputs.as_ref() };
         mechanism.known_curves_with(parameters, &at, q.as_ref(), curves.as_mut())?;
         for (function, x) in supplied(M::FUNCTIONS_IN_CURVES, curves.as_mut()) {
-            *x = mechanism.evaluate_function(function, *x).map_or(f64::NAN, |[f, ..]| f);
+            // A function that does not enclose its values need not be evaluated.
+            let is_enclosed = mechanism.enclose_function(function, Interval::from(*x)).is_defined();
+            let value = if is_enclosed { mechanism.evaluate_function(function, *x) } else { None };
+            *x = value.map_or(f64::NAN, |[f, ..]| f);
         }
         for (k, curve) in curves.as_ref().iter().enumerate() {
             least.as_mut()[k] = if s == 0.0 { *curve } else { curve.min(least.as_ref()[k]) };
