@@ -1,7 +1,7 @@
 //! Pins that pass each other at a small distance: a crank that is longer than the distance of the pivots by a gap. The
 //! arm turns by half a turn while the crank turns by a few gaps, at rates of 1/gap, and all of that is regular.
 
-use kin_runtime::{Instant, Kinematics, Planned, SweepError, Trajectory, mechanism};
+use kin_runtime::{Instant, Kinematics, Mechanism, Planned, SweepError, Trajectory, mechanism};
 use std::f64::consts::PI;
 
 /// The pin of the crank slides in an arm.
@@ -113,4 +113,48 @@ fn where_pins_meet_the_motion_ends() {
         let t = error.source.limit().and_then(|limit| limit.at()).unwrap_or(f64::NAN);
         assert!(t.abs() < 2e-6, "{times:?}: {error}");
     }
+}
+
+/// A scissor jack, whose knees meet on the spindle at t = 50. The spindle might turn there.
+#[mechanism]
+#[bodies(ll, lr, left, right)]
+#[body(nut, x = 0, y = 0)]
+#[body(top, x = 0, phi = 0)]
+#[revolute(A: ground @ (0, 0), ll @ (0, 0))]
+#[revolute(B: ground @ (0, 0), lr @ (0, 0))]
+#[distance(C: ll @ (l, 0), top @ (0, 0), length = l)]
+#[distance(D: lr @ (l, 0), top @ (0, 0), length = l)]
+#[revolute(L: left @ (0, 0), ll @ (l, 0))]
+#[revolute(R: right @ (0, 0), lr @ (l, 0))]
+#[translational(spindle: left @ (0, 0), right @ (0, 0), axis = (1, 0))]
+#[screw(thread: left @ (0, 0), right @ (0, 0), axis = (1, 0), lead = -p, nut = nut, offset = 0.5)]
+#[driver(hand: nut.phi = 2*pi*t)]
+#[guess(ll.phi = 2.6, lr.phi = 0.5, top.y = 0.2, left.phi = 0, right.phi = 0)]
+struct Jack {
+    l: f64,
+    p: f64,
+}
+
+/// The guide says so: a crossing that shows in no sign is passed along the branch that continues the motion smoothly. Only
+/// an instant at the crossing itself has no accelerations.
+#[test]
+fn the_knees_of_a_jack_pass_one_another() {
+    let jack = Jack { l: 0.3, p: 0.01 };
+    let solver = jack.solver();
+    // The knees are d = 0.5 − p t apart.
+    let height = |t: f64| (4.0 * 0.3_f64.powi(2) - (0.5 - 0.01 * t).powi(2)).sqrt();
+    let check = |t: f64, q: &[f64]| {
+        let of = |name: &str| q[Jack::model().coordinate(name).expect("a coordinate")];
+        assert!((of("top.y") - height(t)).abs() < 1e-9 && of("left.phi").abs() < 1e-9, "{t}: {q:?}");
+        assert!((of("left.x") + 0.5 * (0.5 - 0.01 * t)).abs() < 1e-9, "{t}: {q:?}");
+    };
+    for count in [3_u32, 10, 37, 333] {
+        let times: Vec<f64> = (0..=count).map(|k| 70.0 * f64::from(k) / f64::from(count)).collect();
+        let states = solver.sweep(&times).expect("smooth").states;
+        assert_eq!(times.len(), states.len());
+        states.iter().for_each(|state| check(state.t, &state.q));
+        let mut planned = solver.planned(&Instant::at(0.0)).expect("it closes");
+        times.iter().for_each(|&t| check(t, planned.at(&Instant::at(t)).expect("smooth").q()));
+    }
+    assert!(solver.sweep(&[0.0, 40.0, 50.0, 60.0]).is_err());
 }
