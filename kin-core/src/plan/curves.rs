@@ -17,8 +17,8 @@ pub struct KnownCurves {
     /// Whether a coordinate may move between two configurations otherwise than these show: a row contains a function of
     /// time, of an input, or of a coordinate for which the plan does not iterate on the row, and more than one sinusoid.
     pub hide_motion: bool,
-    /// The functions of time and inputs alone, or of a single coordinate, that can be enclosed over a step, and then the
-    /// arguments of supplied functions.
+    /// The curves that can be enclosed over a step: functions of time and inputs alone or of a single coordinate, and curves
+    /// over curves, as a radius over the angle of a point; then the arguments of supplied functions.
     pub program: Program,
     /// The supplied functions, in the order of their arguments.
     pub supplied: Vec<usize>,
@@ -109,8 +109,9 @@ fn add_curves(graph: &mut Graph, sum: ExprId, seen: &mut BTreeSet<ExprId>, curve
             },
         }
     }
-    let varies = |graph: &Graph, id: ExprId| graph.depends(id).on(RHEONOMIC.or(Depends::COORDINATE));
-    curves.extend(of_variable.into_values().filter(|&sum| hides_motion(graph, sum, &|id| varies(graph, id))));
+    let graph = &*graph;
+    let varies = |id: ExprId| graph.depends(id).on(RHEONOMIC.or(Depends::COORDINATE));
+    curves.extend(of_variable.into_values().filter(|&sum| hides_motion(graph, sum, &varies)));
 }
 
 /// True for a curve over a curve of several variables, as a radius over the angle of a point, without supplied functions.
@@ -129,7 +130,7 @@ fn is_composed(graph: &Graph, id: ExprId) -> bool {
 /// What a part of a row varies with.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Variable {
-    /// Nothing during a motion; or it has no enclosure.
+    /// Nothing that counts here: it is constant during a motion, or has a supplied function, which is listed by itself.
     None,
     /// Time and inputs.
     Instant,

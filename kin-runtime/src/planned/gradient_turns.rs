@@ -15,24 +15,19 @@
 
 use super::interior::{LEAST, fractions, input_within, on_cubic, time_within};
 use super::lists::{BranchValues, Modes};
+use super::parts::{MOST_PARTS, Span, halve, hull};
 use crate::mechanism::{LengthError, Mechanism};
 use crate::scalar::{Interval, Scalar};
 use crate::signal::{Instant, Signal};
 use crate::workspace::Array;
 
-/// How often a part is halved at most.
-const HALVINGS: u32 = 20;
-
 /// The largest number of parts of the same length. If more of them would have to be looked at, the step is too long.
-const PARTS: usize = 256;
+const PARTS: usize = MOST_PARTS;
 
 /// The largest number of parts that are looked at if there is no bound even over a part as short as [`SHORTEST`], as for a
 /// function that the program supplies, which has no enclosure.
 const PARTS_WITHOUT_BOUND: usize = 16;
 const SHORTEST: f64 = 1e-6;
-
-/// The excess of a part that need not be halved, relative to the largest one.
-const NEGLIGIBLE_EXCESS: f64 = 1e-3;
 
 /// Width of the box along a coordinate that rests, relative to the coordinate, and the least width.
 const RESTING: f64 = 1e-12;
@@ -40,17 +35,6 @@ const LEAST_WIDTH: f64 = 1e-100;
 
 /// The largest turn of a part that is not halved, relative to the largest rotation of a step.
 const SMALL: f64 = 2.0;
-
-/// A step: q₀, q̇₀, q₁ and q̇₁, the inputs at its start, and its length.
-#[derive(Clone, Copy)]
-pub(crate) struct Span<'a> {
-    /// The configurations and rates at both ends.
-    pub(crate) ends: [&'a [f64]; 4],
-    /// The inputs at the start.
-    pub(crate) inputs: &'a [Signal],
-    /// The length of the step.
-    pub(crate) h: f64,
-}
 
 /// Writes enclosures of the turns per unit over a part of the step, given by its place and its box.
 pub(crate) type TurnsOver<'a> = dyn FnMut(Interval, &[Interval], &mut [Interval]) -> Result<(), LengthError> + 'a;
@@ -88,55 +72,6 @@ pub(crate) fn stays_in_bends(
     let mut excess = |start, width| Ok(if is_small(start, width)? == Some(true) { 0.0 } else { f64::INFINITY });
     // A step with so many bends is too long; without a bound no step would be short enough.
     Ok(halve(most, &mut excess, stays_at)?.unwrap_or(most < PARTS))
-}
-
-/// Halves a step, and each part whose excess is above 1, and looks at the middle of every such part: false where
-/// `stays_at` is false, `None` where more than `most` parts of the same length would have to be looked at. The whole step
-/// has been looked at. The excess is a function of the beginning and the length of a part; parts are left out if it is
-/// [`NEGLIGIBLE_EXCESS`] times the largest one.
-pub(super) fn halve(
-    most: usize,
-    excess: &mut dyn FnMut(f64, f64) -> Result<f64, LengthError>,
-    stays_at: &mut dyn FnMut(f64) -> Result<bool, LengthError>,
-) -> Result<Option<bool>, LengthError> {
-    // The parts are numbered from the beginning of the step.
-    let (mut parts, mut count, mut width) = ([0_u32; PARTS], 2, 0.5);
-    parts[1] = 1;
-    for _ in 0..HALVINGS {
-        let (mut excesses, mut halves, mut halved) = ([0.0; PARTS], [0_u32; PARTS], 0);
-        for (&part, to) in parts[..count].iter().zip(&mut excesses) {
-            *to = excess(f64::from(part) * width, width)?;
-        }
-        let least = NEGLIGIBLE_EXCESS * excesses.into_iter().fold(1.0 / NEGLIGIBLE_EXCESS, f64::max);
-        for (&part, _) in parts[..count].iter().zip(excesses).filter(|(_, excess)| *excess > 1.0 && *excess >= least) {
-            if !stays_at((f64::from(part) + 0.5) * width)? {
-                return Ok(Some(false));
-            }
-            if halved + 2 > most {
-                return Ok(None);
-            }
-            (halves[halved], halves[halved + 1]) = (2 * part, 2 * part + 1);
-            halved += 2;
-        }
-        (parts, count, width) = (halves, halved, 0.5 * width);
-    }
-    Ok(Some(true))
-}
-
-/// Writes a box that contains the cubic from a place over a part of the step: the hull of its Bézier points.
-pub(super) fn hull(to: &mut [Interval], Span { ends: [q0, v0, q1, v1], h, .. }: Span<'_>, start: f64, width: f64) {
-    for ((to, (q0, v0)), (q1, v1)) in to.iter_mut().zip(q0.iter().zip(v0)).zip(q1.iter().zip(v1)) {
-        let at = |s: f64| {
-            let rest = 1.0 - s;
-            let q = rest * rest * ((1.0 + 2.0 * s) * q0 + h * s * v0) + s * s * ((3.0 - 2.0 * s) * q1 - h * rest * v1);
-            let slope = 6.0 * s * rest * (q1 - q0) + h * (rest * (1.0 - 3.0 * s) * v0 - s * (2.0 - 3.0 * s) * v1);
-            [q, slope * width / 3.0]
-        };
-        let ([a, beyond_a], [b, before_b]) = (at(start), at(start + width));
-        let points = [a, a + beyond_a, b - before_b, b];
-        let [least, most] = [f64::min, f64::max].map(|choose| points.into_iter().fold(a, choose));
-        *to = Interval::new(least, most);
-    }
 }
 
 /// True if no iterated group comes much nearer to its limit in a bend of the rows than at the ends of the step. The
@@ -187,9 +122,9 @@ pub(crate) fn bends_are_followed<M: Mechanism>(
 
 #[cfg(test)]
 mod tests {
-    use super::{HALVINGS, PARTS_WITHOUT_BOUND, Span, hull, stays_in_bends};
+    use super::{PARTS_WITHOUT_BOUND, Span, stays_in_bends};
     use crate::mechanism::LengthError;
-    use crate::planned::interior::on_cubic;
+    use crate::planned::parts::HALVINGS;
     use crate::scalar::Interval;
 
     /// A step of the length 2 in which one coordinate goes from 0 to 2 at the rate 1.
@@ -214,32 +149,6 @@ mod tests {
         };
         let stays = stays_in_bends(UNIFORM, 0.3, [&mut part, &mut turns], &mut over, &mut stays_at);
         (stays.expect("the lengths are right"), enclosures, places)
-    }
-
-    #[test]
-    fn a_box_contains_the_cubic() {
-        let ends: [&[f64]; 4] = [&[0.3, -2.0], &[-4.0, 1.0], &[0.5, 3.0], &[7.0, -30.0]];
-        for h in [1.5, -0.7] {
-            for (start, width) in [(0.0, 1.0), (0.25, 0.25), (0.875, 0.125)] {
-                let mut part = [Interval::ZERO; 2];
-                hull(&mut part, Span { ends, inputs: &[], h }, start, width);
-                for k in 0..=20 {
-                    let mut q = [f64::NAN; 2];
-                    on_cubic(&mut q, ends, h, start + width * f64::from(k) / 20.0);
-                    for (part, q) in part.iter().zip(q) {
-                        assert!(part.lower() - 1e-12 <= q && q <= part.upper() + 1e-12, "{h} {start} {k}: {part} {q}");
-                    }
-                }
-                // Over short parts the box is little larger than the cubic.
-                let mut halves = [[Interval::ZERO; 2]; 2];
-                hull(&mut halves[0], Span { ends, inputs: &[], h }, start, 0.5 * width);
-                hull(&mut halves[1], Span { ends, inputs: &[], h }, start + 0.5 * width, 0.5 * width);
-                for k in 0..2 {
-                    let both = halves[0][k].hull(halves[1][k]);
-                    assert!(part[k].lower() - 1e-12 <= both.lower() && both.upper() <= part[k].upper() + 1e-12, "{k}");
-                }
-            }
-        }
     }
 
     #[test]

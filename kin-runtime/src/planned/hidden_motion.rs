@@ -7,10 +7,10 @@
 //! solution must be near the cubic.
 
 use super::follower::{Control, NEGLIGIBLE, PlanFollower, PlanSolution};
-use super::gradient_turns::Span;
 use super::interior::{FRACTIONS, on_cubic};
 use super::lists::{Margins, Modes};
 use super::narrow_curves::narrow_curves_are_followed;
+use super::parts::Span;
 use super::predict::{largest_turn, turned};
 use crate::course::{Between, Course, kind};
 use crate::mechanism::{LengthError, Mechanism};

@@ -15,6 +15,7 @@ pub(crate) mod lists;
 mod mode;
 pub(crate) mod mode_changes;
 pub(crate) mod narrow_curves;
+pub(crate) mod parts;
 pub(crate) mod predict;
 mod range;
 pub(crate) mod rates;

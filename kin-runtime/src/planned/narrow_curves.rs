@@ -12,8 +12,8 @@
 //! are wider than the function, as where it nearly rests, and tell nothing. Supplied functions are enclosed by themselves
 //! ([`ScalarFunction::enclose`](crate::ScalarFunction::enclose)), or not at all.
 
-use super::gradient_turns::{Span, halve, hull};
 use super::interior::{FRACTIONS, input_within, on_cubic};
+use super::parts::{Span, halve, hull};
 use crate::mechanism::{LengthError, Mechanism};
 use crate::scalar::{Interval, Scalar};
 use crate::signal::{Instant, Signal};
@@ -47,28 +47,11 @@ pub(crate) fn narrow_curves_are_followed<M: Mechanism>(
     if zero.as_ref().is_empty() {
         return Ok(true);
     }
-    let (mut least, mut most, mut curves) = (zero, zero, zero);
-    let mut q = M::Coordinates::<f64>::filled(0.0);
-    for s in MEASURED {
-        on_cubic(q.as_mut(), span.ends, span.h, s);
-        let inputs = inputs_within::<M, f64>([from, to], s);
-        let at = Instant { t: from.t + s * (to.t - from.t), inputs: inputs.as_ref() };
-        mechanism.known_curves_with(parameters, &at, q.as_ref(), curves.as_mut())?;
-        for (function, x) in supplied(M::FUNCTIONS_IN_CURVES, curves.as_mut()) {
-            // A function that does not enclose its values need not be evaluated.
-            let is_enclosed = mechanism.enclose_function(function, Interval::from(*x)).is_defined();
-            let value = if is_enclosed { mechanism.evaluate_function(function, *x) } else { None };
-            *x = value.map_or(f64::NAN, |[f, ..]| f);
-        }
-        for (k, curve) in curves.as_ref().iter().enumerate() {
-            least.as_mut()[k] = if s == 0.0 { *curve } else { curve.min(least.as_ref()[k]) };
-            most.as_mut()[k] = if s == 0.0 { *curve } else { curve.max(most.as_ref()[k]) };
-        }
-    }
+    let [least, most] = range_of_curves(mechanism, parameters, [from, to], span)?;
     let known: M::Parameters<Interval> = Array::generate(Interval::ZERO, |k| Interval::from_f64(parameters[k]));
     let mut box_of_part = M::Coordinates::<Interval>::filled(Interval::ZERO);
     let mut enclosures = M::KnownCurves::<Interval>::filled(Interval::ZERO);
-    let mut is_unknown = M::KnownCurves::<f64>::filled(0.0);
+    let mut in_the_middle = M::KnownCurves::<f64>::filled(0.0);
     let mut excesses = |start: f64, width: f64| -> Result<M::KnownCurves<f64>, LengthError> {
         hull(box_of_part.as_mut(), span, start, width);
         let place = Interval::new(start, start + width);
@@ -91,17 +74,50 @@ pub(crate) fn narrow_curves_are_followed<M: Mechanism>(
         return Ok(true);
     }
     if !M::FUNCTIONS_IN_CURVES.is_empty() {
-        is_unknown = excesses(0.5, SHORTEST)?;
+        in_the_middle = excesses(0.5, SHORTEST)?;
         // A formula without a value there has a gap.
         let formulas = zero.as_ref().len() - M::FUNCTIONS_IN_CURVES.len();
-        is_unknown.as_mut()[..formulas].fill(0.0);
+        in_the_middle.as_mut()[..formulas].fill(0.0);
+    }
+    let is_known = |(k, excess): (usize, &f64)| *excess > 1.0 && in_the_middle.as_ref()[k].is_finite();
+    if !whole.as_ref().iter().enumerate().any(is_known) {
+        return Ok(true);
     }
     let mut excess = |start: f64, width: f64| -> Result<f64, LengthError> {
         let excesses = excesses(start, width)?;
-        let known = excesses.as_ref().iter().zip(is_unknown.as_ref()).filter(|(_, unknown)| unknown.is_finite());
+        let known = excesses.as_ref().iter().zip(in_the_middle.as_ref()).filter(|(_, middle)| middle.is_finite());
         Ok(known.fold(0.0, |most, (excess, _)| excess.max(most)))
     };
     Ok(halve(PARTS, &mut excess, is_near)?.unwrap_or(true))
+}
+
+/// The least and the largest value of every curve in a step; NaN for supplied functions that do not enclose their values.
+fn range_of_curves<M: Mechanism>(
+    mechanism: &M,
+    parameters: &[f64],
+    [from, to]: [&Instant<'_>; 2],
+    span: Span<'_>,
+) -> Result<[M::KnownCurves<f64>; 2], LengthError> {
+    let nothing = M::KnownCurves::<f64>::filled(f64::NAN);
+    let ([mut least, mut most], mut curves) = ([nothing; 2], nothing);
+    let mut q = M::Coordinates::<f64>::filled(0.0);
+    for s in MEASURED {
+        on_cubic(q.as_mut(), span.ends, span.h, s);
+        let inputs = inputs_within::<M, f64>([from, to], s);
+        let at = Instant { t: from.t + s * (to.t - from.t), inputs: inputs.as_ref() };
+        mechanism.known_curves_with(parameters, &at, q.as_ref(), curves.as_mut())?;
+        for (function, x) in supplied(M::FUNCTIONS_IN_CURVES, curves.as_mut()) {
+            let is_enclosed = mechanism.enclose_function(function, Interval::from(*x)).is_defined();
+            let value = if is_enclosed { mechanism.evaluate_function(function, *x) } else { None };
+            *x = value.map_or(f64::NAN, |[f, ..]| f);
+        }
+        for (k, curve) in curves.as_ref().iter().enumerate() {
+            // The other number where one is NaN.
+            least.as_mut()[k] = curve.min(least.as_ref()[k]);
+            most.as_mut()[k] = curve.max(most.as_ref()[k]);
+        }
+    }
+    Ok([least, most])
 }
 
 /// The supplied functions among known curves, with the places of their arguments, which are the last ones.

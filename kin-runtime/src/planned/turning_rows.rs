@@ -2,10 +2,11 @@
 //! for several in lanes.
 
 use super::follower::{Control, NEGLIGIBLE};
-use super::gradient_turns::{Span, bends_are_followed};
+use super::gradient_turns::bends_are_followed;
 use super::hidden_motion::least_or_nan;
 use super::interior::{certainty_at_samples, certainty_of_rates};
 use super::lists::Modes;
+use super::parts::Span;
 use super::predict::{largest_turn, turned};
 use crate::mechanism::{LengthError, Mechanism};
 use crate::scalar::compare::Compare;

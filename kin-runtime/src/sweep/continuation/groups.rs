@@ -8,9 +8,10 @@
 use crate::analysis::by_plan;
 use crate::equations::Equations;
 use crate::planned::branch::{OUT_OF_REACH, certainty_of, resolves};
-use crate::planned::gradient_turns::{Span, stays_in_bends};
+use crate::planned::gradient_turns::stays_in_bends;
 use crate::planned::ill_conditioned::ill_conditioned_group;
 use crate::planned::interior::{LEAST, fractions, input_within, on_cubic, time_within};
+use crate::planned::parts::Span;
 use crate::planned::predict::weight;
 use crate::planned::rates::largest_angle;
 use crate::scalar::{Interval, Scalar};

@@ -4,8 +4,8 @@ use crate::analysis::velocity::scaled;
 use crate::equations::Equations;
 use crate::error::SolveError;
 use crate::linear::Factorization;
-use crate::planned::gradient_turns::Span;
 use crate::planned::interior::{FRACTIONS, on_cubic};
+use crate::planned::parts::Span;
 use crate::workspace::{Instant, Subset};
 
 /// True if a step hides no motion: at instants within it the Newton step from the cubic through both

@@ -15,8 +15,8 @@
 //! as in [`step`](super::step), so that no singular configuration is passed.
 //!
 //! The estimated error only knows the stages: a velocity that rises and falls between them would be missed. Therefore v is
-//! also compared with the slope of the cubic through both ends at the fractions of
-//! [`planned::hidden_motion`](crate::planned::hidden_motion).
+//! also compared with the slope of the cubic through both ends at the [`FRACTIONS`] of a step, and wherever a formula in it
+//! may have a narrow peak (see [`planned::narrow_curves`](crate::planned::narrow_curves)).
 
 use super::hidden_motion::places_of_narrow_curves;
 use super::step::{Fault, Node, Scratch, Start, correct, settle};

@@ -13,7 +13,7 @@ use crate::error::SolveError;
 use crate::linear::Factorization;
 use crate::nonlinear::newton::{largest, rounding};
 use crate::planned::follower::NEGLIGIBLE;
-use crate::planned::gradient_turns::Span;
+use crate::planned::parts::Span;
 use crate::planned::step_length::growth;
 use crate::state::State;
 use crate::workspace::Subset;
