@@ -6,7 +6,7 @@ use crate::planned::lists::Margins;
 use crate::planned::steep_rows::certainty_of_slopes;
 use crate::scalar::Scalar;
 use crate::scalar::lanes::Octet;
-use crate::signal::Instant;
+use crate::signal::{Instant, Signal};
 use crate::workspace::Array;
 
 /// A state of every lane; `Q` is an array of its own or a slice of the results.
@@ -118,17 +118,18 @@ impl<Q: AsRef<[Octet]> + AsMut<[Octet]>> BlockSolution<Q> {
         margins: &mut [Octet],
         lane: usize,
     ) -> Option<(usize, f64)> {
-        let spread = |x: &Octet| Octet::from_f64(x.lane(lane));
         let mut parameters = M::Parameters::<Octet>::filled(Octet::default());
         let [mut modes, mut start] = [M::Coordinates::<Octet>::filled(Octet::default()); 2];
-        let copy = |to: &mut [Octet], from: &[Octet]| to.iter_mut().zip(from).for_each(|(to, x)| *to = spread(x));
-        copy(parameters.as_mut(), question.parameters);
-        copy(modes.as_mut(), question.modes);
-        copy(start.as_mut(), question.start);
-        let inputs: alloc::vec::Vec<_> = question.at.inputs.iter().map(|u| u.map(|x| spread(&x))).collect();
+        spread_lane(parameters.as_mut(), question.parameters, lane);
+        spread_lane(modes.as_mut(), question.modes, lane);
+        spread_lane(start.as_mut(), question.start, lane);
+        let mut inputs = M::Inputs::<Octet>::filled(Signal::constant(Octet::default()));
+        for (to, u) in inputs.as_mut().iter_mut().zip(question.at.inputs) {
+            *to = u.map(|x| spread(x, lane));
+        }
         let own = Question {
             parameters: parameters.as_ref(),
-            at: &Instant { t: spread(&question.at.t), inputs: &inputs },
+            at: &Instant { t: spread(question.at.t, lane), inputs: inputs.as_ref() },
             modes: &modes.as_ref()[..question.modes.len()],
             start: start.as_ref(),
             depth: question.depth,
@@ -208,6 +209,16 @@ impl<Q: AsRef<[Octet]> + AsMut<[Octet]>> BlockSolution<Q> {
             }
         }
     }
+}
+
+/// One lane in all lanes.
+fn spread(x: Octet, lane: usize) -> Octet {
+    Octet::from_f64(x.lane(lane))
+}
+
+/// Writes one lane of every number to all lanes.
+fn spread_lane(to: &mut [Octet], from: &[Octet], lane: usize) {
+    to.iter_mut().zip(from).for_each(|(to, x)| *to = spread(*x, lane));
 }
 
 /// Copies lane `from` of every number to lane `to`.

@@ -32,14 +32,11 @@ pub struct Configurations<'a> {
 impl Configurations<'_> {
     /// Checks that there are as many columns as `M` needs, each with `count` numbers.
     pub(super) fn check<M: Mechanism>(&self, count: usize) -> Result<(), LengthError> {
-        let lists = [
-            ("parameters", M::PARAMETERS, self.parameters),
-            ("q", M::COORDINATES, self.q),
-            ("q_dot", M::COORDINATES, self.q_dot),
-        ];
-        check_signals::<M>(self.inputs, count)?;
+        check_signals(M::INPUTS, self.inputs, count)?;
         self.t.check("the column of t", count)?;
-        lists.into_iter().try_for_each(|(what, expected, list)| check_list(what, expected, list, count))
+        check_list("parameters", M::PARAMETERS, self.parameters, count)?;
+        check_list("q", M::COORDINATES, self.q, count)?;
+        check_list("q_dot", M::COORDINATES, self.q_dot, count)
     }
 }
 
@@ -64,9 +61,9 @@ pub(super) fn check_list(
 }
 
 /// The same for inputs.
-pub(super) fn check_signals<M: Mechanism>(inputs: &[Signal<Column<'_>>], count: usize) -> Result<(), LengthError> {
-    if inputs.len() != M::INPUTS {
-        return Err(LengthError { what: "inputs", expected: M::INPUTS, found: inputs.len() });
+pub(super) fn check_signals(expected: usize, inputs: &[Signal<Column<'_>>], count: usize) -> Result<(), LengthError> {
+    if inputs.len() != expected {
+        return Err(LengthError { what: "inputs", expected, found: inputs.len() });
     }
     let numbers = inputs.iter().flat_map(|u| [u.value, u.rate, u.acceleration]);
     numbers.into_iter().try_for_each(|column| column.check("a column of the inputs", count))

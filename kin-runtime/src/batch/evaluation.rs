@@ -36,26 +36,27 @@ impl<M: Mechanism> Evaluations<M> {
     /// # Panics
     /// This method and the following ones panic while the iterator is read, if there is no such row or entry.
     pub fn phi(&self, row: usize) -> impl Iterator<Item = f64> {
-        self.column(move |block| block.phi()[row])
+        self.column(Workspace::<M, Lanes>::phi, row)
     }
 
     /// A non-zero of Φ_q, by its index among the entries of the pattern.
     pub fn phi_q(&self, entry: usize) -> impl Iterator<Item = f64> {
-        self.column(move |block| block.phi_q()[entry])
+        self.column(Workspace::<M, Lanes>::phi_q, entry)
     }
 
     /// Row number `row` of Φ_t.
     pub fn phi_t(&self, row: usize) -> impl Iterator<Item = f64> {
-        self.column(move |block| block.phi_t()[row])
+        self.column(Workspace::<M, Lanes>::phi_t, row)
     }
 
     /// Row number `row` of γ.
     pub fn gamma(&self, row: usize) -> impl Iterator<Item = f64> {
-        self.column(move |block| block.gamma()[row])
+        self.column(Workspace::<M, Lanes>::gamma, row)
     }
 
-    fn column(&self, of: impl Fn(&Workspace<M, Lanes>) -> Lanes) -> impl Iterator<Item = f64> {
-        self.blocks.iter().flat_map(move |block| of(block).to_array()).take(self.count)
+    // Functions have one type for all columns, where closures have four, so that the iterator is compiled once.
+    fn column(&self, of: fn(&Workspace<M, Lanes>) -> &[Lanes], index: usize) -> impl Iterator<Item = f64> {
+        (0..self.count).map(move |k| of(&self.blocks[k / Lanes::COUNT])[index].to_array()[k % Lanes::COUNT])
     }
 }
 

@@ -40,7 +40,7 @@ impl Problems<'_> {
         check_list("parameters", M::PARAMETERS, parameters, count)?;
         check_list("start", M::COORDINATES, start, count)?;
         t.check("the column of t", count)?;
-        check_signals::<M>(inputs, count)?;
+        check_signals(M::INPUTS, inputs, count)?;
         modes.check::<M>(count)?;
         Ok(())
     }

@@ -314,7 +314,7 @@ where
     let &Sweeps { parameters, times, inputs, modes, start } = sweeps;
     check_list("parameters", M::PARAMETERS, parameters, out.count)?;
     check_list("start", M::COORDINATES, start, out.count)?;
-    check_signals::<M>(inputs, times.len())?;
+    check_signals(M::INPUTS, inputs, times.len())?;
     modes.check::<M>(out.count)?;
     // Inputs and times belong to instants, not to sets: they are not read with the columns of the sets.
     let configurations =

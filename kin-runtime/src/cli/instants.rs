@@ -1,16 +1,12 @@
 //! The instants of a motion: a grid, a list, or up to the limits of the mechanism.
 
-use std::ops::ControlFlow;
-
 use super::engine::{Arc, Engine};
 use super::failure::{Failure, Ledger};
+use super::limit_search::{Sought, limit};
 use super::setup::Setup;
-use super::solved::misfit;
 use super::turns::{natural_end, speed, turn};
 use super::values::{self, Moment};
-use crate::error::SolveError;
 use crate::model::Model;
-use crate::planned::Limit;
 use crate::present::number::rounded;
 
 /// The instants of a motion.
@@ -260,9 +256,6 @@ fn closing(engine: &dyn Engine, setup: &Setup, instants: impl IntoIterator<Item 
     instants.find(|t| engine.state(setup, *t).is_ok()).unwrap_or(first)
 }
 
-/// If no crank turns at constant speed, a limit is searched within these durations, one after the other.
-const FAR: [f64; 4] = [1.0, 10.0, 100.0, 1000.0];
-
 /// The instants of a motion through `start`; an end that is `None` is at the limit of the motion in that direction. The
 /// distance of an instant from a limit grows with the square of its number from there: close to a dead centre
 /// coordinates change with the square root of the remaining time, so that curves through these instants end smoothly.
@@ -293,7 +286,9 @@ fn as_far(
                 let until = rounded(searched);
                 out.notes.push(match whole[k] {
                     true => {
-                        "note: no limit is met in a turn of the driven crank: the motion is one turn long".to_owned()
+                        let turns = ((searched - start) * direction / own.unwrap_or(f64::INFINITY)).round();
+                        let turns = if turns > 1.0 { format!("{turns} turns") } else { "a turn".to_owned() };
+                        format!("note: no limit is met in {turns} of the driven crank: the motion is one turn long")
                     }
                     false => {
                         format!("note: no limit is met up to t = {until}: the motion ends at t = {}", rounded(times[k]))
@@ -351,46 +346,4 @@ fn as_far(
         times.push(0.5 * (start + to));
     }
     Ok(Instants { times, start: behind, ..out })
-}
-
-/// The result of a search for a limit.
-enum Sought {
-    Found(Stop),
-    /// There is none up to this time.
-    None(f64),
-}
-
-/// The limit that a motion from `start` reaches in a direction of time, or how far it was followed without reaching
-/// one.
-fn limit(engine: &dyn Engine, setup: &Setup, start: f64, direction: f64) -> Result<Sought, Failure> {
-    let ranges = turn(engine, setup, start).map_or(FAR.to_vec(), |turn| vec![turn]);
-    let mut followed = None;
-    for far in &ranges {
-        let times = [start, start + direction * far];
-        let go_on = |_: crate::observer::Reached<'_>| ControlFlow::Continue(());
-        let (trajectory, error) = engine.sweep_each(setup, &times, false, &go_on, &mut |_| ControlFlow::Continue(()));
-        match error {
-            None => followed = Some(start + direction * far),
-            // Numbers that grow too large farther away, as exp(−t) does towards the past, are no limit.
-            Some(SolveError::NonFinite { .. }) if followed.is_some() => break,
-            Some(error @ (SolveError::StepRefused { t, .. } | SolveError::Singular { t, .. }))
-                if trajectory.reached > 0 =>
-            {
-                let found = error.limit();
-                let (q, t) = (trajectory.q_at_limit, found.and_then(Limit::at).unwrap_or(t));
-                let name = found.map_or_else(|| "limit".to_owned(), short);
-                let text = found.map_or_else(|| error.to_string(), ToString::to_string);
-                return Ok(Sought::Found(Stop { t, q, name, text }));
-            }
-            Some(error) => return Err(misfit(engine, setup, start, &error)),
-        }
-    }
-    Ok(Sought::None(followed.unwrap_or(start)))
-}
-
-/// `dead centre of A, B, D`.
-fn short(limit: &Limit) -> String {
-    let joints: Vec<&str> = limit.joints().collect();
-    let kind = limit.kind().map_or_else(|| "limit".to_owned(), |kind| kind.to_string());
-    if joints.is_empty() { kind } else { format!("{kind} of {}", joints.join(", ")) }
 }

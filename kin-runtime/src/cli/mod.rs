@@ -54,6 +54,7 @@ mod help;
 mod info;
 mod instants;
 mod interrupt;
+mod limit_search;
 mod limits;
 #[cfg(not(all(feature = "plot", feature = "equations", feature = "design")))]
 mod missing;

@@ -129,13 +129,22 @@ pub(crate) enum Fault {
 /// Whether the gradients of rows may turn faster than the bodies: a group is solved for lengths or scalars, or a row
 /// contains a curve.
 pub(crate) fn rows_turn_alone<M: Mechanism>() -> bool {
-    let model = M::model();
+    M::ROWS_TURN || M::CLOSED_ROWS_TURN || iterates_lengths_or_scalars(M::model())
+}
+
+/// Whether a group is solved for lengths or scalars by iteration.
+fn iterates_lengths_or_scalars(model: &Model) -> bool {
     let is_angle = |k: usize| model.coordinates.get(k).is_some_and(|coordinate| coordinate.kind.is_angle());
     let iterates_others = |step: &PlanStep| match step.kind {
         StepKind::Newton(unknowns) => step.coordinates.iter().take(unknowns).any(|&(k, _)| !is_angle(k)),
         _ => false,
     };
-    M::ROWS_TURN || M::CLOSED_ROWS_TURN || model.plan.steps.iter().any(iterates_others)
+    model.plan.steps.iter().any(iterates_others)
+}
+
+/// Copies inputs; a shorter list leaves the rest.
+fn copy_inputs(to: &mut [Signal], inputs: &[Signal]) {
+    to.iter_mut().zip(inputs).for_each(|(to, from)| *to = *from);
 }
 
 /// Whether there are scalar coordinates.
@@ -221,7 +230,7 @@ impl<M: Mechanism> PlanFollower<M> {
     }
 
     fn keep_inputs(&mut self, inputs: &[Signal]) {
-        self.inputs.as_mut().iter_mut().zip(inputs).for_each(|(to, from)| *to = *from);
+        copy_inputs(self.inputs.as_mut(), inputs);
     }
 
     /// The last accepted state.

@@ -13,7 +13,7 @@
 //! nothing. Any other part is halved, and the branch values are looked at in its middle; if the whole step is such a part,
 //! they are also looked at in the usual places.
 
-use super::interior::{LEAST, fractions, input_within, on_cubic, time_within};
+use super::interior::{certainty_between, fractions, on_cubic, time_within, write_inputs_within};
 use super::lists::{BranchValues, Modes};
 use super::parts::{MOST_PARTS, Span, halve, hull};
 use crate::mechanism::{LengthError, Mechanism};
@@ -86,9 +86,10 @@ pub(crate) fn bends_are_followed<M: Mechanism>(
     rotation: f64,
 ) -> Result<bool, LengthError> {
     let known: M::Parameters<Interval> = Array::generate(Interval::ZERO, |k| Interval::from_f64(parameters[k]));
-    let ends = |k: usize| [&span.inputs[k], &at.inputs[k]];
+    let ends = [span.inputs, at.inputs];
     let of = |s: f64, q: &[f64]| {
-        let inputs = M::Inputs::<f64>::generate(Signal::constant(0.0), |k| input_within(ends(k), s));
+        let mut inputs = M::Inputs::<f64>::filled(Signal::constant(0.0));
+        write_inputs_within(inputs.as_mut(), ends, s, f64::from);
         let there = Instant { t: time_within(at.t, span.h, s), inputs: inputs.as_ref() };
         BranchValues::at(mechanism, parameters, &there, q)
     };
@@ -96,26 +97,21 @@ pub(crate) fn bends_are_followed<M: Mechanism>(
     let zeros = M::Coordinates::<Interval>::filled(Interval::ZERO);
     let (mut box_of_part, mut turns) = (zeros, zeros);
     let mut q = M::Coordinates::<f64>::filled(0.0);
-    let groups = M::model().plan.modes.len()..M::model().plan.signs();
     stays_in_bends(
         span,
         rotation,
         [box_of_part.as_mut(), turns.as_mut()],
         &mut |place, part, turns| {
-            let inputs = M::Inputs::<Interval>::generate(Signal::constant(Interval::ZERO), |k| {
-                let [from, to] = ends(k).map(|input| input.map(Interval::from_f64));
-                input_within([&from, &to], place)
-            });
+            let mut inputs = M::Inputs::<Interval>::filled(Signal::constant(Interval::ZERO));
+            write_inputs_within(inputs.as_mut(), ends, place, Interval::from_f64);
             let t = time_within(Interval::from_f64(at.t), span.h, place);
             mechanism.turns_with(known.as_ref(), &Instant { t, inputs: inputs.as_ref() }, part, turns)
         },
         &mut |s| {
             on_cubic(q.as_mut(), span.ends, span.h, s);
             let between = of(s, q.as_ref())?;
-            Ok(groups.clone().all(|group| {
-                let w = |list: &BranchValues<M>| modes.as_ref()[group] * list.as_ref()[group];
-                w(&between) >= LEAST * f64::min(w(&first), w(&last))
-            }))
+            let branch_values = [first.as_ref(), between.as_ref(), last.as_ref()];
+            Ok(certainty_between(modes.as_ref(), branch_values, M::model().plan.modes.len()) >= 0.0)
         },
     )
 }

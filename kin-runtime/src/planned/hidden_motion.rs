@@ -12,11 +12,12 @@ use super::lists::{Margins, Modes};
 use super::narrow_curves::narrow_curves_are_followed;
 use super::parts::Span;
 use super::predict::{largest_turn, turned};
+use super::turning_rows::write_numbers;
 use crate::course::{Between, Course, kind};
 use crate::mechanism::{LengthError, Mechanism};
 use crate::model::{Component, CoordinateKind, Model};
 use crate::plan::{Depth, Plan, Solved};
-use crate::scalar::compare::Compare;
+use crate::scalar::compare::{Compare, least_or_nan};
 use crate::signal::{Instant, Signal};
 use crate::workspace::Array;
 
@@ -54,20 +55,20 @@ pub(crate) fn certainty_within<M: Mechanism, V: Compare>(
     let mut margins = Margins::<M, V>::filled(V::from_f64(0.0));
     let mut inputs = M::Inputs::<f64>::filled(Signal::constant(0.0));
     let t = course.at(s + fraction * (next - s), inputs.as_mut());
-    let inputs = M::Inputs::<V>::generate(Signal::constant(V::from_f64(0.0)), |k| inputs.as_ref()[k].map(V::from_f64));
+    let mut inputs_of_lanes = M::Inputs::<V>::filled(Signal::constant(V::from_f64(0.0)));
+    write_numbers(inputs_of_lanes.as_mut(), inputs.as_ref());
     on_cubic(cubic.as_mut(), ends, next - s, fraction);
     let [q_dot, q_ddot] = &mut rates;
     let solved =
         Solved { q: found.as_mut(), q_dot: q_dot.as_mut(), q_ddot: q_ddot.as_mut(), margins: margins.as_mut() };
-    let at = Instant { t: V::from_f64(t), inputs: inputs.as_ref() };
+    let at = Instant { t: V::from_f64(t), inputs: inputs_of_lanes.as_ref() };
     mechanism.solve_with(parameters, &at, modes.of_closures(), cubic.as_ref(), Depth::Position, solved)?;
     let away = turned(found.as_ref(), cubic.as_ref(), weights);
-    let margin = margins.as_ref().iter().fold(V::from_f64(1.0), |least, margin| least_or_nan(least, *margin));
+    let margin = least_number(margins.as_ref());
     let lengths = certainty_of_lengths(M::model(), found.as_ref(), cubic.as_ref(), ends, (next - s, control));
     let certainty = least_or_nan(least_or_nan(margin - V::from_f64(Plan::SMALLEST_MARGIN), allowed - away), lengths);
-    // 0, or NaN where a coordinate is not finite, which distances may not show.
-    let nothing = found.as_ref().iter().fold(V::from_f64(0.0), |sum, x| sum + V::from_f64(0.0) * *x);
-    Ok(certainty + nothing)
+    // Distances may not show that a coordinate is not finite.
+    Ok(certainty + zero_if_finite(found.as_ref()))
 }
 
 /// True if `is_near` is true wherever known functions may have a narrow feature within a step.
@@ -77,12 +78,21 @@ pub(crate) fn curves_are_followed<M: Mechanism>(
     Stretch { course, interval, ends }: Stretch<'_, f64>,
     is_near: &mut dyn FnMut(f64) -> Result<bool, LengthError>,
 ) -> Result<bool, LengthError> {
-    let mut inputs = [M::Inputs::<f64>::filled(Signal::constant(0.0)); 2];
-    let [first, last] = &mut inputs;
-    let t = [course.at(interval[0], first.as_mut()), course.at(interval[1], last.as_mut())];
-    let instants = [0, 1].map(|end| Instant { t: t[end], inputs: inputs[end].as_ref() });
-    let span = Span { ends, inputs: instants[0].inputs, h: interval[1] - interval[0] };
-    narrow_curves_are_followed(mechanism, parameters, [&instants[0], &instants[1]], span, is_near)
+    let [mut first, mut last] = [M::Inputs::<f64>::filled(Signal::constant(0.0)); 2];
+    let from = Instant { t: course.at(interval[0], first.as_mut()), inputs: first.as_ref() };
+    let to = Instant { t: course.at(interval[1], last.as_mut()), inputs: last.as_ref() };
+    let span = Span { ends, inputs: from.inputs, h: interval[1] - interval[0] };
+    narrow_curves_are_followed(mechanism, parameters, [&from, &to], span, is_near)
+}
+
+/// The least of these numbers and 1; NaN where one of them is not finite.
+fn least_number<V: Compare>(numbers: &[V]) -> V {
+    numbers.iter().fold(V::from_f64(1.0), |least, number| least_or_nan(least, *number))
+}
+
+/// 0, or NaN where a number is not finite.
+fn zero_if_finite<V: Compare>(numbers: &[V]) -> V {
+    numbers.iter().fold(V::from_f64(0.0), |sum, number| sum + V::from_f64(0.0) * *number)
 }
 
 /// A measure that is negative if a length is farther from the cubic than the motions of lengths in the step of the length h
@@ -107,11 +117,6 @@ fn certainty_of_lengths<V: Compare>(
     let share = control.correction * control.rotation;
     let allowed = V::from_f64(share * h.abs()) * motion + V::from_f64(NEGLIGIBLE_LENGTH) * size;
     allowed - away
-}
-
-/// The smaller number, or NaN where one of them is not finite, which [`least`](Compare::least) may not show.
-pub(crate) fn least_or_nan<V: Compare>(a: V, b: V) -> V {
-    a.least(b) + V::from_f64(0.0) * (a + b)
 }
 
 impl<M: Mechanism> PlanFollower<M> {
@@ -171,18 +176,5 @@ impl<M: Mechanism> PlanFollower<M> {
         }
         let parameters = self.parameters.as_ref();
         curves_are_followed(mechanism, parameters, stretch, &mut is_near)
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::least_or_nan;
-
-    #[test]
-    fn the_smaller_number_is_no_number_if_one_is_none() {
-        assert_eq!([-2.0, -2.0], [least_or_nan(-2.0, 3.0), least_or_nan(3.0, -2.0)]);
-        for other in [f64::NAN, f64::INFINITY] {
-            assert!(least_or_nan(1.0, other).is_nan() && least_or_nan(other, 1.0).is_nan());
-        }
     }
 }

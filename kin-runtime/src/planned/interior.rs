@@ -13,7 +13,7 @@ use crate::mechanism::{LengthError, Mechanism};
 use crate::model::{Component, CoordinateKind, Model};
 use crate::plan::StepKind;
 use crate::scalar::Scalar;
-use crate::scalar::compare::Compare;
+use crate::scalar::compare::{Compare, least_or_nan};
 use crate::signal::{Instant, Signal};
 use crate::workspace::Array;
 
@@ -66,9 +66,18 @@ pub(crate) fn time_within<V: Scalar>(t: V, h: f64, s: V) -> V {
     t - (V::from_f64(1.0) - s) * V::from_f64(h)
 }
 
-/// An input at the fraction s of a step, between its values at both ends.
-pub(crate) fn input_within<V: Scalar>([from, to]: [&Signal<V>; 2], s: V) -> Signal<V> {
-    Signal { value: from.value + s * (to.value - from.value), ..*to }
+/// Writes the inputs at the fraction s of a step, between their values at both ends; `number` converts these.
+pub(crate) fn write_inputs_within<E: Copy, V: Scalar>(
+    inputs: &mut [Signal<V>],
+    [from, to]: [&[Signal<E>]; 2],
+    s: V,
+    number: fn(E) -> V,
+) {
+    for (input, (from, to)) in inputs.iter_mut().zip(from.iter().zip(to)) {
+        let first = number(from.value);
+        let last = Signal { value: number(to.value), rate: number(to.rate), acceleration: number(to.acceleration) };
+        *input = Signal { value: first + s * (last.value - first), ..last };
+    }
 }
 
 /// A measure that is negative if a group with a determinant, or any group where rows in closed form turn, comes much
@@ -85,11 +94,10 @@ pub(crate) fn certainty_at_samples<M: Mechanism, V: Compare>(
     h: f64,
 ) -> Result<V, LengthError> {
     let first_group = if M::CLOSED_ROWS_TURN { 0 } else { M::model().plan.modes.len() };
-    let of = |s: f64, q: &[V]| {
+    let mut inputs = M::Inputs::<V>::filled(Signal::constant(V::from_f64(0.0)));
+    let mut of = |s: f64, q: &[V]| {
         let s = V::from_f64(s);
-        let inputs = M::Inputs::<V>::generate(Signal::constant(V::from_f64(0.0)), |k| {
-            input_within([&from[k], &at.inputs[k]], s)
-        });
+        write_inputs_within(inputs.as_mut(), [from, at.inputs], s, |x| x);
         let there = Instant { t: time_within(at.t, h, s), inputs: inputs.as_ref() };
         BranchValues::at(mechanism, parameters, &there, q)
     };
@@ -99,13 +107,21 @@ pub(crate) fn certainty_at_samples<M: Mechanism, V: Compare>(
     for s in fractions() {
         on_cubic(q.as_mut(), ends, h, s);
         let between = of(s, q.as_ref())?;
-        for group in first_group..M::model().plan.signs() {
-            let of = |list: &[V]| modes.as_ref()[group] * list[group];
-            let nearer = of(first.as_ref()).least(of(last.as_ref()));
-            certainty = certainty.least(of(between.as_ref()) - V::from_f64(LEAST) * nearer);
-        }
+        let branch_values = [first.as_ref(), between.as_ref(), last.as_ref()];
+        certainty = least_or_nan(certainty, certainty_between(modes.as_ref(), branch_values, first_group));
     }
     Ok(certainty)
+}
+
+/// A measure that is negative if a group, from the first one on, is much nearer to its limit between the ends of a step
+/// than at both ends, or on another side of it, and NaN if this is unknown; `branch_values` are those at the beginning, in between and at the end.
+pub(super) fn certainty_between<V: Compare>(modes: &[V], branch_values: [&[V]; 3], first_group: usize) -> V {
+    let mut certainty = V::from_f64(1.0);
+    for (group, mode) in modes.iter().enumerate().skip(first_group) {
+        let [first, between, last] = branch_values.map(|list| *mode * list[group]);
+        certainty = least_or_nan(certainty, between - V::from_f64(LEAST) * first.least(last));
+    }
+    certainty
 }
 
 /// A measure that is negative if the unknowns of an iteration or, with `with_closed`, of any group that has a branch

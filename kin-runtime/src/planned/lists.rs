@@ -6,7 +6,7 @@
 use crate::mechanism::{LengthError, Mechanism};
 use crate::plan::Plan;
 use crate::scalar::Scalar;
-use crate::scalar::compare::{Compare, all_above};
+use crate::scalar::compare::{Compare, all_above, write_lane};
 use crate::signal::Instant;
 use crate::workspace::Array;
 
@@ -114,7 +114,7 @@ impl<M: Mechanism> Modes<M> {
     /// The modes of one lane.
     pub(crate) fn lane_of<V: Compare>(modes: &Modes<M, V>, lane: usize) -> Self {
         let mut own = Self::filled(0.0);
-        own.as_mut().iter_mut().zip(modes.as_ref()).for_each(|(to, from)| *to = from.lane(lane));
+        write_lane(own.as_mut(), modes.as_ref(), lane);
         own
     }
 }

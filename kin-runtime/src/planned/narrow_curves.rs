@@ -12,7 +12,7 @@
 //! are wider than the function, as where it nearly rests, and tell nothing. Supplied functions are enclosed by themselves
 //! ([`ScalarFunction::enclose`](crate::ScalarFunction::enclose)), or not at all.
 
-use super::interior::{FRACTIONS, input_within, on_cubic};
+use super::interior::{FRACTIONS, on_cubic, write_inputs_within};
 use super::parts::{Span, halve, hull};
 use crate::mechanism::{LengthError, Mechanism};
 use crate::scalar::{Interval, Scalar};
@@ -43,50 +43,47 @@ pub(crate) fn narrow_curves_are_followed<M: Mechanism>(
     span: Span<'_>,
     is_near: &mut dyn FnMut(f64) -> Result<bool, LengthError>,
 ) -> Result<bool, LengthError> {
-    let zero = M::KnownCurves::<f64>::filled(0.0);
-    if zero.as_ref().is_empty() {
+    let nothing = M::KnownCurves::<f64>::filled(0.0);
+    if nothing.as_ref().is_empty() {
         return Ok(true);
     }
     let [least, most] = range_of_curves(mechanism, parameters, [from, to], span)?;
+    let ranges = [least.as_ref(), most.as_ref()];
     let known: M::Parameters<Interval> = Array::generate(Interval::ZERO, |k| Interval::from_f64(parameters[k]));
+    let mut inputs = M::Inputs::<Interval>::filled(Signal::constant(Interval::ZERO));
     let mut box_of_part = M::Coordinates::<Interval>::filled(Interval::ZERO);
     let mut enclosures = M::KnownCurves::<Interval>::filled(Interval::ZERO);
-    let mut in_the_middle = M::KnownCurves::<f64>::filled(0.0);
-    let mut excesses = |start: f64, width: f64| -> Result<M::KnownCurves<f64>, LengthError> {
+    let mut write_excesses = |start: f64, width: f64, excesses: &mut [f64]| -> Result<(), LengthError> {
         hull(box_of_part.as_mut(), span, start, width);
         let place = Interval::new(start, start + width);
-        let inputs = inputs_within::<M, Interval>([from, to], place);
-        let [first, last] = [from.t, to.t].map(Interval::from_f64);
+        write_inputs_within(inputs.as_mut(), [from.inputs, to.inputs], place, Interval::from_f64);
+        let [first, last] = [Interval::from_f64(from.t), Interval::from_f64(to.t)];
         let at = Instant { t: first + place * (last - first), inputs: inputs.as_ref() };
         mechanism.known_curves_with(known.as_ref(), &at, box_of_part.as_ref(), enclosures.as_mut())?;
         for (function, x) in supplied(M::FUNCTIONS_IN_CURVES, enclosures.as_mut()) {
             *x = mechanism.enclose_function(function, *x);
         }
-        Ok(M::KnownCurves::<f64>::generate(0.0, |k| {
-            let (enclosure, [least, most]) = (enclosures.as_ref()[k], [least.as_ref()[k], most.as_ref()[k]]);
-            let usual = USUAL * (most - least) + NEGLIGIBLE * least.abs().max(most.abs()) + f64::MIN_POSITIVE;
-            let excess = (enclosure.upper() - enclosure.lower()) / usual;
-            if excess.is_nan() { f64::INFINITY } else { excess }
-        }))
+        write_ratios(excesses, enclosures.as_ref(), ranges);
+        Ok(())
     };
-    let whole = excesses(0.0, 1.0)?;
-    if whole.as_ref().iter().all(|excess| *excess <= 1.0) {
+    let [mut whole, mut in_the_middle, mut of_part] = [nothing; 3];
+    write_excesses(0.0, 1.0, whole.as_mut())?;
+    if largest_known(whole.as_ref(), nothing.as_ref()) <= 1.0 {
         return Ok(true);
     }
     if !M::FUNCTIONS_IN_CURVES.is_empty() {
-        in_the_middle = excesses(0.5, SHORTEST)?;
+        write_excesses(0.5, SHORTEST, in_the_middle.as_mut())?;
         // A formula without a value there has a gap.
-        let formulas = zero.as_ref().len() - M::FUNCTIONS_IN_CURVES.len();
+        let formulas = nothing.as_ref().len() - M::FUNCTIONS_IN_CURVES.len();
         in_the_middle.as_mut()[..formulas].fill(0.0);
     }
-    let is_known = |(k, excess): (usize, &f64)| *excess > 1.0 && in_the_middle.as_ref()[k].is_finite();
-    if !whole.as_ref().iter().enumerate().any(is_known) {
+    let in_the_middle = in_the_middle.as_ref();
+    if largest_known(whole.as_ref(), in_the_middle) <= 1.0 {
         return Ok(true);
     }
     let mut excess = |start: f64, width: f64| -> Result<f64, LengthError> {
-        let excesses = excesses(start, width)?;
-        let known = excesses.as_ref().iter().zip(in_the_middle.as_ref()).filter(|(_, middle)| middle.is_finite());
-        Ok(known.fold(0.0, |most, (excess, _)| excess.max(most)))
+        write_excesses(start, width, of_part.as_mut())?;
+        Ok(largest_known(of_part.as_ref(), in_the_middle))
     };
     Ok(halve(PARTS, &mut excess, is_near)?.unwrap_or(true))
 }
@@ -101,35 +98,48 @@ fn range_of_curves<M: Mechanism>(
     let nothing = M::KnownCurves::<f64>::filled(f64::NAN);
     let ([mut least, mut most], mut curves) = ([nothing; 2], nothing);
     let mut q = M::Coordinates::<f64>::filled(0.0);
+    let mut inputs = M::Inputs::<f64>::filled(Signal::constant(0.0));
     for s in MEASURED {
         on_cubic(q.as_mut(), span.ends, span.h, s);
-        let inputs = inputs_within::<M, f64>([from, to], s);
+        write_inputs_within(inputs.as_mut(), [from.inputs, to.inputs], s, f64::from);
         let at = Instant { t: from.t + s * (to.t - from.t), inputs: inputs.as_ref() };
         mechanism.known_curves_with(parameters, &at, q.as_ref(), curves.as_mut())?;
         for (function, x) in supplied(M::FUNCTIONS_IN_CURVES, curves.as_mut()) {
             let is_enclosed = mechanism.enclose_function(function, Interval::from(*x)).is_defined();
-            let value = if is_enclosed { mechanism.evaluate_function(function, *x) } else { None };
-            *x = value.map_or(f64::NAN, |[f, ..]| f);
+            let values = if is_enclosed { mechanism.evaluate_function(function, *x) } else { None };
+            *x = match values {
+                Some([value, ..]) => value,
+                None => f64::NAN,
+            };
         }
-        for (k, curve) in curves.as_ref().iter().enumerate() {
-            // The other number where one is NaN.
-            least.as_mut()[k] = curve.min(least.as_ref()[k]);
-            most.as_mut()[k] = curve.max(most.as_ref()[k]);
-        }
+        widen([least.as_mut(), most.as_mut()], curves.as_ref());
     }
     Ok([least, most])
+}
+
+/// Widens ranges by one more value of each; NaN does not count.
+fn widen([least, most]: [&mut [f64]; 2], values: &[f64]) {
+    least.iter_mut().zip(values).for_each(|(least, value)| *least = value.min(*least));
+    most.iter_mut().zip(values).for_each(|(most, value)| *most = value.max(*most));
+}
+
+/// Writes the widths of enclosures relative to those which hide nothing; infinity where one of them is not known.
+fn write_ratios(excesses: &mut [f64], enclosures: &[Interval], [least, most]: [&[f64]; 2]) {
+    for ((excess, enclosure), (least, most)) in excesses.iter_mut().zip(enclosures).zip(least.iter().zip(most)) {
+        let usual = USUAL * (most - least) + NEGLIGIBLE * least.abs().max(most.abs()) + f64::MIN_POSITIVE;
+        let ratio = (enclosure.upper() - enclosure.lower()) / usual;
+        *excess = if ratio.is_nan() { f64::INFINITY } else { ratio };
+    }
+}
+
+/// The largest excess of those functions which have an enclosure in the middle of the step.
+fn largest_known(excesses: &[f64], in_the_middle: &[f64]) -> f64 {
+    let known = excesses.iter().zip(in_the_middle).filter(|(_, middle)| middle.is_finite());
+    known.fold(0.0, |most, (excess, _)| excess.max(most))
 }
 
 /// The supplied functions among known curves, with the places of their arguments, which are the last ones.
 fn supplied<'a, V>(functions: &'a [usize], curves: &'a mut [V]) -> impl Iterator<Item = (usize, &'a mut V)> {
     let first = curves.len() - functions.len();
     functions.iter().copied().zip(&mut curves[first..])
-}
-
-/// The inputs at a fraction of a step.
-fn inputs_within<M: Mechanism, V: Scalar>([from, to]: [&Instant<'_>; 2], s: V) -> M::Inputs<V> {
-    M::Inputs::<V>::generate(Signal::constant(V::from_f64(0.0)), |k| {
-        let [from, to] = [from, to].map(|at| at.inputs[k].map(V::from_f64));
-        input_within([&from, &to], s)
-    })
 }

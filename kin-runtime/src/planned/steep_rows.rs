@@ -14,12 +14,11 @@
 //! whose unit is not known.
 
 use super::follower::{PlanFollower, PlanSolution};
-use super::hidden_motion::least_or_nan;
 use super::ill_conditioned::NOISE;
 use crate::mechanism::Mechanism;
 use crate::model::{Component, CoordinateKind, Model};
 use crate::plan::{LAST, StepKind};
-use crate::scalar::compare::Compare;
+use crate::scalar::compare::{Compare, least_or_nan};
 use crate::signal::Instant;
 use crate::workspace::Array;
 

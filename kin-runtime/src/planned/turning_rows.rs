@@ -3,13 +3,12 @@
 
 use super::follower::{Control, NEGLIGIBLE};
 use super::gradient_turns::bends_are_followed;
-use super::hidden_motion::least_or_nan;
 use super::interior::{certainty_at_samples, certainty_of_rates};
 use super::lists::Modes;
 use super::parts::Span;
 use super::predict::{largest_turn, turned};
 use crate::mechanism::{LengthError, Mechanism};
-use crate::scalar::compare::Compare;
+use crate::scalar::compare::{Compare, least_or_nan, write_lane};
 use crate::signal::{Instant, Signal};
 use crate::workspace::Array;
 
@@ -47,41 +46,68 @@ impl<M: Mechanism, V: Compare> TrialStep<'_, M, V> {
         let mut certainty = least_or_nan(number(control.rotation) - turn, near);
         if h == 0.0 {
             // An input may have jumped; its rates do not show how far the rows have turned.
-            let mut values = inputs.iter().zip(at.inputs);
-            let jumps = M::CLOSED_ROWS_TURN && values.any(|(before, now)| before.value != now.value.lane(0));
+            let jumps = M::CLOSED_ROWS_TURN && inputs_jump(inputs, at.inputs);
             return Ok(if jumps { number(-1.0) } else { certainty });
         }
         if !M::CLOSED_ROWS_TURN && !model.plan.iterates() {
             return Ok(certainty);
         }
         let ends = [q, q_dot, tried[0], tried[1]];
-        let is_certain = |certainty: &V, lane: usize| certainty.lane(lane) >= 0.0;
         certainty = least_or_nan(certainty, certainty_of_rates(model, M::CLOSED_ROWS_TURN, (ends, turns), h));
         if M::ROWS_CURVE {
             for lane in 0..V::LANES {
-                if is_certain(&certainty, lane) && !self.bends_are_followed(mechanism, control, lane)? {
+                if certainty.lane(lane) >= 0.0 && !self.bends_are_followed(mechanism, control, lane)? {
                     certainty.set_lane(lane, -1.0);
                 }
             }
         }
         let samples = M::CLOSED_ROWS_TURN || !M::ROWS_CURVE;
-        if !samples || !(0..V::LANES).any(|lane| is_certain(&certainty, lane)) {
+        if !samples || !any_lane_is_certain(certainty) {
             return Ok(certainty);
         }
-        let from = M::Inputs::<V>::generate(Signal::constant(number(0.0)), |k| inputs[k].map(number));
+        let mut from = M::Inputs::<V>::filled(Signal::constant(number(0.0)));
+        write_numbers(from.as_mut(), inputs);
         let known = (parameters, from.as_ref(), at);
         Ok(least_or_nan(certainty, certainty_at_samples(mechanism, known, modes, ends, h)?))
     }
 
     /// True if no iterated group of a set comes near its limit in a bend of the rows.
     fn bends_are_followed(&self, mechanism: &M, control: &Control, lane: usize) -> Result<bool, LengthError> {
-        let pick = |list: &[V]| -> M::Coordinates<f64> { Array::generate(0.0, |k| list[k].lane(lane)) };
-        let ends = [self.before[0], self.before[1], self.tried[0], self.tried[1]].map(pick);
-        let span = Span { ends: ends.each_ref().map(AsRef::as_ref), inputs: self.inputs, h: self.h };
-        let parameters: M::Parameters<f64> = Array::generate(0.0, |k| self.parameters[k].lane(lane));
-        let inputs = M::Inputs::<f64>::generate(Signal::constant(0.0), |k| self.at.inputs[k].map(|x| x.lane(lane)));
+        let [mut q0, mut v0, mut q1, mut v1] = [M::Coordinates::<f64>::filled(0.0); 4];
+        write_lane(q0.as_mut(), self.before[0], lane);
+        write_lane(v0.as_mut(), self.before[1], lane);
+        write_lane(q1.as_mut(), self.tried[0], lane);
+        write_lane(v1.as_mut(), self.tried[1], lane);
+        let ends = [q0.as_ref(), v0.as_ref(), q1.as_ref(), v1.as_ref()];
+        let span = Span { ends, inputs: self.inputs, h: self.h };
+        let mut parameters = M::Parameters::<f64>::filled(0.0);
+        write_lane(parameters.as_mut(), self.parameters, lane);
+        let mut inputs = M::Inputs::<f64>::filled(Signal::constant(0.0));
+        write_lane_of_inputs(inputs.as_mut(), self.at.inputs, lane);
         let at = Instant { t: self.at.t.lane(lane), inputs: inputs.as_ref() };
         let modes = Modes::lane_of(self.modes, lane);
         bends_are_followed(mechanism, (parameters.as_ref(), &at), &modes, span, control.rotation)
     }
+}
+
+// These functions are not generic over the mechanism, so that they are compiled once for all.
+
+/// Whether an input has another value at the end of a step, in its first lane; all lanes share the inputs.
+fn inputs_jump<V: Compare>(before: &[Signal], now: &[Signal<V>]) -> bool {
+    before.iter().zip(now).any(|(before, now)| before.value != now.value.lane(0))
+}
+
+/// Whether a measure is certain in any lane.
+fn any_lane_is_certain<V: Compare>(certainty: V) -> bool {
+    (0..V::LANES).any(|lane| certainty.lane(lane) >= 0.0)
+}
+
+/// Writes inputs that all lanes share.
+pub(super) fn write_numbers<V: Compare>(to: &mut [Signal<V>], inputs: &[Signal]) {
+    to.iter_mut().zip(inputs).for_each(|(to, input)| *to = input.map(V::from_f64));
+}
+
+/// Writes one lane of every input.
+pub(crate) fn write_lane_of_inputs<V: Compare>(to: &mut [Signal], inputs: &[Signal<V>], lane: usize) {
+    to.iter_mut().zip(inputs).for_each(|(to, input)| *to = input.map(|x| x.lane(lane)));
 }

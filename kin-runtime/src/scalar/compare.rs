@@ -54,6 +54,17 @@ impl Compare for f64 {
     }
 }
 
+/// The smaller number, or NaN where one of them is not finite, which [`least`](Compare::least) may not show.
+#[inline]
+pub(crate) fn least_or_nan<V: Compare>(a: V, b: V) -> V {
+    a.least(b) + V::from_f64(0.0) * (a + b)
+}
+
+/// Writes one lane of every number.
+pub(crate) fn write_lane<V: Compare>(to: &mut [f64], from: &[V], lane: usize) {
+    to.iter_mut().zip(from).for_each(|(to, from)| *to = from.lane(lane));
+}
+
 // The loops have no early exit, so that they vectorise.
 
 /// True if all numbers are finite.
@@ -66,4 +77,17 @@ pub(crate) fn all_finite(numbers: &[f64]) -> bool {
 #[inline]
 pub(crate) fn all_above(numbers: &[f64], limit: f64) -> bool {
     numbers.iter().fold(true, |all, x| all & (*x > limit))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::least_or_nan;
+
+    #[test]
+    fn the_smaller_number_is_no_number_if_one_is_none() {
+        assert_eq!([-2.0, -2.0], [least_or_nan(-2.0, 3.0), least_or_nan(3.0, -2.0)]);
+        for other in [f64::NAN, f64::INFINITY] {
+            assert!(least_or_nan(1.0, other).is_nan() && least_or_nan(other, 1.0).is_nan());
+        }
+    }
 }

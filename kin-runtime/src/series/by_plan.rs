@@ -48,16 +48,15 @@ impl<M: Mechanism> Solver<'_, M> {
         let mut signals = Inputs::new(order, M::INPUTS);
         signals.begin(&at, further);
         let number = Taylor::<N>::from_f64;
-        let inputs = M::Inputs::<Taylor<N>>::generate(Signal::constant(number(0.0)), |k| {
-            signals.signal(k, |coefficient| Taylor::new(core::array::from_fn(coefficient)))
-        });
+        let mut inputs = M::Inputs::<Taylor<N>>::filled(Signal::constant(number(0.0)));
+        write_signals(inputs.as_mut(), &signals);
         let at = Instant { t: Taylor::variable(at.t), inputs: inputs.as_ref() };
         // There are never more modes than coordinates, nor more margins than rows.
         let signs = modes.of_closures();
-        let series_of_signs =
-            M::Coordinates::<Taylor<N>>::generate(number(0.0), |k| number(signs.get(k).copied().unwrap_or(0.0)));
+        let [mut series_of_signs, mut start] = [M::Coordinates::<Taylor<N>>::filled(number(0.0)); 2];
+        write_constants(series_of_signs.as_mut(), signs);
         // Iterations start at their solution.
-        let start = M::Coordinates::<Taylor<N>>::generate(number(0.0), |k| number(state.q[k]));
+        write_constants(start.as_mut(), &state.q);
         let [mut q, mut q_dot, mut q_ddot] = [M::Coordinates::filled(number(0.0)); 3];
         let mut margins = M::Rows::filled(number(0.0));
         let solved = Solved {
@@ -68,25 +67,42 @@ impl<M: Mechanism> Solver<'_, M> {
         };
         let (parameters, signs) = (mechanism.parameters::<Taylor<N>>(), &series_of_signs.as_ref()[..signs.len()]);
         mechanism.solve_with(parameters.as_ref(), &at, signs, start.as_ref(), Depth::Position, solved).ok()?;
-        // Every order divides by the root of a margin once more.
-        let power = i32::try_from(order).unwrap_or(i32::MAX);
-        let is_regular = |margin: &Taylor<N>| {
-            let margin = margin.coefficients()[0];
-            margin > 0.0 && margin.powi(power) >= ACCURATE
-        };
-        if !margins.as_ref()[..M::model().plan.margins].iter().all(is_regular) {
+        let margins = &margins.as_ref()[..M::model().plan.margins];
+        if are_accurate(margins, order) { derivatives_of(q.as_ref(), state, order) } else { None }
+    }
+}
+
+/// Writes the series of all inputs.
+fn write_signals<const N: usize>(to: &mut [Signal<Taylor<N>>], signals: &Inputs) {
+    for (k, to) in to.iter_mut().enumerate() {
+        *to = signals.signal(k, |coefficient| Taylor::new(core::array::from_fn(coefficient)));
+    }
+}
+
+/// Writes constants.
+fn write_constants<const N: usize>(to: &mut [Taylor<N>], numbers: &[f64]) {
+    to.iter_mut().zip(numbers).for_each(|(to, number)| *to = Taylor::from_f64(*number));
+}
+
+/// Whether all margins are so large that derivatives up to this order are accurate: every order divides by the root of a
+/// margin once more.
+fn are_accurate<const N: usize>(margins: &[Taylor<N>], order: usize) -> bool {
+    let power = i32::try_from(order).unwrap_or(i32::MAX);
+    let is_accurate = |margin: f64| margin > 0.0 && margin.powi(power) >= ACCURATE;
+    margins.iter().all(|margin| is_accurate(margin.coefficients()[0]))
+}
+
+/// The derivatives of q up to an order; `None` if they do not begin as those of the state, or are not finite.
+fn derivatives_of<const N: usize>(q: &[Taylor<N>], state: &State, order: usize) -> Option<Vec<Vec<f64>>> {
+    let derivative = |k: usize| q.iter().map(move |q| factorial(k) * q.coefficients()[k]);
+    let mut all = Vec::with_capacity(order + 1);
+    for (k, known) in [&state.q, &state.q_dot, &state.q_ddot].into_iter().enumerate() {
+        let largest = known.iter().fold(1.0, |largest: f64, x| largest.max(x.abs()));
+        if !derivative(k).zip(known).all(|(found, known)| (found - known).abs() <= SAME * largest) {
             return None;
         }
-        let derivative = |k: usize| q.as_ref().iter().map(move |q| factorial(k) * q.coefficients()[k]);
-        for (k, known) in [&state.q, &state.q_dot, &state.q_ddot].into_iter().enumerate() {
-            let largest = known.iter().fold(1.0, |largest: f64, x| largest.max(x.abs()));
-            if !derivative(k).zip(known).all(|(found, known)| (found - known).abs() <= SAME * largest) {
-                return None;
-            }
-        }
-        let mut all = Vec::with_capacity(order + 1);
-        all.extend([&state.q, &state.q_dot, &state.q_ddot].map(Vec::clone));
-        all.extend((3..=order).map(|k| derivative(k).collect::<Vec<f64>>()));
-        Some(all).filter(|all| all[3..].iter().flatten().all(|x| x.is_finite()))
+        all.push(known.clone());
     }
+    all.extend((3..=order).map(|k| derivative(k).collect::<Vec<f64>>()));
+    Some(all).filter(|all| all[3..].iter().flatten().all(|x| x.is_finite()))
 }

@@ -8,7 +8,7 @@
 
 use super::Solver;
 use crate::mechanism::Mechanism;
-use crate::model::{Component, CoordinateKind};
+use crate::model::{Component, CoordinateKind, Model};
 use crate::plan::StepKind;
 use crate::planned::lists::BranchValues;
 use crate::workspace::{Array, Instant};
@@ -30,22 +30,34 @@ impl<M: Mechanism> Solver<'_, M> {
             return true;
         }
         let Some(mut begun) = M::Coordinates::<f64>::view(q).copied() else { return false };
-        let begin = begun.as_mut();
-        for step in model.plan.steps {
-            let StepKind::Newton(unknowns) = step.kind else { continue };
-            let unknowns = step.coordinates.get(..unknowns).unwrap_or_default();
-            let has_scalar = unknowns.iter().any(|&(k, _)| model.coordinates[k].kind == CoordinateKind::Scalar);
-            if has_scalar && !unknowns.iter().all(|&(k, _)| is_near(model.coordinates[k].kind, start[k], q[k])) {
-                return false;
-            }
-            unknowns.iter().for_each(|&(k, _)| begin[k] = start[k]);
+        if !begins_near(model, start, q, begun.as_mut()) {
+            return false;
         }
-        let of = |q: &[f64]| BranchValues::<M>::at(self.mechanism, parameters.as_ref(), at, q).ok();
-        let (Some(first), Some(last)) = (of(begun.as_ref()), of(q)) else { return false };
+        let of = |q: &[f64]| BranchValues::<M>::at(self.mechanism, parameters.as_ref(), at, q);
+        let (Ok(first), Ok(last)) = (of(begun.as_ref()), of(q)) else { return false };
         let closures = model.plan.modes.len();
-        let mut orientations = first.as_ref().iter().zip(last.as_ref()).skip(closures);
-        orientations.all(|(first, last)| first * last > 0.0)
+        first.as_ref().iter().zip(last.as_ref()).skip(closures).all(have_same_sign)
     }
+}
+
+/// Whether two branch values have the same sign.
+fn have_same_sign((first, last): (&f64, &f64)) -> bool {
+    first * last > 0.0
+}
+
+/// Writes the unknowns of all iterations at their start; false if a group that contains a scalar begins far from its
+/// solution q.
+fn begins_near(model: &Model, start: &[f64], q: &[f64], begun: &mut [f64]) -> bool {
+    for step in model.plan.steps {
+        let StepKind::Newton(unknowns) = step.kind else { continue };
+        let unknowns = step.coordinates.get(..unknowns).unwrap_or_default();
+        let has_scalar = unknowns.iter().any(|&(k, _)| model.coordinates[k].kind == CoordinateKind::Scalar);
+        if has_scalar && !unknowns.iter().all(|&(k, _)| is_near(model.coordinates[k].kind, start[k], q[k])) {
+            return false;
+        }
+        unknowns.iter().for_each(|&(k, _)| begun[k] = start[k]);
+    }
+    true
 }
 
 /// True if a coordinate is near its start: a length relative to itself, an angle within a fraction of a radian, a

@@ -134,6 +134,20 @@ struct Eccentric;
 #[derive(Default)]
 struct Press;
 
+/// A crank that feeds a slider until the rod to its arm is stretched, after more than a turn.
+#[mechanism]
+#[body(crank, x = 0, y = 0)]
+#[body(arm, x = 0, y = 0)]
+#[body(slider, y = 0, phi = 0)]
+#[driver(drive: crank.phi = 2 * t)]
+#[constraint(feed: slider.x = 0.8 + lead * crank.phi)]
+#[distance(rod: arm @ (0.2, 0), slider @ (0, 0), length = 0.7)]
+#[guess(arm.phi = 1, slider.x = 0.8)]
+struct Spindle {
+    #[param(0.01)]
+    lead: f64,
+}
+
 /// A slider-crank with units, driven by a measured angle.
 #[mechanism]
 #[bodies(crank, rod)]
@@ -177,12 +191,13 @@ fn main() -> ExitCode {
         Some("redundant") => run("RedundantParallelogram", args),
         Some("robot") => run("Robot3rrr", args),
         Some("singular") => run("SingularSliderCrank", args),
+        Some("spindle") => run_from::<Spindle>(args),
         Some("teeth") => run_from::<Teeth>(args),
         Some("underdriven") => run("UnderdrivenFivebar", args),
         Some("with_units") => run_from::<WithUnits>(args),
         _ => {
             eprintln!(
-                "error: the first argument is arm, balanced, cam, chain, wrong_cam, dead_centre, eccentric, excavator, fourbar, ends, faster, infeasible, leg, lever, limits, loaded, press, redundant, robot, singular, teeth, underdriven or with_units"
+                "error: the first argument is arm, balanced, cam, chain, wrong_cam, dead_centre, eccentric, excavator, fourbar, ends, faster, infeasible, leg, lever, limits, loaded, press, redundant, robot, singular, spindle, teeth, underdriven or with_units"
             );
             ExitCode::from(2)
         }

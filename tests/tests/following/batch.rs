@@ -3,6 +3,7 @@
 
 use allocation_counter::measure;
 use kin_runtime::batch::{BatchError, Column, Configurations, Evaluations, always, evaluate};
+use kin_runtime::model::Model;
 use kin_runtime::{Instant, Lanes, LengthError, Mechanism, Signal, Subset, Workspace};
 use kin_tests::every_mechanism;
 use kin_tests::mechanisms::*;
@@ -18,19 +19,93 @@ macro_rules! batch_tests {
     ) => {
         $(#[test]
         fn $moving() {
-            agrees::<$Moving>();
+            agrees(&$Moving::default());
         })*
         $(#[test]
         fn $other() {
-            agrees::<$Other>();
+            agrees(&$Other::default());
         })*
     };
 }
 
 every_mechanism!(batch_tests);
 
+/// What the law needs of a mechanism, as a trait object, so that the law is compiled once.
+trait Evaluated {
+    fn model(&self) -> &'static Model;
+    fn own_parameters(&self) -> Vec<f64>;
+    /// The results of a batch.
+    fn batch(&self, configurations: &Configurations<'_>, count: usize) -> Box<dyn Results>;
+    /// The results of one configuration, without lanes.
+    fn one(&self, parameters: &[f64], at: &Instant<'_>, q: &[f64], q_dot: &[f64]) -> Vec<f64>;
+    /// How often a batch allocates.
+    fn allocations(&self, configurations: &Configurations<'_>, count: usize) -> u64;
+}
+
+impl<M> Evaluated for M
+where
+    M: Mechanism + Sync + 'static,
+    Workspace<M, Lanes>: Send,
+{
+    fn model(&self) -> &'static Model {
+        M::model()
+    }
+
+    fn own_parameters(&self) -> Vec<f64> {
+        self.parameters::<f64>().as_ref().to_vec()
+    }
+
+    fn batch(&self, configurations: &Configurations<'_>, count: usize) -> Box<dyn Results> {
+        let mut out = Evaluations::new(count);
+        evaluate(self, Subset::ALL, configurations, &mut out, &always).expect("as many columns as there must be");
+        Box::new(out)
+    }
+
+    fn one(&self, parameters: &[f64], at: &Instant<'_>, q: &[f64], q_dot: &[f64]) -> Vec<f64> {
+        let mut workspace = M::workspace::<f64>();
+        self.evaluate_with(parameters, Subset::ALL, at, q, q_dot, &mut workspace).expect("lengths agree");
+        [workspace.phi(), workspace.phi_q(), workspace.phi_t(), workspace.gamma()].concat()
+    }
+
+    fn allocations(&self, configurations: &Configurations<'_>, count: usize) -> u64 {
+        let mut out = Evaluations::<M>::new(count);
+        let mut work = || {
+            evaluate(self, Subset::ALL, configurations, &mut out, &always).expect("lengths agree");
+        };
+        measure(&mut work).count_total
+    }
+}
+
+/// The results of a batch, as a trait object.
+trait Results {
+    fn count(&self) -> usize;
+    fn model(&self) -> &'static Model;
+    /// Φ, Φ_q, Φ_t or γ, by the number of the part, of one configuration.
+    fn value(&self, part: usize, index: usize, place: usize) -> Option<f64>;
+}
+
+impl<M: Mechanism> Results for Evaluations<M> {
+    fn count(&self) -> usize {
+        self.count()
+    }
+
+    fn model(&self) -> &'static Model {
+        M::model()
+    }
+
+    fn value(&self, part: usize, index: usize, place: usize) -> Option<f64> {
+        match part {
+            0 => self.phi(index).nth(place),
+            1 => self.phi_q(index).nth(place),
+            2 => self.phi_t(index).nth(place),
+            _ => self.gamma(index).nth(place),
+        }
+    }
+}
+
 /// The arguments of `COUNT` configurations, one list per column: parameters, t, inputs, q, q̇.
 struct Drawn {
+    own: Vec<f64>,
     parameters: Vec<Vec<f64>>,
     t: Vec<f64>,
     inputs: Vec<Signal<Vec<f64>>>,
@@ -39,29 +114,25 @@ struct Drawn {
 }
 
 impl Drawn {
-    fn new<M: Mechanism>(mechanism: &M) -> Self {
+    fn new(mechanism: &dyn Evaluated) -> Self {
         let mut random = Random::new(17);
         let mut list = |middle: f64, size: f64| (0..COUNT).map(|_| middle + size * random.between(-1.0, 1.0)).collect();
-        let own = mechanism.parameters::<f64>();
+        let (own, model) = (mechanism.own_parameters(), mechanism.model());
         Self {
             // Every second parameter is different in every configuration.
-            parameters: own.as_ref().iter().map(|p| list(*p, 0.01 * p.abs())).collect(),
+            parameters: own.iter().map(|p| list(*p, 0.01 * p.abs())).collect(),
             t: list(0.3, 0.3),
-            inputs: (0..M::INPUTS).map(|_| Signal::new(list(0.2, 0.2), list(0.0, 1.0), list(0.0, 1.0))).collect(),
-            q: (0..M::COORDINATES).map(|_| list(0.0, 1.5)).collect(),
-            q_dot: (0..M::COORDINATES).map(|_| list(0.0, 1.0)).collect(),
+            inputs: model.inputs.iter().map(|_| Signal::new(list(0.2, 0.2), list(0.0, 1.0), list(0.0, 1.0))).collect(),
+            q: model.coordinates.iter().map(|_| list(0.0, 1.5)).collect(),
+            q_dot: model.coordinates.iter().map(|_| list(0.0, 1.0)).collect(),
+            own,
         }
     }
 
     /// Evaluates the configurations in `range` as a batch.
-    fn batch<M>(&self, mechanism: &M, range: core::ops::Range<usize>) -> Evaluations<M>
-    where
-        M: Mechanism + Sync,
-        Workspace<M, Lanes>: Send,
-    {
+    fn batch(&self, mechanism: &dyn Evaluated, range: core::ops::Range<usize>) -> Box<dyn Results> {
         let [q, q_dot] = [&self.q, &self.q_dot].map(|lists| columns(lists, range.clone()));
-        let own = mechanism.parameters::<f64>();
-        let parameters: Vec<_> = (own.as_ref().iter().zip(&self.parameters).enumerate())
+        let parameters: Vec<_> = (self.own.iter().zip(&self.parameters).enumerate())
             .map(|(k, (own, list))| if k % 2 == 0 { Column::Each(&list[range.clone()]) } else { Column::Shared(*own) })
             .collect();
         let each = |list: &'_ Vec<f64>| -> Vec<f64> { list[range.clone()].to_vec() };
@@ -77,26 +148,19 @@ impl Drawn {
             q: &q,
             q_dot: &q_dot,
         };
-        let mut out = Evaluations::new(range.len());
-        evaluate(mechanism, Subset::ALL, &configurations, &mut out, &always).expect("as many columns as there must be");
-        out
+        mechanism.batch(&configurations, range.len())
     }
 
     /// Evaluates one configuration without lanes.
-    fn one<M: Mechanism>(&self, mechanism: &M, place: usize) -> Vec<f64> {
+    fn one(&self, mechanism: &dyn Evaluated, place: usize) -> Vec<f64> {
         let of = |lists: &[Vec<f64>]| lists.iter().map(|list| list[place]).collect::<Vec<_>>();
-        let own = mechanism.parameters::<f64>();
-        let parameters: Vec<_> = (own.as_ref().iter().zip(of(&self.parameters)).enumerate())
+        let parameters: Vec<_> = (self.own.iter().zip(of(&self.parameters)).enumerate())
             .map(|(k, (own, drawn))| if k % 2 == 0 { drawn } else { *own })
             .collect();
         let inputs: Vec<_> =
             (self.inputs.iter()).map(|u| Signal::new(u.value[place], u.rate[place], u.acceleration[place])).collect();
         let at = Instant { t: self.t[place], inputs: &inputs };
-        let mut workspace = M::workspace::<f64>();
-        mechanism
-            .evaluate_with(&parameters, Subset::ALL, &at, &of(&self.q), &of(&self.q_dot), &mut workspace)
-            .expect("lengths agree");
-        [workspace.phi(), workspace.phi_q(), workspace.phi_t(), workspace.gamma()].concat()
+        mechanism.one(&parameters, &at, &of(&self.q), &of(&self.q_dot))
     }
 }
 
@@ -105,74 +169,58 @@ fn columns(lists: &[Vec<f64>], range: core::ops::Range<usize>) -> Vec<Column<'_>
 }
 
 /// All results of one configuration of a batch.
-fn results<M: Mechanism>(out: &Evaluations<M>, place: usize) -> Vec<f64> {
-    let entries = M::model().constraint_pattern.entries.len();
-    let pick =
-        |mut column: Box<dyn Iterator<Item = f64> + '_>| column.nth(place).expect("a configuration of the batch");
-    (0..M::ROWS)
-        .map(|row| pick(Box::new(out.phi(row))))
-        .chain((0..entries).map(|entry| pick(Box::new(out.phi_q(entry)))))
-        .chain((0..M::ROWS).map(|row| pick(Box::new(out.phi_t(row)))))
-        .chain((0..M::ROWS).map(|row| pick(Box::new(out.gamma(row)))))
-        .collect()
+fn results(out: &dyn Results, place: usize) -> Vec<f64> {
+    let (rows, entries) = (out.model().rows.len(), out.model().constraint_pattern.entries.len());
+    let parts = [rows, entries, rows, rows].into_iter().enumerate();
+    let places = parts.flat_map(|(part, count)| (0..count).map(move |index| (part, index)));
+    places.map(|(part, index)| out.value(part, index, place).expect("a configuration of the batch")).collect()
 }
 
 fn bits(numbers: Vec<f64>) -> Vec<u64> {
     numbers.into_iter().map(f64::to_bits).collect()
 }
 
-fn agrees<M>()
-where
-    M: Mechanism + Default + Sync,
-    Workspace<M, Lanes>: Send,
-{
-    let mechanism = M::default();
-    let drawn = Drawn::new(&mechanism);
-    let whole = drawn.batch(&mechanism, 0..COUNT);
+fn agrees(mechanism: &dyn Evaluated) {
+    let name = mechanism.model().name;
+    let drawn = Drawn::new(mechanism);
+    let whole = drawn.batch(mechanism, 0..COUNT);
     for place in 0..COUNT {
-        let (found, expected) = (results(&whole, place), drawn.one(&mechanism, place));
+        let (found, expected) = (results(&*whole, place), drawn.one(mechanism, place));
         assert_eq!(expected.len(), found.len());
         for (found, expected) in found.into_iter().zip(expected) {
             // The tolerance is a few ulp of the largest intermediate result.
             let same =
                 (found - expected).abs() <= 2e-13 * (1.0 + expected.abs()) || found.is_nan() && expected.is_nan();
-            assert!(same, "{} {place}: {found:e} and {expected:e}", M::model().name);
+            assert!(same, "{name} {place}: {found:e} and {expected:e}");
         }
     }
     // The results of a configuration do not depend on its position in the batch or on the size of the batch, to the
     // last bit.
     for count in 0..=9 {
-        let part = drawn.batch(&mechanism, COUNT - count..COUNT);
+        let part = drawn.batch(mechanism, COUNT - count..COUNT);
         assert_eq!(count, part.count());
         for place in 0..count {
-            let (own, other) = (results(&part, place), results(&whole, COUNT - count + place));
-            assert_eq!(bits(own), bits(other), "{} {count} {place}", M::model().name);
+            let (own, other) = (results(&*part, place), results(&*whole, COUNT - count + place));
+            assert_eq!(bits(own), bits(other), "{name} {count} {place}");
         }
     }
-    allocates_nothing_inside(&mechanism);
+    allocates_nothing_inside(mechanism);
 }
 
 /// A batch of thousands of configurations allocates as often as one of eight.
-fn allocates_nothing_inside<M>(mechanism: &M)
-where
-    M: Mechanism + Sync,
-    Workspace<M, Lanes>: Send,
-{
-    let inputs = vec![Signal::new(Column::Shared(0.1), Column::Shared(0.2), Column::Shared(0.3)); M::INPUTS];
+fn allocates_nothing_inside(mechanism: &dyn Evaluated) {
+    let model = mechanism.model();
+    let inputs = vec![Signal::new(Column::Shared(0.1), Column::Shared(0.2), Column::Shared(0.3)); model.inputs.len()];
+    let parameters: Vec<_> = mechanism.own_parameters().into_iter().map(Column::Shared).collect();
     let [small, large] = [8, 3_000].map(|count| {
         let list = vec![0.3; count];
-        let columns = vec![Column::Each(&list); M::COORDINATES];
-        let parameters: Vec<_> = mechanism.parameters::<f64>().as_ref().iter().map(|p| Column::Shared(*p)).collect();
+        let columns = vec![Column::Each(&list); model.coordinates.len()];
         let (q, q_dot) = (&columns, &columns);
         let configurations =
             Configurations { parameters: &parameters, t: Column::Each(&list), inputs: &inputs, q, q_dot };
-        let mut out = Evaluations::new(count);
-        let counted = measure(|| {
-            evaluate(mechanism, Subset::ALL, &configurations, &mut out, &always).expect("lengths agree");
-        });
-        counted.count_total
+        mechanism.allocations(&configurations, count)
     });
-    assert_eq!(small, large, "{}", M::model().name);
+    assert_eq!(small, large, "{}", model.name);
 }
 
 #[test]

@@ -168,6 +168,8 @@ fn a_gap_ends_the_motion() {
     // In the middle of the only step.
     let (c, w, f) = (1.0, 0.01, FromFn((|x| [x, 1.0, 0.0]) as fn(f64) -> [f64; 3]));
     ends_at_gap(&GapBesideAFunction { c, w, f }, &[0.0, 2.0], c - w);
+    // So short a step is not divided before.
+    ends_at_gap(&GapBesideAFunction { c: 0.05, w: 0.001, f }, &[0.0, 0.1], 0.049);
 }
 
 /// Peaks that the mechanism can follow are followed.

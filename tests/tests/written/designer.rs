@@ -283,6 +283,21 @@ fn a_crank_without_a_limit_turns_once() {
 }
 
 #[test]
+fn a_limit_may_come_after_several_turns() {
+    // The rod is stretched at the feed of 0.1: after 10 rad.
+    let (csv, notes) = good("spindle sweep slider.x --to limit --steps 4 --format csv");
+    let (_, all) = rows(&csv);
+    let last = all.last().expect("rows");
+    assert!((last[0] - 5.0).abs() < 1e-9 && (last[1] - 0.9).abs() < 1e-9, "{csv}");
+    assert!(notes.contains("dead centre"), "{notes}");
+    // 100 turns are 200 pi rad.
+    let (csv, notes) = good("spindle sweep slider.x --set lead=1e-4 --to limit --steps 4 --format csv");
+    let (_, all) = rows(&csv);
+    assert!((all.last().expect("rows")[0] - PI).abs() < 1e-12, "{csv}");
+    assert!(notes.contains("no limit is met in 100 turns of the driven crank"), "{notes}");
+}
+
+#[test]
 fn curves_end_at_their_limits_with_a_mark() {
     let (svg, _) = good("fourbar plot rocker.phi B.transmission --set l1=0.5 --from limit --to limit");
     assert!(svg.contains(">dead centre of A, B, D<"), "the legend names it");

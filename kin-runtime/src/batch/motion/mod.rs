@@ -12,13 +12,13 @@ use crate::mechanism::Mechanism;
 use crate::plan::{Depth, Plan};
 use crate::planned::branch::{FAR_FROM_LIMITS, OUT_OF_REACH, certainty_of, resolves};
 use crate::planned::follower::{Control, NEGLIGIBLE, PlanFollower, has_scalars, rows_turn_alone};
-use crate::planned::hidden_motion::least_or_nan;
 use crate::planned::lists::{BranchValues, Distances, Margins, Modes};
 use crate::planned::mode_changes::CLOSE;
 use crate::planned::predict::{parabola, turned, weights};
+use crate::planned::turning_rows::write_lane_of_inputs;
 use crate::planned::{Limit, PlanError, Step};
 use crate::scalar::Scalar;
-use crate::scalar::compare::Compare;
+use crate::scalar::compare::{Compare, least_or_nan, write_lane};
 use crate::scalar::lanes::{Lanes, Octet};
 use crate::signal::{Instant, Signal};
 use crate::workspace::Array;
@@ -231,7 +231,7 @@ impl<M: Mechanism> Motion<M> {
         self.margins_before = self.margins;
         self.good = 1 - self.good;
         self.t = at.t.lane(0);
-        self.inputs.as_mut().iter_mut().zip(at.inputs).for_each(|(to, from)| *to = from.map(|x| x.lane(0)));
+        write_lane_of_inputs(self.inputs.as_mut(), at.inputs, 0);
         if self.has_scalars {
             weights(M::model(), self.poses[self.good].q.as_ref(), self.weights.as_mut());
         }
@@ -267,27 +267,30 @@ impl<M: Mechanism> Motion<M> {
 
     /// Moves one set by the scalar follower.
     fn one(&mut self, mechanism: &M, at: &Instant<'_, Octet>, lane: usize) -> Result<(), PlanError> {
-        let pick = |list: &[Octet]| -> M::Coordinates<f64> { Array::generate(0.0, |k| list[k].lane(lane)) };
         let before = &self.poses[self.good];
-        let parameters = Array::generate(0.0, |k| self.parameters.as_ref()[k].lane(lane));
-        let margins = Margins::lane_of(&self.margins_before, lane);
-        let state = [pick(before.q.as_ref()), pick(before.q_dot.as_ref()), pick(before.q_ddot.as_ref())];
+        let mut parameters = M::Parameters::<f64>::filled(0.0);
+        write_lane(parameters.as_mut(), self.parameters.as_ref(), lane);
+        let mut margins = Margins::filled(0.0);
+        write_lane(margins.as_mut(), self.margins_before.as_ref(), lane);
+        let mut state = [M::Coordinates::<f64>::filled(0.0); 3];
+        write_lane(state[0].as_mut(), before.q.as_ref(), lane);
+        write_lane(state[1].as_mut(), before.q_dot.as_ref(), lane);
+        write_lane(state[2].as_mut(), before.q_ddot.as_ref(), lane);
         let from = Instant { t: self.t, inputs: self.inputs.as_ref() };
         let modes = Modes::lane_of(&self.modes, lane);
         let mut follower = PlanFollower::<M>::resume(mechanism, parameters, modes, &from, state, margins);
         let mut inputs = M::Inputs::<f64>::filled(Signal::constant(0.0));
-        inputs.as_mut().iter_mut().zip(at.inputs).for_each(|(to, from)| *to = from.map(|x| x.lane(lane)));
+        write_lane_of_inputs(inputs.as_mut(), at.inputs, lane);
         let at = Instant { t: at.t.lane(lane), inputs: inputs.as_ref() };
         follower.update(mechanism, &at, &Control::USUAL)?;
-        let set = |to: &mut [Octet], from: &[f64]| to.iter_mut().zip(from).for_each(|(to, x)| to.set(lane, *x));
         let found = follower.state();
         let tried = &mut self.poses[1 - self.good];
-        set(tried.q.as_mut(), found.q.as_ref());
-        set(tried.q_dot.as_mut(), found.q_dot.as_ref());
-        set(tried.q_ddot.as_mut(), found.q_ddot.as_ref());
+        set_lane(tried.q.as_mut(), found.q.as_ref(), lane);
+        set_lane(tried.q_dot.as_mut(), found.q_dot.as_ref(), lane);
+        set_lane(tried.q_ddot.as_mut(), found.q_ddot.as_ref(), lane);
         tried.accept(lane, found.margins.least());
-        set(self.margins.as_mut(), found.margins.as_ref());
-        set(self.modes.as_mut(), follower.modes().as_ref());
+        set_lane(self.margins.as_mut(), found.margins.as_ref(), lane);
+        set_lane(self.modes.as_mut(), follower.modes().as_ref(), lane);
         Ok(())
     }
 
@@ -298,12 +301,15 @@ impl<M: Mechanism> Motion<M> {
     pub(super) fn mask<S>(&mut self, instant: usize, refusals: &Refusals, out: &mut [Outcome<S>]) -> bool {
         // Lanes after the last set are padding: nothing is copied from them.
         let mut ended = [true; Octet::COUNT];
-        let ends = out.iter_mut().flat_map(|(_, ends)| ends);
-        for (lane, (end, ended)) in ends.zip(&mut ended).enumerate() {
-            if let Some((margin, limit)) = refusals[lane] {
-                end.get_or_insert(End { instant, margin, limit });
+        let mut lane = 0;
+        for (_, ends) in out {
+            for end in ends {
+                if let (None, Some((margin, limit))) = (&*end, refusals[lane]) {
+                    *end = Some(End { instant, margin, limit });
+                }
+                ended[lane] = end.is_some();
+                lane += 1;
             }
-            *ended = end.is_some();
         }
         let Some(first) = ended.iter().position(|ended| !ended) else { return false };
         for lane in (0..Octet::COUNT).filter(|lane| ended[*lane]) {
@@ -333,13 +339,9 @@ impl<M: Mechanism> Motion<M> {
     }
 }
 
-impl<M: Mechanism> Margins<M> {
-    /// The margins of one lane.
-    fn lane_of(margins: &Margins<M, Octet>, lane: usize) -> Self {
-        let mut own = Self::filled(0.0);
-        own.as_mut().iter_mut().zip(margins.as_ref()).for_each(|(to, from)| *to = from.lane(lane));
-        own
-    }
+/// Sets one lane of every number.
+fn set_lane(to: &mut [Octet], from: &[f64], lane: usize) {
+    to.iter_mut().zip(from).for_each(|(to, x)| to.set(lane, *x));
 }
 
 /// The smallest of the lengths that joints keep; 1 if there are none.

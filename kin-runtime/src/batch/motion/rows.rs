@@ -4,13 +4,13 @@ use super::{BlockSolution, Motion};
 use crate::course::{Between, Course, kind};
 use crate::mechanism::Mechanism;
 use crate::planned::follower::Control;
-use crate::planned::hidden_motion::{Stretch, certainty_within, curves_are_followed, least_or_nan};
+use crate::planned::hidden_motion::{Stretch, certainty_within, curves_are_followed};
 use crate::planned::interior::FRACTIONS;
 use crate::planned::predict::largest_turn;
 use crate::planned::steep_rows::certainty_of_slopes;
-use crate::planned::turning_rows::TrialStep;
+use crate::planned::turning_rows::{TrialStep, write_lane_of_inputs};
 use crate::scalar::Scalar;
-use crate::scalar::compare::Compare;
+use crate::scalar::compare::{Compare, least_or_nan, write_lane};
 use crate::scalar::lanes::Octet;
 use crate::signal::{Instant, Signal};
 use crate::workspace::Array;
@@ -57,7 +57,8 @@ impl<M: Mechanism> Motion<M> {
     #[cold]
     #[inline(never)]
     pub(super) fn certainty_within(&self, mechanism: &M, at: &Instant<'_, Octet>, t: f64, allowed: Octet) -> Octet {
-        let inputs = M::Inputs::<f64>::generate(Signal::constant(0.0), |k| at.inputs[k].map(|x| x.lane(0)));
+        let mut inputs = M::Inputs::<f64>::filled(Signal::constant(0.0));
+        write_lane_of_inputs(inputs.as_mut(), at.inputs, 0);
         let from = Instant { t: self.t, inputs: self.inputs.as_ref() };
         let to = Instant { t, inputs: inputs.as_ref() };
         let course = Between { kind: kind(&from, &to), from, to };
@@ -77,16 +78,24 @@ impl<M: Mechanism> Motion<M> {
             certainty.unwrap_or_else(|_| Octet::from_f64(-1.0))
         };
         let mut least = Octet::from_f64(1.0);
-        FRACTIONS.into_iter().for_each(|fraction| least = least_or_nan(least, certainty_at(fraction)));
+        for fraction in FRACTIONS {
+            least = least_or_nan(least, certainty_at(fraction));
+        }
         for lane in 0..Octet::LANES {
-            let pick = |list: &[Octet]| -> M::Coordinates<f64> { Array::generate(0.0, |k| list[k].lane(lane)) };
-            let ends = ends.map(pick);
+            let mut numbers = [M::Coordinates::<f64>::filled(0.0); 4];
+            for (to, from) in numbers.iter_mut().zip(ends) {
+                write_lane(to.as_mut(), from, lane);
+            }
+            let [q0, v0, q1, v1] = &numbers;
             let Stretch { course, interval, .. } = stretch;
-            let stretch = Stretch { course, interval, ends: ends.each_ref().map(AsRef::as_ref) };
-            let parameters: M::Parameters<f64> = Array::generate(0.0, |k| parameters[k].lane(lane));
+            let ends = [q0.as_ref(), v0.as_ref(), q1.as_ref(), v1.as_ref()];
+            let stretch = Stretch { course, interval, ends };
+            let mut own_parameters = M::Parameters::<f64>::filled(0.0);
+            write_lane(own_parameters.as_mut(), parameters, lane);
             let mut is_near = |fraction: f64| Ok(certainty_at(fraction).lane(lane) >= 0.0);
             let is_certain = least.lane(lane) >= 0.0;
-            if is_certain && curves_are_followed(mechanism, parameters.as_ref(), stretch, &mut is_near) != Ok(true) {
+            if is_certain && curves_are_followed(mechanism, own_parameters.as_ref(), stretch, &mut is_near) != Ok(true)
+            {
                 least.set_lane(lane, -1.0);
             }
         }

@@ -11,7 +11,6 @@ use crate::mechanism::Mechanism;
 use crate::model::Model;
 use crate::plan::{Plan, PlanStep};
 use crate::signal::Instant;
-use crate::workspace::Array;
 
 /// Distances √margin below which the accuracy of the rates is checked.
 pub(super) const NEAR: f64 = 0.1;
@@ -72,10 +71,11 @@ impl<M: Mechanism> PlanFollower<M> {
         // A configuration ahead, so near that the motion to it is straight: ẇ is the difference quotient.
         let turns = if self.rows_turn_alone { self.turns.as_ref() } else { &[] };
         let further = LITTLE / largest_angle(M::model(), turns, q_dot);
-        let ahead = M::Coordinates::<f64>::generate(0.0, |k| q[k] + further * q_dot[k]);
+        let mut ahead = self.trial().q;
+        advance(ahead.as_mut(), q_dot, further);
         let of = |q: &[f64]| BranchValues::<M>::at(mechanism, self.parameters.as_ref(), at, q).ok();
         let (now, mut rates) = (of(q)?, of(ahead.as_ref())?);
-        rates.as_mut().iter_mut().zip(now.as_ref()).for_each(|(then, now)| *then = (*then - now) / further);
+        write_slopes(rates.as_mut(), now.as_ref(), further);
         let groups = [now.as_ref(), rates.as_ref()];
         ill_conditioned_group(M::model(), groups, self.distances.as_ref(), [q_dot, tried.q_ddot.as_ref()], turns)
     }
@@ -90,10 +90,13 @@ impl<M: Mechanism> PlanFollower<M> {
         let margin = here.margins.as_ref()[place];
         // The crossing may lie before or after this instant.
         let blocked = Blocked { interval: [t, t], here, fault: None };
-        let found = [-1.0, 1.0].into_iter().find_map(|side| {
+        let mut found = None;
+        for side in [-1.0, 1.0] {
             let course = Around { instant: *at, from: t + side * (1.0 + t.abs()) };
-            self.extrapolate(mechanism, &course, (group?, t), &blocked)
-        });
+            if let (None, Some(group)) = (&found, group) {
+                found = self.extrapolate(mechanism, &course, (group, t), &blocked);
+            }
+        }
         self.q_at_limit = found.as_ref().map(|found| found.q);
         // If it could not be located, the kind of the limit is known only for groups in closed form.
         let closes = group.is_some_and(|group| group < M::model().plan.modes.len());
@@ -107,6 +110,16 @@ impl<M: Mechanism> PlanFollower<M> {
             None => PlanError::NonFinite { what: "margins", index: place, name: "", t },
         }
     }
+}
+
+/// Moves a configuration along its rates.
+fn advance(q: &mut [f64], q_dot: &[f64], by: f64) {
+    q.iter_mut().zip(q_dot).for_each(|(q, rate)| *q += by * rate);
+}
+
+/// Replaces numbers by their slopes on the way from earlier ones, `width` before.
+fn write_slopes(then: &mut [f64], now: &[f64], width: f64) {
+    then.iter_mut().zip(now).for_each(|(then, now)| *then = (*then - now) / width);
 }
 
 /// The indices of the steps of all groups, in the order of their signs.

@@ -10,7 +10,7 @@ use crate::equations::Equations;
 use crate::planned::branch::{OUT_OF_REACH, certainty_of, resolves};
 use crate::planned::gradient_turns::stays_in_bends;
 use crate::planned::ill_conditioned::ill_conditioned_group;
-use crate::planned::interior::{LEAST, fractions, input_within, on_cubic, time_within};
+use crate::planned::interior::{LEAST, fractions, on_cubic, time_within, write_inputs_within};
 use crate::planned::parts::Span;
 use crate::planned::predict::weight;
 use crate::planned::rates::largest_angle;
@@ -89,10 +89,11 @@ pub(super) fn stay_between(equations: &Equations<'_>, [before, found]: [&[f64]; 
     }
     let (mut q, mut groups) = (vec![0.0; equations.coordinates()], vec![0.0; before.len()]);
     let at = equations.instant();
-    let ends = span.inputs.iter().zip(at.inputs).map(|(from, to)| [from, to]);
+    let ends = [span.inputs, at.inputs];
     let mut stays_at = |s: f64| {
         on_cubic(&mut q, span.ends, span.h, s);
-        let inputs: Vec<_> = ends.clone().map(|ends| input_within(ends, s)).collect();
+        let mut inputs = vec![Signal::constant(0.0); at.inputs.len()];
+        write_inputs_within(&mut inputs, ends, s, f64::from);
         let there = Instant { t: time_within(at.t, span.h, s), inputs: &inputs };
         if equations.system.branches(&there, &q, &mut groups).is_err() {
             return false;
@@ -113,11 +114,8 @@ pub(super) fn stay_between(equations: &Equations<'_>, [before, found]: [&[f64]; 
     let buffers = [(); 2].map(|()| vec![Interval::ZERO; span.ends[0].len()]);
     let [mut box_of_part, mut turns] = buffers;
     let mut turns_over = |place: Interval, part: &[Interval], turns: &mut [Interval]| {
-        let of = |ends: [&Signal; 2]| {
-            let [from, to] = ends.map(|input| input.map(Interval::from_f64));
-            input_within([&from, &to], place)
-        };
-        let inputs: Vec<_> = ends.clone().map(of).collect();
+        let mut inputs = vec![Signal::constant(Interval::ZERO); at.inputs.len()];
+        write_inputs_within(&mut inputs, ends, place, Interval::from_f64);
         let t = time_within(Interval::from_f64(at.t), span.h, place);
         equations.system.turns_over(&Instant { t, inputs: &inputs }, part, turns)
     };

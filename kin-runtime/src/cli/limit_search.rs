@@ -1,0 +1,91 @@
+//! The search for the limit at which a motion ends.
+
+use super::engine::Engine;
+use super::failure::Failure;
+use super::instants::Stop;
+use super::setup::Setup;
+use super::solved::misfit;
+use super::turns::turn;
+use crate::error::SolveError;
+use crate::planned::Limit;
+use crate::state::State;
+use std::f64::consts::TAU;
+use std::ops::ControlFlow;
+
+/// A limit is searched within so many turns of a crank, one after the other, unless the mechanism is back after the first.
+const TURNS: [f64; 3] = [1.0, 10.0, 100.0];
+
+/// If no crank turns at constant speed, a limit is searched within these durations, one after the other.
+const FAR: [f64; 4] = [1.0, 10.0, 100.0, 1000.0];
+
+/// The result of a search for a limit.
+pub(super) enum Sought {
+    Found(Stop),
+    /// There is none up to this time.
+    None(f64),
+}
+
+/// The limit that a motion from `start` reaches in a direction of time, or how far it was followed without reaching
+/// one.
+pub(super) fn limit(engine: &dyn Engine, setup: &Setup, start: f64, direction: f64) -> Result<Sought, Failure> {
+    let turn = turn(engine, setup, start);
+    let ranges = turn.map_or(FAR.to_vec(), |turn| TURNS.map(|turns| turns * turn).to_vec());
+    let mut followed = None;
+    for far in &ranges {
+        let times = [start, start + direction * far];
+        let go_on = |_: crate::observer::Reached<'_>| ControlFlow::Continue(());
+        let (mut first, mut is_back) = (None, false);
+        let mut visit = |state: &State| {
+            is_back = first.as_ref().is_some_and(|first| is_same_motion(first, state));
+            first.get_or_insert_with(|| state.clone());
+            ControlFlow::Continue(())
+        };
+        let (trajectory, error) = engine.sweep_each(setup, &times, false, &go_on, &mut visit);
+        match error {
+            None => {
+                followed = Some(start + direction * far);
+                // What comes next is what has been.
+                if turn.is_some() && is_back {
+                    break;
+                }
+            }
+            // Numbers that grow too large farther away, as exp(−t) does towards the past, are no limit.
+            Some(SolveError::NonFinite { .. }) if followed.is_some() => break,
+            Some(error @ (SolveError::StepRefused { t, .. } | SolveError::Singular { t, .. }))
+                if trajectory.reached > 0 =>
+            {
+                let found = error.limit();
+                let (q, t) = (trajectory.q_at_limit, found.and_then(Limit::at).unwrap_or(t));
+                let name = found.map_or_else(|| "limit".to_owned(), short);
+                let text = found.map_or_else(|| error.to_string(), ToString::to_string);
+                return Ok(Sought::Found(Stop { t, q, name, text }));
+            }
+            Some(error) => return Err(misfit(engine, setup, start, &error)),
+        }
+    }
+    Ok(Sought::None(followed.unwrap_or(start)))
+}
+
+/// `dead centre of A, B, D`.
+fn short(limit: &Limit) -> String {
+    let joints: Vec<&str> = limit.joints().collect();
+    let kind = limit.kind().map_or_else(|| "limit".to_owned(), |kind| kind.to_string());
+    if joints.is_empty() { kind } else { format!("{kind} of {}", joints.join(", ")) }
+}
+
+/// How far numbers of the same configuration and the same rates may be apart.
+const SAME: f64 = 1e-6;
+
+/// Whether the configuration and the rates are the same, up to whole turns.
+fn is_same_motion(first: &State, then: &State) -> bool {
+    let is_same = |a: f64, b: f64| (a - b).abs() <= SAME * a.abs().max(1.0);
+    let is_same_place = |(k, (a, b)): (usize, (&f64, &f64))| {
+        let is_length = first.model.coordinates.get(k).is_some_and(|coordinate| coordinate.kind.is_length());
+        let turns = if is_length { 0.0 } else { ((b - a) / TAU).round() };
+        is_same(*a, b - TAU * turns)
+    };
+    let is_same_rate = |(a, b): (&f64, &f64)| is_same(*a, *b);
+    first.q.iter().zip(&then.q).enumerate().all(is_same_place)
+        && first.q_dot.iter().zip(&then.q_dot).all(is_same_rate)
+        && first.q_ddot.iter().zip(&then.q_ddot).all(is_same_rate)
+}
