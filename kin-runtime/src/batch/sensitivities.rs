@@ -8,6 +8,7 @@ use crate::mechanism::{LengthError, Mechanism};
 use crate::model::Model;
 use crate::results::varied::{Number, Varied, WIDTH};
 use crate::scalar::Scalar;
+use crate::scalar::compare::write_lane;
 use crate::scalar::lanes::Octet;
 use crate::sensitivity::measured::complete;
 use crate::sensitivity::{LARGEST, Variation, Varying, is_integrated, is_same, modes_at};
@@ -149,24 +150,14 @@ pub fn sensitivities<M: Mechanism + Sync>(
     problems.check::<M>(out.count)?;
     solutions.check(out.count)?;
     out.check(measures.len(), parameters.len())?;
-    if let Some(&index) = parameters.iter().find(|&&index| index >= M::PARAMETERS) {
-        return Err(BatchError::UnknownParameter { index, parameters: M::PARAMETERS });
-    }
-    let sources: Option<Vec<Source>> = measures.iter().map(|measure| measure.source(model)).collect();
-    let sources = sources.ok_or_else(|| {
-        BatchError::NoSensitivities(match measures.iter().any(Measure::is_ratio) {
-            true => "velocity ratios have no derivatives by parameters here",
-            false => "one of the forces has no closed form",
-        })
-    })?;
-    let list = List { measures, sources, parameters };
+    let list = List::new(model, measures, parameters)?;
     let shape = Shape { count: out.count, width: 1, stride: out.stride(), chunk: CHUNK };
     let scratch = || Scratch::<M>::new(mechanism);
     drive(&shape, &mut out.numbers, watch, scratch, |place, scratch, out| {
         let block = solutions.block(place / Octet::COUNT);
         let lane = place % Octet::COUNT;
         let good = block.good.lane(lane) > 0.0;
-        scratch.q.iter_mut().zip(block.q).for_each(|(q, solved)| *q = solved.lane(lane));
+        write_lane(&mut scratch.q, block.q, lane);
         if !good || scratch.derive(mechanism, problems, place, &list, out).is_none() {
             out.fill(0.0);
         }
@@ -196,6 +187,61 @@ struct List<'a> {
     measures: &'a [Measure],
     sources: Vec<Source>,
     parameters: &'a [usize],
+}
+
+impl<'a> List<'a> {
+    /// Checks that all of them exist and have derivatives.
+    fn new(model: &'static Model, measures: &'a [Measure], parameters: &'a [usize]) -> Result<Self, BatchError> {
+        let count = model.parameters.len();
+        if let Some(&index) = parameters.iter().find(|&&index| index >= count) {
+            return Err(BatchError::UnknownParameter { index, parameters: count });
+        }
+        let sources: Option<Vec<Source>> = measures.iter().map(|measure| measure.source(model)).collect();
+        let sources = sources.ok_or_else(|| {
+            BatchError::NoSensitivities(match measures.iter().any(Measure::is_ratio) {
+                true => "velocity ratios have no derivatives by parameters here",
+                false => "one of the forces has no closed form",
+            })
+        })?;
+        Ok(Self { measures, sources, parameters })
+    }
+
+    /// What the quantities are computed from.
+    fn needs(&self) -> Needs {
+        self.measures.iter().fold(Needs::LEAST, |needs, measure| needs.and(measure.needs()))
+    }
+
+    /// Writes the quantities and their derivatives with respect to one group of parameters, of which `first` is the first;
+    /// `None` if one of them has no value.
+    fn write(&self, at: &Instant<'_>, varied: &Varied, first: usize, numbers: &mut [f64], model: &Model) -> Option<()> {
+        let width = 1 + self.parameters.len().next_multiple_of(WIDTH);
+        for ((measure, source), out) in self.measures.iter().zip(&self.sources).zip(numbers.chunks_mut(width)) {
+            // Numbers with derivatives are large, so existing ones are not copied.
+            let own;
+            let number = match *source {
+                Source::Coordinate { place, order } => {
+                    [&varied.q, &varied.q_dot, &varied.q_ddot].get(order)?.get(place)?
+                }
+                Source::Force(place) => varied.forces.get(place)?,
+                _ => {
+                    own = match *source {
+                        Source::Time => Number::from_f64(at.t),
+                        Source::Input { place, order } => {
+                            let input = at.inputs.get(place)?;
+                            Number::from_f64(*[input.value, input.rate, input.acceleration].get(order)?)
+                        }
+                        _ => measure.varied(model, varied)?,
+                    };
+                    &own
+                }
+            };
+            out[0] = number.value();
+            if let Some(out) = out.get_mut(1 + first..1 + first + WIDTH) {
+                out.copy_from_slice(&number.by());
+            }
+        }
+        Some(())
+    }
 }
 
 /// The buffers of one thread.
@@ -229,53 +275,39 @@ impl<'m, M: Mechanism> Scratch<'m, M> {
         out: &mut [f64],
     ) -> Option<()> {
         let Self { varying, varied, parameters, inputs, q } = self;
-        parameters.iter_mut().zip(problems.parameters).for_each(|(number, column)| *number = column.at(place));
-        inputs.clear();
-        inputs.extend(problems.inputs.iter().map(|input| input.map(|column| column.at(place))));
+        read(problems, place, parameters, inputs);
         let at = Instant { t: problems.t.at(place), inputs };
         let modes = modes_at(mechanism, parameters, &at, q).ok()??;
-        let needs = list.measures.iter().fold(Needs::LEAST, |needs, measure| needs.and(measure.needs()));
+        let needs = list.needs();
         let (solved, numbers) = out.split_first_mut()?;
-        let width = 1 + list.parameters.len().next_multiple_of(WIDTH);
         // One pass without parameters if only values are requested.
-        let chunks = list.parameters.chunks(WIDTH).chain(list.parameters.is_empty().then_some(list.parameters));
-        for (first, chunk) in chunks.enumerate().map(|(k, chunk)| (k * WIDTH, chunk)) {
-            varying.vary_around(parameters, &at, chunk);
+        let mut first = 0;
+        while first == 0 || first < list.parameters.len() {
+            let end = list.parameters.len().min(first + WIDTH);
+            varying.vary_around(parameters, &at, &list.parameters[first..end]);
             varying.solve_from(modes.of_closures(), q, needs.depth, varied).ok()?;
-            let finite = [&varied.q, &varied.q_dot, &varied.q_ddot].into_iter().all(|list| all_finite(list));
-            if !(finite && is_same(&varied.q, q)) {
+            if !(is_finite(varied) && is_same(&varied.q, q)) {
                 return None;
             }
             complete(varying, varied, needs).ok()?;
-            for ((measure, source), out) in list.measures.iter().zip(&list.sources).zip(numbers.chunks_mut(width)) {
-                // Numbers with derivatives are large, so existing ones are not copied.
-                let own;
-                let number = match *source {
-                    Source::Coordinate { place, order } => {
-                        [&varied.q, &varied.q_dot, &varied.q_ddot].get(order)?.get(place)?
-                    }
-                    Source::Force(place) => varied.forces.get(place)?,
-                    _ => {
-                        own = match *source {
-                            Source::Time => Number::from_f64(at.t),
-                            Source::Input { place, order } => {
-                                let input = at.inputs.get(place)?;
-                                Number::from_f64(*[input.value, input.rate, input.acceleration].get(order)?)
-                            }
-                            _ => measure.varied(M::model(), varied)?,
-                        };
-                        &own
-                    }
-                };
-                out[0] = number.value();
-                if let Some(out) = out.get_mut(1 + first..1 + first + WIDTH) {
-                    out.copy_from_slice(&number.by());
-                }
-            }
+            list.write(&at, varied, first, numbers, M::model())?;
+            first += WIDTH;
         }
         *solved = 1.0;
         Some(())
     }
+}
+
+/// Reads the parameters and the inputs of a configuration.
+fn read(problems: &Problems<'_>, place: usize, parameters: &mut [f64], inputs: &mut Vec<Signal>) {
+    parameters.iter_mut().zip(problems.parameters).for_each(|(number, column)| *number = column.at(place));
+    inputs.clear();
+    inputs.extend(problems.inputs.iter().map(|input| input.map(|column| column.at(place))));
+}
+
+/// Whether all coordinates, their rates and the derivatives of these are finite.
+fn is_finite(varied: &Varied) -> bool {
+    [&varied.q, &varied.q_dot, &varied.q_ddot].into_iter().all(|list| all_finite(list))
 }
 
 /// Whether all values and derivatives are finite: 0 times any other number is NaN. Every lane has its own sum, so that

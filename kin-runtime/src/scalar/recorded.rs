@@ -35,9 +35,9 @@ pub(crate) struct Recorded {
 }
 
 /// Begins a computation with these variables.
-pub(crate) fn variables(values: impl IntoIterator<Item = f64>) -> Vec<Recorded> {
+pub(crate) fn variables(values: &[f64]) -> Vec<Recorded> {
     OPERATIONS.with_borrow_mut(Vec::clear);
-    values.into_iter().map(|value| Recorded::pushed(value, [CONSTANT; 2], [0.0; 2])).collect()
+    values.iter().map(|value| Recorded::pushed(*value, [CONSTANT; 2], [0.0; 2])).collect()
 }
 
 /// Adds the derivatives of Σ weight · result with respect to the first variables to `gradient`.
@@ -153,7 +153,7 @@ mod tests {
     /// The same expression over both: reverse equals forward.
     fn both(f: impl Fn([Recorded; 2]) -> Recorded, g: impl Fn([Tangents<2>; 2]) -> Tangents<2>) {
         let (a, b) = (0.7, 0.9);
-        let recorded = variables([a, b]);
+        let recorded = variables(&[a, b]);
         let found = f([recorded[0], recorded[1]]);
         let mut gradient = [0.0; 2];
         accumulate([(found, 2.0)], &mut gradient);
@@ -195,7 +195,7 @@ mod tests {
 
     #[test]
     fn what_is_constant_is_not_recorded() {
-        let [x] = variables([2.0])[..] else { panic!("one variable") };
+        let [x] = variables(&[2.0])[..] else { panic!("one variable") };
         let constant = Recorded::from_f64(3.0);
         let _ = (constant * constant).sqrt().sin_cos();
         assert_eq!(1, OPERATIONS.with_borrow(Vec::len));

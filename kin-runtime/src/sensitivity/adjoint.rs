@@ -6,14 +6,16 @@ use super::{SAME, is_integrated};
 use crate::error::SolveError;
 use crate::measure::{Measure, Needs};
 use crate::mechanism::{LengthError, Mechanism, Observations};
+use crate::model::Model;
 use crate::plan::{Plan, Solved};
 use crate::results::varied::Varied;
 use crate::scalar::Scalar;
+use crate::scalar::compare::all_finite;
 use crate::scalar::recorded::{Recorded, accumulate, variables};
 use crate::signal::Signal;
 use crate::solver::Solver;
 use crate::state::State;
-use crate::workspace::{Array, Instant};
+use crate::workspace::Instant;
 
 impl<M: Mechanism> Solver<'_, M> {
     /// The gradient of Σ weight · quantity over the states of a motion with respect to all parameters, in the order of
@@ -66,41 +68,42 @@ impl<M: Mechanism> Solver<'_, M> {
         let model = M::model();
         let usable = self.settings.options.use_plan && self.settings.given.is_empty() && model.plan.exists();
         let determined = !is_integrated(model) && !model.plan.has_redundant_rows();
-        let differentiable = measures.iter().all(|measure| measure.has_derivatives() || measure.is_held());
-        let backwards = usable && determined && differentiable && M::COORDINATES <= LARGEST;
+        let backwards = usable && determined && have_derivatives(measures) && M::COORDINATES <= LARGEST;
         let mut work = Work::<M>::new(measures);
+        let all: Vec<usize> = (0..M::PARAMETERS).collect();
         for (state, weights) in states.iter().zip(weights.chunks(measures.len())) {
             let before = gradient.clone();
             let done = backwards
                 && state.degrees_of_freedom_left == 0
                 && work.add(self.mechanism, state, (measures, weights), &mut gradient)?;
-            if !(done && gradient.iter().all(|by| by.is_finite())) {
+            if !(done && all_finite(&gradient)) {
                 gradient = before;
-                self.add_forwards(state, (measures, weights), &mut gradient)?;
+                let slopes = self.measure_sensitivities(state, measures, &all)?;
+                add_weighted(M::model(), state.t, (&slopes, weights), &mut gradient)?;
             }
         }
         Ok(gradient)
     }
+}
 
-    /// The same for a state, parameter by parameter.
-    fn add_forwards(
-        &self,
-        state: &State,
-        (measures, weights): (&[Measure], &[f64]),
-        gradient: &mut [f64],
-    ) -> Result<(), SolveError> {
-        let all: Vec<usize> = (0..M::PARAMETERS).collect();
-        let slopes = self.measure_sensitivities(state, measures, &all)?;
-        for (slopes, &weight) in slopes.iter().zip(weights).filter(|(_, weight)| **weight != 0.0) {
-            gradient.iter_mut().zip(slopes).for_each(|(by, slope)| *by += weight * slope);
-        }
-        match gradient.iter().position(|by| !by.is_finite()) {
-            None => Ok(()),
-            Some(index) => {
-                let parameter = M::model().parameters[index].name;
-                Err(SolveError::NoSensitivity { t: state.t, parameter, row_name: None })
-            }
-        }
+/// Whether all quantities have derivatives; those that are held have the derivative 0.
+fn have_derivatives(measures: &[Measure]) -> bool {
+    measures.iter().all(|measure| measure.has_derivatives() || measure.is_held())
+}
+
+/// Adds the weighted derivatives of quantities with respect to all parameters.
+fn add_weighted(
+    model: &Model,
+    t: f64,
+    (slopes, weights): (&[Vec<f64>], &[f64]),
+    gradient: &mut [f64],
+) -> Result<(), SolveError> {
+    for (slopes, &weight) in slopes.iter().zip(weights).filter(|(_, weight)| **weight != 0.0) {
+        gradient.iter_mut().zip(slopes).for_each(|(by, slope)| *by += weight * slope);
+    }
+    match gradient.iter().position(|by| !by.is_finite()) {
+        None => Ok(()),
+        Some(index) => Err(SolveError::NoSensitivity { t, parameter: model.parameters[index].name, row_name: None }),
     }
 }
 
@@ -113,7 +116,7 @@ struct Work<M: Mechanism> {
 
 impl<M: Mechanism> Work<M> {
     fn new(measures: &[Measure]) -> Self {
-        let needs = measures.iter().fold(Needs::LEAST, |needs, measure| needs.and(measure.needs()));
+        let needs = needs_of(measures);
         Self { needs, varied: Varied::default(), observations: Box::new(M::observations()) }
     }
 
@@ -127,26 +130,19 @@ impl<M: Mechanism> Work<M> {
     ) -> Result<bool, LengthError> {
         let model = M::model();
         let Some(modes) = modes_of(mechanism, state)? else { return Ok(false) };
-        let parameters = variables(mechanism.parameters::<f64>().as_ref().iter().copied());
+        let parameters = variables(mechanism.parameters::<f64>().as_ref());
         let number = Recorded::from_f64;
-        let inputs: Vec<Signal<Recorded>> = state.inputs.iter().map(|input| input.map(number)).collect();
+        let inputs = constant_inputs(&state.inputs);
         let at = Instant { t: number(state.t), inputs: &inputs };
-        let start =
-            M::Coordinates::<Recorded>::generate(number(0.0), |k| number(state.q.get(k).copied().unwrap_or(0.0)));
-        let signs: Vec<Recorded> = modes.of_closures().iter().map(|&sign| number(sign)).collect();
+        let (start, signs) = (constants(&state.q), constants(modes.of_closures()));
         let Varied { q, q_dot, q_ddot, margins, observed, geometry, forces } = &mut self.varied;
-        margins.clear();
-        margins.resize(model.plan.margins, number(0.0));
+        fill_with_zeros(margins, model.plan.margins);
         for list in [&mut *q, &mut *q_dot, &mut *q_ddot] {
-            list.clear();
-            list.resize(M::COORDINATES, number(0.0));
+            fill_with_zeros(list, M::COORDINATES);
         }
         let solved = Solved { q: &mut *q, q_dot: &mut *q_dot, q_ddot: &mut *q_ddot, margins: &mut *margins };
-        mechanism.solve_with(&parameters, &at, &signs, start.as_ref(), self.needs.depth, solved)?;
-        let good = margins.iter().all(|margin| margin.value() > Plan::SMALLEST_MARGIN);
-        let size = state.q.iter().fold(1.0, |size: f64, x| size.max(x.abs()));
-        let same = q.iter().zip(&state.q).all(|(found, exact)| (found.value() - exact).abs() <= SAME * size);
-        if !(good && same) {
+        mechanism.solve_with(&parameters, &at, &signs, &start, self.needs.depth, solved)?;
+        if !(are_good(margins) && is_same(q, &state.q)) {
             return Ok(false);
         }
         if self.needs.observed {
@@ -157,22 +153,63 @@ impl<M: Mechanism> Work<M> {
             observed.extend((0..model.observables.len()).map(|row| parts.rates(pattern, row, q_dot, q_ddot)));
         }
         if self.needs.geometry {
-            geometry.clear();
-            geometry.resize(model.geometry, number(0.0));
+            fill_with_zeros(geometry, model.geometry);
             mechanism.write_geometry(&parameters, &at, geometry)?;
         }
         if let (true, Some(info)) = (self.needs.forces, model.forces) {
-            forces.clear();
-            forces.resize(info.count, number(0.0));
+            fill_with_zeros(forces, info.count);
             mechanism.forces_with(&parameters, &at, q, q_dot, q_ddot, &[], forces)?;
         }
-        let results = measures.iter().zip(weights).filter(|(measure, weight)| **weight != 0.0 && !measure.is_held());
-        let results: Option<Vec<(Recorded, f64)>> =
-            results.map(|(measure, &weight)| Some((measure.varied(model, &self.varied)?, weight))).collect();
-        // If x² + y² overflows, the derivatives of its root are 0 here; the other way avoids the squares.
-        let results = results.filter(|results| results.iter().all(|(result, _)| result.value().is_finite()));
-        let Some(results) = results else { return Ok(false) };
-        accumulate(results, gradient);
-        Ok(true)
+        Ok(add_recorded(model, &self.varied, (measures, weights), gradient))
     }
+}
+
+// These functions are not generic over the mechanism, so that they are compiled once for all.
+
+/// What the quantities are computed from.
+fn needs_of(measures: &[Measure]) -> Needs {
+    measures.iter().fold(Needs::LEAST, |needs, measure| needs.and(measure.needs()))
+}
+
+/// Numbers that do not depend on the parameters.
+fn constants(numbers: &[f64]) -> Vec<Recorded> {
+    numbers.iter().map(|number| Recorded::from_f64(*number)).collect()
+}
+
+/// Inputs that do not depend on the parameters.
+fn constant_inputs(inputs: &[Signal]) -> Vec<Signal<Recorded>> {
+    inputs.iter().map(|input| input.map(Recorded::from_f64)).collect()
+}
+
+fn fill_with_zeros(list: &mut Vec<Recorded>, count: usize) {
+    list.clear();
+    list.resize(count, Recorded::from_f64(0.0));
+}
+
+/// Whether a solution of the plan is valid.
+fn are_good(margins: &[Recorded]) -> bool {
+    margins.iter().all(|margin| margin.value() > Plan::SMALLEST_MARGIN)
+}
+
+/// Whether the plan has found the configuration of the state.
+fn is_same(found: &[Recorded], q: &[f64]) -> bool {
+    let size = q.iter().fold(1.0, |size: f64, x| size.max(x.abs()));
+    found.iter().zip(q).all(|(found, exact)| (found.value() - exact).abs() <= SAME * size)
+}
+
+/// Adds the gradient of the weighted quantities by the recorded operations; false where one of them has no value.
+fn add_recorded(
+    model: &Model,
+    varied: &Varied<Recorded>,
+    (measures, weights): (&[Measure], &[f64]),
+    gradient: &mut [f64],
+) -> bool {
+    let results = measures.iter().zip(weights).filter(|(measure, weight)| **weight != 0.0 && !measure.is_held());
+    let results: Option<Vec<(Recorded, f64)>> =
+        results.map(|(measure, &weight)| Some((measure.varied(model, varied)?, weight))).collect();
+    // If x² + y² overflows, the derivatives of its root are 0 here; the other way avoids the squares.
+    let results = results.filter(|results| results.iter().all(|(result, _)| result.value().is_finite()));
+    let Some(results) = results else { return false };
+    accumulate(results, gradient);
+    true
 }

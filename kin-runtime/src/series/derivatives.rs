@@ -10,6 +10,7 @@ use crate::error::SolveError;
 use crate::linear::Factorization;
 use crate::mechanism::LengthError;
 use crate::mechanism::Mechanism;
+use crate::model::Model;
 use crate::scalar::compare::all_finite;
 use crate::solver::Solver;
 use crate::state::State;
@@ -112,22 +113,33 @@ impl<M: Mechanism> Solver<'_, M> {
         if order > HigherOrders::<M>::MOST {
             return Err(SolveError::OutOfRange { t: state.t, order });
         }
-        if further.len() > M::INPUTS {
-            let (what, expected, found) = ("inputs", M::INPUTS, further.len());
-            return Err(SolveError::Length(LengthError { what, expected, found }));
-        }
-        let finite = further.iter().enumerate().flat_map(|(k, list)| list.iter().map(move |value| (k, value)));
-        if let Some((index, _)) = finite.into_iter().find(|(_, value)| !value.is_finite()) {
-            return Err(SolveError::NonFinite { what: "inputs", index, name: M::model().inputs[index], t: None });
-        }
-        let known = [&state.q, &state.q_dot, &state.q_ddot];
-        let are_finite = known.iter().all(|list| list.len() == M::COORDINATES && all_finite(list));
-        if let Some(q) = (order > 2 && are_finite).then(|| self.expanded(state, order, further)).flatten() {
+        check_further(M::model(), further)?;
+        if order > 2
+            && are_finite(state, M::COORDINATES)
+            && let Some(q) = self.expanded(state, order, further)
+        {
             return Ok(Derivatives::new(state, further, q, true));
         }
         let mut orders = HigherOrders::new(self.mechanism, order);
         derivatives(&mut self.equations(&state.instant())?, &mut orders, state, order, further)
     }
+}
+
+/// Checks that there are no more lists than inputs, and that their numbers are finite.
+fn check_further(model: &Model, further: &[&[f64]]) -> Result<(), SolveError> {
+    if further.len() > model.inputs.len() {
+        let (what, expected, found) = ("inputs", model.inputs.len(), further.len());
+        return Err(SolveError::Length(LengthError { what, expected, found }));
+    }
+    match further.iter().position(|list| !all_finite(list)) {
+        Some(index) => Err(SolveError::NonFinite { what: "inputs", index, name: model.inputs[index], t: None }),
+        None => Ok(()),
+    }
+}
+
+/// Whether the coordinates of a state and their rates are n finite numbers each.
+fn are_finite(state: &State, n: usize) -> bool {
+    [&state.q, &state.q_dot, &state.q_ddot].iter().all(|list| list.len() == n && all_finite(list))
 }
 
 /// All orders at a state.

@@ -62,6 +62,20 @@ impl Inputs {
         Signal { value, rate, acceleration }
     }
 
+    /// Time as a series on a tape.
+    fn time_on<'t>(&self, tape: &'t Tape) -> Series<'t> {
+        tape.leaf(&|k| match k {
+            0 => self.t,
+            1 => 1.0,
+            _ => 0.0,
+        })
+    }
+
+    /// Input `k` as a series on a tape.
+    fn signal_on<'t>(&self, tape: &'t Tape, k: usize) -> Signal<Series<'t>> {
+        self.signal(k, |series| tape.source(self.known(k), series))
+    }
+
     /// The highest order to which an input is known.
     fn known(&self, k: usize) -> Missing {
         let series = &self.coefficients[k * self.stride..][..self.stride];
@@ -82,14 +96,8 @@ impl<'t, M: Mechanism> Setting<'t, M> {
     pub(super) fn new(mechanism: &M, inputs: &Inputs, derivatives: &[M::Coordinates<f64>], tape: &'t Tape) -> Self {
         Self {
             parameters: mechanism.parameters(),
-            t: tape.leaf(|k| match k {
-                0 => inputs.t,
-                1 => 1.0,
-                _ => 0.0,
-            }),
-            inputs: Array::generate(Signal::constant(Series::from_f64(0.0)), |k| {
-                inputs.signal(k, |series| tape.source(inputs.known(k), series))
-            }),
+            t: inputs.time_on(tape),
+            inputs: Array::generate(Signal::constant(Series::from_f64(0.0)), |k| inputs.signal_on(tape, k)),
             q: coordinates::<M>(derivatives, tape),
         }
     }
@@ -105,5 +113,5 @@ pub(super) fn coordinates<'t, M: Mechanism>(
     derivatives: &[M::Coordinates<f64>],
     tape: &'t Tape,
 ) -> M::Coordinates<Series<'t>> {
-    Array::generate(Series::from_f64(0.0), |k| tape.leaf(|order| derivatives[order].as_ref()[k] / factorial(order)))
+    Array::generate(Series::from_f64(0.0), |k| tape.leaf(&|order| derivatives[order].as_ref()[k] / factorial(order)))
 }

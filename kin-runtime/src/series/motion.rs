@@ -57,8 +57,10 @@ fn observe<M: Mechanism>(mechanism: &M, derivatives: &Derivatives) -> Result<Obs
     let order = derivatives.order();
     let (mut inputs, tape) = (Inputs::new(order, M::INPUTS), Tape::new(order));
     inputs.begin(&derivatives.instant(), &derivatives.further());
-    let q = derivatives.q.iter().map(|q| array("q", M::COORDINATES, q).copied());
-    let q: Vec<M::Coordinates<f64>> = q.collect::<Result<_, _>>()?;
+    let mut q: Vec<M::Coordinates<f64>> = Vec::with_capacity(derivatives.q.len());
+    for derivative in &derivatives.q {
+        q.push(*array("q", M::COORDINATES, derivative)?);
+    }
     tape.start(0..=order);
     let setting = Setting::<M>::new(mechanism, &inputs, &q, &tape);
     // Rates are used for time derivatives only, which the series contain already.
@@ -66,10 +68,13 @@ fn observe<M: Mechanism>(mechanism: &M, derivatives: &Derivatives) -> Result<Obs
     let mut observations = M::observations::<Series<'_>>();
     let (parameters, q) = (setting.parameters.as_ref(), setting.q.as_ref());
     mechanism.observe_with(parameters, &setting.at(), q, rest.as_ref(), &mut observations)?;
-    let rows = observations.phi();
-    let coefficients = (0..=order).flat_map(|k| rows.iter().map(move |row| (k, *row)));
-    let coefficients = coefficients.map(|(k, row)| tape.coefficient(row, k)).collect();
-    Ok((coefficients, tape.missing()))
+    Ok((coefficients(observations.phi(), &tape, order), tape.missing()))
+}
+
+/// The coefficients of series on a tape, order by order.
+fn coefficients(rows: &[Series<'_>], tape: &Tape, order: usize) -> Vec<f64> {
+    let places = (0..=order).flat_map(|k| rows.iter().map(move |row| (k, *row)));
+    places.map(|(k, row)| tape.coefficient(row, k)).collect()
 }
 
 fn motion(

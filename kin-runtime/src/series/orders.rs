@@ -4,7 +4,7 @@ use super::inputs::{Inputs, Setting, coordinates, factorial};
 use super::tape::{Missing, Series, Tape};
 use crate::mechanism::LengthError;
 use crate::mechanism::Mechanism;
-use crate::model::Level;
+use crate::model::{Level, Model};
 use crate::plan::Plan;
 use crate::workspace::{Array, Instant};
 
@@ -63,14 +63,19 @@ pub(super) fn array<'a, C: Array<f64>>(
     C::view(list).ok_or(LengthError { what, expected, found: list.len() })
 }
 
+/// The rows of velocity level.
+fn rows_of_velocity(model: &Model) -> Vec<usize> {
+    let rows = model.rows.iter().enumerate().filter(|(_, row)| row.level == Level::Velocity);
+    rows.map(|(index, _)| index).collect()
+}
+
 impl<'m, M: Mechanism> HigherOrders<'m, M> {
     /// The highest order: 171! exceeds the range of `f64`.
     pub const MOST: usize = 170;
 
     /// Room for derivatives up to `highest`, or up to [`MOST`](Self::MOST).
     pub fn new(mechanism: &'m M, highest: usize) -> Self {
-        let (rows, highest) = (M::model().rows, highest.min(Self::MOST));
-        let is_of_velocity = |row: &usize| rows.get(*row).is_some_and(|info| info.level == Level::Velocity);
+        let highest = highest.min(Self::MOST);
         // The right-hand side of the third order is always computed.
         let room = highest.max(3);
         Self {
@@ -85,7 +90,7 @@ impl<'m, M: Mechanism> HigherOrders<'m, M> {
             missing: None,
             order: 0,
             highest,
-            of_velocity: (0..M::ROWS).filter(is_of_velocity).collect(),
+            of_velocity: rows_of_velocity(M::model()),
         }
     }
 

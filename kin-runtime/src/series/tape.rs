@@ -72,13 +72,13 @@ impl Tape {
     }
 
     /// A series with the coefficients that `coefficient` gives.
-    pub(super) fn leaf(&self, coefficient: impl Fn(usize) -> f64) -> Series<'_> {
+    pub(super) fn leaf(&self, coefficient: &dyn Fn(usize) -> f64) -> Series<'_> {
         let [series] = self.record(each(|k, []: [f64; 0]| coefficient(k)), []);
         series
     }
 
     /// A series whose coefficients are known only up to the order in `missing`.
-    pub(super) fn source(&self, missing: Missing, coefficient: impl Fn(usize) -> f64) -> Series<'_> {
+    pub(super) fn source(&self, missing: Missing, coefficient: &dyn Fn(usize) -> f64) -> Series<'_> {
         self.sources.borrow_mut().push((self.next.get(), missing));
         self.leaf(coefficient)
     }
@@ -199,7 +199,7 @@ impl Expansion for Series<'_> {
             Self::At(_, index) => index,
             Self::Number(value) => {
                 let index = tape.next.get();
-                tape.leaf(|k| if k == 0 { value } else { 0.0 });
+                tape.leaf(&|k| if k == 0 { value } else { 0.0 });
                 index
             }
         });
