@@ -27,7 +27,11 @@ pub fn modes<M: Mechanism>(mechanism: &M, at: &Instant<'_>, q: &[f64]) -> Vec<f6
     let plan = &M::model().plan;
     let mut branches = vec![f64::NAN; plan.signs()];
     mechanism.branches_with(mechanism.parameters::<f64>().as_ref(), at, q, &mut branches).unwrap();
-    branches[..plan.modes.len()].iter().map(|w| w.signum()).collect()
+    signs(&branches[..plan.modes.len()])
+}
+
+fn signs(branches: &[f64]) -> Vec<f64> {
+    branches.iter().map(|w| w.signum()).collect()
 }
 
 /// The README, whose code is compiled as a documentation test.

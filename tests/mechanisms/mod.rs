@@ -118,17 +118,22 @@ pub use watt_sixbar::WattSixbar;
 pub use welded_pendulums::WeldedPendulums;
 pub use wheel_by_rates::WheelByRates;
 
+use kin_runtime::model::Model;
 use kin_runtime::{Mechanism, Signal};
 
 /// The inputs of a test mechanism at time t, which are smooth over its interval; empty for a mechanism without inputs.
 #[must_use]
 pub fn signals<M: Mechanism>(t: f64) -> Vec<Signal> {
-    match M::model().name {
+    signals_of(M::model(), t)
+}
+
+fn signals_of(model: &Model, t: f64) -> Vec<Signal> {
+    match model.name {
         "FiveBarLeg" => five_bar_leg::signals(t).to_vec(),
         "MeasuredExcavator" => measured_excavator::signals(t).to_vec(),
         "RateTable" => rate_table::signals(t).to_vec(),
         "SignalTable" => signal_table::signals(t).to_vec(),
-        _ => (0..M::INPUTS).map(|k| wave(k, t)).collect(),
+        _ => (0..model.inputs.len()).map(|k| wave(k, t)).collect(),
     }
 }
 
