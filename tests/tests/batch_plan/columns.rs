@@ -11,7 +11,7 @@ use kin_tests::mechanisms::FourbarLectureMid;
 
 #[test]
 fn a_batch_of_solutions_takes_no_memory_inside_and_counts_its_columns() {
-    let drawn = Drawn::new::<FourbarLectureMid>(0.0, 1.0);
+    let drawn = Drawn::new(&FourbarLectureMid::default(), 0.0, 1.0);
     let mechanism = FourbarLectureMid::default();
     let parameters = mechanism.parameters::<f64>().map(Column::Shared);
     let start: Vec<_> = drawn.start.iter().map(|list| Column::Shared(list[0])).collect();

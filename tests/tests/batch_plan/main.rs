@@ -1,18 +1,21 @@
 //! Batches of solutions by the plan, and of whole motions, agree with single ones, for every mechanism with a plan.
 #![cfg(feature = "simd")]
 
+mod batched;
 mod columns;
 mod limits;
 mod motions;
 mod passing;
 
+use batched::{Batched, Results, Seen};
 use kin_runtime::batch::{
-    BatchError, Column, End, Modes, Moment, Motions, Problems, Solutions, Sweeps, always, solve, sweep,
+    BatchError, Column, Modes, Moment, Motions, Problems, Solutions, Sweeps, always, solve, sweep,
 };
+use kin_runtime::model::Model;
 use kin_runtime::plan::{Depth, Plan, Solved, StepKind};
-use kin_runtime::{Instant, Kinematics, Lanes, Mechanism, PlanError, Planned, Signal};
+use kin_runtime::{Instant, Lanes, Mechanism, PlanError, Signal};
 use kin_tests::every_mechanism;
-use kin_tests::mechanisms::{signals, *};
+use kin_tests::mechanisms::*;
 use kin_tests::random::Random;
 use std::ops::Range;
 
@@ -30,9 +33,10 @@ macro_rules! plan_tests {
     ) => {
         $(#[test]
         fn $moving() {
-            if $Moving::model().plan.exists() {
-                solves::<$Moving>($from, $to);
-                moves::<$Moving>($from, $to);
+            let mechanism: &dyn Batched = &$Moving::default();
+            if mechanism.model().plan.exists() {
+                solves(mechanism, $from, $to);
+                moves(mechanism, $from, $to);
             } else {
                 refuses::<$Moving>();
             }
@@ -46,10 +50,10 @@ every_mechanism!(plan_tests);
 type State = Option<[Vec<f64>; 3]>;
 
 /// Random parameters near those of the mechanism, a list for every parameter.
-fn drawn_parameters<M: Mechanism>(mechanism: &M, count: usize) -> Vec<Vec<f64>> {
+fn drawn_parameters(mechanism: &dyn Batched, count: usize) -> Vec<Vec<f64>> {
     let mut random = Random::new(23);
-    let own = mechanism.parameters::<f64>();
-    let lists = own.as_ref().iter().map(|p| (0..count).map(|_| p * (1.0 + random.between(-1e-4, 1e-4))).collect());
+    let own = mechanism.parameters();
+    let lists = own.iter().map(|p| (0..count).map(|_| p * (1.0 + random.between(-1e-4, 1e-4))).collect());
     lists.collect()
 }
 
@@ -63,28 +67,29 @@ struct Drawn {
 }
 
 impl Drawn {
-    fn new<M: Kinematics + Default>(from: f64, to: f64) -> Self {
-        let mechanism = M::default();
+    fn new(mechanism: &dyn Batched, from: f64, to: f64) -> Self {
+        let model = mechanism.model();
         let t: Vec<f64> = (0..COUNT).map(|k| from + 0.1 * (to - from) * k as f64 / COUNT as f64).collect();
-        let inputs: Vec<Vec<Signal>> = t.iter().map(|t| signals::<M>(*t)).collect();
+        let inputs: Vec<Vec<Signal>> = t.iter().map(|t| mechanism.signals(*t)).collect();
         let at = |k: usize| Instant { t: t[k], inputs: &inputs[k] };
-        let assembled = mechanism.solver().assemble(&at(0)).unwrap();
-        let mut planned = Planned::new(&mechanism, &at(0), &assembled).unwrap();
-        let (mut start, mut modes) = (vec![vec![]; M::COORDINATES], vec![vec![]; M::model().plan.modes.len()]);
+        let assembled = mechanism.assemble(&at(0));
+        let mut planned = mechanism.planned(&at(0), &assembled).unwrap();
+        let (mut start, mut modes) = (vec![vec![]; model.coordinates.len()], vec![vec![]; model.plan.modes.len()]);
         for k in 0..COUNT {
-            let q = planned.at(&at(k)).unwrap().q();
-            let signs = kin_tests::modes(&mechanism, &at(k), q);
+            planned.at(&at(k)).unwrap();
+            let [q, ..] = planned.state();
+            let signs = mechanism.modes(&at(k), q);
             start.iter_mut().zip(q).for_each(|(list, q)| list.push(*q));
             modes.iter_mut().zip(signs).for_each(|(list, sign)| list.push(sign));
         }
         let column = |of: fn(&Signal) -> f64, u: usize| inputs.iter().map(|list| of(&list[u])).collect();
-        let columns = (0..M::INPUTS)
+        let columns = (0..model.inputs.len())
             .map(|u| Signal::new(column(|u| u.value, u), column(|u| u.rate, u), column(|u| u.acceleration, u)));
         let columns = columns.collect();
-        Self { parameters: drawn_parameters(&mechanism, COUNT), inputs: columns, t, start, modes }
+        Self { parameters: drawn_parameters(mechanism, COUNT), inputs: columns, t, start, modes }
     }
 
-    fn batch<M: Mechanism + Default + Sync>(&self, range: Range<usize>, of_start: bool) -> Solutions<M> {
+    fn batch(&self, mechanism: &dyn Batched, range: Range<usize>, of_start: bool) -> Box<dyn Results> {
         let columns = |lists: &'_ [Vec<f64>]| -> Vec<Vec<f64>> {
             lists.iter().map(|list| list[range.clone()].to_vec()).collect()
         };
@@ -107,34 +112,39 @@ impl Drawn {
             modes: if of_start { Modes::OfStart } else { Modes::Signs(&modes) },
             start: &start,
         };
-        let mut out = Solutions::new(range.len());
-        solve(&M::default(), Depth::Acceleration, &problems, &mut out, &always).unwrap();
-        out
+        mechanism.solve(&problems, range.len())
     }
 
     /// The solution of one configuration in `f64`.
-    fn one<M: Mechanism + Default>(&self, place: usize) -> State {
+    fn one(&self, mechanism: &dyn Batched, place: usize) -> State {
         let of = |lists: &[Vec<f64>]| lists.iter().map(|list| list[place]).collect::<Vec<_>>();
         let inputs: Vec<_> =
             (self.inputs.iter()).map(|u| Signal::new(u.value[place], u.rate[place], u.acceleration[place])).collect();
         let at = Instant { t: self.t[place], inputs: &inputs };
-        let [mut q, mut q_dot, mut q_ddot] = [(); 3].map(|()| vec![0.0; M::COORDINATES]);
-        let mut margins = vec![0.0; M::model().plan.margins];
+        let model = mechanism.model();
+        let [mut q, mut q_dot, mut q_ddot] = [(); 3].map(|()| vec![0.0; model.coordinates.len()]);
+        let mut margins = vec![0.0; model.plan.margins];
         let solved = Solved { q: &mut q, q_dot: &mut q_dot, q_ddot: &mut q_ddot, margins: &mut margins };
         let (parameters, modes, start) = (of(&self.parameters), of(&self.modes), of(&self.start));
-        M::default().solve_with(&parameters, &at, &modes, &start, Depth::Acceleration, solved).unwrap();
+        mechanism.solve_one(&parameters, &at, &modes, &start, solved);
         margins.iter().all(|margin| *margin > Plan::SMALLEST_MARGIN).then_some([q, q_dot, q_ddot])
     }
 }
 
 /// All results of one configuration of a batch.
-fn results<M: Mechanism>(out: &Solutions<M>, place: usize) -> [Vec<f64>; 3] {
-    let list = |of: &dyn Fn(usize) -> f64| (0..M::COORDINATES).map(of).collect();
-    [
-        list(&|k| out.q(k).nth(place).unwrap()),
-        list(&|k| out.q_dot(k).nth(place).unwrap()),
-        list(&|k| out.q_ddot(k).nth(place).unwrap()),
-    ]
+fn results(out: &dyn Results, place: usize) -> [Vec<f64>; 3] {
+    let coordinates = 0..out.model().coordinates.len();
+    [0, 1, 2].map(|order| coordinates.clone().map(|k| out.number(order, k, place).unwrap()).collect())
+}
+
+/// Whether every configuration of a batch is solved.
+fn solved(out: &dyn Results) -> Vec<bool> {
+    (0..).map_while(|place| out.solved(place)).collect()
+}
+
+/// The margins of all configurations of a batch.
+fn margins(out: &dyn Results) -> Vec<f64> {
+    (0..).map_while(|place| out.margin(place)).collect()
 }
 
 fn close(name: &str, found: &[f64], expected: &[f64], tolerance: f64) {
@@ -144,79 +154,78 @@ fn close(name: &str, found: &[f64], expected: &[f64], tolerance: f64) {
     }
 }
 
-fn iterates<M: Mechanism>() -> bool {
-    M::model().plan.steps.iter().any(|step| matches!(step.kind, StepKind::Newton(_)))
+fn iterates(model: &Model) -> bool {
+    model.plan.steps.iter().any(|step| matches!(step.kind, StepKind::Newton(_)))
 }
 
-fn solves<M: Kinematics + Default + Sync>(from: f64, to: f64) {
-    let name = M::model().name;
-    let mut drawn = Drawn::new::<M>(from, to);
-    let whole = drawn.batch::<M>(0..COUNT, false);
-    let margins: Vec<f64> = whole.margin().collect();
-    let mut solved = 0;
-    for (place, good) in whole.solved().enumerate() {
-        let found = results(&whole, place);
-        let Some(expected) = drawn.one::<M>(place) else {
+fn solves(mechanism: &dyn Batched, from: f64, to: f64) {
+    let (name, coordinates) = (mechanism.model().name, mechanism.model().coordinates.len());
+    let mut drawn = Drawn::new(mechanism, from, to);
+    let whole = drawn.batch(mechanism, 0..COUNT, false);
+    let of_whole = margins(&*whole);
+    let mut count_solved = 0;
+    for (place, good) in solved(&*whole).into_iter().enumerate() {
+        let found = results(&*whole, place);
+        let Some(expected) = drawn.one(mechanism, place) else {
             assert!(!good, "{name} {place}");
             continue;
         };
-        assert!(good, "{name} {place}: {}", margins[place]);
-        solved += 1;
+        assert!(good, "{name} {place}: {}", of_whole[place]);
+        count_solved += 1;
         // The error grows with each derivative, depending on the margin.
         for (order, (found, expected)) in found.iter().zip(&expected).enumerate() {
-            close(name, found, expected, 1e-12 / margins[place].powi(order as i32 + 1));
+            close(name, found, expected, 1e-12 / of_whole[place].powi(order as i32 + 1));
         }
     }
-    assert!(2 * solved > COUNT, "{name}: {solved} of {COUNT} are solved");
+    assert!(2 * count_solved > COUNT, "{name}: {count_solved} of {COUNT} are solved");
     // The modes that are taken from the start are those that were given.
-    let of_start = drawn.batch::<M>(0..COUNT, true);
-    assert!(of_start.solved().eq(whole.solved()), "{name}");
-    assert!(of_start.q(M::COORDINATES - 1).eq(whole.q(M::COORDINATES - 1)), "{name}");
+    let of_start = drawn.batch(mechanism, 0..COUNT, true);
+    assert_eq!(solved(&*of_start), solved(&*whole), "{name}");
+    for place in 0..COUNT {
+        let last = |out: &dyn Results| out.number(0, coordinates - 1, place).expect("a configuration of the batch");
+        assert!(last(&*of_start) == last(&*whole), "{name}");
+    }
     // The position of a configuration in the batch and the size of the batch do not matter.
     for count in 0..=9 {
-        let part = drawn.batch::<M>(COUNT - count..COUNT, false);
+        let part = drawn.batch(mechanism, COUNT - count..COUNT, false);
         assert_eq!(count, part.count());
-        assert_eq!(count, part.solved().count());
+        assert_eq!(count, solved(&*part).len());
         for place in 0..count {
-            same::<M>(results(&part, place), results(&whole, COUNT - count + place));
+            same(mechanism.model(), results(&*part, place), results(&*whole, COUNT - count + place));
         }
     }
     // A configuration without a solution does not affect the others, and its results are 0 instead of NaN.
     drawn.t[2] = f64::NAN;
-    let with_one = drawn.batch::<M>(0..COUNT, false);
-    assert!(!with_one.solved().nth(2).unwrap());
-    assert!(with_one.margin().all(f64::is_finite), "{name}");
-    assert_eq!(Some(0.0), with_one.margin().nth(2), "{name}: what is not known has no margin");
-    assert_eq!([0.0; 3].map(|zero| vec![zero; M::COORDINATES]), results(&with_one, 2), "{name}");
+    let with_one = drawn.batch(mechanism, 0..COUNT, false);
+    assert!(!with_one.solved(2).unwrap());
+    assert!(margins(&*with_one).into_iter().all(f64::is_finite), "{name}");
+    assert_eq!(Some(0.0), with_one.margin(2), "{name}: what is not known has no margin");
+    assert_eq!([0.0; 3].map(|zero| vec![zero; coordinates]), results(&*with_one, 2), "{name}");
     for place in [0, 1, 3, 4] {
-        assert_eq!(whole.solved().nth(place), with_one.solved().nth(place), "{name} {place}");
-        same::<M>(results(&with_one, place), results(&whole, place));
+        assert_eq!(whole.solved(place), with_one.solved(place), "{name} {place}");
+        same(mechanism.model(), results(&*with_one, place), results(&*whole, place));
     }
 }
 
 /// Asserts that results are equal to the last bit, or within the tolerance of an iteration.
-fn same<M: Mechanism>(found: [Vec<f64>; 3], expected: [Vec<f64>; 3]) {
-    if iterates::<M>() {
-        found.iter().zip(&expected).for_each(|(a, b)| close(M::model().name, a, b, 1e-10));
+fn same(model: &Model, found: [Vec<f64>; 3], expected: [Vec<f64>; 3]) {
+    if iterates(model) {
+        found.iter().zip(&expected).for_each(|(a, b)| close(model.name, a, b, 1e-10));
     } else {
         let bits = |lists: [Vec<f64>; 3]| lists.map(|list| list.into_iter().map(f64::to_bits).collect::<Vec<_>>());
-        assert_eq!(bits(found), bits(expected), "{}", M::model().name);
+        assert_eq!(bits(found), bits(expected), "{}", model.name);
     }
 }
 
-/// The states that a batch of motions visits, for a block of four sets: q, q̇, q̈ and margin for every instant.
-type Seen = Vec<[Vec<Lanes>; 4]>;
-
-fn moves<M: Kinematics + Default + Sync>(from: f64, to: f64) {
-    let name = M::model().name;
-    let mechanism = M::default();
+fn moves(mechanism: &dyn Batched, from: f64, to: f64) {
+    let name = mechanism.model().name;
     let times: Vec<f64> = (0..INSTANTS).map(|k| from + (to - from) * k as f64 / (INSTANTS - 1) as f64).collect();
-    let inputs: Vec<Vec<Signal>> = times.iter().map(|t| signals::<M>(*t)).collect();
+    let inputs: Vec<Vec<Signal>> = times.iter().map(|t| mechanism.signals(*t)).collect();
     let at = |k: usize| Instant { t: times[k], inputs: &inputs[k] };
-    let q = mechanism.solver().assemble(&at(0)).unwrap();
-    let parameters = drawn_parameters(&mechanism, SETS);
+    let q = mechanism.assemble(&at(0));
+    let parameters = drawn_parameters(mechanism, SETS);
     let list = |of: fn(&Signal) -> f64, u: usize| inputs.iter().map(|list| of(&list[u])).collect::<Vec<_>>();
-    let lists: Vec<_> = (0..M::INPUTS)
+    let lists: Vec<_> = (0..mechanism.model().inputs.len())
         .map(|u| Signal::new(list(|u| u.value, u), list(|u| u.rate, u), list(|u| u.acceleration, u)))
         .collect();
     let signals: Vec<_> = (lists.iter())
@@ -225,7 +234,6 @@ fn moves<M: Kinematics + Default + Sync>(from: f64, to: f64) {
     let columns: Vec<_> = parameters.iter().map(|list| Column::Each(list)).collect();
     let start: Vec<_> = q.iter().map(|q| Column::Shared(*q)).collect();
     let sweeps = Sweeps { parameters: &columns, times: &times, inputs: &signals, modes: Modes::OfStart, start: &start };
-    let mut out = Motions::new(SETS, Seen::new());
     let see = |seen: &mut Seen, moment: &Moment<'_>| {
         assert_eq!(seen.len(), moment.instant);
         // The parameters passed to the visitor are those of its sets.
@@ -235,12 +243,10 @@ fn moves<M: Kinematics + Default + Sync>(from: f64, to: f64) {
         }
         seen.push([moment.q, moment.q_dot, moment.q_ddot, &[moment.margin]].map(<[Lanes]>::to_vec));
     };
-    sweep(&mechanism, &sweeps, &mut out, &always, see).unwrap();
-    let ends: Vec<Option<End>> = out.ends().collect();
-    let blocks: Vec<&Seen> = out.blocks().collect();
+    let (ends, blocks) = mechanism.sweep(&sweeps, SETS, &see).unwrap();
     for set in 0..SETS {
-        let mut own = M::default();
-        (0..M::PARAMETERS).for_each(|k| assert!(own.set_parameter(k, parameters[k][set])));
+        let own = parameters.iter().map(|list| list[set]).collect::<Vec<_>>();
+        let own = mechanism.with_parameters(&own);
         let seen = |instant: usize| {
             let state = &blocks[set / Lanes::COUNT][instant];
             state.each_ref().map(|list| list.iter().map(|x| x.to_array()[set % Lanes::COUNT]).collect::<Vec<_>>())
@@ -251,7 +257,7 @@ fn moves<M: Kinematics + Default + Sync>(from: f64, to: f64) {
             let step = ends[set].and_then(|end| end.limit).map(|limit| limit.step);
             assert_eq!(error.limit().map(|limit| limit.step), step, "{name} {set}: {error}");
         };
-        let mut planned = match Planned::new(&own, &at(0), &q) {
+        let mut planned = match own.planned(&at(0), &q) {
             Ok(planned) => planned,
             Err(error) => {
                 ended(0, error);
@@ -267,7 +273,7 @@ fn moves<M: Kinematics + Default + Sync>(from: f64, to: f64) {
             }
             assert!(ends[set].is_none_or(|end| end.instant > instant), "{name} {set}: {:?}", ends[set]);
             let margin = planned.margins().iter().fold(1.0_f64, |least, margin| least.min(*margin));
-            let expected = [planned.q(), planned.q_dot(), planned.q_ddot()];
+            let expected = planned.state();
             let seen = seen(instant);
             assert!((seen[3][0] - margin).abs() < 1e-9, "{name} {set}: margin {} for {margin}", seen[3][0]);
             for (order, (found, expected)) in seen.iter().zip(expected).enumerate() {
