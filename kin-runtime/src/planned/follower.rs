@@ -143,6 +143,7 @@ fn iterates_lengths_or_scalars(model: &Model) -> bool {
 }
 
 /// Copies inputs; a shorter list leaves the rest.
+#[inline]
 fn copy_inputs(to: &mut [Signal], inputs: &[Signal]) {
     to.iter_mut().zip(inputs).for_each(|(to, from)| *to = *from);
 }

@@ -12,34 +12,31 @@ use kin_tests::mechanisms::{FourbarLectureMid, loaded};
 const COUNT: usize = 11;
 
 /// In a batch of equal configurations each has the values and derivatives of its state.
-pub(crate) fn are_those_of_the_state<M: Kinematics + Sync>(mechanism: &M, state: &State) {
-    let model = M::model();
-    let solver = mechanism.solver();
+pub(crate) fn are_those_of_the_state(mechanism: &dyn crate::varied::Varied, state: &State) {
+    let model = mechanism.model();
     let mut measures = Measure::all(model);
     measures.retain(|measure| measure.source(model).is_some());
-    let all: Vec<usize> = (0..M::PARAMETERS).collect();
-    let parameters: Vec<Column> = mechanism.parameters::<f64>().as_ref().iter().map(|p| Column::Shared(*p)).collect();
+    let all: Vec<usize> = (0..model.parameters.len()).collect();
+    let parameters: Vec<Column> = mechanism.parameters().into_iter().map(Column::Shared).collect();
     let start: Vec<Column> = state.q.iter().map(|q| Column::Shared(*q)).collect();
     let inputs: Vec<Signal<Column>> = state.inputs.iter().map(|input| input.map(Column::Shared)).collect();
     let (t, modes) = (Column::Shared(state.t), Modes::OfStart);
     let problems = Problems { parameters: &parameters, t, inputs: &inputs, modes, start: &start };
-    let mut solutions = Solutions::<M>::new(COUNT);
     let mut out = SensitivitySolutions::new(COUNT, measures.len(), all.len());
-    let _ = solve(mechanism, Depth::Position, &problems, &mut solutions, &always);
-    match sensitivities(mechanism, &problems, &solutions, &measures, &all, &mut out, &always) {
+    let solved = match mechanism.batch(&problems, &measures, &all, &mut out) {
         Err(BatchError::NoPlan(_)) => return assert!(model.plan.absent.is_some()),
         Err(BatchError::NoSensitivities(why)) => {
             let integrated = model.rows.iter().any(|row| row.level == Level::Velocity);
             return assert!(integrated || model.plan.has_redundant_rows(), "{}: {why}", model.name);
         }
         other => other.unwrap(),
-    }
-    if !solutions.solved().all(|solved| solved) {
+    };
+    if !solved.into_iter().all(|solved| solved) {
         return assert!(out.solved().all(|solved| !solved));
     }
     assert!(out.solved().all(|solved| solved), "{}", model.name);
-    let values = solver.measure(state, &measures).unwrap();
-    let by = solver.measure_sensitivities(state, &measures, &all).unwrap();
+    let values = mechanism.measure(state, &measures);
+    let by = mechanism.measure_sensitivities(state, &measures, &all);
     for (k, measure) in measures.iter().enumerate() {
         let close = |found: f64, exact: f64, what: &dyn std::fmt::Display| {
             let size = 1.0 + by[k].iter().chain([&values[k]]).fold(0.0, |size: f64, x| size.max(x.abs()));

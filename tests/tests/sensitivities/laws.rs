@@ -1,11 +1,13 @@
 //! Properties of sensitivities, over all test mechanisms: they equal the finite differences of motions solved with a
 //! changed parameter; parameters on which a solution does not depend differentiably are refused.
 
-use kin_runtime::model::Level;
+use crate::batches::are_those_of_the_state;
+use crate::varied::Varied;
+use kin_runtime::model::{Level, Model};
 use kin_runtime::{Instant, Kinematics, Measure, Options, SolveError, State};
 use kin_tests::compare::{Differences, largest};
 use kin_tests::every_mechanism;
-use kin_tests::mechanisms::{loaded, signals, *};
+use kin_tests::mechanisms::{loaded, *};
 use kin_tests::random::Random;
 
 /// The tolerance, relative to the derivative, or to the quantity divided by the parameter's size.
@@ -26,11 +28,6 @@ fn of_state(state: &State) -> Vec<Vec<f64>> {
     lists([&state.q, &state.q_dot, &state.q_ddot], &state.points)
 }
 
-/// The driving efforts and joint forces.
-fn forces_of<M: Kinematics>(mechanism: &M, state: &State) -> Vec<f64> {
-    mechanism.solver().forces(state).map_or(Vec::new(), |forces| force_numbers(&forces))
-}
-
 fn force_numbers(forces: &kin_runtime::Forces) -> Vec<f64> {
     let efforts = forces.efforts.iter().map(|effort| effort.effort.unwrap_or(0.0));
     let reactions = forces.reactions.iter().flat_map(|reaction| {
@@ -43,43 +40,41 @@ fn force_numbers(forces: &kin_runtime::Forces) -> Vec<f64> {
 }
 
 /// Quantities that are functions of those that are reported: transmission angles, speeds, and magnitudes of forces.
-fn derived<M: Kinematics>() -> Vec<Measure> {
+fn derived(model: &'static Model) -> Vec<Measure> {
     let is_derived =
         |name: &str| name.contains(".transmission") || name.ends_with(".speed") || name.ends_with(".force");
-    Measure::all(M::model()).into_iter().filter(|measure| is_derived(measure.name())).collect()
+    Measure::all(model).into_iter().filter(|measure| is_derived(measure.name())).collect()
 }
 
 /// The derivatives equal the finite differences of solutions with the parameter changed.
-fn are_derivatives<M: Kinematics + Default + Sync>(from: f64, to: f64) {
-    let mechanism = M::default();
-    let parameters = mechanism.parameters::<f64>().as_ref().to_vec();
+fn are_derivatives(mechanism: &dyn Varied, from: f64, to: f64) {
+    let (model, parameters) = (mechanism.model(), mechanism.parameters());
     let mut differences = Differences::new();
     for share in [0.31, 0.77] {
-        let inputs = |t: f64, out: &mut [kin_runtime::Signal]| write_signals::<M>(t, out);
         let t = from + share * (to - from);
-        let trajectory = mechanism.solver().with_inputs(&inputs).sweep(&[from, t]).unwrap();
+        let trajectory = mechanism.sweep(&[from, t]);
         let state = trajectory.states.last().unwrap();
-        let found = match mechanism.solver().sensitivities(state) {
+        let found = match mechanism.sensitivities(state, Options::default()) {
             Ok(found) => found,
-            Err(error) => return refused::<M>(state, &error),
+            Err(error) => return refused(mechanism, state, &error),
         };
         let whole = Options { use_plan: false, ..Options::default() };
-        let by_rows = mechanism.solver().with_options(whole).sensitivities(state).unwrap();
-        let (derived, all) = (derived::<M>(), (0..parameters.len()).collect::<Vec<usize>>());
-        let derived_by = mechanism.solver().measure_sensitivities(state, &derived, &all).unwrap();
-        backwards_is_forwards(&mechanism, state);
-        crate::batches::are_those_of_the_state(&mechanism, state);
+        let by_rows = mechanism.sensitivities(state, whole).unwrap();
+        let (derived, all) = (derived(model), (0..parameters.len()).collect::<Vec<usize>>());
+        let derived_by = mechanism.measure_sensitivities(state, &derived, &all);
+        backwards_is_forwards(mechanism, state);
+        are_those_of_the_state(mechanism, state);
         for (index, &value) in parameters.iter().enumerate() {
             let (by, by_rows) = (&found.by[index], &by_rows.by[index]);
             let step = STEP * value.abs().max(0.05);
             let at = |k: f64| {
-                let mut changed = M::default();
-                assert!(changed.set_parameter(index, value + k * step));
-                let inputs = signals::<M>(t);
-                let state = changed.solver().state_from(&Instant { t, inputs: &inputs }, &state.q).unwrap();
+                let changed = mechanism.with_parameter(index, value + k * step);
+                let inputs = changed.signals(t);
+                let state = changed.state_from(&Instant { t, inputs: &inputs }, &state.q).unwrap();
                 let mut all = of_state(&state);
-                all.push(forces_of(&changed, &state));
-                let values = changed.solver().measure(&state, &derived).unwrap();
+                // The driving efforts and joint forces.
+                all.push(changed.forces(&state).map_or(Vec::new(), |forces| force_numbers(&forces)));
+                let values = changed.measure(&state, &derived);
                 all.extend(values.into_iter().map(|value| vec![value]));
                 all
             };
@@ -91,7 +86,7 @@ fn are_derivatives<M: Kinematics + Default + Sync>(from: f64, to: f64) {
             let slopes = || derived_by.iter().map(|by| vec![by[index]]);
             exact.extend(slopes());
             second.extend(slopes());
-            differences.at(format_args!("{} at t = {t}, by {}", M::model().name, by.parameter));
+            differences.at(format_args!("{} at t = {t}, by {}", model.name, by.parameter));
             for (list, (exact, second)) in exact.iter().zip(&second).enumerate() {
                 let [a, b, c, d] = samples.each_ref().map(|sample| &sample[list]);
                 // What has no value has no derivative: a force that redundancy leaves open, the magnitude of none.
@@ -114,28 +109,30 @@ fn are_derivatives<M: Kinematics + Default + Sync>(from: f64, to: f64) {
 }
 
 /// The gradient of a weighted sum of quantities is the weighted sum of their derivatives.
-fn backwards_is_forwards<M: Kinematics>(mechanism: &M, state: &State) {
-    let (solver, all) = (mechanism.solver(), (0..M::PARAMETERS).collect::<Vec<usize>>());
-    let measures = Measure::all(M::model());
-    let by = solver.measure_sensitivities(state, &measures, &all).unwrap();
+fn backwards_is_forwards(mechanism: &dyn Varied, state: &State) {
+    let model = mechanism.model();
+    let all = (0..model.parameters.len()).collect::<Vec<usize>>();
+    let measures = Measure::all(model);
+    let by = mechanism.measure_sensitivities(state, &measures, &all);
     let mut random = Random::new(41);
     // What has no derivative has no weight.
     let known = |by: &Vec<f64>| by.iter().all(|by| by.is_finite());
     let weights: Vec<f64> = by.iter().map(|by| if known(by) { random.between(-1.0, 1.0) } else { 0.0 }).collect();
-    let found = solver.gradient(std::slice::from_ref(state), &measures, &weights).unwrap();
+    let found = mechanism.gradient(state, &measures, &weights).unwrap();
     for (k, found) in found.into_iter().enumerate() {
         let terms = || by.iter().zip(&weights).filter(|(_, weight)| **weight != 0.0).map(|(by, weight)| by[k] * weight);
         let (exact, size) = (terms().sum::<f64>(), terms().fold(1.0, |size: f64, term| size.max(term.abs())));
-        assert!((found - exact).abs() <= 1e-9 * size, "{}: {found} instead of {exact}", M::model().name);
+        assert!((found - exact).abs() <= 1e-9 * size, "{}: {found} instead of {exact}", model.name);
     }
-    assert!(solver.gradient(std::slice::from_ref(state), &measures, &weights[1..]).is_err());
+    assert!(mechanism.gradient(state, &measures, &weights[1..]).is_err());
 }
 
 /// Where sensitivities do not exist, the error gives the reason.
-fn refused<M: Kinematics + Default>(state: &State, error: &SolveError) {
+fn refused(mechanism: &dyn Varied, state: &State, error: &SolveError) {
+    let model = mechanism.model();
     match error {
         SolveError::NotDetermined { open: 0, .. } => {
-            assert!(M::model().rows.iter().any(|row| row.level == Level::Velocity));
+            assert!(model.rows.iter().any(|row| row.level == Level::Velocity));
         }
         SolveError::NotDetermined { open, could_be_given, .. } => {
             assert_eq!(*open, state.degrees_of_freedom_left);
@@ -143,13 +140,12 @@ fn refused<M: Kinematics + Default>(state: &State, error: &SolveError) {
         }
         // The loop closes for equal cranks only.
         SolveError::NoSensitivity { parameter, row_name: Some(_), .. } => {
-            let index = M::model().parameters.iter().position(|info| info.name == *parameter).unwrap();
-            let mut changed = M::default();
-            let value = changed.parameters::<f64>().as_ref()[index];
-            changed.set_parameter(index, 1.001 * value);
-            assert!(changed.solver().state_from(&state.instant(), &state.q).is_err(), "{error}");
+            let index = model.parameters.iter().position(|info| info.name == *parameter).unwrap();
+            let value = mechanism.parameters()[index];
+            let changed = mechanism.with_parameter(index, 1.001 * value);
+            assert!(changed.state_from(&state.instant(), &state.q).is_err(), "{error}");
         }
-        SolveError::NoSensitivity { row_name: None, .. } => assert!(!M::model().functions.is_empty(), "{error}"),
+        SolveError::NoSensitivity { row_name: None, .. } => assert!(!model.functions.is_empty(), "{error}"),
         other => panic!("{other}"),
     }
 }
@@ -161,7 +157,7 @@ macro_rules! law_tests {
     ) => {
         $(#[test]
         fn $moving() {
-            are_derivatives::<$Moving>($from, $to);
+            are_derivatives(&$Moving::default(), $from, $to);
         })*
     };
 }
@@ -175,7 +171,7 @@ macro_rules! of_forces {
 
             $(#[test]
             fn $name() {
-                are_derivatives::<loaded::$Mechanism>(0.0, 1.0);
+                are_derivatives(&loaded::$Mechanism::default(), 0.0, 1.0);
             })*
         }
     };

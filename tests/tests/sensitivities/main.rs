@@ -6,3 +6,4 @@ mod laws;
 mod machines;
 mod overflow;
 mod references;
+mod varied;
