@@ -1,9 +1,9 @@
 //! Tests of single states.
 
-use crate::case::{Answer, Expected, Group, Refusal};
+use crate::case::{Answer, Expected, Refusal};
 use crate::jet::Jet;
-use crate::ways::told;
-use kin_runtime::{Instant, Kinematics, SolveError};
+use crate::moving::{AnyGroup, Moving};
+use kin_runtime::{Instant, SolveError};
 
 /// The expected states for single states. The direction of a motion at a crossing is not known for a single state, so
 /// that the allowed errors grow near a crossing.
@@ -20,9 +20,9 @@ pub(crate) fn alone(
 }
 
 /// Solves single states from the expected ones: at the start, and at the instants nearest to a fold or a crossing.
-pub(crate) fn states<M: Kinematics>(
-    group: &Group<M>,
-    mechanism: &M,
+pub(crate) fn states(
+    group: &AnyGroup<'_>,
+    mechanism: &dyn Moving,
     known: &[Expected],
     places: &[f64],
 ) -> (Vec<usize>, Answer) {
@@ -37,8 +37,8 @@ pub(crate) fn states<M: Kinematics>(
     for &k in &near {
         let Some((jets, _)) = &known[k] else { continue };
         let (t, start) = (group.times[k], jets.iter().map(|jet| jet.x).collect::<Vec<_>>());
-        let inputs = told(group, t);
-        match mechanism.solver().state_from(&Instant { t, inputs: &inputs }, &start) {
+        let inputs = group.told(mechanism.model(), t);
+        match mechanism.state_from(&Instant { t, inputs: &inputs }, &start) {
             Ok(state) => answer.states.push([state.q, state.q_dot, state.q_ddot]),
             Err(error) => {
                 let words = error.to_string();

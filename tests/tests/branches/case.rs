@@ -21,8 +21,7 @@ pub(crate) type Branch = Box<dyn Fn(f64, f64) -> Option<Vec<Jet>>>;
 pub(crate) type Inputs = Box<dyn Fn(f64, &mut [Signal])>;
 
 /// A mechanism with its known motion.
-pub(crate) struct Case<M> {
-    pub(crate) mechanism: M,
+pub(crate) struct Case<M: ?Sized> {
     pub(crate) branch: Branch,
     /// The times at which the branch ends.
     pub(crate) folds: Vec<f64>,
@@ -34,6 +33,8 @@ pub(crate) struct Case<M> {
     /// Times at which the rows that the plan uses are singular although the mechanism is not: a follower of the plan
     /// alone may end there.
     pub(crate) plan_ends: Vec<f64>,
+    /// The last field, so that its type may be a trait object.
+    pub(crate) mechanism: M,
 }
 
 impl<M> Case<M> {

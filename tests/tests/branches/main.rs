@@ -23,6 +23,7 @@ mod jet;
 mod lengths;
 mod lifts;
 mod located;
+mod moving;
 mod platforms;
 mod redundant;
 mod rig;
