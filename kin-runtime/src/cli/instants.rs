@@ -2,7 +2,7 @@
 
 use super::engine::{Arc, Engine};
 use super::failure::{Failure, Ledger};
-use super::limit_search::{Sought, limit};
+use super::limit_search::{Sought, Stop, limit};
 use super::setup::Setup;
 use super::turns::{natural_end, speed, turn};
 use super::values::{self, Moment};
@@ -145,20 +145,6 @@ pub(super) struct Instants {
     pub(super) notes: Vec<String>,
     /// The arc that is followed in place of all of these.
     pub(super) arc: Option<Arc>,
-}
-
-/// A limit at which a motion ends.
-#[derive(Clone, Debug)]
-pub(super) struct Stop {
-    /// Its time.
-    pub(super) t: f64,
-    /// The configuration there, if it was found.
-    pub(super) q: Option<Vec<f64>>,
-    /// `dead centre of A, B, D`, for a legend.
-    #[cfg_attr(not(feature = "plot"), allow(dead_code, reason = "legends are those of diagrams"))]
-    pub(super) name: String,
-    /// The full description.
-    pub(super) text: String,
 }
 
 impl Instants {

@@ -2,7 +2,6 @@
 
 use super::engine::Engine;
 use super::failure::Failure;
-use super::instants::Stop;
 use super::setup::Setup;
 use super::solved::misfit;
 use super::turns::turn;
@@ -17,6 +16,20 @@ const TURNS: [f64; 3] = [1.0, 10.0, 100.0];
 
 /// If no crank turns at constant speed, a limit is searched within these durations, one after the other.
 const FAR: [f64; 4] = [1.0, 10.0, 100.0, 1000.0];
+
+/// A limit at which a motion ends.
+#[derive(Clone, Debug)]
+pub(super) struct Stop {
+    /// Its time.
+    pub(super) t: f64,
+    /// The configuration there, if it was found.
+    pub(super) q: Option<Vec<f64>>,
+    /// `dead centre of A, B, D`, for a legend.
+    #[cfg_attr(not(feature = "plot"), allow(dead_code, reason = "legends are those of diagrams"))]
+    pub(super) name: String,
+    /// The full description.
+    pub(super) text: String,
+}
 
 /// The result of a search for a limit.
 pub(super) enum Sought {
