@@ -206,11 +206,6 @@ impl<'a> List<'a> {
         Ok(Self { measures, sources, parameters })
     }
 
-    /// What the quantities are computed from.
-    fn needs(&self) -> Needs {
-        self.measures.iter().fold(Needs::LEAST, |needs, measure| needs.and(measure.needs()))
-    }
-
     /// Writes the quantities and their derivatives with respect to one group of parameters, of which `first` is the first;
     /// `None` if one of them has no value.
     fn write(&self, at: &Instant<'_>, varied: &Varied, first: usize, numbers: &mut [f64], model: &Model) -> Option<()> {
@@ -278,7 +273,7 @@ impl<'m, M: Mechanism> Scratch<'m, M> {
         read(problems, place, parameters, inputs);
         let at = Instant { t: problems.t.at(place), inputs };
         let modes = modes_at(mechanism, parameters, &at, q).ok()??;
-        let needs = list.needs();
+        let needs = Needs::of(list.measures);
         let (solved, numbers) = out.split_first_mut()?;
         // One pass without parameters if only values are requested.
         let mut first = 0;
@@ -286,7 +281,7 @@ impl<'m, M: Mechanism> Scratch<'m, M> {
             let end = list.parameters.len().min(first + WIDTH);
             varying.vary_around(parameters, &at, &list.parameters[first..end]);
             varying.solve_from(modes.of_closures(), q, needs.depth, varied).ok()?;
-            if !(is_finite(varied) && is_same(&varied.q, q)) {
+            if !(is_finite(varied) && is_same(&varied.q, Number::value, q)) {
                 return None;
             }
             complete(varying, varied, needs).ok()?;

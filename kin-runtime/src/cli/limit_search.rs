@@ -42,6 +42,7 @@ pub(super) enum Sought {
 /// one.
 pub(super) fn limit(engine: &dyn Engine, setup: &Setup, start: f64, direction: f64) -> Result<Sought, Failure> {
     let turn = turn(engine, setup, start);
+    let speed = turn.map(|turn| TAU / turn);
     let ranges = turn.map_or(FAR.to_vec(), |turn| TURNS.map(|turns| turns * turn).to_vec());
     let mut followed = None;
     for far in &ranges {
@@ -49,7 +50,7 @@ pub(super) fn limit(engine: &dyn Engine, setup: &Setup, start: f64, direction: f
         let go_on = |_: crate::observer::Reached<'_>| ControlFlow::Continue(());
         let (mut first, mut is_back) = (None, false);
         let mut visit = |state: &State| {
-            is_back = first.as_ref().is_some_and(|first| is_same_motion(first, state));
+            is_back = first.as_ref().zip(speed).is_some_and(|(first, speed)| is_same_motion(first, state, speed));
             first.get_or_insert_with(|| state.clone());
             ControlFlow::Continue(())
         };
@@ -58,7 +59,7 @@ pub(super) fn limit(engine: &dyn Engine, setup: &Setup, start: f64, direction: f
             None => {
                 followed = Some(start + direction * far);
                 // What comes next is what has been.
-                if turn.is_some() && is_back {
+                if is_back {
                     break;
                 }
             }
@@ -86,19 +87,30 @@ fn short(limit: &Limit) -> String {
     if joints.is_empty() { kind } else { format!("{kind} of {}", joints.join(", ")) }
 }
 
-/// How far numbers of the same configuration and the same rates may be apart.
+/// How far numbers of the same configuration and of the same rates may be apart, relative to the largest of them.
 const SAME: f64 = 1e-6;
 
-/// Whether the configuration and the rates are the same, up to whole turns.
-fn is_same_motion(first: &State, then: &State) -> bool {
-    let is_same = |a: f64, b: f64| (a - b).abs() <= SAME * a.abs().max(1.0);
-    let is_same_place = |(k, (a, b)): (usize, (&f64, &f64))| {
-        let is_length = first.model.coordinates.get(k).is_some_and(|coordinate| coordinate.kind.is_length());
-        let turns = if is_length { 0.0 } else { ((b - a) / TAU).round() };
-        is_same(*a, b - TAU * turns)
+/// Whether the configuration and the rates are the same, up to whole turns, with a crank of this angular speed. A feed so
+/// small that a hundred turns change the mechanism by less than 1e-4 of its size counts as none.
+fn is_same_motion(first: &State, then: &State, speed: f64) -> bool {
+    let is_length = |k: usize| first.model.coordinates.get(k).is_some_and(|coordinate| coordinate.kind.is_length());
+    let lengths = || first.q.iter().enumerate().filter(|(k, _)| is_length(*k)).map(|(_, x)| x);
+    let size = largest(lengths());
+    let is_same_place = |(k, (a, b)): (usize, (&f64, &f64))| match is_length(k) {
+        true => (a - b).abs() <= SAME * size,
+        // Also scalars, as most of them are angles.
+        false => (b - a - TAU * ((b - a) / TAU).round()).abs() <= SAME,
     };
-    let is_same_rate = |(a, b): (&f64, &f64)| is_same(*a, *b);
+    let are_same =
+        |size: f64, first: &[f64], then: &[f64]| first.iter().zip(then).all(|(a, b)| (a - b).abs() <= SAME * size);
+    let fastest = largest(&first.q_dot);
     first.q.iter().zip(&then.q).enumerate().all(is_same_place)
-        && first.q_dot.iter().zip(&then.q_dot).all(is_same_rate)
-        && first.q_ddot.iter().zip(&then.q_ddot).all(is_same_rate)
+        && are_same(fastest, &first.q_dot, &then.q_dot)
+        // Where nothing accelerates, accelerations are rounding errors.
+        && are_same(largest(&first.q_ddot).max(speed * fastest), &first.q_ddot, &then.q_ddot)
+}
+
+/// The largest magnitude.
+fn largest<'a>(numbers: impl IntoIterator<Item = &'a f64>) -> f64 {
+    numbers.into_iter().fold(0.0, |largest: f64, x| largest.max(x.abs()))
 }

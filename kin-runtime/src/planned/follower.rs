@@ -5,6 +5,7 @@
 //! finds why and where a motion ends.
 
 use super::branch::Branch;
+use super::inputs::copy_inputs;
 use super::lists::{Distances, Margins, Modes};
 use crate::mechanism::Mechanism;
 use crate::model::{CoordinateKind, Model};
@@ -140,12 +141,6 @@ fn iterates_lengths_or_scalars(model: &Model) -> bool {
         _ => false,
     };
     model.plan.steps.iter().any(iterates_others)
-}
-
-/// Copies inputs; a shorter list leaves the rest.
-#[inline]
-fn copy_inputs(to: &mut [Signal], inputs: &[Signal]) {
-    to.iter_mut().zip(inputs).for_each(|(to, from)| *to = *from);
 }
 
 /// Whether there are scalar coordinates.

@@ -13,7 +13,8 @@
 //! nothing. Any other part is halved, and the branch values are looked at in its middle; if the whole step is such a part,
 //! they are also looked at in the usual places.
 
-use super::interior::{certainty_between, fractions, on_cubic, time_within, write_inputs_within};
+use super::inputs::write_inputs_within;
+use super::interior::{certainty_between, fractions, on_cubic, time_within};
 use super::lists::{BranchValues, Modes};
 use super::parts::{MOST_PARTS, Span, halve, hull};
 use crate::mechanism::{LengthError, Mechanism};

@@ -7,12 +7,12 @@
 //! solution must be near the cubic.
 
 use super::follower::{Control, NEGLIGIBLE, PlanFollower, PlanSolution};
+use super::inputs::spread_inputs;
 use super::interior::{FRACTIONS, on_cubic};
 use super::lists::{Margins, Modes};
 use super::narrow_curves::narrow_curves_are_followed;
 use super::parts::Span;
 use super::predict::{largest_turn, turned};
-use super::turning_rows::write_numbers;
 use crate::course::{Between, Course, kind};
 use crate::mechanism::{LengthError, Mechanism};
 use crate::model::{Component, CoordinateKind, Model};
@@ -56,7 +56,7 @@ pub(crate) fn certainty_within<M: Mechanism, V: Compare>(
     let mut inputs = M::Inputs::<f64>::filled(Signal::constant(0.0));
     let t = course.at(s + fraction * (next - s), inputs.as_mut());
     let mut inputs_of_lanes = M::Inputs::<V>::filled(Signal::constant(V::from_f64(0.0)));
-    write_numbers(inputs_of_lanes.as_mut(), inputs.as_ref());
+    spread_inputs(inputs_of_lanes.as_mut(), inputs.as_ref());
     on_cubic(cubic.as_mut(), ends, next - s, fraction);
     let [q_dot, q_ddot] = &mut rates;
     let solved =

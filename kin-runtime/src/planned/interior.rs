@@ -8,6 +8,7 @@
 //! q(s) = (2s³ − 3s² + 1) q₀ + (s³ − 2s² + s) h q̇₀ + (3s² − 2s³) q₁ + (s³ − s²) h q̇₁
 //! ```
 
+use super::inputs::write_inputs_within;
 use super::lists::{BranchValues, Modes};
 use crate::mechanism::{LengthError, Mechanism};
 use crate::model::{Component, CoordinateKind, Model};
@@ -66,20 +67,6 @@ pub(crate) fn time_within<V: Scalar>(t: V, h: f64, s: V) -> V {
     t - (V::from_f64(1.0) - s) * V::from_f64(h)
 }
 
-/// Writes the inputs at the fraction s of a step, between their values at both ends; `number` converts these.
-pub(crate) fn write_inputs_within<E: Copy, V: Scalar>(
-    inputs: &mut [Signal<V>],
-    [from, to]: [&[Signal<E>]; 2],
-    s: V,
-    number: fn(E) -> V,
-) {
-    for (input, (from, to)) in inputs.iter_mut().zip(from.iter().zip(to)) {
-        let first = number(from.value);
-        let last = Signal { value: number(to.value), rate: number(to.rate), acceleration: number(to.acceleration) };
-        *input = Signal { value: first + s * (last.value - first), ..last };
-    }
-}
-
 /// A measure that is negative if a group with a determinant, or any group where rows in closed form turn, comes much
 /// nearer to its limit within a step than at its ends, or has another sign there; a number instead of a Boolean, so that
 /// batches can take the least over their lanes.
@@ -113,8 +100,9 @@ pub(crate) fn certainty_at_samples<M: Mechanism, V: Compare>(
     Ok(certainty)
 }
 
-/// A measure that is negative if a group, from the first one on, is much nearer to its limit between the ends of a step
-/// than at both ends, or on another side of it, and NaN if this is unknown; `branch_values` are those at the beginning, in between and at the end.
+/// A measure that is negative if a group, from `first_group` on, is much nearer to its limit within a step than at both
+/// ends, or on the other side of it; NaN if one of its branch values there is unknown. `branch_values` are those at the
+/// beginning, in between and at the end.
 pub(super) fn certainty_between<V: Compare>(modes: &[V], branch_values: [&[V]; 3], first_group: usize) -> V {
     let mut certainty = V::from_f64(1.0);
     for (group, mode) in modes.iter().enumerate().skip(first_group) {
@@ -187,7 +175,7 @@ fn of_coordinate<V: Compare>(kind: CoordinateKind, [first, v0, last, v1]: [V; 4]
 
 #[cfg(test)]
 mod tests {
-    use super::{FRACTIONS, certainty_of_rates, fractions, of_coordinate, on_cubic};
+    use super::{FRACTIONS, certainty_between, certainty_of_rates, fractions, of_coordinate, on_cubic};
     use crate::model::{Component, CoordinateKind};
 
     #[test]
@@ -251,6 +239,17 @@ mod tests {
             is_smooth(X, [7.0, 0.0, 7.0 + 6e-10, 0.0], 0.0, 1.0)
                 && !is_smooth(X, [7.0, 0.0, 7.0 + 8e-10, 0.0], 0.0, 1.0)
         );
+    }
+
+    #[test]
+    fn a_group_may_come_half_as_near_to_its_limit_as_at_the_ends() {
+        let of = |between: f64, first_group: usize| {
+            certainty_between(&[1.0, -1.0], [&[0.3, -0.4], &[0.3, between], &[0.3, -0.6]], first_group)
+        };
+        assert!(of(-0.21, 0) > 0.0 && of(-0.19, 0) < 0.0 && of(0.5, 0) < 0.0);
+        // What is unknown is not certain, unless the group does not count.
+        assert!(of(f64::NAN, 0).is_nan() && of(f64::NAN, 1).is_nan() && of(f64::NAN, 2) > 0.0);
+        assert!(certainty_between(&[f64::NAN], [&[0.3], &[0.3], &[0.3]], 0).is_nan());
     }
 
     /// Without an iteration only groups in closed form can be compared.

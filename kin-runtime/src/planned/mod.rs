@@ -9,6 +9,7 @@ pub(crate) mod follower;
 pub(crate) mod gradient_turns;
 pub(crate) mod hidden_motion;
 pub(crate) mod ill_conditioned;
+pub(crate) mod inputs;
 pub(crate) mod interior;
 mod limit;
 pub(crate) mod lists;

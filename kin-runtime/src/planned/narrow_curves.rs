@@ -12,7 +12,8 @@
 //! are wider than the function, as where it nearly rests, and tell nothing. Supplied functions are enclosed by themselves
 //! ([`ScalarFunction::enclose`](crate::ScalarFunction::enclose)), or not at all.
 
-use super::interior::{FRACTIONS, on_cubic, write_inputs_within};
+use super::inputs::write_inputs_within;
+use super::interior::{FRACTIONS, on_cubic};
 use super::parts::{Span, halve, hull};
 use crate::mechanism::{LengthError, Mechanism};
 use crate::scalar::{Interval, Scalar};

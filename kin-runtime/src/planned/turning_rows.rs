@@ -3,6 +3,7 @@
 
 use super::follower::{Control, NEGLIGIBLE};
 use super::gradient_turns::bends_are_followed;
+use super::inputs::{spread_inputs, write_lane_of_inputs};
 use super::interior::{certainty_at_samples, certainty_of_rates};
 use super::lists::Modes;
 use super::parts::Span;
@@ -66,7 +67,7 @@ impl<M: Mechanism, V: Compare> TrialStep<'_, M, V> {
             return Ok(certainty);
         }
         let mut from = M::Inputs::<V>::filled(Signal::constant(number(0.0)));
-        write_numbers(from.as_mut(), inputs);
+        spread_inputs(from.as_mut(), inputs);
         let known = (parameters, from.as_ref(), at);
         Ok(least_or_nan(certainty, certainty_at_samples(mechanism, known, modes, ends, h)?))
     }
@@ -100,14 +101,4 @@ fn inputs_jump<V: Compare>(before: &[Signal], now: &[Signal<V>]) -> bool {
 /// Whether a measure is certain in any lane.
 fn any_lane_is_certain<V: Compare>(certainty: V) -> bool {
     (0..V::LANES).any(|lane| certainty.lane(lane) >= 0.0)
-}
-
-/// Writes inputs that all lanes share.
-pub(super) fn write_numbers<V: Compare>(to: &mut [Signal<V>], inputs: &[Signal]) {
-    to.iter_mut().zip(inputs).for_each(|(to, input)| *to = input.map(V::from_f64));
-}
-
-/// Writes one lane of every input.
-pub(crate) fn write_lane_of_inputs<V: Compare>(to: &mut [Signal], inputs: &[Signal<V>], lane: usize) {
-    to.iter_mut().zip(inputs).for_each(|(to, input)| *to = input.map(|x| x.lane(lane)));
 }

@@ -2,7 +2,7 @@
 //! the gradient.
 
 use super::variation::{LARGEST, modes_of};
-use super::{SAME, is_integrated};
+use super::{is_integrated, is_same};
 use crate::error::SolveError;
 use crate::measure::{Measure, Needs};
 use crate::mechanism::{LengthError, Mechanism, Observations};
@@ -116,7 +116,7 @@ struct Work<M: Mechanism> {
 
 impl<M: Mechanism> Work<M> {
     fn new(measures: &[Measure]) -> Self {
-        let needs = needs_of(measures);
+        let needs = Needs::of(measures);
         Self { needs, varied: Varied::default(), observations: Box::new(M::observations()) }
     }
 
@@ -142,7 +142,7 @@ impl<M: Mechanism> Work<M> {
         }
         let solved = Solved { q: &mut *q, q_dot: &mut *q_dot, q_ddot: &mut *q_ddot, margins: &mut *margins };
         mechanism.solve_with(&parameters, &at, &signs, &start, self.needs.depth, solved)?;
-        if !(are_good(margins) && is_same(q, &state.q)) {
+        if !(are_good(margins) && is_same(q, Recorded::value, &state.q)) {
             return Ok(false);
         }
         if self.needs.observed {
@@ -166,11 +166,6 @@ impl<M: Mechanism> Work<M> {
 
 // These functions are not generic over the mechanism, so that they are compiled once for all.
 
-/// What the quantities are computed from.
-fn needs_of(measures: &[Measure]) -> Needs {
-    measures.iter().fold(Needs::LEAST, |needs, measure| needs.and(measure.needs()))
-}
-
 /// Numbers that do not depend on the parameters.
 fn constants(numbers: &[f64]) -> Vec<Recorded> {
     numbers.iter().map(|number| Recorded::from_f64(*number)).collect()
@@ -189,12 +184,6 @@ fn fill_with_zeros(list: &mut Vec<Recorded>, count: usize) {
 /// Whether a solution of the plan is valid.
 fn are_good(margins: &[Recorded]) -> bool {
     margins.iter().all(|margin| margin.value() > Plan::SMALLEST_MARGIN)
-}
-
-/// Whether the plan has found the configuration of the state.
-fn is_same(found: &[Recorded], q: &[f64]) -> bool {
-    let size = q.iter().fold(1.0, |size: f64, x| size.max(x.abs()));
-    found.iter().zip(q).all(|(found, exact)| (found.value() - exact).abs() <= SAME * size)
 }
 
 /// Adds the gradient of the weighted quantities by the recorded operations; false where one of them has no value.

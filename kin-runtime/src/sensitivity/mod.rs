@@ -233,7 +233,7 @@ fn planned(
         }
         let good = varied.margins.iter().all(|margin| margin.value() > Plan::SMALLEST_MARGIN);
         let same = |found: &[Number], exact: &[f64]| {
-            is_same(found, exact) && found.iter().all(|found| found.by().iter().all(|by| by.is_finite()))
+            is_same(found, Number::value, exact) && found.iter().all(|found| found.by().iter().all(|by| by.is_finite()))
         };
         let found = [&varied.q, &varied.q_dot, &varied.q_ddot];
         if !(good && found.into_iter().zip(lists).all(|(found, exact)| same(found, exact))) {
@@ -244,10 +244,10 @@ fn planned(
     Ok(true)
 }
 
-/// Whether numbers with derivatives are those of a state.
-pub(crate) fn is_same(found: &[Number], exact: &[f64]) -> bool {
+/// Whether numbers with derivatives have the values of a state.
+pub(crate) fn is_same<V: Copy>(found: &[V], value: fn(V) -> f64, exact: &[f64]) -> bool {
     let size = exact.iter().fold(1.0, |size: f64, x| size.max(x.abs()));
-    found.iter().zip(exact).all(|(found, exact)| (found.value() - exact).abs() <= SAME * size)
+    found.iter().zip(exact).all(|(found, exact)| (value(*found) - exact).abs() <= SAME * size)
 }
 
 /// Writes the observables.

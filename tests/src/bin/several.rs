@@ -140,10 +140,12 @@ struct Press;
 #[body(arm, x = 0, y = 0)]
 #[body(slider, y = 0, phi = 0)]
 #[driver(drive: crank.phi = 2 * t)]
-#[constraint(feed: slider.x = 0.8 + lead * crank.phi)]
-#[distance(rod: arm @ (0.2, 0), slider @ (0, 0), length = 0.7)]
-#[guess(arm.phi = 1, slider.x = 0.8)]
+#[constraint(feed: slider.x = size * (0.8 + lead * crank.phi))]
+#[distance(rod: arm @ (0.2 * size, 0), slider @ (0, 0), length = 0.7 * size)]
+#[guess(arm.phi = 1, slider.x = 0.8 * size)]
 struct Spindle {
+    #[param(1)]
+    size: f64,
     #[param(0.01)]
     lead: f64,
 }

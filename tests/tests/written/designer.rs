@@ -285,11 +285,13 @@ fn a_crank_without_a_limit_turns_once() {
 #[test]
 fn a_limit_may_come_after_several_turns() {
     // The rod is stretched at the feed of 0.1: after 10 rad.
-    let (csv, notes) = good("spindle sweep slider.x --to limit --steps 4 --format csv");
-    let (_, all) = rows(&csv);
-    let last = all.last().expect("rows");
-    assert!((last[0] - 5.0).abs() < 1e-9 && (last[1] - 0.9).abs() < 1e-9, "{csv}");
-    assert!(notes.contains("dead centre"), "{notes}");
+    for size in [1.0, 1e-6] {
+        let (csv, notes) = good(&format!("spindle sweep slider.x --set size={size} --to limit --steps 4 --format csv"));
+        let (_, all) = rows(&csv);
+        let last = all.last().expect("rows");
+        assert!((last[0] - 5.0).abs() < 1e-9 && (last[1] / size - 0.9).abs() < 1e-9, "{csv}");
+        assert!(notes.contains("dead centre"), "{notes}");
+    }
     // 100 turns are 200 pi rad.
     let (csv, notes) = good("spindle sweep slider.x --set lead=1e-4 --to limit --steps 4 --format csv");
     let (_, all) = rows(&csv);

@@ -25,6 +25,11 @@ impl Needs {
     /// q, q̇ and the margins of the plan.
     pub(crate) const LEAST: Self = Self { depth: Depth::Velocity, observed: false, geometry: false, forces: false };
 
+    /// What all of these quantities need.
+    pub(crate) fn of(measures: &[Measure]) -> Self {
+        measures.iter().fold(Self::LEAST, |needs, measure| needs.and(measure.needs()))
+    }
+
     /// What both need.
     pub(crate) fn and(self, other: Self) -> Self {
         Self {
