@@ -134,15 +134,15 @@ struct Eccentric;
 #[derive(Default)]
 struct Press;
 
-/// A crank that feeds a slider until the rod to its arm is stretched, after more than a turn.
+/// A crank that feeds a slider until the rod from it to a table lies flat, after more than a turn; only the crank turns.
 #[mechanism]
 #[body(crank, x = 0, y = 0)]
-#[body(arm, x = 0, y = 0)]
 #[body(slider, y = 0, phi = 0)]
+#[body(table, x = 0, phi = 0)]
 #[driver(drive: crank.phi = 2 * t)]
 #[constraint(feed: slider.x = size * (0.8 + lead * crank.phi))]
-#[distance(rod: arm @ (0.2 * size, 0), slider @ (0, 0), length = 0.7 * size)]
-#[guess(arm.phi = 1, slider.x = 0.8 * size)]
+#[distance(rod: slider @ (0, 0), table @ (0, 0), length = 0.9 * size)]
+#[guess(slider.x = 0.8 * size, table.y = 0.4 * size)]
 struct Spindle {
     #[param(1)]
     size: f64,

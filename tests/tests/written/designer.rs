@@ -284,7 +284,7 @@ fn a_crank_without_a_limit_turns_once() {
 
 #[test]
 fn a_limit_may_come_after_several_turns() {
-    // The rod is stretched at the feed of 0.1: after 10 rad.
+    // The rod lies flat at the feed of 0.1: after 10 rad.
     for size in [1.0, 1e-6] {
         let (csv, notes) = good(&format!("spindle sweep slider.x --set size={size} --to limit --steps 4 --format csv"));
         let (_, all) = rows(&csv);
