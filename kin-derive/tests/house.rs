@@ -1,5 +1,6 @@
 //! Files of the three crates import downwards only: no file uses one that uses it, directly or along a chain. Where two
-//! files need one another, what both need belongs into a third below them. Pages have every heading once.
+//! files need one another, what both need belongs into a third below them. No two types of a crate have the same name.
+//! Pages have every heading once.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
@@ -16,13 +17,17 @@ struct Source {
     uses: Vec<(bool, Module, String)>,
     /// Paths that are written out where they are used.
     paths: Vec<Module>,
+    /// The names of its structs, enums and traits.
+    types: Vec<String>,
 }
 
 impl<'ast> Visit<'ast> for Source {
     fn visit_item(&mut self, item: &'ast Item) {
-        if !is_test(attributes(item)) {
-            visit::visit_item(self, item);
+        if is_test(attributes(item)) {
+            return;
         }
+        self.types.extend(type_name(item));
+        visit::visit_item(self, item);
     }
 
     fn visit_item_use(&mut self, item: &'ast syn::ItemUse) {
@@ -36,6 +41,16 @@ impl<'ast> Visit<'ast> for Source {
     fn visit_path(&mut self, path: &'ast syn::Path) {
         self.paths.push(path.segments.iter().map(|segment| segment.ident.to_string()).collect());
         visit::visit_path(self, path);
+    }
+}
+
+/// The name of a struct, an enum or a trait.
+fn type_name(item: &Item) -> Option<String> {
+    match item {
+        Item::Struct(item) => Some(item.ident.to_string()),
+        Item::Enum(item) => Some(item.ident.to_string()),
+        Item::Trait(item) => Some(item.ident.to_string()),
+        _ => None,
     }
 }
 
@@ -186,6 +201,25 @@ fn no_file_uses_one_that_uses_it() {
         }));
     }
     assert!(found.is_empty(), "in a circle, or using one:\n{}", found.join("\n"));
+}
+
+/// A name says what a thing is, so that it is not used for two things.
+#[test]
+fn no_two_types_of_a_crate_have_the_same_name() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let mut found = Vec::new();
+    for name in ["kin-core", "kin-derive", "kin-runtime", "kin-study"] {
+        let house = Crate::new(&root.join(name).join("src"));
+        let mut homes: BTreeMap<&str, Vec<String>> = BTreeMap::new();
+        for (module, source) in &house.sources {
+            source.types.iter().for_each(|found| homes.entry(found).or_default().push(module.join("/")));
+        }
+        assert!(homes.len() > 40, "{name}: only {} types", homes.len());
+        // Users call the progress of a batch `batch::Progress`, and that of a search `design::Progress`.
+        homes.retain(|of, homes| homes.len() > 1 && *of != "Progress");
+        found.extend(homes.iter().map(|(of, homes)| format!("{name}: {of} in {}", homes.join(", "))));
+    }
+    assert!(found.is_empty(), "names of two types:\n{}", found.join("\n"));
 }
 
 #[test]

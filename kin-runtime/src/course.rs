@@ -27,7 +27,7 @@ const SAME_TIME: f64 = 64.0;
 
 /// The path of the inputs from one instant to the next.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Kind {
+pub(crate) enum PathShape {
     /// A quintic with the rates and accelerations of both ends.
     Smooth,
     /// Linear in time.
@@ -38,7 +38,7 @@ pub(crate) enum Kind {
 
 /// The path between two instants with equally many inputs: smooth if t increases and the rates at both ends agree with
 /// the change, straight if they do not, frozen if t is constant.
-pub(crate) fn kind(from: &Instant<'_>, to: &Instant<'_>) -> Kind {
+pub(crate) fn kind(from: &Instant<'_>, to: &Instant<'_>) -> PathShape {
     let h = to.t - from.t;
     let agree = |(a, b): (&Signal, &Signal)| {
         let allowed = AGREEMENT * (b.value - a.value).abs();
@@ -46,34 +46,34 @@ pub(crate) fn kind(from: &Instant<'_>, to: &Instant<'_>) -> Kind {
     };
     let nothing = SAME_TIME * f64::EPSILON * from.t.abs().max(to.t.abs());
     match h {
-        h if h.abs() <= nothing => Kind::Frozen,
-        h if h > 0.0 && from.inputs.iter().zip(to.inputs).all(agree) => Kind::Smooth,
-        _ => Kind::Straight,
+        h if h.abs() <= nothing => PathShape::Frozen,
+        h if h > 0.0 && from.inputs.iter().zip(to.inputs).all(agree) => PathShape::Smooth,
+        _ => PathShape::Straight,
     }
 }
 
 /// The time at the parameter s between two times.
-fn time(kind: Kind, [start, end]: [f64; 2], s: f64) -> f64 {
+fn time(kind: PathShape, [start, end]: [f64; 2], s: f64) -> f64 {
     match kind {
-        Kind::Frozen if s == 1.0 => end,
-        Kind::Frozen => start + s * (end - start),
-        Kind::Smooth | Kind::Straight => s,
+        PathShape::Frozen if s == 1.0 => end,
+        PathShape::Frozen => start + s * (end - start),
+        PathShape::Smooth | PathShape::Straight => s,
     }
 }
 
 /// The first and the last parameter s.
-fn ends(kind: Kind, t: [f64; 2]) -> [f64; 2] {
-    if kind == Kind::Frozen { [0.0, 1.0] } else { t }
+fn ends(kind: PathShape, t: [f64; 2]) -> [f64; 2] {
+    if kind == PathShape::Frozen { [0.0, 1.0] } else { t }
 }
 
 /// Writes the inputs at a parameter s.
-fn write(kind: Kind, t: [f64; 2], [from, to]: [&[Signal]; 2], s: f64, inputs: &mut [Signal]) {
+fn write(kind: PathShape, t: [f64; 2], [from, to]: [&[Signal]; 2], s: f64, inputs: &mut [Signal]) {
     let [start, end] = ends(kind, t);
     let x = if s == end { 1.0 } else { (s - start) / (end - start) };
     for ((u, a), b) in inputs.iter_mut().zip(from).zip(to) {
         *u = match kind {
-            Kind::Smooth => quintic(a, b, end - start, x),
-            Kind::Straight | Kind::Frozen => {
+            PathShape::Smooth => quintic(a, b, end - start, x),
+            PathShape::Straight | PathShape::Frozen => {
                 let change = b.value - a.value;
                 let value = if x == 1.0 { b.value } else { a.value + x * change };
                 Signal::new(value, change / (end - start), 0.0)
@@ -96,7 +96,7 @@ pub(crate) trait Course {
 
 /// The path from one instant to another, computed from the inputs at both.
 pub(crate) struct Between<'a> {
-    pub(crate) kind: Kind,
+    pub(crate) kind: PathShape,
     pub(crate) from: Instant<'a>,
     pub(crate) to: Instant<'a>,
 }
@@ -140,11 +140,11 @@ impl Course for Between<'_> {
     }
 
     fn is_frozen(&self) -> bool {
-        self.kind == Kind::Frozen
+        self.kind == PathShape::Frozen
     }
 
     fn has_rates_of_end(&self) -> bool {
-        self.kind == Kind::Smooth || self.to.inputs.is_empty() && self.kind == Kind::Straight
+        self.kind == PathShape::Smooth || self.to.inputs.is_empty() && self.kind == PathShape::Straight
     }
 }
 
@@ -180,7 +180,7 @@ impl Course for Timed<'_> {
 #[cfg(feature = "std")]
 #[derive(Clone, Debug)]
 pub(crate) struct InputPath {
-    pub(crate) kind: Kind,
+    pub(crate) kind: PathShape,
     t: [f64; 2],
     from: Vec<Signal>,
     to: Vec<Signal>,
@@ -190,12 +190,12 @@ pub(crate) struct InputPath {
 impl InputPath {
     /// A path of length 0 at an instant; derivatives are with respect to time.
     pub(crate) fn resting(at: &Instant<'_>) -> Self {
-        Self { kind: Kind::Smooth, t: [at.t; 2], from: at.inputs.to_vec(), to: at.inputs.to_vec() }
+        Self { kind: PathShape::Smooth, t: [at.t; 2], from: at.inputs.to_vec(), to: at.inputs.to_vec() }
     }
 
     /// A path of length 0 with constant time.
     pub(crate) const fn frozen() -> Self {
-        Self { kind: Kind::Frozen, t: [0.0; 2], from: Vec::new(), to: Vec::new() }
+        Self { kind: PathShape::Frozen, t: [0.0; 2], from: Vec::new(), to: Vec::new() }
     }
 
     /// Sets it to the path between two instants with equally many inputs.
@@ -210,8 +210,8 @@ impl InputPath {
 
     /// Makes it straight: rates and accelerations are no longer used.
     pub(crate) fn straighten(&mut self) {
-        if self.kind == Kind::Smooth {
-            self.kind = Kind::Straight;
+        if self.kind == PathShape::Smooth {
+            self.kind = PathShape::Straight;
         }
     }
 
@@ -233,7 +233,7 @@ impl InputPath {
     /// Writes the inputs at the parameter `since` after another one.
     pub(crate) fn write(&self, from: f64, since: f64, inputs: &mut [Signal]) {
         let [first, last] = self.ends();
-        if since == 0.0 || self.kind == Kind::Frozen {
+        if since == 0.0 || self.kind == PathShape::Frozen {
             return write(self.kind, self.t, [&self.from, &self.to], from + since, inputs);
         }
         // Measured from the start of the path, parameters are not rounded to the spacing of numbers near t.
@@ -293,18 +293,21 @@ mod tests {
             way.kind
         };
         let fall = Signal::new(1.0, 0.0, -2.0);
-        assert_eq!(Kind::Smooth, kind(0.5, fall, fall.after(0.5)));
-        assert_eq!(Kind::Straight, kind(-0.5, fall, fall.after(-0.5)));
-        assert_eq!(Kind::Straight, kind(0.1, Signal::constant(0.2), Signal::constant(0.3)));
-        assert_eq!(Kind::Smooth, kind(0.1, Signal::constant(0.2), Signal::constant(0.2)));
-        assert_eq!(Kind::Frozen, kind(0.0, fall, Signal::constant(2.0)));
+        assert_eq!(PathShape::Smooth, kind(0.5, fall, fall.after(0.5)));
+        assert_eq!(PathShape::Straight, kind(-0.5, fall, fall.after(-0.5)));
+        assert_eq!(PathShape::Straight, kind(0.1, Signal::constant(0.2), Signal::constant(0.3)));
+        assert_eq!(PathShape::Smooth, kind(0.1, Signal::constant(0.2), Signal::constant(0.2)));
+        assert_eq!(PathShape::Frozen, kind(0.0, fall, Signal::constant(2.0)));
         // Either end predicts the other to within a quarter of the change.
         let signal = |value, rate| Signal::new(value, rate, 0.0);
-        for (first, last, expected) in
-            [(0.8, 1.0, Kind::Smooth), (0.7, 1.0, Kind::Straight), (1.0, 1.2, Kind::Smooth), (1.0, 1.3, Kind::Straight)]
-        {
+        for (first, last, expected) in [
+            (0.8, 1.0, PathShape::Smooth),
+            (0.7, 1.0, PathShape::Straight),
+            (1.0, 1.2, PathShape::Smooth),
+            (1.0, 1.3, PathShape::Straight),
+        ] {
             assert_eq!(expected, kind(1.0, signal(0.0, first), signal(1.0, last)), "{first} {last}");
         }
-        assert_eq!(Kind::Straight, kind(1e-9, fall, Signal::constant(2.0)));
+        assert_eq!(PathShape::Straight, kind(1e-9, fall, Signal::constant(2.0)));
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::analysis;
 use crate::analysis::position::position;
-use crate::course::{InputPath, Kind};
+use crate::course::{InputPath, PathShape};
 use crate::equations::Equations;
 use crate::equations::system::{Evaluator, System};
 use crate::error::{Degeneracy, SolveError};
@@ -158,7 +158,7 @@ impl<'m> Tracker<'m> {
         let from = follower.state().instant();
         let path = equations.path.get_or_insert_with(|| InputPath::resting(at));
         path.lead(&from, at);
-        if path.kind == Kind::Smooth {
+        if path.kind == PathShape::Smooth {
             follower.depart_in_time();
             if follower.advance(equations, at.t, false).is_ok() {
                 return Ok(());

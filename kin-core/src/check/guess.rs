@@ -1,6 +1,6 @@
 //! The rule for guesses.
 
-use super::mention::Coordinate;
+use super::mention::MemberCoordinate;
 use crate::error::ModelError;
 use crate::mechanism::{BodyRef, GuessTarget, Mechanism, Range, Source};
 use std::collections::BTreeSet;
@@ -17,7 +17,12 @@ pub(super) fn guesses_are_for_coordinates(mechanism: &Mechanism, errors: &mut Ve
     }
 }
 
-fn wrong(mechanism: &Mechanism, target: &GuessTarget, i: i64, given: &mut BTreeSet<Coordinate>) -> Option<String> {
+fn wrong(
+    mechanism: &Mechanism,
+    target: &GuessTarget,
+    i: i64,
+    given: &mut BTreeSet<MemberCoordinate>,
+) -> Option<String> {
     match *target {
         GuessTarget::Pose(BodyRef::Ground(_), _) => {
             Some("the ground does not move; a guess is for a coordinate of a body".to_owned())
@@ -28,7 +33,7 @@ fn wrong(mechanism: &Mechanism, target: &GuessTarget, i: i64, given: &mut BTreeS
                 Some(_) => format!("{}[{member}].{component}", body.name),
                 None => format!("{}.{component}", body.name),
             };
-            let coordinate = Coordinate::Pose(family, member, component);
+            let coordinate = MemberCoordinate::Pose(family, member, component);
             match body.source(component) {
                 Source::Free => twice(given, coordinate, &name),
                 Source::Held(_) => {
@@ -46,11 +51,11 @@ fn wrong(mechanism: &Mechanism, target: &GuessTarget, i: i64, given: &mut BTreeS
                 Some(_) => format!("{}[{index}]", scalar.name),
                 None => scalar.name.clone(),
             };
-            twice(given, Coordinate::Scalar(member.family, index), &name)
+            twice(given, MemberCoordinate::Scalar(member.family, index), &name)
         }
     }
 }
 
-fn twice(given: &mut BTreeSet<Coordinate>, coordinate: Coordinate, name: &str) -> Option<String> {
+fn twice(given: &mut BTreeSet<MemberCoordinate>, coordinate: MemberCoordinate, name: &str) -> Option<String> {
     (!given.insert(coordinate)).then(|| format!("`{name}` is guessed twice; one guess for each coordinate"))
 }

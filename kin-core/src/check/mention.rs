@@ -10,7 +10,7 @@ use std::collections::BTreeSet;
 
 /// A generalized coordinate of a member of a family.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) enum Coordinate {
+pub(super) enum MemberCoordinate {
     /// The body family, the member and the component of a coordinate of a body.
     Pose(usize, usize, Component),
     /// The family and the member of a scalar coordinate.
@@ -20,12 +20,12 @@ pub(super) enum Coordinate {
 /// A reference: a define, or a coordinate, which may be held or carried and then leads to further references.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Mention {
-    Coordinate(Coordinate),
+    Coordinate(MemberCoordinate),
     Define(usize, usize),
 }
 
 /// The free coordinates that the joint contains for any index of its range.
-pub(super) fn mentioned(mechanism: &Mechanism, joint: &Statement) -> BTreeSet<Coordinate> {
+pub(super) fn mentioned(mechanism: &Mechanism, joint: &Statement) -> BTreeSet<MemberCoordinate> {
     let indices = joint.range.map_or(0..1, |range| range.indices());
     let mut all = Mentions::new(mechanism);
     indices.for_each(|i| all.joint(joint, i));
@@ -33,7 +33,7 @@ pub(super) fn mentioned(mechanism: &Mechanism, joint: &Statement) -> BTreeSet<Co
 }
 
 /// The free coordinates that the joint contains for the index `i`.
-pub(super) fn mentioned_at(mechanism: &Mechanism, joint: &Statement, i: i64) -> BTreeSet<Coordinate> {
+pub(super) fn mentioned_at(mechanism: &Mechanism, joint: &Statement, i: i64) -> BTreeSet<MemberCoordinate> {
     let mut all = Mentions::new(mechanism);
     all.joint(joint, i);
     all.follow()
@@ -64,14 +64,14 @@ pub(crate) fn held(
     indices.into_iter().for_each(|i| all.joint(joint, i));
     all.close();
     let held = all.seen.iter().filter_map(|mention| match *mention {
-        Mention::Coordinate(Coordinate::Pose(family, member, component)) => {
+        Mention::Coordinate(MemberCoordinate::Pose(family, member, component)) => {
             let body = mechanism.bodies.get(family)?;
             let index = body.len.map_or(String::new(), |_| format!("[{member}]"));
             let name = format!("{}{index}.{component}", body.name);
             matches!(body.source(component), Source::Held(_))
                 .then_some(HeldCoordinate { place: (family, member, component), name })
         }
-        Mention::Coordinate(Coordinate::Scalar(..)) | Mention::Define(..) => None,
+        Mention::Coordinate(MemberCoordinate::Scalar(..)) | Mention::Define(..) => None,
     });
     held.collect()
 }
@@ -119,20 +119,20 @@ impl<'a> Mentions<'a> {
                         self.formula(&define.formula, index(member));
                     }
                 }
-                Mention::Coordinate(Coordinate::Pose(family, member, component)) => {
+                Mention::Coordinate(MemberCoordinate::Pose(family, member, component)) => {
                     match source(mechanism, family, component) {
                         Some(Source::Carried(place)) => self.place(place, &[component], index(member)),
                         Some(Source::Held(formula)) => self.formula(formula, index(member)),
                         Some(Source::Free) | None => {}
                     }
                 }
-                Mention::Coordinate(Coordinate::Scalar(..)) => {}
+                Mention::Coordinate(MemberCoordinate::Scalar(..)) => {}
             }
         }
     }
 
     /// The free coordinates among all references, after following them.
-    fn follow(mut self) -> BTreeSet<Coordinate> {
+    fn follow(mut self) -> BTreeSet<MemberCoordinate> {
         let mechanism = self.mechanism;
         self.close();
         let coordinates = self.seen.into_iter().filter_map(|mention| match mention {
@@ -141,10 +141,10 @@ impl<'a> Mentions<'a> {
         });
         coordinates
             .filter(|coordinate| match *coordinate {
-                Coordinate::Pose(family, _, component) => {
+                MemberCoordinate::Pose(family, _, component) => {
                     matches!(source(mechanism, family, component), Some(Source::Free))
                 }
-                Coordinate::Scalar(..) => true,
+                MemberCoordinate::Scalar(..) => true,
             })
             .collect()
     }
@@ -200,7 +200,7 @@ impl<'a> Mentions<'a> {
 
     fn scalar(&mut self, member: &Member, i: i64) {
         if let Some(index) = member.index.at(i) {
-            self.note(Mention::Coordinate(Coordinate::Scalar(member.family, index)));
+            self.note(Mention::Coordinate(MemberCoordinate::Scalar(member.family, index)));
         }
     }
 
@@ -208,7 +208,7 @@ impl<'a> Mentions<'a> {
         if let BodyRef::Body { family, index, .. } = body
             && let Some(member) = index.at(i)
         {
-            self.note(Mention::Coordinate(Coordinate::Pose(family, member, component)));
+            self.note(Mention::Coordinate(MemberCoordinate::Pose(family, member, component)));
         }
     }
 

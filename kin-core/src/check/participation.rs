@@ -1,7 +1,7 @@
 //! Rules on coordinates and rows: rows contain coordinates, and every coordinate that can vary is in a row.
 
 use super::geometry::is_within_ground;
-use super::mention::{Coordinate, held, mentioned, mentioned_at};
+use super::mention::{MemberCoordinate, held, mentioned, mentioned_at};
 use super::names::is_reserved;
 use crate::error::{ModelError, quoted};
 use crate::mechanism::{Body, Component, Mechanism};
@@ -64,8 +64,8 @@ pub(super) fn bodies_are_in_rows(mechanism: &Mechanism, errors: &mut Vec<ModelEr
     let touched: BTreeSet<(usize, usize)> = all_mentioned(mechanism)
         .into_iter()
         .filter_map(|coordinate| match coordinate {
-            Coordinate::Pose(family, member, _) => Some((family, member)),
-            Coordinate::Scalar(..) => None,
+            MemberCoordinate::Pose(family, member, _) => Some((family, member)),
+            MemberCoordinate::Scalar(..) => None,
         })
         .collect();
     // Uses of a reserved word do not mean the body with its name, so that this body would seem to be unused.
@@ -86,7 +86,8 @@ pub(super) fn bodies_are_in_rows(mechanism: &Mechanism, errors: &mut Vec<ModelEr
 pub(super) fn scalars_are_in_rows(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
     let mentioned = all_mentioned(mechanism);
     for (family, scalar) in mechanism.scalars.iter().enumerate().filter(|(_, scalar)| !is_reserved(&scalar.name)) {
-        let unmentioned = (0..scalar.len.unwrap_or(1)).filter(|&m| !mentioned.contains(&Coordinate::Scalar(family, m)));
+        let unmentioned =
+            (0..scalar.len.unwrap_or(1)).filter(|&m| !mentioned.contains(&MemberCoordinate::Scalar(family, m)));
         if let Some(names) = missing(&scalar.name, scalar.len, unmentioned.collect()) {
             let message = format!("no row mentions {names}; use it in a row, or leave it out");
             errors.push(ModelError::new(scalar.origin, message));
@@ -94,7 +95,7 @@ pub(super) fn scalars_are_in_rows(mechanism: &Mechanism, errors: &mut Vec<ModelE
     }
 }
 
-fn all_mentioned(mechanism: &Mechanism) -> BTreeSet<Coordinate> {
+fn all_mentioned(mechanism: &Mechanism) -> BTreeSet<MemberCoordinate> {
     mechanism.joints.iter().flat_map(|joint| mentioned(mechanism, joint)).collect()
 }
 

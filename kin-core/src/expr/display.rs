@@ -63,14 +63,14 @@ const ATOM: u8 = 5;
 const MAX_OPERANDS: usize = 50_000;
 
 /// An item that remains to be written.
-enum Piece {
+enum PendingItem {
     Text(&'static str),
     Owned(String),
     /// An expression, put in parentheses if it binds less tightly than the given strength.
     Operand(ExprId, u8),
 }
 
-use Piece::{Operand, Owned, Text};
+use PendingItem::{Operand, Owned, Text};
 
 impl<N: Names> fmt::Display for Shown<'_, N> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -103,7 +103,7 @@ impl<N: Names> fmt::Display for Shown<'_, N> {
 
 impl<N: Names> Shown<'_, N> {
     /// The binding strength of `id`, and the pieces of its text.
-    fn pieces(&self, id: ExprId) -> (u8, Vec<Piece>) {
+    fn pieces(&self, id: ExprId) -> (u8, Vec<PendingItem>) {
         match self.graph.node(id) {
             Node::Number(bits) if bits.value() < 0.0 => (UNARY, vec![Owned(bits.value().to_string())]),
             Node::Number(bits) => (ATOM, vec![Owned(bits.value().to_string())]),
@@ -142,7 +142,7 @@ impl<N: Names> Shown<'_, N> {
     }
 
     /// `factor*of(angle)`; empty for a literal zero.
-    fn term(&self, factor: ExprId, of: &'static str, angle: ExprId) -> Vec<Piece> {
+    fn term(&self, factor: ExprId, of: &'static str, angle: ExprId) -> Vec<PendingItem> {
         match self.graph.literal(factor) {
             Some(0.0) => Vec::new(),
             Some(1.0) => call(of.to_owned(), &[angle]),
@@ -151,7 +151,7 @@ impl<N: Names> Shown<'_, N> {
     }
 
     /// The term y*sin(φ) if `id` is −y*sin(φ), the x component of a rotated vector (0, y).
-    fn minus_sine(&self, id: ExprId) -> Option<Vec<Piece>> {
+    fn minus_sine(&self, id: ExprId) -> Option<Vec<PendingItem>> {
         match self.graph.node(id) {
             Node::RotX(r) if self.graph.is_zero(r.x) && !self.graph.is_zero(r.y) => {
                 Some(self.term(r.y, "sin", r.angle))
@@ -161,7 +161,7 @@ impl<N: Names> Shown<'_, N> {
     }
 }
 
-fn call(name: String, arguments: &[ExprId]) -> Vec<Piece> {
+fn call(name: String, arguments: &[ExprId]) -> Vec<PendingItem> {
     let mut pieces = vec![Owned(name), Text("(")];
     for (index, argument) in arguments.iter().enumerate() {
         pieces.extend((index > 0).then_some(Text(", ")));
@@ -172,7 +172,7 @@ fn call(name: String, arguments: &[ExprId]) -> Vec<Piece> {
 }
 
 /// Two terms joined by an operator; either may be empty.
-fn joined(a: Vec<Piece>, operator: &'static str, b: Vec<Piece>) -> (u8, Vec<Piece>) {
+fn joined(a: Vec<PendingItem>, operator: &'static str, b: Vec<PendingItem>) -> (u8, Vec<PendingItem>) {
     match (a.is_empty(), b.is_empty()) {
         (true, true) => (ATOM, vec![Text("0")]),
         (_, true) => (PRODUCT, a),
@@ -181,7 +181,7 @@ fn joined(a: Vec<Piece>, operator: &'static str, b: Vec<Piece>) -> (u8, Vec<Piec
     }
 }
 
-fn products(pairs: [(ExprId, ExprId); 2], operator: &'static str) -> Vec<Piece> {
+fn products(pairs: [(ExprId, ExprId); 2], operator: &'static str) -> Vec<PendingItem> {
     let product = |(a, b)| [Operand(a, UNARY), Text("*"), Operand(b, UNARY)];
     product(pairs[0]).into_iter().chain([Text(operator)]).chain(product(pairs[1])).collect()
 }

@@ -15,7 +15,7 @@ use crate::constraint::{Assembly, Frame, JointRows, RowMeaning};
 use crate::error::{ModelError, Origin};
 use crate::expr::ExprId;
 use crate::mechanism::{BodyRef, Dimension, Formula, Mechanism, OperandSlot, OperandType, Radii, Statement};
-use crate::vectors::{Equation, NamedJoint, Piece, Symbol, Terms, equals};
+use crate::vectors::{Equation, EquationPiece, Letter, NamedJoint, Terms, equals};
 use crate::vocabulary::Role;
 
 joint! {
@@ -117,17 +117,17 @@ fn own_carrier(mechanism: &Mechanism, joint: &Statement, gear: BodyRef, carrier:
 /// The equation R_a(φ_a − φ_c) ± R_b(φ_b − φ_c) = e with the carrier c.
 pub(super) fn coupled_angles(joint: &NamedJoint<'_>, sign: &'static str) -> Vec<Equation> {
     let Some(terms) = Terms::of(joint) else { return Vec::new() };
-    let arc = |place: &'static str, phi: Symbol| {
+    let arc = |place: &'static str, phi: Letter| {
         [
-            Piece::Scalar(Symbol::plain("R").of(place)),
-            Piece::Op("("),
-            Piece::Scalar(phi),
-            Piece::Op(" − "),
-            Piece::Scalar(Symbol::plain("φ").of("c")),
-            Piece::Op(")"),
+            EquationPiece::Scalar(Letter::plain("R").of(place)),
+            EquationPiece::Op("("),
+            EquationPiece::Scalar(phi),
+            EquationPiece::Op(" − "),
+            EquationPiece::Scalar(Letter::plain("φ").of("c")),
+            EquationPiece::Op(")"),
         ]
     };
     let (a, b) = (arc("a", terms.i.phi()), arc("b", terms.j.phi()));
-    let both = a.into_iter().chain([Piece::Op(sign)]).chain(b).collect();
+    let both = a.into_iter().chain([EquationPiece::Op(sign)]).chain(b).collect();
     vec![equals(both, terms.scalar("e"))]
 }

@@ -42,7 +42,7 @@ pub(super) trait JointType: TypedOperands {
 }
 
 /// An entry of the table of all kinds of joints.
-pub(super) struct Kind {
+pub(super) struct JointEntry {
     pub(super) form: &'static StatementForm,
     pub(super) reaction: Reaction,
     pub(super) rows: fn(&mut Assembly<'_>, &Operands) -> JointRows,
@@ -51,7 +51,7 @@ pub(super) struct Kind {
     pub(super) vector_equations: fn(&NamedJoint<'_>) -> Vec<Equation>,
 }
 
-impl Kind {
+impl JointEntry {
     pub(super) const fn of<J: JointType>() -> Self {
         Self {
             form: J::FORM,

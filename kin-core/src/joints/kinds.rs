@@ -1,7 +1,7 @@
 //! The table of all kinds of joints.
 
 use super::contact::Contact;
-use super::joint::{Kind, Reaction};
+use super::joint::{JointEntry, Reaction};
 use super::{
     Angle, Belt, Constraint, Distance, Driver, Fixed, FlatFollower, Gear, KnifeEdge, Nonholonomic, OnCurve,
     PointOnLine, RackPinion, RelativeAngle, Revolute, RollingOnDisc, RollingOnLine, Rope, Screw, Speed, Translational,
@@ -15,30 +15,30 @@ use crate::vocabulary::StatementKind;
 
 /// Every kind of joint, in the order of the guide. A new kind needs a file of its own, a variant in the
 /// [vocabulary](crate::vocabulary), and an entry here; the guide's chapter on adding a constraint has all steps with the tests.
-const KINDS: &[Kind] = &[
-    Kind::of::<Revolute>(),
-    Kind::of::<Translational>(),
-    Kind::of::<Fixed>(),
-    Kind::of::<PointOnLine>(),
-    Kind::of::<Distance>(),
-    Kind::of::<Rope>(),
-    Kind::of::<X>(),
-    Kind::of::<Y>(),
-    Kind::of::<Angle>(),
-    Kind::of::<RelativeAngle>(),
-    Kind::of::<OnCurve>(),
-    Kind::of::<FlatFollower>(),
-    Kind::of::<Gear>(),
-    Kind::of::<Belt>(),
-    Kind::of::<RackPinion>(),
-    Kind::of::<Screw>(),
-    Kind::of::<RollingOnLine>(),
-    Kind::of::<RollingOnDisc>(),
-    Kind::of::<Constraint>(),
-    Kind::of::<KnifeEdge>(),
-    Kind::of::<Speed>(),
-    Kind::of::<Nonholonomic>(),
-    Kind::of::<Driver>(),
+const KINDS: &[JointEntry] = &[
+    JointEntry::of::<Revolute>(),
+    JointEntry::of::<Translational>(),
+    JointEntry::of::<Fixed>(),
+    JointEntry::of::<PointOnLine>(),
+    JointEntry::of::<Distance>(),
+    JointEntry::of::<Rope>(),
+    JointEntry::of::<X>(),
+    JointEntry::of::<Y>(),
+    JointEntry::of::<Angle>(),
+    JointEntry::of::<RelativeAngle>(),
+    JointEntry::of::<OnCurve>(),
+    JointEntry::of::<FlatFollower>(),
+    JointEntry::of::<Gear>(),
+    JointEntry::of::<Belt>(),
+    JointEntry::of::<RackPinion>(),
+    JointEntry::of::<Screw>(),
+    JointEntry::of::<RollingOnLine>(),
+    JointEntry::of::<RollingOnDisc>(),
+    JointEntry::of::<Constraint>(),
+    JointEntry::of::<KnifeEdge>(),
+    JointEntry::of::<Speed>(),
+    JointEntry::of::<Nonholonomic>(),
+    JointEntry::of::<Driver>(),
 ];
 
 /// The forms of all kinds of joints, in the order of the guide; kinds with the same keyword are adjacent.
@@ -47,7 +47,7 @@ pub fn forms() -> impl Iterator<Item = &'static StatementForm> {
 }
 
 /// The kind of joint that the operands belong to.
-fn kind_of(operands: &Operands) -> Option<&'static Kind> {
+fn kind_of(operands: &Operands) -> Option<&'static JointEntry> {
     KINDS.iter().find(|kind| kind.form == operands.form())
 }
 
@@ -76,9 +76,9 @@ pub(crate) fn check(joint: &Statement, mechanism: &Mechanism, errors: &mut Vec<M
 
 /// The equations of a joint's rows in vectors; empty if the rows are the user's own formulas.
 pub(crate) fn vector_equations(joint: &NamedJoint<'_>) -> Vec<Equation> {
-    let same = |kind: &&Kind| kind.form.kind == StatementKind::Joint(joint.kind);
+    let same = |kind: &&JointEntry| kind.form.kind == StatementKind::Joint(joint.kind);
     // All forms of a curve belong to one entry, which is found by its keyword.
-    let written_alike = |kind: &&Kind| kind.form.kind.keyword() == joint.kind.keyword();
+    let written_alike = |kind: &&JointEntry| kind.form.kind.keyword() == joint.kind.keyword();
     let kind = KINDS.iter().find(same).or_else(|| KINDS.iter().find(written_alike));
     kind.map_or_else(Vec::new, |kind| (kind.vector_equations)(joint))
 }

@@ -17,7 +17,7 @@ use crate::expr::ExprId;
 use crate::mechanism::{
     Axis, BodyRef, Dimension, Formula, Mechanism, OperandSlot, OperandType, Place, Statement, Value,
 };
-use crate::vectors::{Equation, NamedJoint, Piece, Symbol, Terms, equals};
+use crate::vectors::{Equation, EquationPiece, Letter, NamedJoint, Terms, equals};
 use crate::vocabulary::Role;
 
 joint! {
@@ -56,7 +56,11 @@ impl JointType for RackPinion {
 
     fn vector_equations(joint: &NamedJoint<'_>) -> Vec<Equation> {
         let Some(terms) = Terms::of(joint) else { return Vec::new() };
-        let arc = [Piece::Op(" − "), Piece::Scalar(Symbol::plain("R").of(joint.name)), Piece::Op("Δφ")];
+        let arc = [
+            EquationPiece::Op(" − "),
+            EquationPiece::Scalar(Letter::plain("R").of(joint.name)),
+            EquationPiece::Op("Δφ"),
+        ];
         let stroke = terms.along().into_iter().chain(arc).collect();
         vec![equals(stroke, terms.scalar("e")), terms.d_is_difference()]
     }

@@ -15,7 +15,7 @@ use super::joint::{JointType, joint};
 use super::translational::{across, along};
 use crate::constraint::{Assembly, JointRows, RowMeaning};
 use crate::mechanism::{Axis, Dimension, Formula, OperandSlot, OperandType, Place, Value};
-use crate::vectors::{Equation, NamedJoint, Piece, Symbol, Terms, equals};
+use crate::vectors::{Equation, EquationPiece, Letter, NamedJoint, Terms, equals};
 use crate::vocabulary::Role;
 
 /// A message with the two forms of a rolling disc.
@@ -70,13 +70,13 @@ impl JointType for RollingOnLine {
     fn vector_equations(joint: &NamedJoint<'_>) -> Vec<Equation> {
         let Some(terms) = Terms::of(joint) else { return Vec::new() };
         let roll = [
-            Piece::Op(" + "),
-            Piece::Scalar(Symbol::plain("R").of(joint.name)),
-            Piece::Op("("),
-            Piece::Scalar(terms.j.phi()),
-            Piece::Op(" − "),
-            Piece::Scalar(terms.i.phi()),
-            Piece::Op(")"),
+            EquationPiece::Op(" + "),
+            EquationPiece::Scalar(Letter::plain("R").of(joint.name)),
+            EquationPiece::Op("("),
+            EquationPiece::Scalar(terms.j.phi()),
+            EquationPiece::Op(" − "),
+            EquationPiece::Scalar(terms.i.phi()),
+            EquationPiece::Op(")"),
         ];
         let rolled = terms.along().into_iter().chain(roll).collect();
         vec![equals(terms.across(), terms.scalar("R")), equals(rolled, terms.scalar("e")), terms.d_is_difference()]

@@ -1,7 +1,7 @@
 //! A kernel: a program in its final form, with everything that is needed to emit it as a function.
 
 use crate::expr::Symbol;
-use crate::program::{Instruction, Piece, Program, Rolled, Slot, Source, Step, finished};
+use crate::program::{Instruction, OperandSource, Piece, Program, Rolled, RolledStep, Slot, finished};
 use std::collections::BTreeSet;
 
 /// A program in its final form, which becomes a function.
@@ -30,7 +30,7 @@ impl Kernel {
         Self { saved, ..self }
     }
 
-    fn steps(&self) -> impl Iterator<Item = &Step> {
+    fn steps(&self) -> impl Iterator<Item = &RolledStep> {
         self.code.pieces.iter().flat_map(|piece| match piece {
             Piece::Straight(steps) | Piece::Loop { body: steps, .. } => steps,
         })
@@ -38,10 +38,10 @@ impl Kernel {
 
     /// The arrays that the function reads, each given by its first symbol, in order.
     pub fn reads(&self) -> BTreeSet<Symbol> {
-        let first = |source: &Source| match *source {
-            Source::Load(Symbol::ARGUMENT, _) => Some(Symbol::ARGUMENT),
-            Source::Load(Symbol::Input(..), _) => Some(Symbol::Input(0, 0)),
-            Source::Load(symbol, _) => Some(symbol.at(0)),
+        let first = |source: &OperandSource| match *source {
+            OperandSource::Load(Symbol::ARGUMENT, _) => Some(Symbol::ARGUMENT),
+            OperandSource::Load(Symbol::Input(..), _) => Some(Symbol::Input(0, 0)),
+            OperandSource::Load(symbol, _) => Some(symbol.at(0)),
             _ => None,
         };
         self.code.sources.iter().filter_map(first).collect()
@@ -49,8 +49,8 @@ impl Kernel {
 
     /// The supplied functions that the function calls.
     pub fn functions(&self) -> BTreeSet<u32> {
-        let function = |step: &Step| match step {
-            Step::Compute { instruction: Instruction::Supplied(function, _), .. } => Some(*function),
+        let function = |step: &RolledStep| match step {
+            RolledStep::Compute { instruction: Instruction::Supplied(function, _), .. } => Some(*function),
             _ => None,
         };
         self.steps().filter_map(function).collect()
@@ -60,7 +60,7 @@ impl Kernel {
     pub fn writes(&self) -> Vec<(Slot, usize)> {
         let written: BTreeSet<Slot> = self
             .steps()
-            .filter_map(|step| if let Step::Write { slot, .. } = step { Some(slot.at(0)) } else { None })
+            .filter_map(|step| if let RolledStep::Write { slot, .. } = step { Some(slot.at(0)) } else { None })
             .collect();
         self.arrays.iter().copied().filter(|(slot, _)| written.contains(slot)).collect()
     }

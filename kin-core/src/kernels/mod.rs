@@ -19,7 +19,7 @@ use crate::plan::SolutionPlan;
 use crate::program::{Program, Slot};
 use crate::system::KinematicSystem;
 use crate::vocabulary::OperationCount;
-use rows::Rows;
+use rows::RowProgram;
 
 /// The kernels of a mechanism.
 #[derive(Clone, Debug, PartialEq)]
@@ -63,8 +63,8 @@ impl Kernels {
 /// Makes the kernels of a mechanism.
 pub fn kernels(system: &KinematicSystem, plan: &SolutionPlan, forces: Option<&Forces>) -> Kernels {
     let set = &system.set;
-    let constraints = Rows::new(&set.graph, &system.equations, &set.row_families);
-    let observables = Rows::new(&set.graph, &system.observables, &[]);
+    let constraints = RowProgram::new(&set.graph, &system.equations, &set.row_families);
+    let observables = RowProgram::new(&set.graph, &system.observables, &[]);
     let part =
         |name: &str, keep: fn(Slot) -> bool| evaluation(name, &constraints.program.only(keep), &constraints.pattern);
     let everything = constraints.program.only(|_| true);

@@ -17,14 +17,14 @@ pub struct Pattern {
 }
 
 /// The program of Φ, Φ_q, Φ_t and γ, with the pattern of Φ_q.
-pub(super) struct Rows {
+pub(super) struct RowProgram {
     pub(super) pattern: Pattern,
     /// The program for everything except literal constants. [`Program::only`] extracts parts with bitwise equal
     /// results.
     pub(super) program: Program,
 }
 
-impl Rows {
+impl RowProgram {
     /// Makes the program of the equations. Literal entries of Φ_q and literal zeros of Φ_t and γ are not written.
     pub(super) fn new(graph: &Graph, equations: &[Equation], families: &[Family]) -> Self {
         let (mut entries, mut constants) = (Vec::new(), Vec::new());

@@ -17,7 +17,7 @@ use std::collections::BTreeMap;
 
 /// M and Q, printed.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Dynamics {
+pub struct PrintedDynamics {
     /// The non-zero entries of the symmetric matrix M with row ≤ column: row, column, entry.
     pub mass: Vec<(usize, usize, String)>,
     /// Q, one entry for each coordinate.
@@ -25,7 +25,7 @@ pub struct Dynamics {
 }
 
 /// The equations of motion of a mechanism; `None` if it has neither masses nor loads.
-pub fn dynamics(mechanism: &Mechanism, system: &KinematicSystem) -> Option<Dynamics> {
+pub fn dynamics(mechanism: &Mechanism, system: &KinematicSystem) -> Option<PrintedDynamics> {
     if mechanism.loads.is_empty() {
         return None;
     }
@@ -39,7 +39,7 @@ pub fn dynamics(mechanism: &Mechanism, system: &KinematicSystem) -> Option<Dynam
     let mut known = IdMap::default();
     let forces = equilibrium.posed.iter().map(|r| rewrite(graph, *r, &mut known, &mut AtRest)).collect::<Vec<_>>();
     let show = |id| Shown { graph, names: set, id }.to_string();
-    Some(Dynamics {
+    Some(PrintedDynamics {
         mass: mass.into_iter().map(|((row, column), entry)| (row as usize, column as usize, show(entry))).collect(),
         forces: forces.into_iter().map(show).collect(),
     })

@@ -4,7 +4,7 @@ use super::equilibrium::Equilibrium;
 use super::free_bodies::FreeBodies;
 use super::kinds::acts;
 use super::load::Acting;
-use super::reactions::{Effort, ReactionForce, Writer};
+use super::reactions::{Effort, ReactionForce, ReactionWriter};
 use super::transpose::transpose;
 use crate::constraint::{Assembly, Frame, indexed};
 use crate::expr::{ExprId, Graph, Symbol, velocity_derivatives};
@@ -94,7 +94,7 @@ pub fn forces(mechanism: &Mechanism, system: &KinematicSystem, linear: Option<Li
     let given: Vec<ExprId> = (0..rows).map(|row| bodies.a.graph.symbol(Symbol::Right(row as u32))).collect();
     let zero_test = ZeroTest::new(set.coordinates.len());
     let mut writer =
-        Writer { bodies: &mut bodies, system, equilibrium: &equilibrium, multipliers: Vec::new(), zero_test };
+        ReactionWriter { bodies: &mut bodies, system, equilibrium: &equilibrium, multipliers: Vec::new(), zero_test };
     let lambda = solved.unwrap_or_else(|| given.clone());
     let of_multipliers = is_solved.then(|| writer.results(&given, &acting, &mut springs.clone()).list);
     let Results { list: results, efforts, reactions } = writer.results(&lambda, &acting, &mut springs);
@@ -136,7 +136,7 @@ struct Results {
     reactions: Vec<ReactionForce>,
 }
 
-impl Writer<'_, '_> {
+impl ReactionWriter<'_, '_> {
     /// The results for multipliers λ; stores the index of its first number in every spring.
     fn results(&mut self, lambda: &[ExprId], acting: &[Acting], springs: &mut [SpringForce]) -> Results {
         let of_holds = self.equilibrium.multipliers_of_holds(self.bodies, lambda);

@@ -1,19 +1,19 @@
 //! The table of all kinds of masses and loads.
 
 use super::free_bodies::FreeBodies;
-use super::load::{Acting, Kind};
+use super::load::{Acting, LoadEntry};
 use super::{Force, Gravity, Mass, Spring, Torque, TorsionSpring};
 use crate::mechanism::{Operands, StatementForm};
 
 /// Every kind of mass or load, in the order of the guide. A new kind needs a file of its own, a variant in the
 /// [vocabulary](crate::vocabulary), and an entry here.
-const KINDS: &[Kind] = &[
-    Kind::of::<Gravity>(),
-    Kind::of::<Mass>(),
-    Kind::of::<Force>(),
-    Kind::of::<Torque>(),
-    Kind::of::<Spring>(),
-    Kind::of::<TorsionSpring>(),
+const KINDS: &[LoadEntry] = &[
+    LoadEntry::of::<Gravity>(),
+    LoadEntry::of::<Mass>(),
+    LoadEntry::of::<Force>(),
+    LoadEntry::of::<Torque>(),
+    LoadEntry::of::<Spring>(),
+    LoadEntry::of::<TorsionSpring>(),
 ];
 
 /// The forms of all kinds of masses and loads, in the order of the guide.

@@ -86,12 +86,12 @@ pub(super) trait LoadType: TypedOperands {
 }
 
 /// A kind of mass or load as an entry of the table of all kinds.
-pub(super) struct Kind {
+pub(super) struct LoadEntry {
     pub(super) form: &'static StatementForm,
     pub(super) acts: fn(&mut FreeBodies<'_>, &Operands) -> Option<Acting>,
 }
 
-impl Kind {
+impl LoadEntry {
     pub(super) const fn of<L: LoadType>() -> Self {
         Self { form: L::FORM, acts: |bodies, operands| L::of(operands).map(|load| load.acts(bodies)) }
     }

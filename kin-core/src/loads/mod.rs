@@ -24,7 +24,7 @@ mod torque;
 mod torsion_spring;
 mod transpose;
 
-pub use dynamics::{Dynamics, dynamics};
+pub use dynamics::{PrintedDynamics, dynamics};
 pub use force::Force;
 pub use forces::{Forces, LoadForce, SpringForce, forces};
 pub use gravity::Gravity;

@@ -51,7 +51,7 @@ pub struct ReactionForce {
 }
 
 /// Writes efforts and reactions.
-pub(super) struct Writer<'w, 'm> {
+pub(super) struct ReactionWriter<'w, 'm> {
     pub(super) bodies: &'w mut FreeBodies<'m>,
     pub(super) system: &'w KinematicSystem,
     pub(super) equilibrium: &'w Equilibrium,
@@ -60,7 +60,7 @@ pub(super) struct Writer<'w, 'm> {
     pub(super) zero_test: ZeroTest,
 }
 
-impl Writer<'_, '_> {
+impl ReactionWriter<'_, '_> {
     fn set(&self) -> &ConstraintSet {
         &self.system.set
     }

@@ -1,35 +1,35 @@
 //! Writes formulas as LaTeX.
 
-use super::name::{Base, Name};
-use super::parts::{self, Signs};
-use super::tree::Formula;
+use super::name::{BaseSymbol, Name};
+use super::parts::{self, SumSigns};
+use super::tree::FormulaTree;
 
-pub(super) fn write(formula: &Formula) -> String {
+pub(super) fn write(formula: &FormulaTree) -> String {
     match formula {
-        Formula::Number(value) => number(*value),
-        Formula::Name(own) => name(own),
-        Formula::Minus(a) => format!("-{}", within(a, 2)),
-        Formula::Sum(parts) => terms(parts).concat(),
-        Formula::Product(factors) => parts::factors(factors, is_open, within).join(r"\,"),
-        Formula::Quotient(a, b) => format!(r"\frac{{{}}}{{{}}}", write(a), write(b)),
-        Formula::Power(a, n) => format!("{}^{{{}}}", powered(a), signed(*n)),
-        Formula::Call(function, primes, arguments) => call(function, *primes, arguments),
+        FormulaTree::Number(value) => number(*value),
+        FormulaTree::Name(own) => name(own),
+        FormulaTree::Minus(a) => format!("-{}", within(a, 2)),
+        FormulaTree::Sum(parts) => terms(parts).concat(),
+        FormulaTree::Product(factors) => parts::factors(factors, is_open, within).join(r"\,"),
+        FormulaTree::Quotient(a, b) => format!(r"\frac{{{}}}{{{}}}", write(a), write(b)),
+        FormulaTree::Power(a, n) => format!("{}^{{{}}}", powered(a), signed(*n)),
+        FormulaTree::Call(function, primes, arguments) => call(function, *primes, arguments),
     }
 }
 
 /// The signs in sums.
-pub(super) const SIGNS: Signs = Signs { first: "-", plus: " + ", minus: " - " };
+pub(super) const SIGNS: SumSigns = SumSigns { first: "-", plus: " + ", minus: " - " };
 
 /// The terms of a sum with their signs.
-fn terms(parts: &[(bool, Formula)]) -> Vec<String> {
+fn terms(parts: &[(bool, FormulaTree)]) -> Vec<String> {
     parts::terms(parts, &SIGNS, within)
 }
 
 /// True for a function whose argument is written without brackets.
-fn is_open(formula: &Formula) -> bool {
+fn is_open(formula: &FormulaTree) -> bool {
     match formula {
-        Formula::Call(function, 0, arguments) => {
-            known(function).is_some() && matches!(arguments[..], [Formula::Name(_)])
+        FormulaTree::Call(function, 0, arguments) => {
+            known(function).is_some() && matches!(arguments[..], [FormulaTree::Name(_)])
         }
         _ => false,
     }
@@ -50,33 +50,35 @@ fn known(function: &str) -> Option<&'static str> {
     })
 }
 
-fn call(function: &str, primes: usize, arguments: &[Formula]) -> String {
+fn call(function: &str, primes: usize, arguments: &[FormulaTree]) -> String {
     let list = arguments.iter().map(write).collect::<Vec<_>>().join(", ");
     match (function, known(function)) {
         ("sqrt", _) => format!(r"\sqrt{{{list}}}"),
         ("abs", _) => format!(r"\left|{list}\right|"),
-        (_, Some(known)) if primes == 0 && matches!(arguments, [Formula::Name(_)]) => match list.starts_with('\\') {
-            true => format!("{known}{list}"),
-            false => format!("{known} {list}"),
-        },
+        (_, Some(known)) if primes == 0 && matches!(arguments, [FormulaTree::Name(_)]) => {
+            match list.starts_with('\\') {
+                true => format!("{known}{list}"),
+                false => format!("{known} {list}"),
+            }
+        }
         (_, Some(known)) => format!(r"{known}\left({list}\right)"),
         _ => format!(r"\operatorname{{{}}}{}\left({list}\right)", upright(function), "'".repeat(primes)),
     }
 }
 
-fn within(formula: &Formula, least: u8) -> String {
+fn within(formula: &FormulaTree, least: u8) -> String {
     if formula.strength() < least { bracketed(formula) } else { write(formula) }
 }
 
 /// The base of a power, in brackets unless it is a single symbol.
-fn powered(formula: &Formula) -> String {
+fn powered(formula: &FormulaTree) -> String {
     match formula {
-        Formula::Number(_) | Formula::Name(_) => write(formula),
+        FormulaTree::Number(_) | FormulaTree::Name(_) => write(formula),
         _ => bracketed(formula),
     }
 }
 
-fn bracketed(formula: &Formula) -> String {
+fn bracketed(formula: &FormulaTree) -> String {
     format!(r"\left({}\right)", write(formula))
 }
 
@@ -98,11 +100,11 @@ fn number(value: f64) -> String {
 
 pub(super) fn name(name: &Name) -> String {
     let letter = match &name.base {
-        Base::Letter(letter) => letter.to_string(),
-        Base::Greek("phi", _) => r"\varphi".to_owned(),
-        Base::Greek("epsilon", _) => r"\varepsilon".to_owned(),
-        Base::Greek(greek, _) => format!(r"\{greek}"),
-        Base::Word(word) => format!(r"\mathrm{{{}}}", upright(word)),
+        BaseSymbol::Letter(letter) => letter.to_string(),
+        BaseSymbol::Greek("phi", _) => r"\varphi".to_owned(),
+        BaseSymbol::Greek("epsilon", _) => r"\varepsilon".to_owned(),
+        BaseSymbol::Greek(greek, _) => format!(r"\{greek}"),
+        BaseSymbol::Word(word) => format!(r"\mathrm{{{}}}", upright(word)),
     };
     let dotted = match name.order {
         0 => letter,

@@ -1,7 +1,7 @@
 //! Breaks long formulas into lines, for any notation.
 
-use super::parts::Signs;
-use super::tree::Formula;
+use super::parts::SumSigns;
+use super::tree::FormulaTree;
 use super::{Notation, latex, mathml, unicode};
 
 /// The marks of a notation for formulas of several lines. The brackets have a fixed size, because brackets that grow
@@ -10,7 +10,7 @@ struct Marks {
     open: &'static str,
     close: &'static str,
     times: &'static str,
-    signs: Signs,
+    signs: SumSigns,
 }
 
 fn marks(notation: Notation) -> Marks {
@@ -26,7 +26,7 @@ fn marks(notation: Notation) -> Marks {
     }
 }
 
-impl Formula {
+impl FormulaTree {
     /// The formula as lines of at most `width` columns, measured as plain text, if possible. Lines are broken before
     /// the signs of terms, also inside long sums that are part of the formula.
     pub fn lines(&self, notation: Notation, width: usize) -> Vec<String> {

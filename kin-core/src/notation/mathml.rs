@@ -1,49 +1,49 @@
 //! Writes formulas as Presentation MathML, which browsers display without scripts or network access.
 
-use super::name::{Base, Name};
-use super::parts::{self, Signs};
-use super::tree::Formula;
+use super::name::{BaseSymbol, Name};
+use super::parts::{self, SumSigns};
+use super::tree::FormulaTree;
 
-pub(super) fn write(formula: &Formula) -> String {
+pub(super) fn write(formula: &FormulaTree) -> String {
     match formula {
-        Formula::Number(value) => format!("<mn>{value}</mn>"),
-        Formula::Name(own) => name(own),
-        Formula::Minus(a) => format!("<mrow><mo>−</mo>{}</mrow>", within(a, 2)),
-        Formula::Sum(parts) => format!("<mrow>{}</mrow>", terms(parts).concat()),
-        Formula::Product(factors) => {
+        FormulaTree::Number(value) => format!("<mn>{value}</mn>"),
+        FormulaTree::Name(own) => name(own),
+        FormulaTree::Minus(a) => format!("<mrow><mo>−</mo>{}</mrow>", within(a, 2)),
+        FormulaTree::Sum(parts) => format!("<mrow>{}</mrow>", terms(parts).concat()),
+        FormulaTree::Product(factors) => {
             // A function of a single name is written without brackets, as in the other notations.
             let factors = parts::factors(factors, is_open, within);
             // An invisible multiplication sign and the usual space.
             format!("<mrow>{}</mrow>", factors.join("<mo>&#x2062;</mo><mspace width=\"0.15em\"></mspace>"))
         }
-        Formula::Quotient(a, b) => format!("<mfrac>{}{}</mfrac>", write(a), write(b)),
-        Formula::Power(a, n) => {
+        FormulaTree::Quotient(a, b) => format!("<mfrac>{}{}</mfrac>", write(a), write(b)),
+        FormulaTree::Power(a, n) => {
             let n =
                 if *n < 0.0 { format!("<mrow><mo>−</mo><mn>{}</mn></mrow>", -n) } else { format!("<mn>{n}</mn>") };
             match a.as_ref() {
                 // The exponent is placed above the index, not behind it.
-                Formula::Name(own) => powered(own, Some(&n)),
+                FormulaTree::Name(own) => powered(own, Some(&n)),
                 _ => format!("<msup>{}{n}</msup>", within(a, 5)),
             }
         }
-        Formula::Call(function, primes, arguments) => call(function, *primes, arguments),
+        FormulaTree::Call(function, primes, arguments) => call(function, *primes, arguments),
     }
 }
 
 /// The signs in sums.
-pub(super) const SIGNS: Signs = Signs { first: "<mo>−</mo>", plus: "<mo>+</mo>", minus: "<mo>−</mo>" };
+pub(super) const SIGNS: SumSigns = SumSigns { first: "<mo>−</mo>", plus: "<mo>+</mo>", minus: "<mo>−</mo>" };
 
 /// The terms of a sum with their signs.
-fn terms(parts: &[(bool, Formula)]) -> Vec<String> {
+fn terms(parts: &[(bool, FormulaTree)]) -> Vec<String> {
     parts::terms(parts, &SIGNS, within)
 }
 
 /// True for a function whose argument is written without brackets.
-fn is_open(formula: &Formula) -> bool {
-    matches!(formula, Formula::Call(_, 0, arguments) if matches!(arguments[..], [Formula::Name(_)]))
+fn is_open(formula: &FormulaTree) -> bool {
+    matches!(formula, FormulaTree::Call(_, 0, arguments) if matches!(arguments[..], [FormulaTree::Name(_)]))
 }
 
-fn call(function: &str, primes: usize, arguments: &[Formula]) -> String {
+fn call(function: &str, primes: usize, arguments: &[FormulaTree]) -> String {
     let list = arguments.iter().map(write).collect::<Vec<_>>().join("<mo>,</mo>");
     match function {
         "sqrt" => return format!("<msqrt>{list}</msqrt>"),
@@ -52,12 +52,14 @@ fn call(function: &str, primes: usize, arguments: &[Formula]) -> String {
     }
     let function = format!("<mi>{}{}</mi><mo>&#x2061;</mo>", escaped(function), "′".repeat(primes));
     match arguments {
-        [Formula::Name(_)] if primes == 0 => format!("<mrow>{function}<mspace width=\"0.15em\"></mspace>{list}</mrow>"),
+        [FormulaTree::Name(_)] if primes == 0 => {
+            format!("<mrow>{function}<mspace width=\"0.15em\"></mspace>{list}</mrow>")
+        }
         _ => format!("<mrow>{function}<mo>(</mo>{list}<mo>)</mo></mrow>"),
     }
 }
 
-fn within(formula: &Formula, least: u8) -> String {
+fn within(formula: &FormulaTree, least: u8) -> String {
     match formula.strength() < least {
         true => format!("<mrow><mo>(</mo>{}<mo>)</mo></mrow>", write(formula)),
         false => write(formula),
@@ -71,8 +73,8 @@ pub(super) fn name(name: &Name) -> String {
 /// A name with an optional exponent.
 fn powered(name: &Name, power: Option<&str>) -> String {
     let letter = match &name.base {
-        Base::Letter(letter) | Base::Greek(_, letter) => format!("<mi>{letter}</mi>"),
-        Base::Word(word) => format!("<mi>{}</mi>", escaped(word)),
+        BaseSymbol::Letter(letter) | BaseSymbol::Greek(_, letter) => format!("<mi>{letter}</mi>"),
+        BaseSymbol::Word(word) => format!("<mi>{}</mi>", escaped(word)),
     };
     let dotted = match name.order {
         0 => letter,

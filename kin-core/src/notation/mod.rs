@@ -1,12 +1,12 @@
 //! Formulas in readable form: Unicode text, LaTeX and MathML, with the user's names.
 //!
-//! The input is the text that [`Shown`](crate::expr::Shown) prints of an expression. [`Formula::parse`] reads it, and
+//! The input is the text that [`Shown`](crate::expr::Shown) prints of an expression. [`FormulaTree::parse`] reads it, and
 //! each notation has a writer of its own.
 //!
 //! ```
-//! use kin_core::notation::{Formula, Notation};
+//! use kin_core::notation::{FormulaTree, Notation};
 //!
-//! let formula = Formula::parse("coupler.x - 0.5*l2*cos(coupler.phi) + l1/2")?.tidied();
+//! let formula = FormulaTree::parse("coupler.x - 0.5*l2*cos(coupler.phi) + l1/2")?.tidied();
 //! assert_eq!(formula.write(Notation::Unicode), "x_coupler − (l₂/2) cos φ_coupler + l₁/2");
 //! assert_eq!(
 //!     formula.write(Notation::Latex),
@@ -27,9 +27,9 @@ mod tree;
 mod unicode;
 
 pub(crate) use markup::escaped;
-pub use name::{Base, Name};
+pub use name::{BaseSymbol, Name};
 pub use parse::ParseError;
-pub use tree::Formula;
+pub use tree::FormulaTree;
 
 /// A notation for formulas.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -42,7 +42,7 @@ pub enum Notation {
     MathMl,
 }
 
-impl Formula {
+impl FormulaTree {
     /// The formula in a notation.
     pub fn write(&self, notation: Notation) -> String {
         match notation {

@@ -6,7 +6,7 @@ pub struct Name {
     /// The name in the user's language: `crank.phi_dot`.
     pub written: String,
     /// The letter or word.
-    pub base: Base,
+    pub base: BaseSymbol,
     /// The number of dots: 0, 1 or 2.
     pub order: usize,
     /// The indices: for `crank.phi` the body, for `l1` the digits, for `link[3].x` the body and its number.
@@ -15,7 +15,7 @@ pub struct Name {
 
 /// A symbol without dots and indices.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Base {
+pub enum BaseSymbol {
     /// A single Latin letter.
     Letter(char),
     /// A Greek letter and its name, such as `omega`.
@@ -89,7 +89,7 @@ fn element(name: &str) -> (&str, Option<&str>) {
 }
 
 /// Splits `phi0` into φ and 0, `l1` into l and 1, `d_max` into d and max; `stroke` is a word without an index.
-fn symbol(name: &str) -> (Base, Option<String>) {
+fn symbol(name: &str) -> (BaseSymbol, Option<String>) {
     let digits = name.trim_end_matches(|c: char| c.is_ascii_digit());
     let (stem, index) = match name.split_once('_') {
         Some((stem, rest)) if is_symbol(stem) && !rest.is_empty() => (stem, Some(rest)),
@@ -98,9 +98,9 @@ fn symbol(name: &str) -> (Base, Option<String>) {
     };
     let mut letters = stem.chars();
     let base = match (letters.next(), letters.next(), GREEK.iter().find(|(greek, _)| *greek == stem)) {
-        (_, _, Some(&(greek, letter))) => Base::Greek(greek, letter),
-        (Some(letter), None, _) => Base::Letter(letter),
-        _ => Base::Word(stem.to_owned()),
+        (_, _, Some(&(greek, letter))) => BaseSymbol::Greek(greek, letter),
+        (Some(letter), None, _) => BaseSymbol::Letter(letter),
+        _ => BaseSymbol::Word(stem.to_owned()),
     };
     (base, index.filter(|index| !index.is_empty()).map(str::to_owned))
 }

@@ -7,7 +7,7 @@
 //! ```
 
 use super::name::Name;
-use super::tree::Formula;
+use super::tree::FormulaTree;
 use core::fmt;
 
 /// The error for a text that is not a formula.
@@ -30,28 +30,28 @@ impl std::error::Error for ParseError {}
 /// Maximum nesting depth; deeper formulas are not readable.
 const DEPTH: usize = 200;
 
-impl Formula {
+impl FormulaTree {
     /// Parses the text that [`Shown`](crate::expr::Shown) prints.
     ///
     /// # Errors
     /// The text is not a formula, for example because it was cut off at the maximum length.
     pub fn parse(text: &str) -> Result<Self, ParseError> {
-        let mut reader = Reader { text, at: 0, depth: 0 };
+        let mut reader = FormulaParser { text, at: 0, depth: 0 };
         let formula = reader.sum()?;
         reader.spaces();
         if reader.at < text.len() { reader.error("the end") } else { Ok(formula) }
     }
 }
 
-struct Reader<'t> {
+struct FormulaParser<'t> {
     text: &'t str,
     at: usize,
     depth: usize,
 }
 
-type Read = Result<Formula, ParseError>;
+type Read = Result<FormulaTree, ParseError>;
 
-impl<'t> Reader<'t> {
+impl<'t> FormulaParser<'t> {
     fn rest(&self) -> &'t str {
         &self.text[self.at..]
     }
@@ -87,11 +87,11 @@ impl<'t> Reader<'t> {
         }
         self.depth -= 1;
         // Brackets around the first sum are redundant.
-        if let (false, Formula::Sum(_)) = &terms[0] {
-            let (_, Formula::Sum(first)) = terms.remove(0) else { return self.error("a sum") };
+        if let (false, FormulaTree::Sum(_)) = &terms[0] {
+            let (_, FormulaTree::Sum(first)) = terms.remove(0) else { return self.error("a sum") };
             terms.splice(0..0, first);
         }
-        Ok(if terms.len() == 1 { terms.remove(0).1 } else { Formula::Sum(terms) })
+        Ok(if terms.len() == 1 { terms.remove(0).1 } else { FormulaTree::Sum(terms) })
     }
 
     fn product(&mut self) -> Read {
@@ -103,8 +103,8 @@ impl<'t> Reader<'t> {
             } else if self.take('/') {
                 let below = self.unary()?;
                 whole = match whole {
-                    Formula::Minus(above) => Formula::Quotient(above, Box::new(below)).negated(),
-                    above => Formula::Quotient(Box::new(above), Box::new(below)),
+                    FormulaTree::Minus(above) => FormulaTree::Quotient(above, Box::new(below)).negated(),
+                    above => FormulaTree::Quotient(Box::new(above), Box::new(below)),
                 };
             } else {
                 return Ok(whole);
@@ -128,7 +128,7 @@ impl<'t> Reader<'t> {
         }
         let minus = self.take('-');
         let n = self.number()?;
-        Ok(Formula::Power(Box::new(base), if minus { -n } else { n }))
+        Ok(FormulaTree::Power(Box::new(base), if minus { -n } else { n }))
     }
 
     fn atom(&mut self) -> Read {
@@ -139,7 +139,7 @@ impl<'t> Reader<'t> {
                 let inner = self.sum()?;
                 if self.take(')') { Ok(inner) } else { self.error("`)`") }
             }
-            Some(c) if c.is_ascii_digit() => Ok(Formula::Number(self.number()?)),
+            Some(c) if c.is_ascii_digit() => Ok(FormulaTree::Number(self.number()?)),
             Some(c) if c.is_alphabetic() || c == '_' => self.named(),
             _ => self.error("a number, a name or `(`"),
         }
@@ -153,14 +153,14 @@ impl<'t> Reader<'t> {
         let primes = self.rest().len() - self.rest().trim_start_matches('\'').len();
         self.at += primes;
         if !self.rest().starts_with('(') {
-            return if primes > 0 { self.error("`(`") } else { Ok(Formula::Name(Name::new(name))) };
+            return if primes > 0 { self.error("`(`") } else { Ok(FormulaTree::Name(Name::new(name))) };
         }
         self.at += 1;
         let mut arguments = vec![self.sum()?];
         while self.take(',') {
             arguments.push(self.sum()?);
         }
-        if self.take(')') { Ok(Formula::Call(name.to_owned(), primes, arguments)) } else { self.error("`)`") }
+        if self.take(')') { Ok(FormulaTree::Call(name.to_owned(), primes, arguments)) } else { self.error("`)`") }
     }
 
     fn number(&mut self) -> Result<f64, ParseError> {
@@ -179,22 +179,22 @@ impl<'t> Reader<'t> {
 }
 
 /// The product a·b without nested products, with the sign moved to the front.
-fn times(a: Formula, b: Formula) -> Formula {
+fn times(a: FormulaTree, b: FormulaTree) -> FormulaTree {
     match (a, b) {
-        (Formula::Minus(a), b) => times(*a, b).negated(),
-        (a, Formula::Minus(b)) => times(a, *b).negated(),
-        (Formula::Product(mut a), Formula::Product(b)) => {
+        (FormulaTree::Minus(a), b) => times(*a, b).negated(),
+        (a, FormulaTree::Minus(b)) => times(a, *b).negated(),
+        (FormulaTree::Product(mut a), FormulaTree::Product(b)) => {
             a.extend(b);
-            Formula::Product(a)
+            FormulaTree::Product(a)
         }
-        (Formula::Product(mut a), b) => {
+        (FormulaTree::Product(mut a), b) => {
             a.push(b);
-            Formula::Product(a)
+            FormulaTree::Product(a)
         }
-        (a, Formula::Product(mut b)) => {
+        (a, FormulaTree::Product(mut b)) => {
             b.insert(0, a);
-            Formula::Product(b)
+            FormulaTree::Product(b)
         }
-        (a, b) => Formula::Product(vec![a, b]),
+        (a, b) => FormulaTree::Product(vec![a, b]),
     }
 }

@@ -1,9 +1,9 @@
 //! Writes the terms of sums and the factors of products, for any notation.
 
-use super::tree::Formula;
+use super::tree::FormulaTree;
 
 /// The signs that a notation writes in sums.
-pub(super) struct Signs {
+pub(super) struct SumSigns {
     /// A minus sign in front of the first term.
     pub(super) first: &'static str,
     /// A plus sign between terms.
@@ -13,8 +13,12 @@ pub(super) struct Signs {
 }
 
 /// The terms of a sum with their signs; `within` writes a formula, in brackets if it binds less tightly than given.
-pub(super) fn terms(terms: &[(bool, Formula)], signs: &Signs, within: impl Fn(&Formula, u8) -> String) -> Vec<String> {
-    let one = |(index, (minus, term)): (usize, &(bool, Formula))| {
+pub(super) fn terms(
+    terms: &[(bool, FormulaTree)],
+    signs: &SumSigns,
+    within: impl Fn(&FormulaTree, u8) -> String,
+) -> Vec<String> {
+    let one = |(index, (minus, term)): (usize, &(bool, FormulaTree))| {
         let sign = match (index, minus) {
             (0, false) => "",
             (0, true) => signs.first,
@@ -29,12 +33,12 @@ pub(super) fn terms(terms: &[(bool, Formula)], signs: &Signs, within: impl Fn(&F
 /// The factors of a product. A function without brackets around its argument (`is_open`) must be followed by functions
 /// only; otherwise it is put in brackets.
 pub(super) fn factors(
-    factors: &[Formula],
-    is_open: impl Fn(&Formula) -> bool,
-    within: impl Fn(&Formula, u8) -> String,
+    factors: &[FormulaTree],
+    is_open: impl Fn(&FormulaTree) -> bool,
+    within: impl Fn(&FormulaTree, u8) -> String,
 ) -> Vec<String> {
-    let closes = |index: usize| factors.get(index + 1).is_none_or(|next| matches!(next, Formula::Call(..)));
-    let one = |(index, factor): (usize, &Formula)| {
+    let closes = |index: usize| factors.get(index + 1).is_none_or(|next| matches!(next, FormulaTree::Call(..)));
+    let one = |(index, factor): (usize, &FormulaTree)| {
         within(factor, if is_open(factor) && !closes(index) { u8::MAX } else { 2 })
     };
     factors.iter().enumerate().map(one).collect()

@@ -1,7 +1,7 @@
-use super::{Formula, Name, Notation};
+use super::{FormulaTree, Name, Notation};
 
 fn all(text: &str) -> [String; 2] {
-    let formula = Formula::parse(text).unwrap_or_else(|error| panic!("{text}: {error}"));
+    let formula = FormulaTree::parse(text).unwrap_or_else(|error| panic!("{text}: {error}"));
     [Notation::Unicode, Notation::Latex].map(|notation| formula.write(notation))
 }
 
@@ -72,7 +72,7 @@ fn tidied_formulas_lose_brackets_and_keep_their_values() {
         ("-(-(a - b))", "a − b", "a - b"),
         ("a*(b*c)*a^2", "a³ b c", r"a^{3}\,b\,c"),
     ] {
-        let parsed = Formula::parse(text).expect("a formula");
+        let parsed = FormulaTree::parse(text).expect("a formula");
         let tidied = parsed.clone().tidied();
         assert_eq!([Notation::Unicode, Notation::Latex].map(|n| tidied.write(n)), [unicode, latex], "{text}");
         assert_eq!(tidied, tidied.clone().tidied(), "{text}");
@@ -86,7 +86,7 @@ fn tidied_formulas_lose_brackets_and_keep_their_values() {
 
 #[test]
 fn long_sums_are_broken_before_their_signs() {
-    let formula = Formula::parse("a*b - c/d + sin(phi) - e").expect("a formula");
+    let formula = FormulaTree::parse("a*b - c/d + sin(phi) - e").expect("a formula");
     for notation in [Notation::Unicode, Notation::Latex, Notation::MathMl] {
         let [one, two] = [usize::MAX, 12].map(|width| formula.lines(notation, width));
         assert_eq!((one.len(), two.len()), (1, 2));
@@ -95,14 +95,14 @@ fn long_sums_are_broken_before_their_signs() {
         assert_eq!(two.concat(), inner);
     }
     assert_eq!(formula.lines(Notation::Unicode, 12), ["a b − c/d", " + sin φ − e"]);
-    let nested = Formula::parse("-2*((a + b + c)*(d - e) + f)").expect("a formula");
+    let nested = FormulaTree::parse("-2*((a + b + c)*(d - e) + f)").expect("a formula");
     assert_eq!(nested.lines(Notation::Unicode, 12), ["−2 ((a + b", " + c) (d − e)", " + f)"]);
     assert_eq!(nested.lines(Notation::Latex, 40), [nested.write(Notation::Latex)]);
 }
 
 #[test]
 fn exponents_stand_above_indices() {
-    let formula = Formula::parse("crank.phi_dot^2").expect("a formula");
+    let formula = FormulaTree::parse("crank.phi_dot^2").expect("a formula");
     let mathml = formula.write(Notation::MathMl);
     assert!(mathml.starts_with("<msubsup><mover") && mathml.ends_with("<mn>2</mn></msubsup>"), "{mathml}");
 }
@@ -110,31 +110,31 @@ fn exponents_stand_above_indices() {
 #[test]
 fn what_is_no_formula_is_refused_where_it_ends_to_be_one() {
     for (text, at) in [("a +", 3), ("a b", 2), ("(a", 2), ("f(a", 3), ("a…", 1), ("", 0)] {
-        assert_eq!(Formula::parse(text).map_err(|error| error.at), Err(at), "{text}");
+        assert_eq!(FormulaTree::parse(text).map_err(|error| error.at), Err(at), "{text}");
     }
     let deep = "(".repeat(100_000);
-    assert!(Formula::parse(&deep).is_err());
+    assert!(FormulaTree::parse(&deep).is_err());
 }
 
 #[test]
 fn formulas_have_values() {
-    let formula = Formula::parse("2*a^2 - b/4 + sin(b)*abs(-a)").expect("a formula");
+    let formula = FormulaTree::parse("2*a^2 - b/4 + sin(b)*abs(-a)").expect("a formula");
     let found = value(&formula, &|name| if name.written == "a" { 3.0 } else { 8.0 });
     assert_eq!(found, 18.0 - 2.0 + 8.0_f64.sin() * 3.0);
 }
 
 /// The value of a formula for given values of its names.
-fn value(formula: &Formula, symbol: &dyn Fn(&Name) -> f64) -> f64 {
-    let of = |formula: &Formula| value(formula, symbol);
+fn value(formula: &FormulaTree, symbol: &dyn Fn(&Name) -> f64) -> f64 {
+    let of = |formula: &FormulaTree| value(formula, symbol);
     match formula {
-        Formula::Number(value) => *value,
-        Formula::Name(name) => symbol(name),
-        Formula::Minus(a) => -of(a),
-        Formula::Sum(terms) => terms.iter().map(|(minus, term)| if *minus { -of(term) } else { of(term) }).sum(),
-        Formula::Product(factors) => factors.iter().map(of).product(),
-        Formula::Quotient(a, b) => of(a) / of(b),
-        Formula::Power(a, n) => of(a).powf(*n),
-        Formula::Call(name, _, arguments) => {
+        FormulaTree::Number(value) => *value,
+        FormulaTree::Name(name) => symbol(name),
+        FormulaTree::Minus(a) => -of(a),
+        FormulaTree::Sum(terms) => terms.iter().map(|(minus, term)| if *minus { -of(term) } else { of(term) }).sum(),
+        FormulaTree::Product(factors) => factors.iter().map(of).product(),
+        FormulaTree::Quotient(a, b) => of(a) / of(b),
+        FormulaTree::Power(a, n) => of(a).powf(*n),
+        FormulaTree::Call(name, _, arguments) => {
             match (name.as_str(), arguments.iter().map(of).collect::<Vec<_>>().as_slice()) {
                 ("sin", [x]) => x.sin(),
                 ("cos", [x]) => x.cos(),

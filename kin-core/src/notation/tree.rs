@@ -4,26 +4,26 @@ use super::name::Name;
 
 /// A formula in which sums and products have any number of parts.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Formula {
+pub enum FormulaTree {
     /// A non-negative number.
     Number(f64),
     /// A coordinate, a parameter, time, an input, or a rate of one of these.
     Name(Name),
     /// −a.
-    Minus(Box<Formula>),
+    Minus(Box<FormulaTree>),
     /// A sum of terms; the flag says that the term is subtracted.
-    Sum(Vec<(bool, Formula)>),
+    Sum(Vec<(bool, FormulaTree)>),
     /// A product of factors.
-    Product(Vec<Formula>),
+    Product(Vec<FormulaTree>),
     /// a / b.
-    Quotient(Box<Formula>, Box<Formula>),
+    Quotient(Box<FormulaTree>, Box<FormulaTree>),
     /// aⁿ for a constant n.
-    Power(Box<Formula>, f64),
+    Power(Box<FormulaTree>, f64),
     /// A function with its number of primes and its arguments.
-    Call(String, usize, Vec<Formula>),
+    Call(String, usize, Vec<FormulaTree>),
 }
 
-impl Formula {
+impl FormulaTree {
     /// The binding strength; a sum binds least tightly.
     pub(super) fn strength(&self) -> u8 {
         match self {

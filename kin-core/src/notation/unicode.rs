@@ -1,40 +1,40 @@
 //! Writes formulas as plain text: φ̇_crank, l₁/2, products separated by spaces.
 
-use super::name::{Base, Name};
-use super::parts::{self, Signs};
-use super::tree::Formula;
+use super::name::{BaseSymbol, Name};
+use super::parts::{self, SumSigns};
+use super::tree::FormulaTree;
 
-pub(super) fn write(formula: &Formula) -> String {
+pub(super) fn write(formula: &FormulaTree) -> String {
     match formula {
-        Formula::Number(value) => value.to_string(),
-        Formula::Name(own) => name(own),
-        Formula::Minus(a) => format!("−{}", within(a, 2)),
-        Formula::Sum(parts) => terms(parts).concat(),
-        Formula::Product(factors) => product(factors),
-        Formula::Quotient(a, b) => format!("{}/{}", within(a, 4), within(b, 4)),
-        Formula::Power(a, n) => match superscript(*n) {
+        FormulaTree::Number(value) => value.to_string(),
+        FormulaTree::Name(own) => name(own),
+        FormulaTree::Minus(a) => format!("−{}", within(a, 2)),
+        FormulaTree::Sum(parts) => terms(parts).concat(),
+        FormulaTree::Product(factors) => product(factors),
+        FormulaTree::Quotient(a, b) => format!("{}/{}", within(a, 4), within(b, 4)),
+        FormulaTree::Power(a, n) => match superscript(*n) {
             Some(n) => format!("{}{n}", within(a, 5)),
             None => format!("{}^{n}", within(a, 5)),
         },
-        Formula::Call(function, primes, arguments) => call(function, *primes, arguments),
+        FormulaTree::Call(function, primes, arguments) => call(function, *primes, arguments),
     }
 }
 
 /// The signs in sums.
-pub(super) const SIGNS: Signs = Signs { first: "−", plus: " + ", minus: " − " };
+pub(super) const SIGNS: SumSigns = SumSigns { first: "−", plus: " + ", minus: " − " };
 
 /// The terms of a sum with their signs.
-fn terms(parts: &[(bool, Formula)]) -> Vec<String> {
+fn terms(parts: &[(bool, FormulaTree)]) -> Vec<String> {
     parts::terms(parts, &SIGNS, within)
 }
 
 /// A product. A fraction is put in brackets unless it is the last factor, because a factor behind a slash would seem
 /// to be part of the denominator.
-fn product(factors: &[Formula]) -> String {
+fn product(factors: &[FormulaTree]) -> String {
     let mut texts = parts::factors(factors, is_open, within);
     let before = factors.len().saturating_sub(1);
     for (text, factor) in texts.iter_mut().zip(factors).take(before) {
-        if matches!(factor, Formula::Quotient(..)) {
+        if matches!(factor, FormulaTree::Quotient(..)) {
             *text = format!("({text})");
         }
     }
@@ -42,9 +42,9 @@ fn product(factors: &[Formula]) -> String {
 }
 
 /// True for functions that are written as `sin φ` instead of `sin(φ)`.
-fn is_open(formula: &Formula) -> bool {
+fn is_open(formula: &FormulaTree) -> bool {
     match formula {
-        Formula::Call(function, 0, arguments) => is_trigonometric(function) && is_short(arguments),
+        FormulaTree::Call(function, 0, arguments) => is_trigonometric(function) && is_short(arguments),
         _ => false,
     }
 }
@@ -53,11 +53,11 @@ fn is_trigonometric(function: &str) -> bool {
     matches!(function, "sin" | "cos" | "tan")
 }
 
-fn is_short(arguments: &[Formula]) -> bool {
-    matches!(arguments, [Formula::Name(_)])
+fn is_short(arguments: &[FormulaTree]) -> bool {
+    matches!(arguments, [FormulaTree::Name(_)])
 }
 
-fn call(function: &str, primes: usize, arguments: &[Formula]) -> String {
+fn call(function: &str, primes: usize, arguments: &[FormulaTree]) -> String {
     let list = arguments.iter().map(write).collect::<Vec<_>>().join(", ");
     match function {
         "sqrt" => format!("√({list})"),
@@ -68,7 +68,7 @@ fn call(function: &str, primes: usize, arguments: &[Formula]) -> String {
 }
 
 /// The formula, in brackets if it binds less tightly than `least`.
-fn within(formula: &Formula, least: u8) -> String {
+fn within(formula: &FormulaTree, least: u8) -> String {
     // The slash of a quotient would capture the argument of a function without brackets.
     let loose = formula.strength() < least || least > 3 && is_open(formula);
     if loose { format!("({})", write(formula)) } else { write(formula) }
@@ -76,8 +76,8 @@ fn within(formula: &Formula, least: u8) -> String {
 
 pub(super) fn name(name: &Name) -> String {
     let letter = match &name.base {
-        Base::Letter(letter) | Base::Greek(_, letter) => letter.to_string(),
-        Base::Word(word) => word.clone(),
+        BaseSymbol::Letter(letter) | BaseSymbol::Greek(_, letter) => letter.to_string(),
+        BaseSymbol::Word(word) => word.clone(),
     };
     let mut out = dotted(letter, name.order);
     let digits = name.index.iter().take_while(|index| index.bytes().all(|b| b.is_ascii_digit())).count();

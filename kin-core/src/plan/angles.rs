@@ -1,7 +1,7 @@
 //! Elimination of angles: rotation does not change the length of a vector.
 
 use super::reduce::{Eliminated, Reduction};
-use super::term_sum::{Reader, TermKey, TermSum};
+use super::term_sum::{TermKey, TermReader, TermSum};
 use super::tree::{Exchange, PairValue};
 use crate::expr::ExprId;
 use std::collections::{BTreeMap, BTreeSet};
@@ -57,7 +57,7 @@ impl Reduction<'_> {
             form.terms.remove(key);
             form
         };
-        let mut reader = Reader::new(self.graph, self.memory, unknowns);
+        let mut reader = TermReader::new(self.graph, self.memory, unknowns);
         let [f, g] = [without(f), without(g)].map(|form| reader.written(&form));
         let (graph, zero_test) = (&mut *self.graph, &mut self.memory.zero_test);
         let minus_c2 = graph.neg(c2);
@@ -170,7 +170,7 @@ impl Reduction<'_> {
         let [h, f, g] = [other, two[0], two[1]].map(|row| &forms[&row]);
         let [ch, c1, c2] = [h, f, g].map(|form| form.terms.get(key).copied().unwrap_or([zero; 2]));
         let factors = self.factors(ch, [c1, c2]);
-        let mut reader = Reader::new(self.graph, self.memory, unknowns);
+        let mut reader = TermReader::new(self.graph, self.memory, unknowns);
         let mut row = h.clone();
         for (factor, form) in factors.into_iter().zip([f, g]) {
             let factor = reader.constant(factor);

@@ -12,7 +12,7 @@ use super::guides::Guides;
 use super::matching;
 use super::reduce::{PairedRows, Reduction};
 use super::term_sum::ReaderCache;
-use super::tree::{Block, Part, SolutionMethod};
+use super::tree::{Block, BlockPart, SolutionMethod};
 use crate::expr::{Graph, IdMap};
 use crate::structure::RemovableRows;
 use crate::system::KinematicSystem;
@@ -36,7 +36,7 @@ pub(super) struct Chosen {
 /// Chooses the rows and the tree for a system of full column rank.
 pub(super) fn choose(system: &KinematicSystem, graph: &mut Graph) -> Option<Chosen> {
     let set = &system.set;
-    let mut search = Search { system, graph, memory: ReaderCache::new(set.coordinates.len()) };
+    let mut search = UnknownsSearch { system, graph, memory: ReaderCache::new(set.coordinates.len()) };
     if set.rows.len() == set.coordinates.len() {
         return search.of(Vec::new());
     }
@@ -74,13 +74,13 @@ pub(super) fn choose(system: &KinematicSystem, graph: &mut Graph) -> Option<Chos
     best
 }
 
-struct Search<'a> {
+struct UnknownsSearch<'a> {
     system: &'a KinematicSystem,
     graph: &'a mut Graph,
     memory: ReaderCache,
 }
 
-impl Search<'_> {
+impl UnknownsSearch<'_> {
     /// The better of two trees without the given rows: one that uses left-out rows together with kept rows of the same
     /// joint, and one that does not.
     fn of(&mut self, mut left_out: Vec<usize>) -> Option<Chosen> {
@@ -132,7 +132,7 @@ impl Search<'_> {
             let rows: Vec<usize> = rows.into_iter().map(|index| used[index]).collect();
             let unknowns: BTreeSet<u32> = unknowns.into_iter().map(|k| k as u32).collect();
             let removable: Vec<usize> = rows.iter().filter_map(|row| beside.get(row)).copied().collect();
-            tree.parts.push(Part::Block(reduction.with_guides(&rows, &unknowns, &removable)?));
+            tree.parts.push(BlockPart::Block(reduction.with_guides(&rows, &unknowns, &removable)?));
         }
         let Reduction { source_rows, paired, .. } = reduction;
         let still = moves.iter().zip(&set.coordinates).filter(|(moves, k)| !**moves && !k.kind.is_length()).count();

@@ -4,7 +4,7 @@
 //! steps of a motion are limited by the turns of bodies. A function of a coordinate, of time or of an input may rise and
 //! fall between two places at which it has the same value and the same rates, as sin³(8θ) does between θ = 0 and θ = π/8.
 
-use super::tree::{Block, Core, Part, SolutionMethod};
+use super::tree::{Block, BlockPart, Core, SolutionMethod};
 use crate::constraint::ConstraintRow;
 use crate::expr::{Depends, ExprId, Graph, Node, Symbol};
 use crate::program::{Program, Slot, lower};
@@ -241,8 +241,8 @@ fn depends_on_known(graph: &Graph, id: ExprId, core: &Core) -> bool {
 /// True if the condition holds for a core of the block.
 fn any_core(block: &Block, condition: &mut dyn FnMut(&Core) -> bool) -> bool {
     block.parts.iter().any(|part| match part {
-        Part::Core(core) => condition(core),
-        Part::Block(block) => any_core(block, condition),
-        Part::Pair(pair) => any_core(&pair.inner, condition),
+        BlockPart::Core(core) => condition(core),
+        BlockPart::Block(block) => any_core(block, condition),
+        BlockPart::Pair(pair) => any_core(&pair.inner, condition),
     })
 }

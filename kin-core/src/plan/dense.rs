@@ -8,7 +8,7 @@ use crate::expr::{ExprId, Graph};
 use crate::vocabulary::Function;
 
 /// The result of [`solve`].
-pub(super) struct Solved {
+pub(super) struct DenseSolution {
     /// The solution x for every right-hand side b.
     pub(super) solutions: Vec<Vec<ExprId>>,
     /// A number that is 0 where M is singular; `None` for a single unknown.
@@ -28,7 +28,12 @@ pub(super) struct Solved {
 /// `lengths` says which unknowns are lengths. If the matrix has columns of lengths and others (of angles or scalars),
 /// the columns of lengths are scaled by a length taken from the rows that contain both kinds, so that the margin does
 /// not depend on the unit of length.
-pub(super) fn solve(graph: &mut Graph, matrix: &[Vec<ExprId>], rights: &[Vec<ExprId>], lengths: &[bool]) -> Solved {
+pub(super) fn solve(
+    graph: &mut Graph,
+    matrix: &[Vec<ExprId>],
+    rights: &[Vec<ExprId>],
+    lengths: &[bool],
+) -> DenseSolution {
     match matrix.len() {
         0 => alone(rights.iter().map(|_| Vec::new()).collect()),
         1 => {
@@ -103,7 +108,7 @@ fn squared_norm(graph: &mut Graph, row: &[ExprId], lengths: &[bool], unit: Optio
 }
 
 /// Solves by the adjugate, from which the margin is computed, too.
-fn invert(graph: &mut Graph, matrix: &[Vec<ExprId>], rights: &[Vec<ExprId>], lengths: &[bool]) -> Solved {
+fn invert(graph: &mut Graph, matrix: &[Vec<ExprId>], rights: &[Vec<ExprId>], lengths: &[bool]) -> DenseSolution {
     let unit = squared_length(graph, matrix, lengths);
     let Scaled { rows, factors, norms } = scaled_rows(graph, matrix, lengths, unit);
     let mut minors = Minors::new(&rows, graph);
@@ -143,7 +148,7 @@ fn invert(graph: &mut Graph, matrix: &[Vec<ExprId>], rights: &[Vec<ExprId>], len
         graph.div(top, norms_of_columns)
     };
     let orientation = Some(signed_root(graph, det, margin));
-    Solved { solutions, margin: Some(margin), orientation }
+    DenseSolution { solutions, margin: Some(margin), orientation }
 }
 
 /// Whether a matrix is solved by its minors.
@@ -158,8 +163,8 @@ pub(super) fn lengths(coordinates: &[Coordinate], indices: &[u32]) -> Vec<bool> 
 }
 
 /// A result without margin and orientation, for at most one unknown.
-fn alone(solutions: Vec<Vec<ExprId>>) -> Solved {
-    Solved { solutions, margin: None, orientation: None }
+fn alone(solutions: Vec<Vec<ExprId>>) -> DenseSolution {
+    DenseSolution { solutions, margin: None, orientation: None }
 }
 
 /// The square of the factor for columns of lengths: over the rows that contain both kinds, the sum of the squared
@@ -188,7 +193,7 @@ fn squared_length(graph: &mut Graph, matrix: &[Vec<ExprId>], lengths: &[bool]) -
 }
 
 /// Solves for two or three unknowns by Cramer's rule.
-fn cramer(graph: &mut Graph, matrix: &[Vec<ExprId>], rights: &[Vec<ExprId>], lengths: &[bool]) -> Solved {
+fn cramer(graph: &mut Graph, matrix: &[Vec<ExprId>], rights: &[Vec<ExprId>], lengths: &[bool]) -> DenseSolution {
     let mut minors = Minors::new(matrix, graph);
     let det = minors.determinant(graph);
     let one = graph.number(1.0);
@@ -202,7 +207,7 @@ fn cramer(graph: &mut Graph, matrix: &[Vec<ExprId>], rights: &[Vec<ExprId>], len
     if graph.depends(det).is_static() {
         let margin = margin_of_constants(graph, matrix, det);
         let orientation = Some(signed_root(graph, det, margin));
-        return Solved { solutions, margin: Some(margin), orientation };
+        return DenseSolution { solutions, margin: Some(margin), orientation };
     }
     let mut product = one;
     let unit = squared_length(graph, matrix, lengths);
@@ -218,7 +223,7 @@ fn cramer(graph: &mut Graph, matrix: &[Vec<ExprId>], rights: &[Vec<ExprId>], len
     }
     let margin = graph.div(square, product);
     let orientation = Some(signed_root(graph, det, margin));
-    Solved { solutions, margin: Some(margin), orientation }
+    DenseSolution { solutions, margin: Some(margin), orientation }
 }
 
 /// The margin of a matrix of constants: (det M)²/(n! Σ p²) over the products p of which det M is the sum. It does not
@@ -252,7 +257,7 @@ fn sum(graph: &mut Graph, products: impl Iterator<Item = (ExprId, ExprId)>) -> E
 
 /// Gaussian elimination. Numeric entries are preferred as pivots, then the entry with the least fill-in (Markowitz
 /// 1957).
-fn eliminate(graph: &mut Graph, matrix: &[Vec<ExprId>], rights: &[Vec<ExprId>], lengths: &[bool]) -> Solved {
+fn eliminate(graph: &mut Graph, matrix: &[Vec<ExprId>], rights: &[Vec<ExprId>], lengths: &[bool]) -> DenseSolution {
     let unit = squared_length(graph, matrix, lengths).map(|square| graph.call(Function::Sqrt, square));
     let magnitude = |graph: &mut Graph, entry: ExprId, column: usize| {
         let magnitude = graph.call(Function::Abs, entry);
@@ -281,7 +286,7 @@ fn eliminate(graph: &mut Graph, matrix: &[Vec<ExprId>], rights: &[Vec<ExprId>], 
         // No non-zero entry is left: the matrix is singular for all values, which a margin of 0 reports.
         let Some((_, _, i, j)) = best else {
             let solutions = rights.iter().map(|_| vec![graph.zero(); n]).collect();
-            return Solved { solutions, margin: Some(graph.zero()), orientation: Some(graph.zero()) };
+            return DenseSolution { solutions, margin: Some(graph.zero()), orientation: Some(graph.zero()) };
         };
         // The pivot is compared with its row of the original matrix: after the subtractions the whole row may be small,
         // and the last pivot is the only entry left in its row.
@@ -335,5 +340,5 @@ fn eliminate(graph: &mut Graph, matrix: &[Vec<ExprId>], rights: &[Vec<ExprId>], 
     let count = graph.number(n as f64);
     let margin = graph.div(count, losses);
     let orientation = Some(signed_root(graph, sign, margin));
-    Solved { solutions, margin: Some(margin), orientation }
+    DenseSolution { solutions, margin: Some(margin), orientation }
 }

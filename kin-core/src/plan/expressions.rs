@@ -11,9 +11,9 @@ use super::known::turned;
 use super::rates::Rates;
 use super::reduce::PairedRows;
 use super::rewrite::Turned;
-use super::state::{Build, Divisor, Signed, Stage};
+use super::state::{Build, Divisor, SignedStep, Stage};
 use super::step::StepId;
-use super::tree::{Block, Core, Pair, PairValue, Part, Pivot, SolutionMethod};
+use super::tree::{Block, BlockPart, Core, Pair, PairValue, Pivot, SolutionMethod};
 use crate::expr::{ExprId, Symbol, total_derivatives};
 use crate::hash::FastMap;
 use crate::program::Slot;
@@ -80,9 +80,9 @@ impl Build<'_> {
     fn block(&mut self, block: &Block) {
         for part in &block.parts {
             match part {
-                Part::Core(core) => self.core(core),
-                Part::Block(block) => self.block(block),
-                Part::Pair(pair) => {
+                BlockPart::Core(core) => self.core(core),
+                BlockPart::Block(block) => self.block(block),
+                BlockPart::Pair(pair) => {
                     self.block(&pair.inner);
                     self.pair(pair);
                 }
@@ -183,7 +183,7 @@ impl Build<'_> {
                 let right: Vec<ExprId> = constant.iter().map(|&e| self.known_value(e)).collect();
                 let right = right.into_iter().map(|e| self.graph.neg(e)).collect();
                 let lengths = dense::lengths(&self.system.set.coordinates, &core.coordinates);
-                let dense::Solved { solutions, margin, .. } =
+                let dense::DenseSolution { solutions, margin, .. } =
                     dense::solve(&mut self.graph, &matrix, &[right], &lengths);
                 match (matrix.as_slice(), margin) {
                     ([row], _) => {
@@ -195,7 +195,7 @@ impl Build<'_> {
                         let margin = self.write_margin(step, margin);
                         let orientation = dense::solve(&mut self.graph, given, &[], &lengths).orientation;
                         if let Some(value) = orientation.filter(|&value| !self.graph.depends(value).is_static()) {
-                            self.signed.push(Signed { value, step, margin });
+                            self.signed.push(SignedStep { value, step, margin });
                         }
                     }
                     (_, None) => {}
@@ -278,7 +278,7 @@ impl Build<'_> {
 
     /// Expressions for the solution x of Φ_q x = b at a given q, where the entries of b are symbols; the values that
     /// are 0 where a divisor is 0; and for every iteration, in order, the value whose sign is its orientation
-    /// ([`dense::Solved::orientation`]).
+    /// ([`dense::DenseSolution::orientation`]).
     pub(super) fn linear_solution(&mut self, tree: &Block) -> (Vec<(Slot, ExprId)>, Vec<ExprId>, Vec<ExprId>) {
         let right = (0..self.system.equations.len()).map(|row| self.graph.symbol(Symbol::Right(row as u32))).collect();
         let entries = self.system.equations.iter().map(|equation| equation.phi_q.iter().copied().collect()).collect();
@@ -299,9 +299,9 @@ fn constants(block: &Block) -> Vec<ExprId> {
     while let Some(block) = open.pop() {
         for part in &block.parts {
             match part {
-                Part::Core(_) => {}
-                Part::Block(block) => open.push(block),
-                Part::Pair(pair) => {
+                BlockPart::Core(_) => {}
+                BlockPart::Block(block) => open.push(block),
+                BlockPart::Pair(pair) => {
                     if let PairValue::Angle { square: Some(square), .. }
                     | PairValue::Linear { square: Some(square), .. } = pair.value
                     {

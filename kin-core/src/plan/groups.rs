@@ -3,7 +3,7 @@
 //! of free equations of the user is named after its closed form.
 
 use super::step::Step;
-use super::tree::{Core, Pair, PairValue, Part, SolutionMethod};
+use super::tree::{BlockPart, Core, Pair, PairValue, SolutionMethod};
 use crate::constraint::{ConstraintSet, Frame, RowMeaning};
 use crate::expr::{Graph, Node, Symbol};
 use crate::vocabulary::JointKind;
@@ -22,7 +22,7 @@ pub(super) fn letters_of_method(method: &SolutionMethod) -> Option<&'static str>
 /// The letters of a pair whose inner block is a single closure. The pair gives either the angle of a link or the stroke
 /// along a guide, whose direction depends on the unknown of the closure (RPR) or not (RRP).
 pub(super) fn letters_of_pair(graph: &Graph, pair: &Pair) -> Option<&'static str> {
-    let [Part::Core(Core { coordinates, method, .. })] = pair.inner.parts.as_slice() else { return None };
+    let [BlockPart::Core(Core { coordinates, method, .. })] = pair.inner.parts.as_slice() else { return None };
     let &[k] = coordinates.as_slice() else { return None };
     match (&pair.value, method) {
         (PairValue::Angle { square: Some(_), .. }, SolutionMethod::Angle { .. }) => Some("RRR"),

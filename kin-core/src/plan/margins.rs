@@ -1,7 +1,7 @@
 //! Margins of divisors and iterations, and the numbering of all margins.
 
 use super::closures;
-use super::state::{Build, Divisor, Signed, Stage};
+use super::state::{Build, Divisor, SignedStep, Stage};
 use super::step::StepId;
 use crate::constraint::CoordinateKind;
 use crate::expr::{ExprId, Symbol};
@@ -69,7 +69,7 @@ impl Build<'_> {
                 .unwrap_or_else(|| closures::whole_of_varying(&mut self.graph, square, divisor));
             let root = self.graph.call(Function::Sqrt, whole);
             let value = self.graph.div(divisor, root);
-            self.signed.push(Signed { value, step, margin });
+            self.signed.push(SignedStep { value, step, margin });
         }
     }
 

@@ -180,7 +180,7 @@ fn planned(system: &KinematicSystem, rank: usize, written: bool) -> Result<(Solu
     let branch_values = lower(&graph, &outputs);
     let iterates_on_curves = curves::iterates_on_curves(&graph, &tree);
     let known_curves = curves::known_curves(&mut graph, &set.rows, Some((&tree, &source_rows)));
-    let turns::Turns { by_coordinates, looks_within } = turns::turns(&mut graph, &tree, &set.coordinates);
+    let turns::GradientTurns { by_coordinates, looks_within } = turns::turns(&mut graph, &tree, &set.coordinates);
     let outputs: Vec<_> = by_coordinates.into_iter().enumerate().map(|(k, id)| (Slot::Entry(k), id)).collect();
     let turns = lower(&graph, &outputs);
     let (sections, saved) = sections::sections(&mut graph, stages, iterations);

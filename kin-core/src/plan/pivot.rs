@@ -8,7 +8,7 @@
 use super::minors;
 use super::recognise::recognise;
 use super::reduce::Reduction;
-use super::term_sum::{Reader, TermKey, TermSum};
+use super::term_sum::{TermKey, TermReader, TermSum};
 use super::tree::{Block, Core, SolutionMethod};
 use crate::expr::{ExprId, Node};
 use std::collections::{BTreeMap, BTreeSet};
@@ -131,7 +131,7 @@ impl Reduction<'_> {
         let others = rows.iter().filter(|&&other| other != row && self.unknowns(&forms[&other], unknowns) == *own);
         let others: Vec<usize> = others.copied().collect();
         let mut closes =
-            |other| recognise(&mut Reader::new(self.graph, self.memory, own), &[row, other], forms).is_some();
+            |other| recognise(&mut TermReader::new(self.graph, self.memory, own), &[row, other], forms).is_some();
         others.into_iter().any(&mut closes)
     }
 
@@ -153,7 +153,7 @@ impl Reduction<'_> {
         let mut others = form.clone();
         others.terms.remove(&key);
         let nothing = BTreeSet::new();
-        let rest = Reader::new(self.graph, self.memory, &nothing).written(&others);
+        let rest = TermReader::new(self.graph, self.memory, &nothing).written(&others);
         let minus = self.graph.neg(rest);
         self.graph.div(minus, coefficient)
     }

@@ -8,7 +8,7 @@
 use super::closures::LEAST;
 use super::dense;
 use super::sizes::{squared_size, squared_size_anywhere};
-use super::tree::{Block, Core, Pair, PairValue, Part, SolutionMethod};
+use super::tree::{Block, BlockPart, Core, Pair, PairValue, SolutionMethod};
 use crate::constraint::Coordinate;
 use crate::expr::{ExprId, Graph};
 use crate::hash::FastMap;
@@ -32,7 +32,7 @@ pub(super) struct Rates<'g> {
     pub(super) solution: Vec<Option<ExprId>>,
     /// The margins of cores, by the first row of the core.
     pub(super) margins: BTreeMap<usize, ExprId>,
-    /// The branch values of cores, by first row; see [`dense::Solved::orientation`].
+    /// The branch values of cores, by first row; see [`dense::DenseSolution::orientation`].
     pub(super) orientations: BTreeMap<usize, ExprId>,
     /// For every division by an expression that varies, a value that is 0 where the divisor is 0: the square of the
     /// divisor divided by the squared size of its terms, or the margin of a core.
@@ -78,9 +78,9 @@ impl<'g> Rates<'g> {
         }
         for part in &block.parts {
             match part {
-                Part::Core(core) => self.core(core),
-                Part::Block(block) => self.block(block),
-                Part::Pair(pair) => self.pair(pair),
+                BlockPart::Core(core) => self.core(core),
+                BlockPart::Block(block) => self.block(block),
+                BlockPart::Pair(pair) => self.pair(pair),
             }
         }
         for pivot in block.pivots.iter().rev() {
@@ -138,7 +138,8 @@ impl<'g> Rates<'g> {
             core.rows.iter().map(|&row| core.coordinates.iter().map(|&k| entry(row, k)).collect()).collect();
         let right: Vec<ExprId> = core.rows.iter().map(|&row| self.right[row]).collect();
         let lengths = dense::lengths(self.coordinates, &core.coordinates);
-        let dense::Solved { solutions, margin, orientation } = dense::solve(self.graph, &matrix, &[right], &lengths);
+        let dense::DenseSolution { solutions, margin, orientation } =
+            dense::solve(self.graph, &matrix, &[right], &lengths);
         for (&k, value) in core.coordinates.iter().zip(solutions.into_iter().flatten()) {
             self.solution[k as usize] = Some(self.graph.opaque(value));
         }
@@ -267,10 +268,10 @@ impl<'g> Rates<'g> {
 
 /// All rows of a block.
 pub(super) fn rows_of(block: &Block) -> Vec<usize> {
-    let of_part = |part: &Part| match part {
-        Part::Core(core) => core.rows.clone(),
-        Part::Block(block) => rows_of(block),
-        Part::Pair(pair) => {
+    let of_part = |part: &BlockPart| match part {
+        BlockPart::Core(core) => core.rows.clone(),
+        BlockPart::Block(block) => rows_of(block),
+        BlockPart::Pair(pair) => {
             let mut rows = rows_of(&pair.inner);
             rows.extend(pair.rows);
             rows.sort_unstable();

@@ -1,13 +1,13 @@
 //! Recognises parts that are solvable in closed form.
 
-use super::term_sum::{Reader, TermKey, TermSum};
+use super::term_sum::{TermKey, TermReader, TermSum};
 use super::tree::SolutionMethod;
 use crate::expr::ExprId;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The closed-form method for the rows of a part, if there is one.
 pub(super) fn recognise(
-    reader: &mut Reader<'_>,
+    reader: &mut TermReader<'_>,
     rows: &[usize],
     forms: &BTreeMap<usize, TermSum>,
 ) -> Option<SolutionMethod> {
@@ -27,7 +27,7 @@ pub(super) fn recognise(
 }
 
 /// The coefficients [C, S] of a key, zero if the key is missing.
-fn coefficient(reader: &mut Reader<'_>, form: &TermSum, key: &TermKey) -> [ExprId; 2] {
+fn coefficient(reader: &mut TermReader<'_>, form: &TermSum, key: &TermKey) -> [ExprId; 2] {
     let zero = reader.graph.zero();
     form.terms.get(key).copied().unwrap_or([zero; 2])
 }
@@ -37,7 +37,7 @@ fn only(form: &TermSum, keys: &[TermKey]) -> bool {
     form.terms.keys().all(|key| keys.contains(key))
 }
 
-fn linear(reader: &mut Reader<'_>, forms: &[&TermSum], unknowns: &[u32]) -> Option<SolutionMethod> {
+fn linear(reader: &mut TermReader<'_>, forms: &[&TermSum], unknowns: &[u32]) -> Option<SolutionMethod> {
     let keys: Vec<TermKey> = unknowns.iter().map(|&k| TermKey::power(k, 1)).collect();
     let allowed: BTreeSet<&TermKey> = keys.iter().collect();
     let is_linear = |form: &&TermSum| form.terms.keys().all(|key| *key == TermKey::default() || allowed.contains(key));
@@ -53,7 +53,7 @@ fn linear(reader: &mut Reader<'_>, forms: &[&TermSum], unknowns: &[u32]) -> Opti
     Some(SolutionMethod::Linear { matrix, constant })
 }
 
-fn angle(reader: &mut Reader<'_>, form: &TermSum) -> Option<SolutionMethod> {
+fn angle(reader: &mut TermReader<'_>, form: &TermSum) -> Option<SolutionMethod> {
     // The row contains a single multiple of the angle; an equation in several multiples has no such closed form.
     let mut turning = form.terms.keys().filter(|key| **key != TermKey::default());
     let (Some(turn), None) = (turning.next(), turning.next()) else { return None };
@@ -64,7 +64,7 @@ fn angle(reader: &mut Reader<'_>, form: &TermSum) -> Option<SolutionMethod> {
     Some(SolutionMethod::Angle { times, a, b, c })
 }
 
-fn quadratic(reader: &mut Reader<'_>, form: &TermSum, k: u32) -> Option<SolutionMethod> {
+fn quadratic(reader: &mut TermReader<'_>, form: &TermSum, k: u32) -> Option<SolutionMethod> {
     let keys = [TermKey::power(k, 2), TermKey::power(k, 1), TermKey::default()];
     if !only(form, &keys) {
         return None;
@@ -74,13 +74,13 @@ fn quadratic(reader: &mut Reader<'_>, form: &TermSum, k: u32) -> Option<Solution
 }
 
 /// The intersection of two circles, or of a circle and a line.
-fn circle(reader: &mut Reader<'_>, forms: [&TermSum; 2], [x, y]: [u32; 2]) -> Option<SolutionMethod> {
+fn circle(reader: &mut TermReader<'_>, forms: [&TermSum; 2], [x, y]: [u32; 2]) -> Option<SolutionMethod> {
     let squares = [TermKey::power(x, 2), TermKey::power(y, 2)];
     let keys = [squares[0].clone(), squares[1].clone(), TermKey::power(x, 1), TermKey::power(y, 1), TermKey::default()];
     if !forms.iter().all(|form| only(form, &keys)) {
         return None;
     }
-    let of = |reader: &mut Reader<'_>, form: &TermSum| {
+    let of = |reader: &mut TermReader<'_>, form: &TermSum| {
         let [e, e_y, l_x, l_y, k] = [0, 1, 2, 3, 4].map(|index: usize| coefficient(reader, form, &keys[index])[0]);
         reader.memory.zero_test.equal(reader.graph, e, e_y).then_some((e, [l_x, l_y], k))
     };

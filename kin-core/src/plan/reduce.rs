@@ -24,8 +24,8 @@ use super::guides::Guides;
 use super::matching::blocks;
 use super::recognise::recognise;
 use super::rewrite::{Substitution, rewrite};
-use super::term_sum::{Reader, ReaderCache, TermKey, TermSum};
-use super::tree::{Block, Core, Exchange, Pair, PairValue, Part, Pivot, SolutionMethod};
+use super::term_sum::{ReaderCache, TermKey, TermReader, TermSum};
+use super::tree::{Block, BlockPart, Core, Exchange, Pair, PairValue, Pivot, SolutionMethod};
 use crate::expr::{ExprId, Graph, IdMap, Node, Symbol};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -139,13 +139,13 @@ impl Reduction<'_> {
         Some(out)
     }
 
-    fn part(&mut self, rows: &[usize], unknowns: &BTreeSet<u32>, removable: &[usize]) -> Option<Part> {
+    fn part(&mut self, rows: &[usize], unknowns: &BTreeSet<u32>, removable: &[usize]) -> Option<BlockPart> {
         if let Some(pair) = removable.iter().find_map(|&removable| self.paired(rows, removable, unknowns)) {
-            return Some(Part::Pair(Box::new(pair)));
+            return Some(BlockPart::Pair(Box::new(pair)));
         }
         // The unknowns of other parts count as known here.
         let forms: BTreeMap<usize, TermSum> = rows.iter().map(|&row| (row, self.form(row, unknowns))).collect();
-        let method = recognise(&mut Reader::new(self.graph, self.memory, unknowns), rows, &forms);
+        let method = recognise(&mut TermReader::new(self.graph, self.memory, unknowns), rows, &forms);
         let pair = match &method {
             Some(_) => None,
             None => (self.ratio(rows, unknowns, &forms))
@@ -156,7 +156,7 @@ impl Reduction<'_> {
             let method = method.unwrap_or_else(|| SolutionMethod::Newton {
                 residuals: rows.iter().map(|&row| self.rows[row]).collect(),
             });
-            return Some(Part::Core(Core {
+            return Some(BlockPart::Core(Core {
                 rows: rows.to_vec(),
                 coordinates: unknowns.iter().copied().collect(),
                 method,
@@ -187,14 +187,14 @@ impl Reduction<'_> {
         let free = |&row: &usize| self.written(row, &BTreeSet::from([coordinate])).is_empty();
         let removable: Vec<usize> = removable.iter().copied().filter(free).collect();
         let inner = self.block(&rest, &unknowns, &removable)?;
-        Some(Part::Pair(Box::new(Pair { rows: pair_rows, coordinate, value, exchanges, inner })))
+        Some(BlockPart::Pair(Box::new(Pair { rows: pair_rows, coordinate, value, exchanges, inner })))
     }
 
     /// The form of a row. Unknowns that cancel out are also removed from the row's expression, because they may not be
     /// known yet when the row is evaluated.
     pub(super) fn form(&mut self, row: usize, unknowns: &BTreeSet<u32>) -> TermSum {
         loop {
-            let (form, written) = Reader::new(self.graph, self.memory, unknowns).read(self.rows[row]);
+            let (form, written) = TermReader::new(self.graph, self.memory, unknowns).read(self.rows[row]);
             let left = self.unknowns(&form, unknowns);
             if written.is_subset(&left) {
                 return form;
@@ -269,7 +269,7 @@ impl Reduction<'_> {
             _ => None,
         });
         let coordinates: BTreeSet<u32> = coordinates.collect();
-        let (form, _) = Reader::new(self.graph, self.memory, &coordinates).read(id);
+        let (form, _) = TermReader::new(self.graph, self.memory, &coordinates).read(id);
         let [value, _] = *form.terms.get(&TermKey::default())?;
         let alone = form.rest.is_none() && form.terms.len() == 1;
         (alone && self.graph.depends(value).is_static()).then_some(value)
@@ -295,8 +295,8 @@ impl Reduction<'_> {
                 continue;
             }
             let [f, g] = two.map(|row| split(&forms[&row], k));
-            let mut reader = Reader::new(self.graph, self.memory, unknowns);
-            let product = |reader: &mut Reader<'_>, a: &TermSum, b: &TermSum| reader.product(a, b);
+            let mut reader = TermReader::new(self.graph, self.memory, unknowns);
+            let product = |reader: &mut TermReader<'_>, a: &TermSum, b: &TermSum| reader.product(a, b);
             let (Some(a), Some(b)) = (product(&mut reader, &f.0, &g.1), product(&mut reader, &g.0, &f.1)) else {
                 continue;
             };

@@ -32,7 +32,7 @@ impl Section {
 }
 
 /// Which section computes each expression, and where the saved values are stored.
-struct Places {
+struct SectionPlaces {
     /// The section that computes an expression.
     owner: IdMap<usize>,
     saved: IdMap<u32>,
@@ -41,7 +41,7 @@ struct Places {
     next: u32,
 }
 
-impl Places {
+impl SectionPlaces {
     /// Assigns an expression to the first section that contains it. A section that rotates a vector also computes the
     /// sine and cosine of the angle.
     fn own(&mut self, graph: &mut Graph, id: ExprId, section: usize) {
@@ -59,7 +59,7 @@ impl Places {
 
 /// A substitution of saved values for expressions that earlier sections have computed.
 struct SavedValues<'p> {
-    places: &'p mut Places,
+    places: &'p mut SectionPlaces,
     section: usize,
     /// Whether symbols are saved, too, because later sections cannot read what they stand for.
     symbols: bool,
@@ -105,7 +105,8 @@ impl Substitution for SavedValues<'_> {
 /// The sections of `stages`, the last of which may be empty, and the number of saved values. Indices below `first` are
 /// already in use.
 pub(super) fn sections(graph: &mut Graph, stages: Vec<Stage>, first: u32) -> (Vec<Section>, u32) {
-    let mut places = Places { owner: IdMap::default(), saved: IdMap::default(), wanted: Vec::new(), next: first };
+    let mut places =
+        SectionPlaces { owner: IdMap::default(), saved: IdMap::default(), wanted: Vec::new(), next: first };
     for (number, stage) in stages.iter().enumerate() {
         match stage {
             Stage::Closed(outputs) => {
@@ -136,7 +137,13 @@ pub(super) fn sections(graph: &mut Graph, stages: Vec<Stage>, first: u32) -> (Ve
 }
 
 /// Assigns the parts of an iteration that do not depend on its unknowns to the preceding section.
-fn assign_constants(graph: &mut Graph, places: &mut Places, number: usize, unknowns: &[u32], corrections: &[ExprId]) {
+fn assign_constants(
+    graph: &mut Graph,
+    places: &mut SectionPlaces,
+    number: usize,
+    unknowns: &[u32],
+    corrections: &[ExprId],
+) {
     let mut moving: IdMap<()> = IdMap::default();
     for id in graph.reachable(corrections.iter().copied()) {
         let node = graph.node(id);
@@ -154,7 +161,7 @@ fn assign_constants(graph: &mut Graph, places: &mut Places, number: usize, unkno
 /// whose results are saved, and one that reads only the saved values and right-hand sides. The first program also stores
 /// the values `more` after the saved ones. Returns the programs and the number of values that the first one stores.
 pub(super) fn split(graph: &mut Graph, outputs: Vec<(Slot, ExprId)>, more: &[ExprId]) -> ([Program; 2], usize) {
-    let mut places = Places { owner: IdMap::default(), saved: IdMap::default(), wanted: Vec::new(), next: 0 };
+    let mut places = SectionPlaces { owner: IdMap::default(), saved: IdMap::default(), wanted: Vec::new(), next: 0 };
     for id in graph.reachable(outputs.iter().map(|(_, id)| *id)) {
         let node = graph.node(id);
         let mut owner = usize::from(matches!(node, Node::Symbol(Symbol::Right(_))));
@@ -176,7 +183,7 @@ pub(super) fn split(graph: &mut Graph, outputs: Vec<(Slot, ExprId)>, more: &[Exp
 /// The program of every section: its outputs and the values that later sections read from it.
 fn programs(
     graph: &mut Graph,
-    places: &mut Places,
+    places: &mut SectionPlaces,
     mut roots: Vec<Vec<(Slot, ExprId)>>,
     symbols: bool,
 ) -> Vec<Program> {

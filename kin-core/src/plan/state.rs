@@ -30,7 +30,7 @@ pub(super) struct Divisor {
 }
 
 /// A linear step that is singular for some configurations.
-pub(super) struct Signed {
+pub(super) struct SignedStep {
     /// Its branch value, whose sign changes where it is singular.
     pub(super) value: ExprId,
     pub(super) step: StepId,
@@ -78,7 +78,7 @@ pub(super) struct Build<'a> {
     /// For every iteration: its first row, its step and the index of its margin.
     pub(super) iterated: Vec<(usize, StepId, usize)>,
     /// The linear steps that are singular for some configurations.
-    pub(super) signed: Vec<Signed>,
+    pub(super) signed: Vec<SignedStep>,
     /// The divisors whose margins are still to be written.
     pub(super) divisors: Vec<Divisor>,
     /// The branch values of all closures at a given q.

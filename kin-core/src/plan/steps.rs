@@ -2,7 +2,7 @@
 
 use super::groups::{letters_of_method, letters_of_pair, name_group};
 use super::step::{Mode, Step, StepId};
-use super::tree::{Block, Core, Part, SolutionMethod};
+use super::tree::{Block, BlockPart, Core, SolutionMethod};
 use crate::constraint::{ConstraintSet, CoordinateKind};
 use crate::expr::Graph;
 use crate::system::KinematicSystem;
@@ -73,9 +73,9 @@ impl StepList {
         let (system, graph) = of;
         for part in &block.parts {
             match part {
-                Part::Core(core) => self.add(system, core, source_rows),
-                Part::Block(block) => self.block(of, block, source_rows),
-                Part::Pair(pair) => {
+                BlockPart::Core(core) => self.add(system, core, source_rows),
+                BlockPart::Block(block) => self.block(of, block, source_rows),
+                BlockPart::Pair(pair) => {
                     self.block(of, &pair.inner, source_rows);
                     if let (Some(letters), Some(step)) = (letters_of_pair(graph, pair), self.steps.last_mut()) {
                         step.closed_as = Some(letters);

@@ -63,13 +63,13 @@ impl ReaderCache {
 }
 
 /// Converts expressions to forms.
-pub(super) struct Reader<'a> {
+pub(super) struct TermReader<'a> {
     pub(super) graph: &'a mut Graph,
     pub(super) memory: &'a mut ReaderCache,
     unknowns: &'a BTreeSet<u32>,
 }
 
-impl<'a> Reader<'a> {
+impl<'a> TermReader<'a> {
     pub(super) fn new(graph: &'a mut Graph, memory: &'a mut ReaderCache, unknowns: &'a BTreeSet<u32>) -> Self {
         if memory.unknowns != *unknowns {
             memory.unknowns.clone_from(unknowns);

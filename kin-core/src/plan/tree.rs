@@ -11,7 +11,7 @@ use crate::expr::ExprId;
 #[derive(Clone, Debug, Default)]
 pub(super) struct Block {
     pub(super) pivots: Vec<Pivot>,
-    pub(super) parts: Vec<Part>,
+    pub(super) parts: Vec<BlockPart>,
 }
 
 /// A coordinate that is eliminated by one row, in which it is linear with a constant coefficient.
@@ -29,7 +29,7 @@ pub(super) struct Pivot {
 
 /// A part of a block.
 #[derive(Clone, Debug)]
-pub(super) enum Part {
+pub(super) enum BlockPart {
     /// Rows that are solved at once.
     Core(Core),
     /// A nested block.
@@ -107,10 +107,10 @@ pub(super) enum SolutionMethod {
 impl Block {
     /// The sum of a number over all cores.
     pub(super) fn sum(&self, of: &impl Fn(&Core) -> usize) -> usize {
-        let part = |part: &Part| match part {
-            Part::Core(core) => of(core),
-            Part::Block(block) => block.sum(of),
-            Part::Pair(pair) => pair.inner.sum(of),
+        let part = |part: &BlockPart| match part {
+            BlockPart::Core(core) => of(core),
+            BlockPart::Block(block) => block.sum(of),
+            BlockPart::Pair(pair) => pair.inner.sum(of),
         };
         self.parts.iter().map(part).sum()
     }

@@ -20,7 +20,7 @@
 
 use super::closures::LEAST;
 use super::curves::has_curves;
-use super::tree::{Block, Core, Part, SolutionMethod};
+use super::tree::{Block, BlockPart, Core, SolutionMethod};
 use crate::constraint::{Coordinate, CoordinateKind};
 use crate::expr::{ExprId, Graph, Jet, Symbol, total_derivatives};
 use crate::mechanism::Component;
@@ -29,14 +29,14 @@ use std::collections::BTreeMap;
 
 /// Kinds of unknowns by their unit; the unit of a scalar is not known, so every scalar is a kind by itself.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-enum Unit {
+enum UnitOfUnknown {
     Length,
     Angle,
     Scalar(u32),
 }
 
 /// How the gradients of rows turn.
-pub(super) struct Turns {
+pub(super) struct GradientTurns {
     /// w of every coordinate; empty where it is 0 for all of them.
     pub(super) by_coordinates: Vec<ExprId>,
     /// See [`SolutionPlan::looks_within`](super::SolutionPlan::looks_within).
@@ -56,21 +56,21 @@ struct Found {
 
 /// w of all coordinates at a configuration. It is 0 for coordinates that turn no gradient, and for angles unless the group
 /// has a curve.
-pub(super) fn turns(graph: &mut Graph, tree: &Block, coordinates: &[Coordinate]) -> Turns {
+pub(super) fn turns(graph: &mut Graph, tree: &Block, coordinates: &[Coordinate]) -> GradientTurns {
     let mut found = Found::default();
     of_block(graph, tree, coordinates, &mut found);
     let Found { squares, by_time, by_coordinate, iterates } = found;
     let zero = graph.zero();
     let of = |(k, _): (u32, &Coordinate)| squares.get(&k).map_or(zero, |&square| graph.call(Function::Sqrt, square));
     let by_coordinates = if squares.is_empty() { Vec::new() } else { (0..).zip(coordinates).map(of).collect() };
-    Turns { by_coordinates, looks_within: by_time || by_coordinate && iterates }
+    GradientTurns { by_coordinates, looks_within: by_time || by_coordinate && iterates }
 }
 
-const fn unit(k: u32, coordinate: &Coordinate) -> Unit {
+const fn unit(k: u32, coordinate: &Coordinate) -> UnitOfUnknown {
     match coordinate.kind {
-        CoordinateKind::Pose(_, Component::Phi) => Unit::Angle,
-        CoordinateKind::Pose(..) => Unit::Length,
-        CoordinateKind::Scalar => Unit::Scalar(k),
+        CoordinateKind::Pose(_, Component::Phi) => UnitOfUnknown::Angle,
+        CoordinateKind::Pose(..) => UnitOfUnknown::Length,
+        CoordinateKind::Scalar => UnitOfUnknown::Scalar(k),
     }
 }
 
@@ -78,15 +78,15 @@ const fn unit(k: u32, coordinate: &Coordinate) -> Unit {
 fn of_block(graph: &mut Graph, block: &Block, coordinates: &[Coordinate], found: &mut Found) {
     for part in &block.parts {
         match part {
-            Part::Core(core) => of_core(graph, core, coordinates, found),
-            Part::Block(block) => of_block(graph, block, coordinates, found),
-            Part::Pair(pair) => of_block(graph, &pair.inner, coordinates, found),
+            BlockPart::Core(core) => of_core(graph, core, coordinates, found),
+            BlockPart::Block(block) => of_block(graph, block, coordinates, found),
+            BlockPart::Pair(pair) => of_block(graph, &pair.inner, coordinates, found),
         }
     }
 }
 
 fn of_core(graph: &mut Graph, core: &Core, coordinates: &[Coordinate], found: &mut Found) {
-    let Some(Rows { residuals, known: with_known, curves }) = rows(graph, core, coordinates) else { return };
+    let Some(TurningRows { residuals, known: with_known, curves }) = rows(graph, core, coordinates) else { return };
     let (residuals, is_closed) = (&residuals, !matches!(core.method, SolutionMethod::Newton { .. }));
     let jets = total_derivatives(graph, residuals);
     let is_unknown = |k: &u32| core.coordinates.contains(k);
@@ -95,13 +95,13 @@ fn of_core(graph: &mut Graph, core: &Core, coordinates: &[Coordinate], found: &m
     known.retain(|k| with_known && !is_unknown(k));
     known.sort_unstable();
     known.dedup();
-    let mut members: BTreeMap<(bool, Unit), Vec<u32>> = BTreeMap::new();
+    let mut members: BTreeMap<(bool, UnitOfUnknown), Vec<u32>> = BTreeMap::new();
     for k in core.coordinates.iter().copied().chain(known) {
         members.entry((is_unknown(&k), unit(k, &coordinates[k as usize]))).or_default().push(k);
     }
-    let mut squares: BTreeMap<(bool, Unit), ExprId> = BTreeMap::new();
+    let mut squares: BTreeMap<(bool, UnitOfUnknown), ExprId> = BTreeMap::new();
     for jet in jets {
-        let mut gradient: BTreeMap<Unit, Vec<ExprId>> = BTreeMap::new();
+        let mut gradient: BTreeMap<UnitOfUnknown, Vec<ExprId>> = BTreeMap::new();
         for &(k, entry) in jet.gradient.iter().filter(|(k, entry)| is_unknown(k) && !graph.is_zero(*entry)) {
             gradient.entry(unit(k, &coordinates[k as usize])).or_default().push(entry);
         }
@@ -109,7 +109,7 @@ fn of_core(graph: &mut Graph, core: &Core, coordinates: &[Coordinate], found: &m
         found.by_time |= is_closed && gradient.values().flatten().any(with_time);
         let changes: Vec<(Vec<ExprId>, Vec<Jet>)> =
             gradient.into_values().map(|entries| (entries.clone(), total_derivatives(graph, &entries))).collect();
-        for (&of, members) in members.iter().filter(|((_, unit), _)| *unit != Unit::Angle || curves) {
+        for (&of, members) in members.iter().filter(|((_, unit), _)| *unit != UnitOfUnknown::Angle || curves) {
             if let Some(share) = turn(graph, &changes, members) {
                 found.by_coordinate |= is_closed;
                 let sum = squares.get(&of).copied().unwrap_or_else(|| graph.zero());
@@ -126,7 +126,7 @@ fn of_core(graph: &mut Graph, core: &Core, coordinates: &[Coordinate], found: &m
 }
 
 /// The rows of a core whose gradients may turn although no body does.
-struct Rows {
+struct TurningRows {
     residuals: Vec<ExprId>,
     /// Whether they also turn with coordinates that other steps give.
     known: bool,
@@ -134,12 +134,12 @@ struct Rows {
 }
 
 /// The rows of an iteration, and those of a closed form without an unknown angle; `None` for any other core.
-fn rows(graph: &mut Graph, core: &Core, coordinates: &[Coordinate]) -> Option<Rows> {
+fn rows(graph: &mut Graph, core: &Core, coordinates: &[Coordinate]) -> Option<TurningRows> {
     if let SolutionMethod::Newton { residuals } = &core.method {
         let curves = has_curves(graph, residuals);
-        return Some(Rows { residuals: residuals.clone(), known: curves, curves });
+        return Some(TurningRows { residuals: residuals.clone(), known: curves, curves });
     }
-    if core.coordinates.iter().any(|&k| unit(k, &coordinates[k as usize]) == Unit::Angle) {
+    if core.coordinates.iter().any(|&k| unit(k, &coordinates[k as usize]) == UnitOfUnknown::Angle) {
         return None;
     }
     let unknowns: Vec<ExprId> = core.coordinates.iter().map(|&k| graph.symbol(Symbol::Coordinate(k))).collect();
@@ -162,7 +162,7 @@ fn rows(graph: &mut Graph, core: &Core, coordinates: &[Coordinate]) -> Option<Ro
         }
         SolutionMethod::Angle { .. } | SolutionMethod::Newton { .. } => return None,
     };
-    Some(Rows { residuals, known: true, curves: false })
+    Some(TurningRows { residuals, known: true, curves: false })
 }
 
 /// Σ aᵢ bᵢ + constant.

@@ -7,11 +7,11 @@
 use crate::expr::{Algebra, ExprId, Graph, IdMap};
 use crate::structure::field::{Draw, Residue};
 use crate::structure::residue::ResidueFold;
-use crate::structure::turn::Turns;
+use crate::structure::turn::PoseTurns;
 
 /// Residues at one random point, computed when they are needed.
 pub(crate) struct ZeroTest {
-    turns: Turns,
+    turns: PoseTurns,
     draw: Draw,
     known: IdMap<Residue>,
 }
@@ -20,7 +20,7 @@ impl ZeroTest {
     /// A test for expressions over the given number of coordinates.
     pub(crate) fn new(coordinates: usize) -> Self {
         let draw = Draw(0x6b69_6e00_706c_616e);
-        Self { turns: Turns::free(coordinates, draw), draw, known: IdMap::default() }
+        Self { turns: PoseTurns::free(coordinates, draw), draw, known: IdMap::default() }
     }
 
     /// True if `id` is zero for all values of its symbols.

@@ -1,14 +1,14 @@
 //! Prints programs: one line for every instruction that computes something; literals and loads appear as operands.
 
-use super::{Instruction, Program, Value};
+use super::{Instruction, Program, ValueId};
 use crate::expr::{Names, Symbol};
 use core::fmt;
 
 /// An operand as it is printed: a literal, a symbol, a component of a pair, or the number of the line that computes
 /// it.
-struct Operand<'p>(&'p Program, Value);
+struct PrintedOperand<'p>(&'p Program, ValueId);
 
-impl fmt::Display for Operand<'_> {
+impl fmt::Display for PrintedOperand<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self(program, value) = *self;
         match program.instructions.get(value.index()) {
@@ -31,7 +31,7 @@ fn loaded(symbol: Symbol) -> String {
 impl fmt::Display for Program {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         for (index, instruction) in self.instructions.iter().enumerate() {
-            let v = |value: Value| Operand(self, value);
+            let v = |value: ValueId| PrintedOperand(self, value);
             match *instruction {
                 Instruction::Number(_)
                 | Instruction::Load(_)
@@ -56,7 +56,7 @@ impl fmt::Display for Program {
             }
         }
         for (slot, value) in &self.outputs {
-            writeln!(f, "{slot} = {}", Operand(self, *value))?;
+            writeln!(f, "{slot} = {}", PrintedOperand(self, *value))?;
         }
         Ok(())
     }

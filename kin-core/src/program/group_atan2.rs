@@ -2,7 +2,7 @@
 //!
 //! This applies to straight-line code only; in a program from which loops are formed it would destroy the repetition.
 
-use super::{Instruction, Program, Value};
+use super::{Instruction, Program, ValueId};
 
 /// Maximum distance between two instructions of a group.
 const WINDOW: usize = 96;
@@ -16,11 +16,11 @@ impl Program {
     /// The instructions in another order, in which operands still come first; instructions that `order` omits are
     /// dropped.
     pub(super) fn reordered(&self, order: &[usize]) -> Self {
-        let mut renumbered = vec![Value(0); self.instructions.len()];
+        let mut renumbered = vec![ValueId(0); self.instructions.len()];
         for (new, old) in order.iter().enumerate() {
-            renumbered[*old] = Value(new as u32);
+            renumbered[*old] = ValueId(new as u32);
         }
-        let to = |value: Value| renumbered[value.index()];
+        let to = |value: ValueId| renumbered[value.index()];
         Self {
             instructions: order.iter().map(|old| self.instructions[*old].map_operands(to)).collect(),
             outputs: self.outputs.iter().map(|(slot, value)| (*slot, to(*value))).collect(),

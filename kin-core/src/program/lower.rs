@@ -5,16 +5,16 @@
 //! adjacent.
 
 use super::reassociate;
-use super::signs::{self, Signs};
+use super::signs::{self, ChosenSigns};
 use super::value_numbering::ValueNumbering;
-use super::{Instruction, Program, Slot, Value};
+use super::{Instruction, Program, Slot, ValueId};
 use crate::expr::{Bits, ExprId, Graph, IdMap, Node, Rotation};
 use crate::vocabulary::Function;
 
 /// A value with a sign: the expression equals the value or its negative.
 #[derive(Clone, Copy)]
-struct Signed {
-    value: Value,
+struct SignedValue {
+    value: ValueId,
     negative: bool,
 }
 
@@ -33,8 +33,8 @@ pub fn lower(graph: &Graph, outputs: &[(Slot, ExprId)]) -> Program {
 
 struct Lowering<'g> {
     graph: &'g Graph,
-    signs: Signs,
-    known: IdMap<Signed>,
+    signs: ChosenSigns,
+    known: IdMap<SignedValue>,
     out: ValueNumbering,
 }
 
@@ -67,26 +67,26 @@ impl Lowering<'_> {
         }
     }
 
-    fn emit(&mut self, instruction: Instruction) -> Value {
+    fn emit(&mut self, instruction: Instruction) -> ValueId {
         self.out.emit(instruction)
     }
 
-    fn number(&mut self, value: f64) -> Value {
+    fn number(&mut self, value: f64) -> ValueId {
         self.emit(Instruction::Number(Bits::new(value)))
     }
 
-    fn signed(&self, id: ExprId) -> Signed {
-        self.known.or(id, Signed { value: Value(0), negative: false })
+    fn signed(&self, id: ExprId) -> SignedValue {
+        self.known.or(id, SignedValue { value: ValueId(0), negative: false })
     }
 
     /// The value that equals `id`, negated explicitly if necessary.
-    fn positive(&mut self, id: ExprId) -> Value {
-        let Signed { value, negative } = self.signed(id);
+    fn positive(&mut self, id: ExprId) -> ValueId {
+        let SignedValue { value, negative } = self.signed(id);
         if negative { self.negate(value) } else { value }
     }
 
     /// −value. The sign is absorbed by a literal if there is one; −(a + a) becomes −2a.
-    fn negate(&mut self, value: Value) -> Value {
+    fn negate(&mut self, value: ValueId) -> ValueId {
         match self.out.instructions[value.index()] {
             Instruction::Number(number) => self.number(-number.value()),
             Instruction::Neg(inner) => inner,
@@ -109,29 +109,35 @@ impl Lowering<'_> {
         }
     }
 
-    fn add(&mut self, a: Signed, b: Signed, swap: bool) -> Signed {
+    fn add(&mut self, a: SignedValue, b: SignedValue, swap: bool) -> SignedValue {
         match (a.negative, b.negative) {
-            (false, true) if swap => Signed { value: self.emit(Instruction::Sub(b.value, a.value)), negative: true },
-            (true, false) if swap => Signed { value: self.emit(Instruction::Sub(a.value, b.value)), negative: true },
-            (false, true) => Signed { value: self.emit(Instruction::Sub(a.value, b.value)), negative: false },
-            (true, false) => Signed { value: self.emit(Instruction::Sub(b.value, a.value)), negative: false },
-            (negative, _) => Signed { value: self.emit(Instruction::Add(a.value, b.value)), negative },
+            (false, true) if swap => {
+                SignedValue { value: self.emit(Instruction::Sub(b.value, a.value)), negative: true }
+            }
+            (true, false) if swap => {
+                SignedValue { value: self.emit(Instruction::Sub(a.value, b.value)), negative: true }
+            }
+            (false, true) => SignedValue { value: self.emit(Instruction::Sub(a.value, b.value)), negative: false },
+            (true, false) => SignedValue { value: self.emit(Instruction::Sub(b.value, a.value)), negative: false },
+            (negative, _) => SignedValue { value: self.emit(Instruction::Add(a.value, b.value)), negative },
         }
     }
 
-    fn mul(&mut self, a: Signed, b: Signed) -> Signed {
-        Signed { value: self.emit(Instruction::Mul(a.value, b.value)), negative: a.negative != b.negative }
+    fn mul(&mut self, a: SignedValue, b: SignedValue) -> SignedValue {
+        SignedValue { value: self.emit(Instruction::Mul(a.value, b.value)), negative: a.negative != b.negative }
     }
 
-    fn opposite(a: Signed) -> Signed {
-        Signed { negative: !a.negative, ..a }
+    fn opposite(a: SignedValue) -> SignedValue {
+        SignedValue { negative: !a.negative, ..a }
     }
 
-    fn node(&mut self, id: ExprId) -> Signed {
+    fn node(&mut self, id: ExprId) -> SignedValue {
         let swap = self.signs.swapped.contains(id);
-        let plain = |value| Signed { value, negative: false };
+        let plain = |value| SignedValue { value, negative: false };
         match self.graph.node(id) {
-            Node::Number(bits) if bits.value() < 0.0 => Signed { value: self.number(-bits.value()), negative: true },
+            Node::Number(bits) if bits.value() < 0.0 => {
+                SignedValue { value: self.number(-bits.value()), negative: true }
+            }
             Node::Number(bits) => plain(self.number(bits.value())),
             Node::Symbol(symbol) => plain(self.emit(Instruction::Load(symbol))),
             Node::Neg(a) => Self::opposite(self.signed(a)),
@@ -140,7 +146,7 @@ impl Lowering<'_> {
             Node::Mul(a, b) => self.mul(self.signed(a), self.signed(b)),
             Node::Div(a, b) => {
                 let (a, b) = (self.signed(a), self.signed(b));
-                Signed { value: self.emit(Instruction::Div(a.value, b.value)), negative: a.negative != b.negative }
+                SignedValue { value: self.emit(Instruction::Div(a.value, b.value)), negative: a.negative != b.negative }
             }
             Node::Powi(a, n) => self.power(a, n),
             Node::Powf(a, n) => {
@@ -150,8 +156,8 @@ impl Lowering<'_> {
             Node::Call(Function::Sin, a) => self.sin_cos(a).0,
             Node::Call(Function::Cos, a) => self.sin_cos(a).1,
             Node::Call(f @ (Function::Tan | Function::Asin | Function::Atan), a) => {
-                let Signed { value, negative } = self.signed(a);
-                Signed { value: self.emit(Instruction::Call(f, value)), negative }
+                let SignedValue { value, negative } = self.signed(a);
+                SignedValue { value: self.emit(Instruction::Call(f, value)), negative }
             }
             Node::Call(Function::Abs, a) => {
                 let value = self.signed(a).value;
@@ -162,12 +168,12 @@ impl Lowering<'_> {
                 plain(self.emit(Instruction::Call(f, a)))
             }
             Node::Sign(a) => {
-                let Signed { value, negative } = self.signed(a);
-                Signed { value: self.emit(Instruction::Sign(value)), negative }
+                let SignedValue { value, negative } = self.signed(a);
+                SignedValue { value: self.emit(Instruction::Sign(value)), negative }
             }
             Node::Atan2(y, x) => {
-                let (Signed { value: y, negative }, x) = (self.signed(y), self.positive(x));
-                Signed { value: self.emit(Instruction::Atan2(y, x)), negative }
+                let (SignedValue { value: y, negative }, x) = (self.signed(y), self.positive(x));
+                SignedValue { value: self.emit(Instruction::Atan2(y, x)), negative }
             }
             Node::Opaque(a) => self.signed(a),
             Node::Nearest(a, b) => {
@@ -187,11 +193,11 @@ impl Lowering<'_> {
     }
 
     /// sin a and cos a, with sin(−a) = −sin a and cos(−a) = cos a.
-    fn sin_cos(&mut self, a: ExprId) -> (Signed, Signed) {
-        let Signed { value, negative } = self.signed(a);
+    fn sin_cos(&mut self, a: ExprId) -> (SignedValue, SignedValue) {
+        let SignedValue { value, negative } = self.signed(a);
         let pair = self.emit(Instruction::SinCos(value));
-        let sin = Signed { value: self.emit(Instruction::SinOf(pair)), negative };
-        let cos = Signed { value: self.emit(Instruction::CosOf(pair)), negative: false };
+        let sin = SignedValue { value: self.emit(Instruction::SinOf(pair)), negative };
+        let cos = SignedValue { value: self.emit(Instruction::CosOf(pair)), negative: false };
         (sin, cos)
     }
 
@@ -200,7 +206,7 @@ impl Lowering<'_> {
     ///
     /// To compute −ρ only the first non-zero component of s is negated: its term comes first, and the other term is
     /// added or subtracted.
-    fn rotation(&mut self, r: Rotation, is_x: bool) -> Signed {
+    fn rotation(&mut self, r: Rotation, is_x: bool) -> SignedValue {
         let (sin, cos) = self.sin_cos(r.angle);
         let negated = self.signs.negated.contains_key(&r);
         let (with_x, with_y) = if is_x { (cos, Self::opposite(sin)) } else { (sin, cos) };
@@ -212,7 +218,7 @@ impl Lowering<'_> {
             let component = self.signed(id);
             if self.graph.literal(id).map(f64::abs) == Some(1.0) {
                 let negative = factor.negative ^ component.negative ^ negated;
-                return Some(Signed { value: factor.value, negative });
+                return Some(SignedValue { value: factor.value, negative });
             }
             if !negated {
                 return Some(self.mul(factor, component));
@@ -221,7 +227,7 @@ impl Lowering<'_> {
             Some(match (leads, component.negative) {
                 (true, true) => {
                     let value = self.negate(component.value);
-                    self.mul(factor, Signed { value, negative: false })
+                    self.mul(factor, SignedValue { value, negative: false })
                 }
                 _ => self.mul(factor, component),
             })
@@ -229,13 +235,13 @@ impl Lowering<'_> {
         let sum = match terms {
             [Some(a), Some(b)] => self.add(a, b, false),
             [Some(a), None] | [None, Some(a)] => a,
-            [None, None] => Signed { value: self.number(0.0), negative: false },
+            [None, None] => SignedValue { value: self.number(0.0), negative: false },
         };
         if negated { Self::opposite(sum) } else { sum }
     }
 
     /// a·b ± c·d without terms that are literally zero and without multiplications by ±1.
-    fn products(&mut self, pairs: [(ExprId, ExprId); 2], minus: bool, swap: bool) -> Signed {
+    fn products(&mut self, pairs: [(ExprId, ExprId); 2], minus: bool, swap: bool) -> SignedValue {
         let terms = pairs.map(|(a, b)| {
             if self.graph.is_zero(a) || self.graph.is_zero(b) {
                 return None;
@@ -243,11 +249,11 @@ impl Lowering<'_> {
             Some(match (self.graph.literal(a).map(f64::abs), self.graph.literal(b).map(f64::abs)) {
                 (Some(1.0), _) => {
                     let (a, b) = (self.signed(a), self.signed(b));
-                    Signed { value: b.value, negative: a.negative != b.negative }
+                    SignedValue { value: b.value, negative: a.negative != b.negative }
                 }
                 (_, Some(1.0)) => {
                     let (a, b) = (self.signed(a), self.signed(b));
-                    Signed { value: a.value, negative: a.negative != b.negative }
+                    SignedValue { value: a.value, negative: a.negative != b.negative }
                 }
                 _ => self.mul(self.signed(a), self.signed(b)),
             })
@@ -256,16 +262,16 @@ impl Lowering<'_> {
         match (terms[0], second) {
             (Some(a), Some(b)) => self.add(a, b, swap),
             (Some(a), None) | (None, Some(a)) => a,
-            (None, None) => Signed { value: self.number(0.0), negative: false },
+            (None, None) => SignedValue { value: self.number(0.0), negative: false },
         }
     }
 
     /// An integer power: by repeated squaring up to the exponent ±32, which is cheaper than a function call.
-    fn power(&mut self, a: ExprId, n: i32) -> Signed {
-        let Signed { value, negative } = self.signed(a);
+    fn power(&mut self, a: ExprId, n: i32) -> SignedValue {
+        let SignedValue { value, negative } = self.signed(a);
         let negative = negative && n % 2 != 0;
         if n.unsigned_abs() > 32 {
-            return Signed { value: self.emit(Instruction::Powi(value, n)), negative };
+            return SignedValue { value: self.emit(Instruction::Powi(value, n)), negative };
         }
         let (mut square, mut product, mut left) = (value, None, n.unsigned_abs());
         while left > 0 {
@@ -283,7 +289,7 @@ impl Lowering<'_> {
         let one = self.number(1.0);
         let power = product.unwrap_or(one);
         let value = if n < 0 { self.emit(Instruction::Div(one, power)) } else { power };
-        Signed { value, negative }
+        SignedValue { value, negative }
     }
 }
 

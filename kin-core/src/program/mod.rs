@@ -12,7 +12,7 @@ mod value_numbering;
 
 pub use group_atan2::group_atan2;
 pub use lower::lower;
-pub use roll::{Angles, Keep, Part, Piece, Rolled, Source, Step, Worth, finished, roll};
+pub use roll::{Angles, Keep, OperandSource, Piece, ResultPart, Rolled, RolledStep, Worth, finished, roll};
 
 use crate::expr::{Bits, Symbol};
 use crate::vocabulary::Function;
@@ -20,9 +20,9 @@ use crate::vocabulary::OperationCount;
 
 /// A value of a program: the index of the instruction that computes it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub struct Value(pub u32);
+pub struct ValueId(pub u32);
 
-impl Value {
+impl ValueId {
     /// The index of the instruction.
     pub const fn index(self) -> usize {
         self.0 as usize
@@ -37,42 +37,42 @@ pub enum Instruction {
     /// The value of a symbol.
     Load(Symbol),
     /// −a.
-    Neg(Value),
+    Neg(ValueId),
     /// a + b.
-    Add(Value, Value),
+    Add(ValueId, ValueId),
     /// a − b.
-    Sub(Value, Value),
+    Sub(ValueId, ValueId),
     /// a · b.
-    Mul(Value, Value),
+    Mul(ValueId, ValueId),
     /// a / b.
-    Div(Value, Value),
+    Div(ValueId, ValueId),
     /// The sine and cosine of an angle, computed together.
-    SinCos(Value),
+    SinCos(ValueId),
     /// The sine of a pair.
-    SinOf(Value),
+    SinOf(ValueId),
     /// The cosine of a pair.
-    CosOf(Value),
+    CosOf(ValueId),
     /// A function other than sine and cosine.
-    Call(Function, Value),
+    Call(Function, ValueId),
     /// The sign of a, ±1.
-    Sign(Value),
+    Sign(ValueId),
     /// atan2(y, x).
-    Atan2(Value, Value),
+    Atan2(ValueId, ValueId),
     /// The angle a + 2πn that is nearest to b.
-    Nearest(Value, Value),
+    Nearest(ValueId, ValueId),
     /// a to an integer power.
-    Powi(Value, i32),
+    Powi(ValueId, i32),
     /// a to a real constant power.
-    Powf(Value, Bits),
+    Powf(ValueId, Bits),
     /// A supplied function with its first two derivatives, computed together.
-    Supplied(u32, Value),
+    Supplied(u32, ValueId),
     /// The value (0), first (1) or second (2) derivative of a supplied function.
-    SuppliedOf(Value, u8),
+    SuppliedOf(ValueId, u8),
 }
 
 impl Instruction {
     /// Calls `f` on every operand.
-    pub fn for_each_operand(&self, mut f: impl FnMut(Value)) {
+    pub fn for_each_operand(&self, mut f: impl FnMut(ValueId)) {
         match *self {
             Self::Number(_) | Self::Load(_) => {}
             Self::Neg(a)
@@ -98,7 +98,7 @@ impl Instruction {
     }
 
     /// The same instruction with other operands.
-    pub fn map_operands(self, f: impl Fn(Value) -> Value) -> Self {
+    pub fn map_operands(self, f: impl Fn(ValueId) -> ValueId) -> Self {
         match self {
             Self::Number(_) | Self::Load(_) => self,
             Self::Neg(a) => Self::Neg(f(a)),
@@ -212,7 +212,7 @@ pub struct Program {
     /// [`group_atan2`] so are atan2 instructions.
     pub instructions: Vec<Instruction>,
     /// The value of every output, in the order given to [`lower`].
-    pub outputs: Vec<(Slot, Value)>,
+    pub outputs: Vec<(Slot, ValueId)>,
 }
 
 impl Program {

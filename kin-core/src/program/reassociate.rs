@@ -5,7 +5,7 @@
 //! chains of the same form, which a compiler vectorises.
 
 use super::value_numbering::ValueNumbering;
-use super::{Instruction, Program, Value};
+use super::{Instruction, Program, ValueId};
 
 /// A term of a sum: the index of its instruction, and whether it is subtracted.
 type Term = (usize, bool);
@@ -32,7 +32,7 @@ pub(super) fn early_terms_first(program: Program) -> Program {
     if !part_of_ordered.contains(&true) {
         return program;
     }
-    let mut renumbered = vec![Value(0); instructions.len()];
+    let mut renumbered = vec![ValueId(0); instructions.len()];
     let mut value_numbering = ValueNumbering::default();
     for (index, order) in orders.into_iter().enumerate().filter(|(index, _)| !part_of_ordered[*index]) {
         renumbered[index] = match order {

@@ -10,7 +10,7 @@ use crate::hash::FastMap;
 
 /// The chosen signs.
 #[derive(Debug, Default)]
-pub(super) struct Signs {
+pub(super) struct ChosenSigns {
     /// Rotated vectors ρ that are computed as −ρ.
     pub(super) negated: FastMap<Rotation, ()>,
     /// Differences a − b that are computed as b − a.
@@ -18,10 +18,10 @@ pub(super) struct Signs {
 }
 
 /// Chooses the signs for the given outputs.
-pub(super) fn choose(graph: &Graph, outputs: impl Iterator<Item = ExprId>) -> Signs {
+pub(super) fn choose(graph: &Graph, outputs: impl Iterator<Item = ExprId>) -> ChosenSigns {
     let outputs: Vec<ExprId> = outputs.collect();
     let votes = Votes::count(graph, &outputs);
-    let mut signs = Signs::default();
+    let mut signs = ChosenSigns::default();
     for (rotation, vote) in votes.vectors {
         // Negating the leading component costs an operation unless it has a literal factor.
         let leading = if graph.is_zero(rotation.x) { rotation.y } else { rotation.x };

@@ -1,6 +1,6 @@
 //! Local value numbering: equal instructions share one value.
 
-use super::{Instruction, Value};
+use super::{Instruction, ValueId};
 use crate::hash::{Table, hash_of};
 
 /// A list of instructions without duplicates.
@@ -13,9 +13,9 @@ pub(super) struct ValueNumbering {
 impl ValueNumbering {
     /// The value of an instruction, which is appended if it is new. The operands of sums and products are brought into
     /// a fixed order, literals last, so that a + b and b + a are equal.
-    pub(super) fn emit(&mut self, instruction: Instruction) -> Value {
-        let in_order = |a: Value, b: Value| {
-            let is_literal = |value: Value| matches!(self.instructions[value.index()], Instruction::Number(_));
+    pub(super) fn emit(&mut self, instruction: Instruction) -> ValueId {
+        let in_order = |a: ValueId, b: ValueId| {
+            let is_literal = |value: ValueId| matches!(self.instructions[value.index()], Instruction::Number(_));
             if (is_literal(b), a) > (is_literal(a), b) { (b, a) } else { (a, b) }
         };
         let canonical = match instruction {
@@ -31,9 +31,9 @@ impl ValueNumbering {
         };
         let hash = hash_of(&canonical);
         if let Some(index) = self.values.find(hash, |index| self.instructions[index] == canonical) {
-            return Value(index as u32);
+            return ValueId(index as u32);
         }
-        let value = Value(self.instructions.len() as u32);
+        let value = ValueId(self.instructions.len() as u32);
         self.instructions.push(canonical);
         self.values.insert(hash, value.index());
         value

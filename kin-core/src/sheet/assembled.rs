@@ -1,10 +1,10 @@
 //! The rows of all joints put together: Φ, Φ_q, Φ_t and γ of the mechanism as matrices.
 
 use super::content::{Rows, Sheet};
-use super::lines::Line;
-use super::shown::{Row, Shown, symbol};
+use super::lines::EquationLine;
+use super::shown::{Row, ShownFormula, symbol};
 use super::steps::bracketed;
-use crate::notation::{Formula, Notation};
+use crate::notation::{FormulaTree, Notation};
 
 /// Maximum numbers of coordinates and of rows of a mechanism whose matrices are written in addition to its joints.
 const MOST: usize = 24;
@@ -16,7 +16,7 @@ pub(super) struct Assembled {
     /// The name of each matrix, and its entries row by row.
     pub(super) matrices: Vec<(&'static str, Vec<Vec<String>>)>,
     /// Entries that were too long, with the names that stand for them.
-    pub(super) long: Vec<Line>,
+    pub(super) long: Vec<EquationLine>,
     /// The names of the rows.
     pub(super) rows: Vec<String>,
     /// The symbols of the coordinates.
@@ -37,18 +37,19 @@ impl Sheet {
             return None;
         }
         let mut long = Vec::new();
-        let mut entry = |shown: &Shown, most: usize| {
+        let mut entry = |shown: &ShownFormula, most: usize| {
             if shown.write(Notation::Unicode).chars().count() <= most {
                 return shown.write(notation);
             }
             let name = numbered(long.len() + 1, notation);
-            long.push(Line { left: name.clone(), right: shown.lines(notation, most.max(ENTRY[1])) });
+            long.push(EquationLine { left: name.clone(), right: shown.lines(notation, most.max(ENTRY[1])) });
             name
         };
-        let zero = Shown::Formula(Formula::Number(0.0));
-        let column = |rows: &[&Row], entry: &mut dyn FnMut(&Shown, usize) -> String, of: fn(&Row) -> &Shown| {
-            rows.iter().map(|row| vec![entry(of(row), ENTRY[1])]).collect::<Vec<_>>()
-        };
+        let zero = ShownFormula::Formula(FormulaTree::Number(0.0));
+        let column =
+            |rows: &[&Row], entry: &mut dyn FnMut(&ShownFormula, usize) -> String, of: fn(&Row) -> &ShownFormula| {
+                rows.iter().map(|row| vec![entry(of(row), ENTRY[1])]).collect::<Vec<_>>()
+            };
         let positions: Vec<&Row> = rows.iter().copied().filter(|row| row.position).collect();
         let phi = column(&positions, &mut entry, |row| &row.phi);
         let of_row = |row: &&Row| {
@@ -69,10 +70,11 @@ impl Sheet {
 
 impl Assembled {
     /// One equation per matrix, then the equations of names for long entries.
-    pub(super) fn lines(self, notation: Notation) -> Vec<Line> {
+    pub(super) fn lines(self, notation: Notation) -> Vec<EquationLine> {
         let q = self.coordinates.iter().map(|name| vec![name.clone()]).collect();
-        let q = Line { left: called("q", notation), right: vec![bracketed(q, notation)] };
-        let matrix = |(name, rows)| Line { left: called(name, notation), right: vec![bracketed(rows, notation)] };
+        let q = EquationLine { left: called("q", notation), right: vec![bracketed(q, notation)] };
+        let matrix =
+            |(name, rows)| EquationLine { left: called(name, notation), right: vec![bracketed(rows, notation)] };
         std::iter::once(q).chain(self.matrices.into_iter().map(matrix)).chain(self.long).collect()
     }
 

@@ -1,7 +1,7 @@
 //! The contents of a sheet.
 
-use super::shown::{Row, Shown};
-use super::steps::Step;
+use super::shown::{Row, ShownFormula};
+use super::steps::SheetStep;
 use crate::joints;
 use crate::vectors::{Equation, NamedJoint};
 
@@ -19,7 +19,7 @@ pub struct Sheet {
     /// How the rows of the joints are written.
     pub rows: Rows,
     /// The steps of the solution plan.
-    pub steps: Vec<Step>,
+    pub steps: Vec<SheetStep>,
     /// The reason why there are no steps; empty if it need not be shown.
     pub unsolved: String,
     /// M and Q of a mechanism with masses or loads.
@@ -49,9 +49,9 @@ impl Sheet {
 #[derive(Clone, Debug, Default)]
 pub struct Dynamics {
     /// Entries of the symmetric M that are not 0, each once.
-    pub mass: Vec<([String; 2], Shown)>,
+    pub mass: Vec<([String; 2], ShownFormula)>,
     /// Entries of Q that are not 0.
-    pub forces: Vec<(String, Shown)>,
+    pub forces: Vec<(String, ShownFormula)>,
 }
 
 impl Dynamics {
@@ -62,12 +62,12 @@ impl Dynamics {
         forces: impl IntoIterator<Item = &'t str>,
     ) -> Self {
         let entry = |(row, column, text): (usize, usize, &str)| {
-            ([row, column].map(|k| coordinates[k].clone()), Shown::new(text))
+            ([row, column].map(|k| coordinates[k].clone()), ShownFormula::new(text))
         };
         let not_zero = coordinates.iter().zip(forces).filter(|(_, text)| *text != "0");
         Self {
             mass: mass.into_iter().map(entry).collect(),
-            forces: not_zero.map(|(name, text)| (name.clone(), Shown::new(text))).collect(),
+            forces: not_zero.map(|(name, text)| (name.clone(), ShownFormula::new(text))).collect(),
         }
     }
 }

@@ -3,7 +3,7 @@
 use super::content::{Dynamics, Sheet};
 use super::html::{WIDTH as PAGE, math, table};
 use super::latex::{display, equation};
-use super::lines::Line;
+use super::lines::EquationLine;
 use super::shown::symbol;
 use super::text::aligned;
 use crate::notation::Notation::{self, Latex, MathMl, Unicode};
@@ -12,15 +12,15 @@ use crate::notation::Notation::{self, Latex, MathMl, Unicode};
 const PRINTED: usize = 80;
 
 impl Dynamics {
-    fn lines(&self, notation: Notation, width: usize) -> Vec<Line> {
-        let mass = self.mass.iter().map(|(names, entry)| Line {
+    fn lines(&self, notation: Notation, width: usize) -> Vec<EquationLine> {
+        let mass = self.mass.iter().map(|(names, entry)| EquationLine {
             left: indexed("M", &[&names[0], &names[1]], notation),
             right: entry.lines(notation, width),
         });
-        let forces = self
-            .forces
-            .iter()
-            .map(|(name, entry)| Line { left: indexed("Q", &[name], notation), right: entry.lines(notation, width) });
+        let forces = self.forces.iter().map(|(name, entry)| EquationLine {
+            left: indexed("Q", &[name], notation),
+            right: entry.lines(notation, width),
+        });
         mass.chain(forces).collect()
     }
 }

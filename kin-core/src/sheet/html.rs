@@ -1,8 +1,8 @@
 //! A sheet as a page with MathML, which browsers show without scripts.
 
 use super::content::{Joint, Sheet};
-use super::lines::{Line, derivatives, own};
-use super::steps::Step;
+use super::lines::{EquationLine, derivatives, own};
+use super::steps::SheetStep;
 use crate::notation::Notation::MathMl;
 use crate::notation::escaped;
 use crate::vectors;
@@ -71,7 +71,7 @@ impl Sheet {
 }
 
 /// A step: the lines for positions, with the other lines folded.
-pub(super) fn html_step(step: &Step, heading: &str) -> String {
+pub(super) fn html_step(step: &SheetStep, heading: &str) -> String {
     let [position, velocity, acceleration] =
         [0, 1, 2].map(|order| table(step.lines[order].iter().flat_map(|line| line.write(MathMl, WIDTH))));
     format!(
@@ -106,8 +106,8 @@ pub(super) fn own_equations(joint: &Joint) -> String {
 }
 
 /// Equations aligned at their equals signs; empty if there are none.
-pub(super) fn table(lines: impl Iterator<Item = Line>) -> String {
-    let row = |line: Line| {
+pub(super) fn table(lines: impl Iterator<Item = EquationLine>) -> String {
+    let row = |line: EquationLine| {
         let more = |part: &String| {
             format!("<tr><td></td><td>{}</td></tr>", math(&format!("<mspace width=\"1.6em\"></mspace>{part}")))
         };

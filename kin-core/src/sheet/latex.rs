@@ -1,7 +1,7 @@
 //! A sheet as LaTeX: a document, or a fragment to be included in one.
 
 use super::content::{Joint, Sheet};
-use super::lines::{Line, derivatives, own};
+use super::lines::{EquationLine, derivatives, own};
 use super::steps::ORDERS;
 use crate::notation::Notation::Latex;
 use crate::vectors;
@@ -81,7 +81,7 @@ pub(super) fn display(lines: &[String]) -> String {
 }
 
 /// An equation; continuation lines are indented to the right of the equals sign.
-pub(super) fn equation(line: &Line) -> String {
+pub(super) fn equation(line: &EquationLine) -> String {
     let right: Vec<&str> = line.right.iter().map(|part| part.trim_start()).collect();
     format!("{} &= {}", line.left, right.join(" \\\\\n&\\quad {} "))
 }

@@ -1,18 +1,18 @@
 //! The equations of a row in every notation; a right side may be broken into several lines.
 
-use super::shown::{Row, Shown, symbol};
+use super::shown::{Row, ShownFormula, symbol};
 use crate::notation::Notation;
 use crate::notation::escaped;
 
 /// An equation.
-pub(super) struct Line {
+pub(super) struct EquationLine {
     /// The left side.
     pub(super) left: String,
     /// The right side, one entry per line.
     pub(super) right: Vec<String>,
 }
 
-impl Shown {
+impl ShownFormula {
     /// The right side broken into lines of at most `width` columns.
     pub(super) fn lines(&self, notation: Notation, width: usize) -> Vec<String> {
         match self {
@@ -31,17 +31,17 @@ pub(super) fn zero(notation: Notation) -> &'static str {
 }
 
 /// The equation Φ = 0 of a row.
-pub(super) fn own(row: &Row, notation: Notation, width: usize) -> Line {
+pub(super) fn own(row: &Row, notation: Notation, width: usize) -> EquationLine {
     let mut right = row.phi.lines(notation, width);
     if let Some(last) = right.last_mut() {
         last.push_str(zero(notation));
     }
-    Line { left: of_row(phi(row), &row.name, notation), right }
+    EquationLine { left: of_row(phi(row), &row.name, notation), right }
 }
 
 /// The derivatives of a row: the entries of Φ_q that are not 0, Φ_t and γ.
-pub(super) fn derivatives(row: &Row, notation: Notation, width: usize) -> Vec<Line> {
-    let line = |left: String, shown: &Shown| Line { left, right: shown.lines(notation, width) };
+pub(super) fn derivatives(row: &Row, notation: Notation, width: usize) -> Vec<EquationLine> {
+    let line = |left: String, shown: &ShownFormula| EquationLine { left, right: shown.lines(notation, width) };
     let phi = of_row(phi(row), &row.name, notation);
     let by = |coordinate: &str| match row.position {
         true => symbol(coordinate, notation),

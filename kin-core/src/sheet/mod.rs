@@ -17,5 +17,5 @@ mod steps;
 mod text;
 
 pub use content::{Dynamics, Joint, Rows, Sheet};
-pub use shown::{Row, Shown};
-pub use steps::{Line, Step};
+pub use shown::{Row, ShownFormula};
+pub use steps::{SheetStep, StepLine};

@@ -1,8 +1,8 @@
 //! A sheet from the expression graph, while the mechanism is compiled.
 
 use super::content::{Dynamics, Joint, Rows, Sheet};
-use super::shown::{Row, Shown};
-use super::steps::Step;
+use super::shown::{Row, ShownFormula};
+use super::steps::SheetStep;
 use crate::constraint::{Frame, JointInstance};
 use crate::loads::dynamics;
 use crate::mechanism::Mechanism;
@@ -35,7 +35,7 @@ impl Sheet {
             let mass = of.mass.iter().map(|(row, column, entry)| (*row, *column, entry.as_str()));
             Dynamics::new(&coordinates, mass, of.forces.iter().map(String::as_str))
         });
-        let (steps, unsolved) = (Step::of_plan(plan), String::new());
+        let (steps, unsolved) = (SheetStep::of_plan(plan), String::new());
         Self {
             name: set.name.clone(),
             doc: String::new(),
@@ -87,7 +87,7 @@ fn of_joint(system: &KinematicSystem, joint: &JointInstance) -> Joint {
 fn of_row(system: &KinematicSystem, row: usize) -> Row {
     let set = &system.set;
     let Equation { phi_q, phi_t, gamma, .. } = &system.equations[row];
-    let shown = |id| Shown::new(&set.show(id));
+    let shown = |id| ShownFormula::new(&set.show(id));
     let entries = phi_q.iter().map(|&(k, entry)| (set.coordinate_name(k).to_owned(), shown(entry)));
     Row {
         name: set.rows[row].name.clone(),

@@ -1,6 +1,6 @@
 //! Rows and formulas of a sheet.
 
-use crate::notation::{Formula, Name, Notation, escaped};
+use crate::notation::{FormulaTree, Name, Notation, escaped};
 
 /// A row with its formulas.
 #[derive(Clone, Debug)]
@@ -10,28 +10,28 @@ pub struct Row {
     /// False for a row of velocity level; `phi`, `phi_q` and `phi_t` are then η and the row of B and b.
     pub position: bool,
     /// Φ.
-    pub phi: Shown,
+    pub phi: ShownFormula,
     /// Coordinates with the entries of Φ_q that are not 0.
-    pub phi_q: Vec<(String, Shown)>,
+    pub phi_q: Vec<(String, ShownFormula)>,
     /// Φ_t.
-    pub phi_t: Shown,
+    pub phi_t: ShownFormula,
     /// γ.
-    pub gamma: Shown,
+    pub gamma: ShownFormula,
 }
 
 /// A formula, or a text that cannot be parsed as one, for example because it was cut off.
 #[derive(Clone, Debug)]
-pub enum Shown {
+pub enum ShownFormula {
     /// A simplified formula.
-    Formula(Formula),
+    Formula(FormulaTree),
     /// The text as the graph printed it.
     Text(String),
 }
 
-impl Shown {
+impl ShownFormula {
     /// Reads the text that the graph prints.
     pub fn new(text: &str) -> Self {
-        Formula::parse(text).map_or_else(|_| Self::Text(text.to_owned()), |formula| Self::Formula(formula.tidied()))
+        FormulaTree::parse(text).map_or_else(|_| Self::Text(text.to_owned()), |formula| Self::Formula(formula.tidied()))
     }
 
     /// The formula on one line.

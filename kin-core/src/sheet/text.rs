@@ -1,7 +1,7 @@
 //! A sheet as aligned text.
 
 use super::content::{Joint, Sheet};
-use super::lines::{Line, derivatives, own};
+use super::lines::{EquationLine, derivatives, own};
 use super::shown::Row;
 use crate::notation::Notation::Unicode;
 use crate::vectors;
@@ -62,14 +62,14 @@ fn joint(joint: &Joint) -> String {
 
 fn of_row(row: &Row) -> String {
     let first = own(row, Unicode, usize::MAX);
-    let first = Line { left: format!("{}  {}", first.left, row.name), ..first };
+    let first = EquationLine { left: format!("{}  {}", first.left, row.name), ..first };
     aligned(std::iter::once(first).chain(derivatives(row, Unicode, usize::MAX)).collect())
 }
 
 /// Equations aligned at their equals signs.
-pub(super) fn aligned(lines: Vec<Line>) -> String {
+pub(super) fn aligned(lines: Vec<EquationLine>) -> String {
     let width = lines.iter().map(|line| shown(&line.left)).max().unwrap_or(0);
-    let line = |Line { left, right }: Line| {
+    let line = |EquationLine { left, right }: EquationLine| {
         let pad = " ".repeat(width - shown(&left));
         let indent = " ".repeat(width + 7);
         let wrapped = wrap(&right.concat(), WIDTH.saturating_sub(width + 7).max(40));

@@ -2,10 +2,10 @@
 
 use super::field::Draw;
 use super::partials;
-use super::place::Places;
+use super::place::RandomPositions;
 use super::rank::{Elimination, Row};
 use super::residue::Residues;
-use super::turn::Turns;
+use super::turn::PoseTurns;
 use crate::system::KinematicSystem;
 use core::fmt;
 
@@ -88,8 +88,8 @@ pub(super) struct RandomJacobian<'a> {
 impl<'a> RandomJacobian<'a> {
     pub(super) fn new(system: &'a KinematicSystem, draw: Draw) -> Self {
         let set = &system.set;
-        let turns = Turns::new(system, draw);
-        let places = Places::new(system, &turns, draw);
+        let turns = PoseTurns::new(system, draw);
+        let places = RandomPositions::new(system, &turns, draw);
         let mut residues = Residues::new(set, &turns, &places, draw);
         let rows: Vec<Row> = (0..set.rows.len()).map(|row| partials::row(system, &mut residues, row)).collect();
         let mut weights = vec![0; set.coordinates.len()];

@@ -13,7 +13,7 @@
 
 use super::field::{Draw, Residue, fraction};
 use super::rank::{Elimination, Row, add_to};
-use super::turn::Turns;
+use super::turn::PoseTurns;
 use crate::constraint::{ConstraintSet, Frame, JointInstance, RowMeaning};
 use crate::expr::{Depends, ExprId, Graph, Node, Rotation};
 use crate::system::KinematicSystem;
@@ -70,7 +70,7 @@ impl Unknowns {
 }
 
 /// The positions of a random pose.
-pub(super) struct Places {
+pub(super) struct RandomPositions {
     origins: Vec<[Residue; 2]>,
     points: HashMap<Key, [Residue; 2]>,
     /// The points of each body, by which rotated vectors in expressions are recognised.
@@ -104,9 +104,9 @@ fn value(set: &ConstraintSet, joint: &JointInstance) -> Option<ExprId> {
     set.geometry.get(geometry.offset).copied()
 }
 
-impl Places {
+impl RandomPositions {
     /// Draws positions that satisfy the joints.
-    pub(super) fn new(system: &KinematicSystem, turns: &Turns, draw: Draw) -> Self {
+    pub(super) fn new(system: &KinematicSystem, turns: &PoseTurns, draw: Draw) -> Self {
         let set = &system.set;
         let mut unknowns = Unknowns { count: 2 * set.bodies.len(), ..Unknowns::default() };
         let equations = equations(system, turns, &mut unknowns);
@@ -182,7 +182,7 @@ fn difference(terms: &[(Residue, &Linear)], one: usize) -> Row {
     row
 }
 
-fn equations(system: &KinematicSystem, turns: &Turns, unknowns: &mut Unknowns) -> Vec<Row> {
+fn equations(system: &KinematicSystem, turns: &PoseTurns, unknowns: &mut Unknowns) -> Vec<Row> {
     let set = &system.set;
     let graph = &set.graph;
     let plus = Residue::ONE;
@@ -241,7 +241,7 @@ fn equations(system: &KinematicSystem, turns: &Turns, unknowns: &mut Unknowns) -
 }
 
 /// The direction of a line that is literal and does not rotate.
-fn fixed_direction(set: &ConstraintSet, turns: &Turns, joint: &JointInstance) -> Option<[Residue; 2]> {
+fn fixed_direction(set: &ConstraintSet, turns: &PoseTurns, joint: &JointInstance) -> Option<[Residue; 2]> {
     let (frame, x, y) = local(set, joint, Role::Axis)?;
     let direction = literal_direction(&set.graph, [x, y])?;
     match frame {

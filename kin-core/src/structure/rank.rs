@@ -22,7 +22,7 @@ pub(super) fn add_to(row: &mut Row, column: usize, value: Residue) {
 
 /// A row after elimination: its pivot entry is 1, and its entries in the columns of earlier pivots are 0.
 #[derive(Clone, Debug)]
-struct Pivot {
+struct EliminatedRow {
     column: usize,
     /// How the row was formed: (row `source` − Σ factor · earlier pivot row) · `scale`.
     source: usize,
@@ -34,7 +34,7 @@ struct Pivot {
 /// The independent rows found so far.
 #[derive(Clone, Debug)]
 pub(super) struct Elimination {
-    pivots: Vec<Pivot>,
+    pivots: Vec<EliminatedRow>,
     pivot_of: Vec<Option<usize>>,
     /// The number of entries per column, an estimate of the fill-in of a pivot there.
     weights: Vec<usize>,
@@ -91,7 +91,7 @@ impl Elimination {
         let scale = value.inverse();
         rest.iter_mut().for_each(|(_, value)| *value = *value * scale);
         self.pivot_of[column] = Some(self.pivots.len());
-        self.pivots.push(Pivot { column, source, factors, scale, entries: rest });
+        self.pivots.push(EliminatedRow { column, source, factors, scale, entries: rest });
         Ok(())
     }
 

@@ -5,8 +5,8 @@
 //! are random; coordinates have the values of the random pose.
 
 use super::field::{Draw, Residue};
-use super::place::Places;
-use super::turn::Turns;
+use super::place::RandomPositions;
+use super::turn::PoseTurns;
 use crate::constraint::{ConstraintSet, CoordinateKind};
 use crate::expr::{Algebra, ExprId, Graph, IdMap, Node, Rotation, Symbol};
 use crate::mechanism::{Component, Function};
@@ -15,7 +15,7 @@ const SORT_SYMBOL: u64 = 10;
 const SORT_FUNCTION: u64 = 11;
 
 /// The values that a random pose gives to coordinates and vectors; `None` for those that it does not determine.
-pub(crate) trait Pose {
+pub(crate) trait PoseResidues {
     /// The value of a coordinate.
     fn coordinate(&self, _k: u32) -> Option<Residue> {
         None
@@ -27,12 +27,12 @@ pub(crate) trait Pose {
 }
 
 /// A pose that determines nothing.
-impl Pose for () {}
+impl PoseResidues for () {}
 
 /// The fold that computes residues of a graph's expressions.
 pub(crate) struct ResidueFold<'a, P> {
     pub(crate) graph: &'a Graph,
-    pub(crate) turns: &'a Turns,
+    pub(crate) turns: &'a PoseTurns,
     pub(crate) pose: P,
     pub(crate) draw: Draw,
     /// Residues that have been computed.
@@ -45,7 +45,7 @@ impl<P> ResidueFold<'_, P> {
     }
 }
 
-impl<P: Pose> Algebra for ResidueFold<'_, P> {
+impl<P: PoseResidues> Algebra for ResidueFold<'_, P> {
     type Value = Residue;
 
     fn graph(&self) -> &Graph {
@@ -107,10 +107,10 @@ impl<P: Pose> Algebra for ResidueFold<'_, P> {
 /// The random pose of a mechanism.
 struct Placed<'a> {
     set: &'a ConstraintSet,
-    places: &'a Places,
+    places: &'a RandomPositions,
 }
 
-impl Pose for Placed<'_> {
+impl PoseResidues for Placed<'_> {
     fn coordinate(&self, k: u32) -> Option<Residue> {
         match self.set.coordinates.get(k as usize)?.kind {
             CoordinateKind::Pose(body, component @ (Component::X | Component::Y)) => {
@@ -127,14 +127,14 @@ impl Pose for Placed<'_> {
 /// The expressions of a mechanism with a cache of their residues.
 pub(super) struct Residues<'a> {
     pub(super) set: &'a ConstraintSet,
-    pub(super) turns: &'a Turns,
-    pub(super) places: &'a Places,
+    pub(super) turns: &'a PoseTurns,
+    pub(super) places: &'a RandomPositions,
     draw: Draw,
     known: IdMap<Residue>,
 }
 
 impl<'a> Residues<'a> {
-    pub(super) fn new(set: &'a ConstraintSet, turns: &'a Turns, places: &'a Places, draw: Draw) -> Self {
+    pub(super) fn new(set: &'a ConstraintSet, turns: &'a PoseTurns, places: &'a RandomPositions, draw: Draw) -> Self {
         Self { set, turns, places, draw, known: IdMap::default() }
     }
 
@@ -174,7 +174,8 @@ mod tests {
     fn residues_obey_the_rules_of_numbers() {
         let mut system = differentiate(assemble(&Mechanism::default()).unwrap()).unwrap();
         let draw = Draw(7);
-        let (turns, places) = (Turns::new(&system, draw), Places::new(&system, &Turns::new(&system, draw), draw));
+        let (turns, places) =
+            (PoseTurns::new(&system, draw), RandomPositions::new(&system, &PoseTurns::new(&system, draw), draw));
         let graph = &mut system.set.graph;
         let [a, b] = [0, 1].map(|k| graph.symbol(Symbol::Parameter(k)));
         let (cube, inverse) = (graph.powi(a, 3), graph.powi(a, -3));

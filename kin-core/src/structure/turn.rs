@@ -107,13 +107,13 @@ pub(crate) fn terms(graph: &Graph, angle: ExprId) -> Vec<(i64, ExprId)> {
 }
 
 /// A row ±φ_a ± φ_b + rest = 0; in a row with one angle, b is the ground.
-struct Relation {
+struct TurnRow {
     ends: [(usize, i64); 2],
     rest: Turn,
 }
 
 /// The rotations of a random pose.
-pub(crate) struct Turns {
+pub(crate) struct PoseTurns {
     draw: Draw,
     /// The rotation of each coordinate.
     of: Vec<Turn>,
@@ -123,7 +123,7 @@ const SORT_COORDINATE: u64 = 1;
 const SORT_LITERAL: u64 = 2;
 const SORT_EXPRESSION: u64 = 3;
 
-impl Turns {
+impl PoseTurns {
     /// Random, independent rotations for `coordinates` angles.
     pub(crate) fn free(coordinates: usize, draw: Draw) -> Self {
         let of = (0..coordinates).map(|k| Turn::drawn(draw.residue(SORT_COORDINATE, k as u64))).collect();
@@ -135,12 +135,12 @@ impl Turns {
         let set = &system.set;
         let ground = set.coordinates.len();
         let mut turns = Self { draw, of: Vec::new() };
-        let mut relations: Vec<Vec<(usize, Relation)>> = (0..=ground).map(|_| Vec::new()).collect();
+        let mut relations: Vec<Vec<(usize, TurnRow)>> = (0..=ground).map(|_| Vec::new()).collect();
         for row in 0..set.rows.len() {
             if let Some([(a, sign_a), (b, sign_b)]) = turns.ends(system, row) {
                 let rest = turns.rest(set, set.rows[row].phi);
-                relations[a].push((b, Relation { ends: [(a, sign_a), (b, sign_b)], rest }));
-                relations[b].push((a, Relation { ends: [(b, sign_b), (a, sign_a)], rest }));
+                relations[a].push((b, TurnRow { ends: [(a, sign_a), (b, sign_b)], rest }));
+                relations[b].push((a, TurnRow { ends: [(b, sign_b), (a, sign_a)], rest }));
             }
         }
         let mut of: Vec<Option<Turn>> = vec![None; ground + 1];
@@ -155,7 +155,7 @@ impl Turns {
             let mut open = vec![root];
             while let Some(index) = open.pop() {
                 let Some(here) = of[index] else { continue };
-                for (next, Relation { ends: [(_, sign), (_, next_sign)], rest }) in &relations[index] {
+                for (next, TurnRow { ends: [(_, sign), (_, next_sign)], rest }) in &relations[index] {
                     if of[*next].is_none() {
                         // Solves for φ_next = −next_sign (sign φ + rest).
                         of[*next] = Some(here.times(*sign).then(*rest).times(-next_sign));
@@ -232,7 +232,7 @@ mod tests {
 
     #[test]
     fn constant_angles_add_up() {
-        let turns = Turns { draw: Draw(5), of: Vec::new() };
+        let turns = PoseTurns { draw: Draw(5), of: Vec::new() };
         let mut graph = Graph::new();
         let [a, b] = [0, 1].map(|k| graph.symbol(Symbol::Parameter(k)));
         let sum = graph.add(a, b);

@@ -2,7 +2,7 @@
 
 use super::checker::{
     Checker,
-    Quantity::{Of, Plain},
+    QuantityUnit::{Of, Plain},
 };
 use super::quantity::first_origin;
 use super::unit::Unit;

@@ -4,11 +4,11 @@ use super::parse::{angles, parse};
 use super::unit::{Unit, near};
 use crate::error::{ModelError, Origin};
 use crate::mechanism::{Formula, Mechanism};
-use Quantity::{Any, Of};
+use QuantityUnit::{Any, Of};
 
 /// The unit of a quantity, as far as it is known.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Quantity {
+pub(super) enum QuantityUnit {
     /// Not known: it agrees with every unit.
     Any,
     /// A plain number, which takes any unit that is expected.
@@ -24,7 +24,7 @@ pub(super) enum Quantity {
 pub(super) struct Checker<'m> {
     pub(super) mechanism: &'m Mechanism,
     /// The written units of parameters, scalar coordinates, inputs and defines.
-    pub(super) written: [Vec<Option<Written>>; 4],
+    pub(super) written: [Vec<Option<WrittenUnit>>; 4],
     /// The units with which scalar coordinates and inputs without a unit are compared.
     pub(super) met: [Vec<Met>; 2],
     /// The unit of positions.
@@ -36,7 +36,7 @@ pub(super) struct Checker<'m> {
     /// The unit of masses.
     pub(super) mass: Unit,
     /// The units of the defines that have been checked.
-    pub(super) defines: Vec<Option<(Quantity, f64)>>,
+    pub(super) defines: Vec<Option<(QuantityUnit, f64)>>,
     /// The origin of the current formula.
     pub(super) at: Origin,
     pub(super) errors: Vec<ModelError>,
@@ -44,7 +44,7 @@ pub(super) struct Checker<'m> {
 
 /// A unit as it is written.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Written {
+pub(super) struct WrittenUnit {
     pub(super) unit: Unit,
     /// The exponent of angles in it.
     pub(super) angle: f64,
@@ -55,7 +55,7 @@ pub(super) struct Written {
 pub(super) enum Met {
     #[default]
     Nothing,
-    One(Written),
+    One(WrittenUnit),
     /// Units that do not agree with one another.
     Several,
 }
@@ -80,7 +80,7 @@ pub(super) fn texts(mechanism: &Mechanism) -> impl Iterator<Item = (&str, &str)>
 
 /// A unit of length, time or mass in which a mechanism is written.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Base<'m> {
+pub(super) struct BaseUnit<'m> {
     /// The first name whose unit contains it.
     pub(super) name: &'m str,
     pub(super) scale: f64,
@@ -89,21 +89,21 @@ pub(super) struct Base<'m> {
 
 /// The unit of length (0), time (1) or mass (2) that most of the written units contain, the first of these if several
 /// are equally frequent: whoever writes one wrong unit is told about that one.
-pub(super) fn base(mechanism: &Mechanism, kind: usize) -> Option<Base<'_>> {
-    let all: Vec<Base<'_>> = texts(mechanism).filter_map(|(name, text)| base_in(name, text, kind)).collect();
-    let uses = |base: &Base<'_>| all.iter().filter(|other| other.scale == base.scale).count();
+pub(super) fn base(mechanism: &Mechanism, kind: usize) -> Option<BaseUnit<'_>> {
+    let all: Vec<BaseUnit<'_>> = texts(mechanism).filter_map(|(name, text)| base_in(name, text, kind)).collect();
+    let uses = |base: &BaseUnit<'_>| all.iter().filter(|other| other.scale == base.scale).count();
     // Of equal elements, `max_by_key` returns the last.
     all.iter().rev().max_by_key(|base| uses(base)).copied()
 }
 
 /// The first unit of length, time or mass in a unit such as `mm/s`.
-fn base_in<'m>(name: &'m str, unit: &'m str, kind: usize) -> Option<Base<'m>> {
+fn base_in<'m>(name: &'m str, unit: &'m str, kind: usize) -> Option<BaseUnit<'m>> {
     let symbols = unit.split(|c: char| !c.is_alphabetic());
     let mut bases = symbols
         .filter_map(|symbol| parse(symbol).ok().map(|unit| (unit, symbol)))
         .filter(|(unit, _)| near(unit.powers[kind], 1.0));
     let (unit, symbol) = bases.find(|(unit, _)| unit.powers.iter().sum::<f64>() == 1.0)?;
-    unit.scale.map(|scale| Base { name, scale, symbol })
+    unit.scale.map(|scale| BaseUnit { name, scale, symbol })
 }
 
 impl<'m> Checker<'m> {
@@ -111,7 +111,7 @@ impl<'m> Checker<'m> {
         let m = mechanism;
         let written = |unit: &Option<String>| {
             let text = unit.as_deref()?;
-            Some(Written { unit: parse(text).ok()?, angle: angles(text) })
+            Some(WrittenUnit { unit: parse(text).ok()?, angle: angles(text) })
         };
         let [length, time, mass] = [0, 1, 2].map(|kind| base(m, kind));
         Self {
@@ -134,12 +134,12 @@ impl<'m> Checker<'m> {
     }
 
     /// The written unit of a name.
-    pub(super) fn written(&self, named: Named, k: usize) -> Option<Written> {
+    pub(super) fn written(&self, named: Named, k: usize) -> Option<WrittenUnit> {
         self.written[named as usize].get(k).copied().flatten()
     }
 
     /// The quantity of a name, with or without a unit.
-    pub(super) fn of(&self, named: Named, k: usize) -> Quantity {
+    pub(super) fn of(&self, named: Named, k: usize) -> QuantityUnit {
         self.written(named, k).map_or(Any, |written| Of(written.unit))
     }
 
@@ -153,9 +153,9 @@ impl<'m> Checker<'m> {
         };
         if let Some(met) = self.met[named as usize - 1].get_mut(member.family) {
             *met = match *met {
-                Met::Nothing => Met::One(Written { unit, angle }),
+                Met::Nothing => Met::One(WrittenUnit { unit, angle }),
                 Met::One(other) if other.unit.agrees(unit) => {
-                    Met::One(Written { angle: other.angle.max(angle), ..other })
+                    Met::One(WrittenUnit { angle: other.angle.max(angle), ..other })
                 }
                 _ => Met::Several,
             };

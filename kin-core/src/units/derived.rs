@@ -2,8 +2,8 @@
 
 use super::checker::{
     Checker, Met,
-    Quantity::{Of, Plain},
-    Written, base, texts,
+    QuantityUnit::{Of, Plain},
+    WrittenUnit, base, texts,
 };
 use super::parse::symbol_of;
 use super::unit::{Unit, near};
@@ -36,7 +36,7 @@ pub fn derive(mechanism: &Mechanism) -> Units {
         own.clone().or(derived).map(|unit| (name.to_owned(), unit))
     };
     let met = |met: Option<&Met>| match met {
-        Some(Met::One(Written { unit, angle })) => text(&units, &checker, *unit, *angle),
+        Some(Met::One(WrittenUnit { unit, angle })) => text(&units, &checker, *unit, *angle),
         _ => None,
     };
     let mut named = Vec::new();

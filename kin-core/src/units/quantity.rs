@@ -2,8 +2,8 @@
 
 use super::checker::{
     Checker, Named,
-    Quantity::{self, Any, Clock, Of, Plain},
-    Written,
+    QuantityUnit::{self, Any, Clock, Of, Plain},
+    WrittenUnit,
 };
 use super::unit::{Unit, near};
 use crate::error::{ModelError, Origin};
@@ -57,7 +57,7 @@ impl Checker<'_> {
     }
 
     /// Checks that both formulas have one unit, and returns it. An error points at the second if it contains a name.
-    pub(super) fn same(&mut self, a: &Formula, b: &Formula) -> Quantity {
+    pub(super) fn same(&mut self, a: &Formula, b: &Formula) -> QuantityUnit {
         let (left, right) = (self.quantity(a), self.quantity(b));
         for ((of, quantity), other) in [((a, right), b), ((b, left), a)] {
             let angle = self.angle(other);
@@ -90,14 +90,14 @@ impl Checker<'_> {
     }
 
     /// The quantity of a define, and its exponent of angles.
-    pub(super) fn define(&mut self, k: usize) -> (Quantity, f64) {
+    pub(super) fn define(&mut self, k: usize) -> (QuantityUnit, f64) {
         if let Some(known) = self.defines.get(k).copied().flatten() {
             return known;
         }
         let Some(define) = self.mechanism.defines.get(k) else { return (Any, 0.0) };
         let before = std::mem::replace(&mut self.at, define.origin);
         let known = match self.written(Named::Define, k) {
-            Some(Written { unit, angle }) => {
+            Some(WrittenUnit { unit, angle }) => {
                 self.expect(&define.formula, unit, define.origin);
                 (Of(unit), angle)
             }
@@ -108,7 +108,7 @@ impl Checker<'_> {
         known
     }
 
-    pub(super) fn quantity(&mut self, formula: &Formula) -> Quantity {
+    pub(super) fn quantity(&mut self, formula: &Formula) -> QuantityUnit {
         match formula {
             Formula::Number(_) | Formula::Pi | Formula::Index(_) => Plain,
             Formula::Time => Clock(self.time),
@@ -187,7 +187,7 @@ impl Checker<'_> {
         }
     }
 
-    fn call(&mut self, function: Function, a: &Formula) -> Quantity {
+    fn call(&mut self, function: Function, a: &Formula) -> QuantityUnit {
         match function {
             Function::Abs => self.quantity(a),
             Function::Sqrt => match self.quantity(a) {
@@ -215,7 +215,7 @@ impl Checker<'_> {
 /// A product. A plain number does not change the unit of the other factor, but a typical factor of conversions leaves
 /// its scale open. Number times number is a plain number, and number times t may have any unit, since the number may be
 /// a rate.
-fn product(factors: [(Quantity, &Formula); 2]) -> Quantity {
+fn product(factors: [(QuantityUnit, &Formula); 2]) -> QuantityUnit {
     match factors.map(|(quantity, _)| quantity) {
         [Of(a), Of(b) | Clock(b)] | [Clock(a), Of(b)] => Of(a.times(b)),
         [Clock(a), Clock(b)] => Clock(a.times(b)),

@@ -3,7 +3,7 @@
 use crate::vocabulary::JointKind;
 
 /// An equation as a sequence of pieces.
-pub(crate) type Equation = Vec<Piece>;
+pub(crate) type Equation = Vec<EquationPiece>;
 
 /// A joint with the names that its equations contain; a body is given by its name, the ground by `None`.
 #[derive(Clone, Copy, Debug)]
@@ -20,7 +20,7 @@ pub struct NamedJoint<'a> {
 
 /// A letter with its decorations.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Symbol {
+pub(crate) struct Letter {
     pub(super) letter: &'static str,
     pub(super) bold: bool,
     pub(super) index: Option<String>,
@@ -28,7 +28,7 @@ pub(crate) struct Symbol {
     pub(super) primed: bool,
 }
 
-impl Symbol {
+impl Letter {
     pub(crate) fn plain(letter: &'static str) -> Self {
         Self { letter, bold: false, index: None, above: None, primed: false }
     }
@@ -54,17 +54,17 @@ impl Symbol {
 
 /// A piece of an equation.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) enum Piece {
+pub(crate) enum EquationPiece {
     /// A vector or a matrix.
-    Vector(Symbol),
+    Vector(Letter),
     /// A transposed vector.
-    Transposed(Symbol),
+    Transposed(Letter),
     /// A scalar.
-    Scalar(Symbol),
+    Scalar(Letter),
     /// A squared scalar.
-    Squared(Symbol),
+    Squared(Letter),
     /// A bracketed product with a superscript: ⊥ᵀ or ᵀ.
-    Marked(Vec<Piece>, &'static str),
+    Marked(Vec<EquationPiece>, &'static str),
     /// Any other text: signs, brackets, numbers.
     Op(&'static str),
 }

@@ -6,6 +6,6 @@ mod terms;
 mod write;
 
 pub use equation::NamedJoint;
-pub(crate) use equation::{Equation, Piece, Symbol};
+pub(crate) use equation::{Equation, EquationPiece, Letter};
 pub(crate) use terms::{Terms, equals, zero};
 pub(crate) use write::write;

@@ -1,12 +1,12 @@
 //! Writes vector equations in every notation.
 
-use super::equation::{Piece, Symbol};
+use super::equation::{EquationPiece, Letter};
 use crate::notation::{Notation, escaped};
 
 /// Writes an equation in a notation.
-pub(crate) fn write(pieces: &[Piece], notation: Notation) -> String {
+pub(crate) fn write(pieces: &[EquationPiece], notation: Notation) -> String {
     let texts: Vec<(bool, String)> =
-        pieces.iter().map(|piece| (!matches!(piece, Piece::Op(_)), one(piece, notation))).collect();
+        pieces.iter().map(|piece| (!matches!(piece, EquationPiece::Op(_)), one(piece, notation))).collect();
     let mut out = String::new();
     for (index, (symbol, text)) in texts.iter().enumerate() {
         // Adjacent factors are separated by a small space.
@@ -22,12 +22,12 @@ pub(crate) fn write(pieces: &[Piece], notation: Notation) -> String {
     out
 }
 
-fn one(piece: &Piece, notation: Notation) -> String {
+fn one(piece: &EquationPiece, notation: Notation) -> String {
     match piece {
-        Piece::Vector(own) | Piece::Scalar(own) => symbol(own, "", notation),
-        Piece::Transposed(own) => symbol(own, "ᵀ", notation),
-        Piece::Squared(own) => symbol(own, "²", notation),
-        Piece::Marked(inner, mark) => {
+        EquationPiece::Vector(own) | EquationPiece::Scalar(own) => symbol(own, "", notation),
+        EquationPiece::Transposed(own) => symbol(own, "ᵀ", notation),
+        EquationPiece::Squared(own) => symbol(own, "²", notation),
+        EquationPiece::Marked(inner, mark) => {
             let inner = write(inner, notation);
             match notation {
                 Notation::Unicode => format!("({inner}){mark}"),
@@ -37,7 +37,7 @@ fn one(piece: &Piece, notation: Notation) -> String {
                 }
             }
         }
-        Piece::Op(text) => match notation {
+        EquationPiece::Op(text) => match notation {
             Notation::Unicode => (*text).to_owned(),
             Notation::Latex => text.replace('−', "-").replace('Δ', r"\Delta ").replace('φ', r"\varphi"),
             Notation::MathMl => text
@@ -62,7 +62,7 @@ fn latex_mark(mark: &str) -> &'static str {
     }
 }
 
-fn symbol(own: &Symbol, mark: &str, notation: Notation) -> String {
+fn symbol(own: &Letter, mark: &str, notation: Notation) -> String {
     let prime = if own.primed { "′" } else { "" };
     let above = own.above.as_deref().unwrap_or_default();
     match notation {

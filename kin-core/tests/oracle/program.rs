@@ -3,7 +3,7 @@
 use super::Environment;
 use kin_core::expr::Symbol;
 use kin_core::mechanism::Function;
-use kin_core::program::{Instruction, Program, Slot, Value};
+use kin_core::program::{Instruction, Program, Slot, ValueId};
 
 /// The outputs of `program`.
 pub fn interpret(program: &Program, environment: &impl Environment) -> Vec<(Slot, f64)> {
@@ -24,7 +24,7 @@ pub fn interpret(program: &Program, environment: &impl Environment) -> Vec<(Slot
 }
 
 /// What an instruction computes of its operands; a pair has the sine first. Loads and parts are no computation.
-pub fn compute(instruction: &Instruction, environment: &impl Environment, v: impl Fn(Value) -> f64) -> [f64; 3] {
+pub fn compute(instruction: &Instruction, environment: &impl Environment, v: impl Fn(ValueId) -> f64) -> [f64; 3] {
     match *instruction {
         Instruction::Number(_)
         | Instruction::Load(_)

@@ -3,7 +3,7 @@
 use super::Environment;
 use super::program::compute;
 use kin_core::expr::Symbol;
-use kin_core::program::{Part, Piece, Rolled, Slot, Source, Step, Value};
+use kin_core::program::{OperandSource, Piece, ResultPart, Rolled, RolledStep, Slot, ValueId};
 use std::collections::HashMap;
 
 /// The outputs of `rolled`, in the order in which it writes them.
@@ -23,30 +23,30 @@ struct State<'r, E> {
     rolled: &'r Rolled,
     environment: &'r E,
     arrays: Vec<Vec<f64>>,
-    locals: HashMap<Value, [f64; 3]>,
+    locals: HashMap<ValueId, [f64; 3]>,
     outputs: Vec<(Slot, f64)>,
 }
 
-fn part(whole: [f64; 3], part: Part) -> f64 {
+fn part(whole: [f64; 3], part: ResultPart) -> f64 {
     match part {
-        Part::Whole | Part::Sin => whole[0],
-        Part::Cos => whole[1],
-        Part::Derivative(order) => whole[usize::from(order)],
+        ResultPart::Whole | ResultPart::Sin => whole[0],
+        ResultPart::Cos => whole[1],
+        ResultPart::Derivative(order) => whole[usize::from(order)],
     }
 }
 
 impl<E: Environment> State<'_, E> {
-    fn run(&mut self, steps: &[Step], k: usize) {
+    fn run(&mut self, steps: &[RolledStep], k: usize) {
         for step in steps {
             match step {
-                Step::Compute { value, instruction, keeps } => {
+                RolledStep::Compute { value, instruction, keeps } => {
                     let whole = compute(instruction, self.environment, |operand| self.read(operand, k));
                     for keep in keeps {
                         self.arrays[keep.array][keep.first + k] = part(whole, keep.part);
                     }
                     self.locals.insert(*value, whole);
                 }
-                Step::Write { slot, step, source } => {
+                RolledStep::Write { slot, step, source } => {
                     let index = slot.index() as i64 + step * k as i64;
                     self.outputs.push((slot.at(index as usize), self.read(*source, k)));
                 }
@@ -54,17 +54,17 @@ impl<E: Environment> State<'_, E> {
         }
     }
 
-    fn read(&self, source: Value, k: usize) -> f64 {
+    fn read(&self, source: ValueId, k: usize) -> f64 {
         let advanced = |first: usize, step: i64| (first as i64 + step * k as i64) as usize;
         match self.rolled.sources[source.index()] {
-            Source::Number(bits) => bits.value(),
-            Source::Table(table) => self.rolled.tables[table][k].value(),
-            Source::Load(Symbol::Coarseness, _) => 1.0,
-            Source::Load(symbol, step) => {
+            OperandSource::Number(bits) => bits.value(),
+            OperandSource::Table(table) => self.rolled.tables[table][k].value(),
+            OperandSource::Load(Symbol::Coarseness, _) => 1.0,
+            OperandSource::Load(symbol, step) => {
                 self.environment.symbol(symbol.at(advanced(symbol.index() as usize, step) as u32))
             }
-            Source::Local(value, of) => self.locals.get(&value).map_or(f64::NAN, |whole| part(*whole, of)),
-            Source::Element { array, first, step } => self.arrays[array][advanced(first, step)],
+            OperandSource::Local(value, of) => self.locals.get(&value).map_or(f64::NAN, |whole| part(*whole, of)),
+            OperandSource::Element { array, first, step } => self.arrays[array][advanced(first, step)],
         }
     }
 }

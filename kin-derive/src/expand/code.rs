@@ -10,8 +10,8 @@
 
 use super::elements::Elements;
 use super::instructions::{definition, literal, load_at, load_of, name, names_of, number, target_at};
-use super::statements::{Statement, blocks};
-use kin_core::program::{Angles, Instruction, Keep, Part, Piece, Rolled, Source, Step, Value};
+use super::statements::{EmittedStatement, blocks};
+use kin_core::program::{Angles, Instruction, Keep, OperandSource, Piece, ResultPart, Rolled, RolledStep, ValueId};
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote};
 
@@ -95,25 +95,25 @@ fn places(first: usize, count: usize) -> TokenStream {
     quote! { #first..#end }
 }
 
-fn uses(statements: &[Statement]) -> Vec<Value> {
+fn uses(statements: &[EmittedStatement]) -> Vec<ValueId> {
     statements.iter().flat_map(|statement| &statement.uses).copied().collect()
 }
 
 /// The value that an operand reads from a local variable.
-fn local_value(rolled: &Rolled, operand: Value) -> Option<Value> {
+fn local_value(rolled: &Rolled, operand: ValueId) -> Option<ValueId> {
     match rolled.sources[operand.index()] {
-        Source::Local(value, _) => Some(value),
+        OperandSource::Local(value, _) => Some(value),
         _ => None,
     }
 }
 
 /// The values that a step reads from local variables.
-fn step_uses(rolled: &Rolled, step: &Step) -> Vec<Value> {
+fn step_uses(rolled: &Rolled, step: &RolledStep) -> Vec<ValueId> {
     let mut uses = Vec::new();
-    let mut read = |operand: Value| uses.extend(local_value(rolled, operand));
+    let mut read = |operand: ValueId| uses.extend(local_value(rolled, operand));
     match step {
-        Step::Compute { instruction, .. } => instruction.for_each_operand(read),
-        Step::Write { source, .. } => read(*source),
+        RolledStep::Compute { instruction, .. } => instruction.for_each_operand(read),
+        RolledStep::Write { source, .. } => read(*source),
     }
     uses
 }
@@ -157,23 +157,24 @@ struct Emitter<'r> {
 
 impl Emitter<'_> {
     /// A loop as a statement.
-    fn repeated(&self, count: usize, body: &[Step]) -> Statement {
+    fn repeated(&self, count: usize, body: &[RolledStep]) -> EmittedStatement {
         let statements = self.steps(body);
         let (uses, tokens) = (uses(&statements), blocks(&statements));
-        Statement { uses, tokens: members(count, &tokens), ..Statement::default() }
+        EmittedStatement { uses, tokens: members(count, &tokens), ..EmittedStatement::default() }
     }
 
     /// The statement for loops that only compute sines and cosines: one call for the angles of all members, which works
     /// in the arrays that keep the results.
-    fn gathered(&self, loops: &[(usize, Vec<Angles<'_>>)]) -> Statement {
+    fn gathered(&self, loops: &[(usize, Vec<Angles<'_>>)]) -> EmittedStatement {
         let mut uses = Vec::new();
         let mut calls: Vec<(Call, TokenStream)> = Vec::new();
         for (count, Angles { angle, keeps }) in
             loops.iter().flat_map(|(count, steps)| steps.iter().map(|step| (*count, step)))
         {
             uses.extend(local_value(self.rolled, *angle));
-            let kept = |part: Part| keeps.iter().find(|keep| keep.part == part).map(|keep| (keep.array, keep.first));
-            let call = Call { sines: kept(Part::Sin), cosines: kept(Part::Cos), count };
+            let kept =
+                |part: ResultPart| keeps.iter().find(|keep| keep.part == part).map(|keep| (keep.array, keep.first));
+            let call = Call { sines: kept(ResultPart::Sin), cosines: kept(ResultPart::Cos), count };
             let (angles, first) = kept_in(call.sines);
             let (place, angle) = (self.member.index(first, 1), self.operand(*angle));
             let fill = members(count, &quote! { #angles[#place] = #angle; });
@@ -200,10 +201,10 @@ impl Emitter<'_> {
                 __kin::Scalar::sin_cos_in_place(&mut #sines[#sine_places], &mut #cosines[#cosine_places]);
             } }
         });
-        Statement { tokens: tokens.collect(), uses, ..Statement::default() }
+        EmittedStatement { tokens: tokens.collect(), uses, ..EmittedStatement::default() }
     }
 
-    fn steps(&self, steps: &[Step]) -> Vec<Statement> {
+    fn steps(&self, steps: &[RolledStep]) -> Vec<EmittedStatement> {
         let mut out = Vec::new();
         let mut rest = steps;
         while let [step, tail @ ..] = rest {
@@ -223,14 +224,14 @@ impl Emitter<'_> {
 
     /// The number of steps at the beginning of `steps` that are all sines and cosines, or all angles of vectors, and do
     /// not depend on one another.
-    fn alike(&self, steps: &[Step]) -> usize {
-        let kind = |step: &Step| match step {
-            Step::Compute { value, instruction: Instruction::SinCos(_), .. } => Some((*value, false)),
-            Step::Compute { value, instruction: Instruction::Atan2(..), .. } => Some((*value, true)),
+    fn alike(&self, steps: &[RolledStep]) -> usize {
+        let kind = |step: &RolledStep| match step {
+            RolledStep::Compute { value, instruction: Instruction::SinCos(_), .. } => Some((*value, false)),
+            RolledStep::Compute { value, instruction: Instruction::Atan2(..), .. } => Some((*value, true)),
             _ => None,
         };
         let Some((_, first)) = steps.first().and_then(kind) else { return 0 };
-        let mut taken: Vec<Value> = Vec::new();
+        let mut taken: Vec<ValueId> = Vec::new();
         for step in steps.iter().take(ANGLES) {
             match kind(step) {
                 Some((value, other))
@@ -245,11 +246,11 @@ impl Emitter<'_> {
     }
 
     /// The statement for steps of one kind that are computed in one call.
-    fn at_once(&self, steps: &[Step]) -> Statement {
+    fn at_once(&self, steps: &[RolledStep]) -> EmittedStatement {
         let (mut names, mut operands, mut keep) = (Vec::new(), Vec::new(), TokenStream::new());
         let (mut defines, mut function) = (Vec::new(), "sin_cos_all");
         for step in steps {
-            let Step::Compute { value, instruction, keeps } = step else { continue };
+            let RolledStep::Compute { value, instruction, keeps } = step else { continue };
             let own = names_of(*value, instruction);
             if let Instruction::Atan2(y, x) = *instruction {
                 let (y, x) = (self.operand(y), self.operand(x));
@@ -265,53 +266,53 @@ impl Emitter<'_> {
         }
         let function = Ident::new(function, Span::call_site());
         let tokens = quote! { let [#(#names),*] = __kin::Scalar::#function([#(#operands),*]); #keep };
-        Statement { defines, uses: steps.iter().flat_map(|step| step_uses(self.rolled, step)).collect(), tokens }
+        EmittedStatement { defines, uses: steps.iter().flat_map(|step| step_uses(self.rolled, step)).collect(), tokens }
     }
 
-    fn step(&self, step: &Step) -> Option<Statement> {
+    fn step(&self, step: &RolledStep) -> Option<EmittedStatement> {
         let uses = step_uses(self.rolled, step);
         Some(match step {
-            Step::Compute { value, instruction, keeps } => {
+            RolledStep::Compute { value, instruction, keeps } => {
                 let mut tokens = definition(*value, instruction, |operand| self.operand(operand))?;
                 tokens.extend(keeps.iter().map(|keep| self.keep(keep, *value)));
-                Statement { defines: vec![(*value, names_of(*value, instruction))], uses, tokens }
+                EmittedStatement { defines: vec![(*value, names_of(*value, instruction))], uses, tokens }
             }
-            Step::Write { slot, step, source } => {
+            RolledStep::Write { slot, step, source } => {
                 let constant = !self.member.varies || *step == 0;
                 let target = match self.elements.write(*slot).filter(|_| constant) {
                     Some(element) => quote! { *#element },
                     None => target_at(*slot, &self.member.index(slot.index(), *step)),
                 };
                 let source = self.operand(*source);
-                Statement { uses, tokens: quote! { #target = #source; }, ..Statement::default() }
+                EmittedStatement { uses, tokens: quote! { #target = #source; }, ..EmittedStatement::default() }
             }
         })
     }
 
-    fn keep(&self, keep: &Keep, value: Value) -> TokenStream {
+    fn keep(&self, keep: &Keep, value: ValueId) -> TokenStream {
         let (name, array, place) = (local(value, keep.part), array(keep.array), self.member.index(keep.first, 1));
         quote! { #array[#place] = #name; }
     }
 
-    fn operand(&self, source: Value) -> TokenStream {
+    fn operand(&self, source: ValueId) -> TokenStream {
         match self.rolled.sources[source.index()] {
-            Source::Number(bits) => number(bits.value()),
-            Source::Table(number) => {
+            OperandSource::Number(bits) => number(bits.value()),
+            OperandSource::Table(number) => {
                 let (table, index) = (table(number), self.member.index(0, 1));
                 quote! { <__T as __kin::Scalar>::from_f64(#table[#index]) }
             }
-            Source::Load(symbol, step) => {
+            OperandSource::Load(symbol, step) => {
                 let constant = !self.member.varies || step == 0;
                 match self.elements.read(symbol).filter(|_| constant) {
                     Some(element) => load_of(symbol, &element),
                     None => load_at(symbol, &self.member.index(symbol.index() as usize, step)),
                 }
             }
-            Source::Local(value, part) => {
+            OperandSource::Local(value, part) => {
                 let name = local(value, part);
                 quote! { #name }
             }
-            Source::Element { array: number, first, step } => {
+            OperandSource::Element { array: number, first, step } => {
                 let (array, index) = (array(number), self.member.index(first, step));
                 quote! { #array[#index] }
             }
@@ -320,12 +321,12 @@ impl Emitter<'_> {
 }
 
 /// The local variable of a part of a value.
-fn local(value: Value, part: Part) -> Ident {
+fn local(value: ValueId, part: ResultPart) -> Ident {
     let prefix = match part {
-        Part::Whole => 'v',
-        Part::Sin => 's',
-        Part::Cos => 'c',
-        Part::Derivative(order) => ['d', 'e', 'f'][usize::from(order.min(2))],
+        ResultPart::Whole => 'v',
+        ResultPart::Sin => 's',
+        ResultPart::Cos => 'c',
+        ResultPart::Derivative(order) => ['d', 'e', 'f'][usize::from(order.min(2))],
     };
     name(prefix, value)
 }

@@ -10,7 +10,7 @@
 
 use super::instructions::{argument, target_name};
 use kin_core::expr::Symbol;
-use kin_core::program::{Instruction, Piece, Rolled, Slot, Source, Step, Value};
+use kin_core::program::{Instruction, OperandSource, Piece, Rolled, RolledStep, Slot, ValueId};
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote};
 use std::collections::{BTreeMap, BTreeSet};
@@ -43,13 +43,13 @@ impl Elements {
             };
             for step in steps {
                 for_each_source(rolled, step, |source| {
-                    if let Source::Load(symbol, step) = source
+                    if let OperandSource::Load(symbol, step) = source
                         && is_array(symbol)
                     {
                         uses(argument(symbol), symbol.index() as usize, step);
                     }
                 });
-                if let Step::Write { slot, step, .. } = step {
+                if let RolledStep::Write { slot, step, .. } = step {
                     written.insert(target_name(*slot));
                     uses(target_name(*slot), slot.index(), *step);
                 }
@@ -105,15 +105,15 @@ fn is_array(symbol: Symbol) -> bool {
 }
 
 /// The sources of all values that a step reads.
-fn for_each_source(rolled: &Rolled, step: &Step, mut read: impl FnMut(Source)) {
-    let mut value = |value: Value| read(rolled.sources[value.index()]);
+fn for_each_source(rolled: &Rolled, step: &RolledStep, mut read: impl FnMut(OperandSource)) {
+    let mut value = |value: ValueId| read(rolled.sources[value.index()]);
     match step {
         // Parts of a value that another step has computed.
-        Step::Compute {
+        RolledStep::Compute {
             instruction: Instruction::SinOf(_) | Instruction::CosOf(_) | Instruction::SuppliedOf(..),
             ..
         } => {}
-        Step::Compute { instruction, .. } => instruction.for_each_operand(value),
-        Step::Write { source, .. } => value(*source),
+        RolledStep::Compute { instruction, .. } => instruction.for_each_operand(value),
+        RolledStep::Write { source, .. } => value(*source),
     }
 }

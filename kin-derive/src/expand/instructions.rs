@@ -2,7 +2,7 @@
 
 use kin_core::expr::Symbol;
 use kin_core::mechanism::Function;
-use kin_core::program::{Instruction, Slot, Value};
+use kin_core::program::{Instruction, Slot, ValueId};
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{ToTokens, format_ident, quote};
 
@@ -13,12 +13,12 @@ pub(crate) fn function_names(number: u32) -> [Ident; 2] {
 
 /// The local variable of a value; see `kin_runtime::private::locals` for the reason why no constant of the user may
 /// have its name.
-pub(super) fn name(prefix: char, value: Value) -> Ident {
+pub(super) fn name(prefix: char, value: ValueId) -> Ident {
     Ident::new(&format!("__{prefix}{}", value.0), Span::call_site())
 }
 
 /// The local variables that a statement defines for the result of an instruction.
-pub(super) fn names_of(value: Value, instruction: &Instruction) -> Vec<Ident> {
+pub(super) fn names_of(value: ValueId, instruction: &Instruction) -> Vec<Ident> {
     match instruction {
         Instruction::SinCos(_) => vec![name('s', value), name('c', value)],
         Instruction::Supplied(..) => vec![name('d', value), name('e', value), name('f', value)],
@@ -29,9 +29,9 @@ pub(super) fn names_of(value: Value, instruction: &Instruction) -> Vec<Ident> {
 /// `let … = …;` for an instruction, with operands printed by `v`; `None` for instructions that are printed where they
 /// are used.
 pub(super) fn definition(
-    value: Value,
+    value: ValueId,
     instruction: &Instruction,
-    v: impl Fn(Value) -> TokenStream,
+    v: impl Fn(ValueId) -> TokenStream,
 ) -> Option<TokenStream> {
     let expression = match *instruction {
         Instruction::Number(_)

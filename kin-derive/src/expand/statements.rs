@@ -3,7 +3,7 @@
 //! With debug information, rustc overflows its stack on functions with thousands of `let`s. Statements are therefore
 //! grouped in nested blocks that return only the values that later blocks need.
 
-use kin_core::program::Value;
+use kin_core::program::ValueId;
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 use std::collections::HashMap;
@@ -13,18 +13,18 @@ pub(super) const BLOCK: usize = 500;
 
 /// A statement: the values that it defines with their names, the values that it reads, and its tokens.
 #[derive(Default)]
-pub(super) struct Statement {
-    pub(super) defines: Vec<(Value, Vec<Ident>)>,
-    pub(super) uses: Vec<Value>,
+pub(super) struct EmittedStatement {
+    pub(super) defines: Vec<(ValueId, Vec<Ident>)>,
+    pub(super) uses: Vec<ValueId>,
     pub(super) tokens: TokenStream,
 }
 
 /// Statements in blocks of bounded length, each of which returns the values that later blocks read.
-pub(super) fn blocks(statements: &[Statement]) -> TokenStream {
+pub(super) fn blocks(statements: &[EmittedStatement]) -> TokenStream {
     if statements.len() <= BLOCK {
         return statements.iter().map(|s| &s.tokens).cloned().collect();
     }
-    let last_use: HashMap<Value, usize> = (statements.chunks(BLOCK).enumerate())
+    let last_use: HashMap<ValueId, usize> = (statements.chunks(BLOCK).enumerate())
         .flat_map(|(number, block)| block.iter().flat_map(move |s| s.uses.iter().map(move |value| (*value, number))))
         .collect();
     let mut out = TokenStream::new();

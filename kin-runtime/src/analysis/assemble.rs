@@ -14,7 +14,7 @@ use crate::analysis::subsystem_residual::close;
 use crate::equations::Equations;
 use crate::equations::scale::Scale;
 use crate::error::SolveError;
-use crate::nonlinear::newton::Outcome;
+use crate::nonlinear::newton::Iteration;
 use crate::random::Random;
 use crate::workspace::Subset;
 
@@ -35,7 +35,7 @@ fn attempts(equations: &mut Equations<'_>, guesses: &[Option<f64>]) -> Result<Po
     equations.scale = Scale::around(equations, &q);
     let unguessed: Vec<usize> = (0..guesses.len()).filter(|&k| guesses[k].is_none()).collect();
 
-    let mut best: Option<(Vec<f64>, Outcome)> = None;
+    let mut best: Option<(Vec<f64>, Iteration)> = None;
     let mut random = Random::new(0x00a5_5e3b_1e00);
     let attempts = if unguessed.is_empty() { 0 } else { equations.options.restarts };
     for attempt in 0..=attempts {

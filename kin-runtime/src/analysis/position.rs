@@ -10,7 +10,7 @@ use crate::equations::Equations;
 use crate::equations::scale::Scale;
 use crate::error::SolveError;
 use crate::linear::Factorization;
-use crate::nonlinear::newton::Outcome;
+use crate::nonlinear::newton::Iteration;
 use crate::text::numbers;
 use crate::workspace::Subset;
 use core::fmt;
@@ -42,7 +42,7 @@ pub(crate) fn position(equations: &mut Equations<'_>, start: &[f64]) -> Result<P
         let again = close_all(equations, &mut other);
         if again.converged || again.gap < outcome.gap {
             let iterations = outcome.iterations + before.iterations + again.iterations;
-            (q, outcome) = (other, Outcome { iterations, ..again });
+            (q, outcome) = (other, Iteration { iterations, ..again });
         }
     }
     finish(equations, q, outcome)
@@ -54,14 +54,14 @@ fn origins(equations: &Equations<'_>) -> Vec<usize> {
 }
 
 /// Closes all rows of position level.
-pub(crate) fn close_all(equations: &mut Equations<'_>, q: &mut [f64]) -> Outcome {
+pub(crate) fn close_all(equations: &mut Equations<'_>, q: &mut [f64]) -> Iteration {
     let rows = equations.rows_where(Equations::holonomic);
     let columns: Vec<usize> = (0..equations.coordinates()).collect();
     close(equations, &rows, &columns, q)
 }
 
 /// The outcome as a result: residuals in the rows' own units, or a typed error.
-pub(crate) fn finish(equations: &mut Equations<'_>, q: Vec<f64>, outcome: Outcome) -> Result<Position, SolveError> {
+pub(crate) fn finish(equations: &mut Equations<'_>, q: Vec<f64>, outcome: Iteration) -> Result<Position, SolveError> {
     // This evaluation fails with an error if a number is not finite at the best configuration found.
     equations.evaluate(Subset::POSITION, &q, None)?;
     if outcome.converged {

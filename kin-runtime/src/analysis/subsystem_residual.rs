@@ -3,7 +3,7 @@
 use crate::equations::Equations;
 use crate::equations::factorisation::Purpose;
 use crate::linear::{Factorization, Ordered};
-use crate::nonlinear::newton::{self, Outcome, Residual, Settings};
+use crate::nonlinear::newton::{self, Iteration, NewtonSettings, Residual};
 use crate::workspace::Subset;
 use nalgebra::{DMatrix, DVector};
 
@@ -14,18 +14,18 @@ struct SubsystemResidual<'e, 'a> {
     columns: &'e [usize],
     sizes: Vec<f64>,
     q: Vec<f64>,
-    part: Part,
+    part: EntryPositions,
 }
 
 /// How the entries of these rows and columns are found in Φ_q.
-enum Part {
+enum EntryPositions {
     /// The subsystem is the whole system.
     All,
     /// The indices of the entries in Φ_q, and the pattern of the subsystem.
     Some(Vec<usize>, Ordered),
 }
 
-impl Part {
+impl EntryPositions {
     fn new(equations: &Equations<'_>, rows: &[usize], columns: &[usize]) -> Self {
         let (s, n) = (equations.rows(), equations.coordinates());
         if rows.iter().copied().eq(0..s) && columns.iter().copied().eq(0..n) {
@@ -65,8 +65,10 @@ impl Residual for SubsystemResidual<'_, '_> {
             matrix[(i, j)] = equations.phi_q[place] * equations.scale.rows[self.rows[i]];
         };
         match &self.part {
-            Part::All => (equations.ordered.entries().iter().enumerate()).for_each(|(place, &(i, j))| set(place, i, j)),
-            Part::Some(places, ordered) => {
+            EntryPositions::All => {
+                (equations.ordered.entries().iter().enumerate()).for_each(|(place, &(i, j))| set(place, i, j))
+            }
+            EntryPositions::Some(places, ordered) => {
                 places.iter().zip(ordered.entries()).for_each(|(&place, &(i, j))| set(place, i, j));
             }
         }
@@ -76,8 +78,8 @@ impl Residual for SubsystemResidual<'_, '_> {
     fn times(&self, x: &DVector<f64>) -> DVector<f64> {
         let equations = &*self.equations;
         let mut product = match &self.part {
-            Part::All => equations.times(x.as_slice()),
-            Part::Some(places, ordered) => {
+            EntryPositions::All => equations.times(x.as_slice()),
+            EntryPositions::Some(places, ordered) => {
                 let mut product = DVector::zeros(self.rows.len());
                 for (&place, &(i, j)) in places.iter().zip(ordered.entries()) {
                     product[i] += equations.phi_q[place] * x[j];
@@ -91,11 +93,11 @@ impl Residual for SubsystemResidual<'_, '_> {
 
     fn factorise(&mut self, tolerance: f64) -> Factorization {
         let sparse = match &mut self.part {
-            Part::All => self.equations.factorise_sparse(Purpose::Solutions, None),
-            Part::Some(places, ordered) if self.rows.len() == self.columns.len() => {
+            EntryPositions::All => self.equations.factorise_sparse(Purpose::Solutions, None),
+            EntryPositions::Some(places, ordered) if self.rows.len() == self.columns.len() => {
                 self.equations.factorise_part(places, ordered, self.rows, &self.sizes)
             }
-            Part::Some(..) => None,
+            EntryPositions::Some(..) => None,
         };
         sparse.unwrap_or_else(|| Factorization::quick(&self.jacobian(), &self.sizes, tolerance))
     }
@@ -106,9 +108,9 @@ impl Residual for SubsystemResidual<'_, '_> {
 }
 
 /// Closes `rows` by moving the coordinates `columns` of `q`; the outcome numbers its worst row as in the mechanism.
-pub(crate) fn close(equations: &mut Equations<'_>, rows: &[usize], columns: &[usize], q: &mut [f64]) -> Outcome {
+pub(crate) fn close(equations: &mut Equations<'_>, rows: &[usize], columns: &[usize], q: &mut [f64]) -> Iteration {
     let options = equations.options;
-    let settings = Settings {
+    let settings = NewtonSettings {
         max_iterations: options.max_iterations,
         tolerance: options.tolerance,
         trust_radius: options.trust_radius,
@@ -116,7 +118,7 @@ pub(crate) fn close(equations: &mut Equations<'_>, rows: &[usize], columns: &[us
     };
     let sizes = columns.iter().map(|&k| equations.scale.columns[k]).collect();
     let mut moved: Vec<f64> = columns.iter().map(|&k| q[k]).collect();
-    let part = Part::new(equations, rows, columns);
+    let part = EntryPositions::new(equations, rows, columns);
     let mut closure = SubsystemResidual { equations, rows, columns, sizes, q: q.to_vec(), part };
     let mut outcome = newton::solve(&mut closure, &mut moved, &settings);
     columns.iter().zip(moved).for_each(|(&k, x)| q[k] = x);

@@ -2,7 +2,7 @@
 
 use super::BatchError;
 use super::column::{Arguments, Block, Configurations};
-use super::run::{CHUNK, Progress, Shape, blocks, drive};
+use super::run::{BatchShape, CHUNK, Progress, blocks, drive};
 use crate::mechanism::{Mechanism, Workspace};
 use crate::scalar::lanes::Lanes;
 use crate::workspace::Subset;
@@ -78,7 +78,7 @@ where
     Workspace<M, Lanes>: Send,
 {
     configurations.check::<M>(out.count)?;
-    let shape = Shape { count: out.count, width: Lanes::COUNT, stride: 1, chunk: CHUNK };
+    let shape = BatchShape { count: out.count, width: Lanes::COUNT, stride: 1, chunk: CHUNK };
     let arguments = || Arguments::<Lanes>::new(configurations);
     drive(&shape, &mut out.blocks, watch, arguments, |first, arguments, out| {
         let Block { parameters, at, q, q_dot } = arguments.block(first);

@@ -2,7 +2,7 @@
 
 use super::BatchError;
 use super::column::{Arguments, Configurations};
-use super::run::{CHUNK, Progress, Shape, drive};
+use super::run::{BatchShape, CHUNK, Progress, drive};
 use super::solution::{Problems, Solutions, SolvedBlock};
 use crate::mechanism::Mechanism;
 use crate::model::ForceModel;
@@ -116,7 +116,7 @@ pub fn forces<M: Mechanism + Sync>(
     let &Problems { parameters, t, inputs, .. } = problems;
     // q and its rates are those of the solutions.
     let configurations = Configurations { parameters, t, inputs, q: &[], q_dot: &[] };
-    let shape = Shape { count: out.count, width: Octet::COUNT, stride: model.count, chunk: CHUNK };
+    let shape = BatchShape { count: out.count, width: Octet::COUNT, stride: model.count, chunk: CHUNK };
     let arguments = || Arguments::<Octet>::new(&configurations);
     drive(&shape, &mut out.blocks, watch, arguments, |first, arguments, out| {
         let block = arguments.block(first);

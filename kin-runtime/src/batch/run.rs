@@ -32,7 +32,7 @@ pub(super) const fn blocks(count: usize) -> usize {
 }
 
 /// How a batch is divided.
-pub(super) struct Shape {
+pub(super) struct BatchShape {
     /// Number of configurations.
     pub(super) count: usize,
     /// Number of configurations of a block.
@@ -45,13 +45,13 @@ pub(super) struct Shape {
 
 /// Calls `block` with the first configuration of every block, the results of the block and the scratch of the thread.
 pub(super) fn drive<T: Send, S>(
-    shape: &Shape,
+    shape: &BatchShape,
     out: &mut [T],
     watch: Watch<'_>,
     scratch: impl Fn() -> S + Sync,
     block: impl Fn(usize, &mut S, &mut [T]) + Sync,
 ) -> Result<(), BatchError> {
-    let &Shape { count, width, stride, chunk } = shape;
+    let &BatchShape { count, width, stride, chunk } = shape;
     let (done, stopped) = (AtomicUsize::new(0), AtomicBool::new(false));
     let each = |scratch: &mut S, index: usize, out: &mut [T]| {
         if stopped.load(Ordering::Relaxed) {

@@ -1,7 +1,7 @@
 //! Derivatives with respect to parameters, of many solved configurations.
 
 use super::BatchError;
-use super::run::{CHUNK, Progress, Shape, drive};
+use super::run::{BatchShape, CHUNK, Progress, drive};
 use super::solution::{Problems, Solutions};
 use crate::measure::{Measure, Needs, Source};
 use crate::mechanism::{LengthError, Mechanism};
@@ -151,8 +151,8 @@ pub fn sensitivities<M: Mechanism + Sync>(
     solutions.check(out.count)?;
     out.check(measures.len(), parameters.len())?;
     let list = List::new(model, measures, parameters)?;
-    let shape = Shape { count: out.count, width: 1, stride: out.stride(), chunk: CHUNK };
-    let scratch = || Scratch::<M>::new(mechanism);
+    let shape = BatchShape { count: out.count, width: 1, stride: out.stride(), chunk: CHUNK };
+    let scratch = || SensitivityBuffers::<M>::new(mechanism);
     drive(&shape, &mut out.numbers, watch, scratch, |place, scratch, out| {
         let block = solutions.block(place / Octet::COUNT);
         let lane = place % Octet::COUNT;
@@ -240,7 +240,7 @@ impl<'a> List<'a> {
 }
 
 /// The buffers of one thread.
-struct Scratch<'m, M: Mechanism> {
+struct SensitivityBuffers<'m, M: Mechanism> {
     varying: Varying<'m, M>,
     varied: Varied,
     parameters: Vec<f64>,
@@ -248,7 +248,7 @@ struct Scratch<'m, M: Mechanism> {
     q: Vec<f64>,
 }
 
-impl<'m, M: Mechanism> Scratch<'m, M> {
+impl<'m, M: Mechanism> SensitivityBuffers<'m, M> {
     fn new(mechanism: &'m M) -> Self {
         Self {
             varying: Varying::new(mechanism),

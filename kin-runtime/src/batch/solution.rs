@@ -5,7 +5,7 @@ use super::block_solution::{BlockSolution, Question};
 use super::column::{Arguments, Column, Configurations, check_list, check_signals};
 use super::modes::Modes;
 use super::motion::least_length;
-use super::run::{CHUNK, Progress, Shape, drive};
+use super::run::{BatchShape, CHUNK, Progress, drive};
 use crate::mechanism::{LengthError, Mechanism};
 use crate::plan::Depth;
 use crate::planned::lists::{self, Margins};
@@ -152,7 +152,7 @@ fn are_positive(numbers: impl Iterator<Item = f64>) -> impl Iterator<Item = bool
 }
 
 /// The buffers of one thread.
-struct Scratch<'a, M: Mechanism> {
+struct SolutionBuffers<'a, M: Mechanism> {
     arguments: Arguments<'a, Octet>,
     modes: lists::Modes<M, Octet>,
     margins: Margins<M, Octet>,
@@ -167,8 +167,8 @@ struct Solve<'a, M> {
 
 impl<M: Mechanism> Solve<'_, M> {
     #[inline]
-    fn block(&self, first: usize, scratch: &mut Scratch<'_, M>, out: &mut [Octet]) {
-        let Scratch { arguments, modes, margins } = scratch;
+    fn block(&self, first: usize, scratch: &mut SolutionBuffers<'_, M>, out: &mut [Octet]) {
+        let SolutionBuffers { arguments, modes, margins } = scratch;
         let block = arguments.block(first);
         self.modes.of_block(self.mechanism, block.parameters, &block.at, block.q, block.q_dot, modes.as_mut());
         let modes = modes.of_closures();
@@ -254,8 +254,8 @@ pub fn solve<M: Mechanism + Sync>(
     problems.check::<M>(out.count)?;
     let configurations = Configurations { parameters, t, inputs, q: start, q_dot: modes.columns() };
     let work = Solve { mechanism, depth, modes };
-    let shape = Shape { count: out.count, width: Octet::COUNT, stride: Solutions::<M>::STRIDE, chunk: CHUNK };
-    let scratch = || Scratch {
+    let shape = BatchShape { count: out.count, width: Octet::COUNT, stride: Solutions::<M>::STRIDE, chunk: CHUNK };
+    let scratch = || SolutionBuffers {
         arguments: Arguments::new(&configurations),
         modes: lists::Modes::filled(Octet::default()),
         margins: Margins::filled(Octet::default()),

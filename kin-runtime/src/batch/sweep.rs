@@ -5,8 +5,8 @@ use super::column::{Arguments, Column, Configurations, check_list, check_signals
 use super::end::{End, Outcome};
 use super::forces::table;
 use super::modes::Modes;
-use super::motion::Motion;
-use super::run::{Progress, Shape, blocks, drive};
+use super::motion::BlockMotion;
+use super::run::{BatchShape, Progress, blocks, drive};
 use crate::mechanism::Mechanism;
 use crate::scalar::Scalar;
 use crate::scalar::lanes::{Lanes, Octet};
@@ -147,12 +147,12 @@ struct Sweep<'a, M, V, S> {
 }
 
 /// The buffers of one thread.
-struct Scratch<'a, M: Mechanism> {
+struct SweepBuffers<'a, M: Mechanism> {
     arguments: Arguments<'a, Octet>,
     inputs: Vec<Signal<Octet>>,
     shown_inputs: Vec<Signal<Lanes>>,
     /// On the heap, because the generated code of a large mechanism needs the stack.
-    motion: Box<Motion<M>>,
+    motion: Box<BlockMotion<M>>,
     shown: Box<Shown<M>>,
 }
 
@@ -169,13 +169,13 @@ where
     M: Mechanism + Sync,
     V: Fn(&mut S, &Moment<'_>) + Sync,
 {
-    fn scratch(&self) -> Scratch<'a, M> {
+    fn scratch(&self) -> SweepBuffers<'a, M> {
         let four = Lanes::default();
-        Scratch {
+        SweepBuffers {
             arguments: Arguments::new(self.configurations),
             inputs: alloc::vec![Signal::constant(Octet::default()); M::INPUTS],
             shown_inputs: alloc::vec![Signal::constant(Lanes::default()); M::INPUTS],
-            motion: Box::new(Motion::nothing()),
+            motion: Box::new(BlockMotion::nothing()),
             shown: Box::new(Shown {
                 parameters: Array::filled(four),
                 q: Array::filled(four),
@@ -185,8 +185,8 @@ where
         }
     }
 
-    fn block(&self, first: usize, scratch: &mut Scratch<'a, M>, out: &mut [Outcome<S>]) {
-        let Scratch { arguments, inputs, shown_inputs, motion, shown } = scratch;
+    fn block(&self, first: usize, scratch: &mut SweepBuffers<'a, M>, out: &mut [Outcome<S>]) {
+        let SweepBuffers { arguments, inputs, shown_inputs, motion, shown } = scratch;
         out.iter_mut().for_each(|(_, ends)| *ends = [None; Lanes::COUNT]);
         let block = arguments.block(first);
         motion.parameters.as_mut().copy_from_slice(block.parameters);
@@ -321,6 +321,6 @@ where
         Configurations { parameters, t: Column::Shared(0.0), inputs: &[], q: start, q_dot: modes.columns() };
     let work = Sweep { mechanism, sweeps, configurations: &configurations, visit, score: PhantomData };
     let chunk = (INSTANTS / Octet::GROUPS / times.len().max(1)).max(1);
-    let shape = Shape { count: out.count, width: Octet::COUNT, stride: Octet::GROUPS, chunk };
+    let shape = BatchShape { count: out.count, width: Octet::COUNT, stride: Octet::GROUPS, chunk };
     drive(&shape, &mut out.blocks, watch, || work.scratch(), |first, scratch, out| work.block(first, scratch, out))
 }

@@ -1,6 +1,6 @@
 //! Tests of the loop over blocks, with work that only records the indices of its configurations.
 
-use super::run::{CHUNK, Shape, blocks, drive};
+use super::run::{BatchShape, CHUNK, blocks, drive};
 use super::{BatchError, Progress, always};
 use crate::scalar::lanes::Lanes;
 use core::ops::ControlFlow;
@@ -12,7 +12,7 @@ fn run(
     out: &mut [Lanes],
     watch: &(dyn Fn(Progress) -> ControlFlow<()> + Sync),
 ) -> Result<(), BatchError> {
-    let shape = Shape { count, width: Lanes::COUNT, stride: 1, chunk: CHUNK };
+    let shape = BatchShape { count, width: Lanes::COUNT, stride: 1, chunk: CHUNK };
     drive(
         &shape,
         &mut out[..blocks(count)],

@@ -1,26 +1,26 @@
 //! `animate`: the motion as a page for a browser, or as an animated picture.
 
-use super::closures::{self, Choice};
+use super::closures::{self, ChosenClosures};
 use super::columns::{column_infos, shown};
 use super::engine::Engine;
 use super::examples::{Help, Names};
 use super::failure::{Failure, Ledger};
 use super::instants::ArcArgs;
-use super::moving::{Moved, Walk, note_motion};
+use super::moving::{FollowedMotion, Moved, note_motion};
 use super::output::{Form, OutputArgs};
 use super::places::places;
 use super::session::Session;
 use super::setup::Setup;
 use super::solved::{analysis, note_freedom};
-use super::task::{MotionArgs, Task};
+use super::task::{MotionArgs, MotionTask};
 use crate::error::SolveError;
 use crate::measure::Measure;
 use crate::model::Model;
 use crate::motion::Motion;
-use crate::present::animation::{Animation, ColumnInfo, Run};
+use crate::present::animation::{AnimatedMotion, Animation, ColumnInfo};
 use crate::present::drawing::{Scene, Snapshot, Subject};
 use crate::present::text::count;
-use crate::present::units::Units;
+use crate::present::units::ResultUnits;
 use crate::state::State;
 
 /// Number of steps without `--steps`.
@@ -88,7 +88,7 @@ pub(super) fn run(args: &AnimateArgs, engine: &mut dyn Engine, session: &mut Ses
     let task = args.motion.read(&mut ledger, ("animate", &args.output), (STEPS, args.arc), engine, session);
     let targets = args.targets.as_ref().map_or(Ok(Vec::new()), |file| places("--targets", file));
     let targets = ledger.take(targets);
-    let (Task { asked, setup, output }, targets) = ledger.close(task.zip(targets))?;
+    let (MotionTask { asked, setup, output }, targets) = ledger.close(task.zip(targets))?;
     let engine = &*engine;
     let model = engine.model();
     if model.bodies.is_empty() && model.points.is_empty() {
@@ -109,15 +109,15 @@ pub(super) fn run(args: &AnimateArgs, engine: &mut dyn Engine, session: &mut Ses
     let most = if one { 0 } else { (closures::MOST - 1).min(room) };
     watch.begin("instants", (1 + most) * instants.len());
     let walk = args.motion.walk(engine, (&asked, &setup, &instants), &measures, &watch);
-    let walk = Walk { reported: true, tells_missing: args.forces, ..walk };
+    let walk = FollowedMotion { reported: true, tells_missing: args.forces, ..walk };
     let moved = walk.kept()?;
     note_motion(session, &moved);
     let Moved { trajectory, motions, columns, mut ended, left, .. } = moved;
     note_freedom(session, left);
     let Some(first) = trajectory.states.first() else { return ended.map_or(Ok(()), Err) };
     let choice = match one || ended.is_some() {
-        true => Choice::one(engine, first),
-        false => Choice::all(engine, &setup, first, most),
+        true => ChosenClosures::one(engine, first),
+        false => ChosenClosures::all(engine, &setup, first, most),
     };
     let note = ended.as_ref().map(|failure| early(model, failure));
     let degrees = args.motion.angles.degrees;
@@ -126,7 +126,7 @@ pub(super) fn run(args: &AnimateArgs, engine: &mut dyn Engine, session: &mut Ses
     for (index, (name, asked)) in choice.others.iter().enumerate() {
         watch.go_on((1 + index) * instants.len());
         // Other modes that do not close are left out. That is no error, since the requested motion exists.
-        let Ok(also) = (Walk { setup: asked, ..walk }).kept() else { continue };
+        let Ok(also) = (FollowedMotion { setup: asked, ..walk }).kept() else { continue };
         let states = &also.trajectory.states;
         if watch.interrupted() {
             ended = Some(Failure::Interrupted(format!("{index} of {} other modes finished", choice.others.len())));
@@ -138,7 +138,7 @@ pub(super) fn run(args: &AnimateArgs, engine: &mut dyn Engine, session: &mut Ses
         }
     }
     watch.end();
-    let units = Units::of(model).in_degrees(degrees);
+    let units = ResultUnits::of(model).in_degrees(degrees);
     let columns = column_infos(units, &measures);
     let shown = shown(model, &runs[0].columns);
     let along = if along_arc { "step" } else { "t" };
@@ -200,7 +200,7 @@ impl Drawn<'_> {
         columns: Vec<Vec<f64>>,
         name: String,
         note: Option<String>,
-    ) -> Result<Run, Failure> {
+    ) -> Result<AnimatedMotion, Failure> {
         let pairs = states.iter().zip(motions);
         let mut snapshots: Vec<Snapshot> =
             pairs.map(|(state, motion)| self.snapshot(setup, state, motion)).collect::<Result<_, _>>()?;
@@ -211,7 +211,7 @@ impl Drawn<'_> {
         let curve = |instant: usize, joint: usize, s: f64| engine.curve(&states.get(instant)?.instant(), joint, s);
         let subject = Subject { model: engine.model(), snapshots: &snapshots, curve: &curve, targets: self.targets };
         let scene = Scene::new(&subject);
-        Ok(Run { name, note, scene, columns })
+        Ok(AnimatedMotion { name, note, scene, columns })
     }
 
     fn snapshot(&self, setup: &Setup, state: &State, motion: &Motion) -> Result<Snapshot, Failure> {

@@ -13,7 +13,7 @@ use super::setup::Setup;
 use super::solved::{analysis, driven_state, note_freedom};
 use super::task::{At, AtArgs};
 use super::values;
-use super::watch::Watch;
+use super::watch::ProgressWatch;
 use crate::certificate::Uncertified;
 use crate::cross_check::{Configuration, CrossCheck, CrossCheckOptions};
 use crate::error::SolveError;
@@ -148,7 +148,7 @@ pub(super) fn find(
     t: f64,
     state: Option<&State>,
     configurations: usize,
-    watch: &Watch,
+    watch: &ProgressWatch,
 ) -> Result<Findings, Failure> {
     let say = |error| match error {
         SolveError::Stopped { done, total, .. } => {

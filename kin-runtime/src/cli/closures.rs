@@ -41,12 +41,12 @@ const FEW: usize = MOST.ilog2() as usize;
 const SAME: f64 = 1e-6;
 
 /// The name of the requested motion, and the names and setups of other motions.
-pub(super) struct Choice {
+pub(super) struct ChosenClosures {
     pub(super) own: String,
     pub(super) others: Vec<(String, Setup)>,
 }
 
-impl Choice {
+impl ChosenClosures {
     /// The requested motion alone.
     pub(super) fn one(engine: &dyn Engine, first: &State) -> Self {
         let own = signs(engine, first);

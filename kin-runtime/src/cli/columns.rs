@@ -5,7 +5,7 @@ use super::names::find_quantity;
 use crate::measure::Measure;
 use crate::model::Model;
 use crate::present::animation::ColumnInfo;
-use crate::present::units::Units;
+use crate::present::units::ResultUnits;
 
 /// The quantities with these names; all unknown names are reported at once.
 pub(super) fn quantities(model: &'static Model, names: &[String]) -> Result<Vec<Measure>, Failure> {
@@ -15,7 +15,7 @@ pub(super) fn quantities(model: &'static Model, names: &[String]) -> Result<Vec<
 }
 
 /// Names and units of quantities.
-pub(super) fn column_infos(units: Units, measures: &[Measure]) -> Vec<ColumnInfo> {
+pub(super) fn column_infos(units: ResultUnits, measures: &[Measure]) -> Vec<ColumnInfo> {
     let info = |measure: &Measure| ColumnInfo { unit: units.of_measure(measure), name: measure.name().to_owned() };
     measures.iter().map(info).collect()
 }

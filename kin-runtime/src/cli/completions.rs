@@ -6,7 +6,7 @@ use clap_complete::Shell;
 
 use super::examples::{Help, Names};
 use super::failure::Failure;
-use super::names::Kind;
+use super::names::NameKind;
 use super::output::{Destination, Form, Target, either, forms};
 use super::session::Session;
 use crate::model::Model;
@@ -70,8 +70,8 @@ fn no_space(name: &str, program: &str) -> String {
 /// The commands with possible values of their options, for completion only: a parser would reject `l1=0.1`, since only
 /// `l1=` is one of these values.
 fn with_names(command: clap::Command, model: &'static Model) -> clap::Command {
-    let assigned = |kind: Kind| kind.names(model).into_iter().map(|name| format!("{name}=")).collect::<Vec<_>>();
-    let [parameters, coordinates, inputs] = [Kind::Parameter, Kind::Coordinate, Kind::Input].map(assigned);
+    let assigned = |kind: NameKind| kind.names(model).into_iter().map(|name| format!("{name}=")).collect::<Vec<_>>();
+    let [parameters, coordinates, inputs] = [NameKind::Parameter, NameKind::Coordinate, NameKind::Input].map(assigned);
     let modes = model.plan.modes.iter().flat_map(|mode| ["+", "-"].map(|sign| format!("{}={sign}", mode.name)));
     let modes: Vec<String> = modes.collect();
     let joints: Vec<String> = model.joints.iter().map(|joint| joint.name.to_owned()).collect();

@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use crate::measure::Dimension;
 use crate::model::{Component, CoordinateKind, Model};
 use crate::motion::Motion;
-use crate::present::units::Units;
+use crate::present::units::ResultUnits;
 use crate::state::State;
 
 /// The state with angles in degrees, if `degrees`.
@@ -13,7 +13,7 @@ pub(super) fn state<'s>(model: &Model, state: &'s State, degrees: bool) -> Cow<'
     if !degrees {
         return Cow::Borrowed(state);
     }
-    let (units, mut shown) = (Units::of(model), state.clone());
+    let (units, mut shown) = (ResultUnits::of(model), state.clone());
     for (k, coordinate) in model.coordinates.iter().enumerate() {
         let angle = match coordinate.kind {
             CoordinateKind::Pose { component, .. } => component == Component::Phi,
@@ -38,7 +38,7 @@ pub(super) fn motion<'m>(model: &Model, motion: &'m Motion, degrees: bool) -> Co
     if !degrees {
         return Cow::Borrowed(motion);
     }
-    let (units, mut shown) = (Units::of(model), motion.clone());
+    let (units, mut shown) = (ResultUnits::of(model), motion.clone());
     for body in &mut shown.bodies {
         [&mut body.phi, &mut body.phi_dot, &mut body.phi_ddot].into_iter().for_each(turn);
     }

@@ -3,7 +3,7 @@
 use super::engine::Engine;
 use super::examples::{Help, Names};
 use super::failure::{Failure, Ledger, zip3};
-use super::names::{Kind, find, find_quantity};
+use super::names::{NameKind, find, find_quantity};
 use super::number::Measured;
 use super::options::SetupArgs;
 use super::output::{Form, OutputArgs, json};
@@ -14,14 +14,14 @@ use super::trial::quoted;
 use super::turns::{natural_end, turn_of};
 use super::values;
 use super::wishes::{INSTANTS, Wish, Wishes};
-use crate::design::{DesignError, Designed, Direction, Quantity, Search, Shortest};
+use crate::design::{DesignError, DesignQuantity, Designed, Direction, Search, Shortest};
 use crate::measure::Measure;
 use crate::model::Model;
 use crate::present::json::record;
 use crate::present::number::rounded;
 use crate::present::table::Table;
 use crate::present::text::section;
-use crate::serial::Named;
+use crate::serial::NamedValues;
 use std::collections::BTreeMap;
 
 /// A parameter that is nearer to a bound than this, relative to its range, is reported as being at the bound.
@@ -137,7 +137,7 @@ pub(super) fn run(args: &DesignArgs, engine: &mut dyn Engine, session: &mut Sess
     let model = engine.model();
     let text = match output.form {
         Form::Json => {
-            let parameters: Named<f64> = found.parameters.iter().copied().collect();
+            let parameters: NamedValues<f64> = found.parameters.iter().copied().collect();
             let modes: BTreeMap<_, _> = found.modes.iter().map(|(name, sign)| (*name, sign.to_string())).collect();
             let mut all = record! { mechanism: model.name, parameters: parameters, modes: modes, error: found.error };
             all.extend(found.least.map(|least| ("least".to_owned(), least.into())));
@@ -233,12 +233,12 @@ fn wishes(args: &DesignArgs, engine: &dyn Engine) -> Result<Vec<Wish>, Failure> 
         }
     };
     let direction = ledger.take(direction).unwrap_or_default();
-    let known = |option: &str, name: &str| match Quantity::named(model, name) {
+    let known = |option: &str, name: &str| match DesignQuantity::named(model, name) {
         Err(DesignError::UnknownQuantity { .. }) => find_quantity(model, option, name).map(drop),
         _ => Ok(()),
     };
     for (point, file) in ledger.take(values::assignments("--path", "tip=points.csv", &args.path)).unwrap_or_default() {
-        ledger.take(find(model, "--path", Kind::Point, &point));
+        ledger.take(find(model, "--path", NameKind::Point, &point));
         let path = columns("--path", &file, &PLACES).and_then(|rows| path("--path", point, &rows, direction));
         all.extend(ledger.take(path));
     }
@@ -258,7 +258,7 @@ fn wishes(args: &DesignArgs, engine: &dyn Engine) -> Result<Vec<Wish>, Failure> 
     if let Some(driver) = &args.turns {
         all.push(Wish::Turns);
         if !driver.is_empty() {
-            ledger.take(find(model, "--turns", Kind::Driver, driver));
+            ledger.take(find(model, "--turns", NameKind::Driver, driver));
         }
     }
     if let Some(lengths) = &args.grashof {
@@ -309,7 +309,7 @@ fn free(text: &str, model: &Model, parameters: &[f64]) -> Result<Wish, Failure> 
         Some((name, bounds)) => (name.trim(), Some(bounds)),
         None => (text, None),
     };
-    let index = find(model, OPTION, Kind::Parameter, name)?;
+    let index = find(model, OPTION, NameKind::Parameter, name)?;
     let bound = |text: &str| values::number(&format!("{OPTION} {name}"), text, Measured::parameter(model, name));
     let (low, high) = match bounds.map(|bounds| bounds.split_once("..")) {
         None => {

@@ -3,10 +3,10 @@
 use super::engine::Engine;
 use super::examples::{Help, Names};
 use super::failure::{Failure, Ledger};
-use super::names::{Kind, find};
+use super::names::{NameKind, find};
 use super::output::{Form, OutputArgs};
 use super::session::Session;
-use crate::present::equations::{self, Part};
+use crate::present::equations::{self, SheetPart};
 
 /// Φ, Φ_q, Φ_t and γ joint by joint, and how they are solved: text, LaTeX, MathML
 #[derive(Clone, Debug, clap::Args)]
@@ -16,7 +16,7 @@ pub(super) struct EquationsArgs {
     joints: Vec<String>,
     /// rows (of Φ), matrices or solution (steps of the plan) [default: all]
     #[arg(long, value_name = "PART", value_enum, hide_possible_values = true)]
-    part: Option<Chosen>,
+    part: Option<ChosenPart>,
     #[command(flatten)]
     output: OutputArgs,
 }
@@ -47,7 +47,7 @@ A mechanism with masses or loads has M and Q of M q̈ + Φ_qᵀ λ = Q at the en
 
 /// The part of the derivation that is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
-enum Chosen {
+enum ChosenPart {
     Rows,
     Matrices,
     Solution,
@@ -62,18 +62,18 @@ pub(super) fn run(args: &EquationsArgs, engine: &mut dyn Engine, session: &mut S
     let mut ledger = Ledger::default();
     let output = ledger.take(session.destination(&args.output, "equations"));
     let chosen: Vec<usize> =
-        args.joints.iter().filter_map(|name| ledger.take(find(model, "JOINT", Kind::Joint, name))).collect();
-    if args.part == Some(Chosen::Matrices) && !args.joints.is_empty() {
+        args.joints.iter().filter_map(|name| ledger.take(find(model, "JOINT", NameKind::Joint, name))).collect();
+    if args.part == Some(ChosenPart::Matrices) && !args.joints.is_empty() {
         ledger.fault("--part matrices", "they are of all joints; leave out JOINT");
     }
     let output = ledger.close(output)?;
     // A .tex file is a complete document; other output is a fragment to be included in one.
     let document = output.ending == Some(Form::Latex);
     let part = match args.part {
-        None => Part::All,
-        Some(Chosen::Rows) => Part::Rows,
-        Some(Chosen::Matrices) => Part::Matrices,
-        Some(Chosen::Solution) => Part::Solution,
+        None => SheetPart::All,
+        Some(ChosenPart::Rows) => SheetPart::Rows,
+        Some(ChosenPart::Matrices) => SheetPart::Matrices,
+        Some(ChosenPart::Solution) => SheetPart::Solution,
     };
     let sheet = equations::sheet(model, &chosen, part);
     let text = match output.form {

@@ -2,7 +2,7 @@
 
 use super::engine::Engine;
 use super::paint;
-use super::trial::{Trial, quoted};
+use super::trial::{ExampleValues, quoted};
 use crate::measure::Measure;
 use crate::model::{Level, Model};
 use crate::present::number::{plain, rounded};
@@ -69,7 +69,7 @@ pub(super) struct Names {
 
 impl Names {
     /// `trial` has values that were found to work; without it general defaults are used.
-    pub(super) fn new(program: String, engine: &dyn Engine, trial: Option<Trial>) -> Self {
+    pub(super) fn new(program: String, engine: &dyn Engine, trial: Option<ExampleValues>) -> Self {
         let model = engine.model();
         let values = engine.parameters();
         let parameters: Vec<(&str, f64)> =

@@ -2,9 +2,9 @@
 
 use super::engine::Engine;
 use super::examples::{Help, Names};
-use super::names::{Kind, listing};
+use super::names::{NameKind, listing};
 use super::output::{either, forms};
-use super::trial::Trial;
+use super::trial::ExampleValues;
 use super::{
     animate, check, completions, extremes, forces, info, limits, modes, paint, report, sensitivities, solve, sweep,
 };
@@ -15,7 +15,7 @@ pub(super) fn command(
     options: clap::Command,
     engine: &dyn Engine,
     program: String,
-    trial: Option<Trial>,
+    trial: Option<ExampleValues>,
 ) -> clap::Command {
     let model = engine.model();
     let names = Names::new(program.clone(), engine, trial);
@@ -101,10 +101,10 @@ fn listed(model: &Model, command: &clap::Command) -> String {
         return String::new();
     }
     let kinds = [
-        ("Parameters:  ", Kind::Parameter),
-        ("Coordinates: ", Kind::Coordinate),
-        ("Inputs:      ", Kind::Input),
-        ("Modes:       ", Kind::Mode),
+        ("Parameters:  ", NameKind::Parameter),
+        ("Coordinates: ", NameKind::Coordinate),
+        ("Inputs:      ", NameKind::Input),
+        ("Modes:       ", NameKind::Mode),
     ];
     let kinds = kinds.map(|(lead, kind)| (lead, kind.names(model)));
     let lines = kinds.into_iter().filter(|(_, names)| !names.is_empty()).map(|(lead, names)| {

@@ -13,7 +13,7 @@ use crate::model::{Model, OperationCount};
 use crate::present::condition;
 use crate::present::json::Record;
 use crate::present::plan;
-use crate::present::structure::{Known, drivers, structure};
+use crate::present::structure::{KnownConfiguration, drivers, structure};
 use crate::present::text::{self, Facts, coordinate_names};
 use crate::workspace::Instant;
 
@@ -50,7 +50,7 @@ pub(super) fn run(args: &InfoArgs, engine: &mut dyn Engine, session: &mut Sessio
     let at = Instant { t, inputs: &setup.inputs };
     let solved = engine.assemble(&setup, t).and_then(|q| engine.mobility(&setup, &at, &q).map(|m| (q, m)));
     let modes = solved.as_ref().map_or_else(|_| Vec::new(), |(q, _)| engine.modes(&at, q));
-    let known = solved.as_ref().ok().map(|(q, mobility)| Known { t, q, mobility, modes: &modes });
+    let known = solved.as_ref().ok().map(|(q, mobility)| KnownConfiguration { t, q, mobility, modes: &modes });
     let text = match output.form {
         Form::Json => json(&record(engine, known))?,
         _ => text(engine, known) + &plan::text(&plan::modes(engine.model(), known.map(|k| k.modes))),
@@ -72,12 +72,12 @@ pub(super) fn run(args: &InfoArgs, engine: &mut dyn Engine, session: &mut Sessio
 }
 
 /// The structure, for JSON.
-pub(super) fn record(engine: &dyn Engine, known: Option<Known<'_>>) -> Record {
+pub(super) fn record(engine: &dyn Engine, known: Option<KnownConfiguration<'_>>) -> Record {
     structure(engine.model(), &engine.parameters(), known)
 }
 
 /// Name, counts, parameters, rows.
-pub(super) fn text(engine: &dyn Engine, known: Option<Known<'_>>) -> String {
+pub(super) fn text(engine: &dyn Engine, known: Option<KnownConfiguration<'_>>) -> String {
     let model = engine.model();
     let mut facts = Facts::default();
     if !model.bodies.is_empty() {
@@ -96,7 +96,7 @@ pub(super) fn text(engine: &dyn Engine, known: Option<Known<'_>>) -> String {
     if !model.functions.is_empty() {
         facts.add("supplied functions", model.functions.len(), model.functions.iter().copied());
     }
-    if let Some(Known { mobility, .. }) = known {
+    if let Some(KnownConfiguration { mobility, .. }) = known {
         let left = mobility.degrees_of_freedom_left;
         let (coordinates, of_joints) = (mobility.coordinates, mobility.rows - mobility.driving_rows);
         let counted = coordinates as i64 - of_joints as i64;

@@ -5,7 +5,7 @@ use super::failure::{Failure, Ledger};
 use super::limit_search::{Sought, Stop, limit};
 use super::setup::Setup;
 use super::turns::{natural_end, speed, turn};
-use super::values::{self, Moment};
+use super::values::{self, TimeOrAngle};
 use crate::model::Model;
 use crate::present::number::rounded;
 
@@ -41,8 +41,9 @@ impl GridArgs {
     /// The requested instants; `steps` is the default number of steps.
     pub(super) fn asked(&self, steps: usize, model: &Model) -> Result<Asked, Failure> {
         let mut ledger = Ledger::default();
-        let end =
-            |option: &str, text: &Option<String>| text.as_deref().map(|t| End::read(option, t, model)).transpose();
+        let end = |option: &str, text: &Option<String>| {
+            text.as_deref().map(|t| MotionEnd::read(option, t, model)).transpose()
+        };
         if let Some(times) = &self.times {
             let beside = [("--from", &self.from), ("--to", &self.to), ("--steps", &self.steps)];
             for (name, _) in beside.into_iter().filter(|(_, value)| value.is_some()) {
@@ -51,13 +52,15 @@ impl GridArgs {
             let times = ledger.take(values::times("--times", times, model));
             return ledger.close(times.map(Asked::Times));
         }
-        let from = ledger.take(end("--from", &self.from)).flatten().unwrap_or(End::At(Moment::At(0.0)));
+        let from = ledger.take(end("--from", &self.from)).flatten().unwrap_or(MotionEnd::At(TimeOrAngle::At(0.0)));
         let to = ledger.take(end("--to", &self.to)).flatten();
         let steps = match &self.steps {
             Some(text) => ledger.take(values::steps(text)),
             None => Some(steps),
         };
-        if let (End::At(Moment::At(from)), Some(End::At(Moment::At(to))), Some(steps)) = (from, to, steps) {
+        if let (MotionEnd::At(TimeOrAngle::At(from)), Some(MotionEnd::At(TimeOrAngle::At(to))), Some(steps)) =
+            (from, to, steps)
+        {
             ledger.take(values::grid_is_possible(from, to, steps));
         }
         ledger.close(steps.map(|steps| Asked::Grid { from, to, steps }))
@@ -84,8 +87,8 @@ impl ArcArgs {
         let refuse = |what: &str| Err(Failure::option("--along-arc", what));
         match asked {
             asked if !self.along_arc => Ok(asked),
-            Asked::Grid { from: End::At(from), to: None, steps } => Ok(Asked::Arc { from, to: None, steps }),
-            Asked::Grid { from: End::At(from), to: Some(End::At(to)), steps } => {
+            Asked::Grid { from: MotionEnd::At(from), to: None, steps } => Ok(Asked::Arc { from, to: None, steps }),
+            Asked::Grid { from: MotionEnd::At(from), to: Some(MotionEnd::At(to)), steps } => {
                 Ok(Asked::Arc { from, to: Some(to), steps })
             }
             Asked::Grid { .. } => refuse("goes on through limits; leave `--to limit` and `--from limit` out"),
@@ -98,13 +101,13 @@ impl ArcArgs {
 
 /// Where a motion begins or ends.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum End {
-    At(Moment),
+pub(super) enum MotionEnd {
+    At(TimeOrAngle),
     /// Where the mechanism can go no further.
     Limit,
 }
 
-impl End {
+impl MotionEnd {
     fn read(option: &str, text: &str, model: &Model) -> Result<Self, Failure> {
         match text.trim() {
             "limit" => Ok(Self::Limit),
@@ -116,17 +119,17 @@ impl End {
 /// The instants that the options specify.
 #[derive(Clone, Debug)]
 pub(super) enum Asked {
-    Times(Vec<Moment>),
+    Times(Vec<TimeOrAngle>),
     Grid {
-        from: End,
+        from: MotionEnd,
         /// Without an end the motion takes one turn of the driven crank, or one unit of time.
-        to: Option<End>,
+        to: Option<MotionEnd>,
         steps: usize,
     },
     /// Along the arc of the solution curve, until it closes or t leaves the interval.
     Arc {
-        from: Moment,
-        to: Option<Moment>,
+        from: TimeOrAngle,
+        to: Option<TimeOrAngle>,
         steps: usize,
     },
 }
@@ -169,15 +172,15 @@ impl Asked {
     /// The instant at which the mechanism is assembled. If the motion begins at a limit, it is followed backwards from
     /// there: from t = 0, which the guesses describe, or if it does not close there from another instant.
     pub(super) fn first(&self, engine: &dyn Engine, setup: &Setup) -> Result<f64, Failure> {
-        let at = |option: &str, moment: &Moment| instant(option, *moment, engine, setup);
+        let at = |option: &str, moment: &TimeOrAngle| instant(option, *moment, engine, setup);
         match self {
             Self::Times(times) => times.first().map_or(Ok(0.0), |moment| at("--times", moment)),
-            Self::Grid { from: End::At(from), .. } | Self::Arc { from, .. } => at("--from", from),
-            Self::Grid { from: End::Limit, to: Some(End::At(to)), .. } => {
+            Self::Grid { from: MotionEnd::At(from), .. } | Self::Arc { from, .. } => at("--from", from),
+            Self::Grid { from: MotionEnd::Limit, to: Some(MotionEnd::At(to)), .. } => {
                 let to = at("--to", to)?;
                 Ok(closing(engine, setup, [to.min(0.0), to]))
             }
-            Self::Grid { from: End::Limit, .. } => {
+            Self::Grid { from: MotionEnd::Limit, .. } => {
                 let either_way = (-4..=6).flat_map(|power| [1.0, -1.0].map(|sign| sign * 2_f64.powi(power)));
                 Ok(closing(engine, setup, std::iter::once(0.0).chain(either_way)))
             }
@@ -186,29 +189,29 @@ impl Asked {
 
     /// The instants. Without an end the motion takes one turn of the driven crank, or one unit of time.
     pub(super) fn instants(&self, engine: &dyn Engine, setup: &Setup) -> Result<Instants, Failure> {
-        let at = |option: &str, moment: &Moment| instant(option, *moment, engine, setup);
+        let at = |option: &str, moment: &TimeOrAngle| instant(option, *moment, engine, setup);
         let grid = |from: f64, to: f64, steps: usize| values::grid(from, to, steps).map(Instants::plain);
         match self {
             Self::Times(times) => {
                 times.iter().map(|moment| at("--times", moment)).collect::<Result<_, _>>().map(Instants::plain)
             }
-            Self::Grid { from: End::At(from), to, steps } => {
+            Self::Grid { from: MotionEnd::At(from), to, steps } => {
                 let from = at("--from", from)?;
                 match to {
                     None => grid(from, natural_end(engine, setup, from), *steps),
-                    Some(End::At(to)) => grid(from, at("--to", to)?, *steps),
-                    Some(End::Limit) => as_far(engine, setup, (from, [Some(from), None]), *steps),
+                    Some(MotionEnd::At(to)) => grid(from, at("--to", to)?, *steps),
+                    Some(MotionEnd::Limit) => as_far(engine, setup, (from, [Some(from), None]), *steps),
                 }
             }
-            Self::Grid { from: End::Limit, to, steps } => {
+            Self::Grid { from: MotionEnd::Limit, to, steps } => {
                 let start = self.first(engine, setup)?;
                 // Before t = 0 a motion starts at its end.
-                let starts_elsewhere = start > 0.0 || start < 0.0 && !matches!(to, Some(End::At(_)));
+                let starts_elsewhere = start > 0.0 || start < 0.0 && !matches!(to, Some(MotionEnd::At(_)));
                 let note =
                     format!("note: it does not close at t = 0: the motion is that through t = {}", rounded(start));
                 let to = match to {
-                    Some(End::At(to)) => Some(at("--to", to)?),
-                    Some(End::Limit) => None,
+                    Some(MotionEnd::At(to)) => Some(at("--to", to)?),
+                    Some(MotionEnd::Limit) => None,
                     None => Some(natural_end(engine, setup, start)),
                 };
                 let mut found = as_far(engine, setup, (start, [None, to]), *steps)?;
@@ -225,10 +228,10 @@ impl Asked {
 }
 
 /// The time of an instant; for an angle, the time at which the driven crank has turned by it.
-pub(super) fn instant(option: &str, moment: Moment, engine: &dyn Engine, setup: &Setup) -> Result<f64, Failure> {
+pub(super) fn instant(option: &str, moment: TimeOrAngle, engine: &dyn Engine, setup: &Setup) -> Result<f64, Failure> {
     match moment {
-        Moment::At(t) => Ok(t),
-        Moment::Turned(angle) => speed(engine, setup, 0.0).map(|speed| angle / speed).ok_or_else(|| {
+        TimeOrAngle::At(t) => Ok(t),
+        TimeOrAngle::Turned(angle) => speed(engine, setup, 0.0).map(|speed| angle / speed).ok_or_else(|| {
             let what = "an angle says when only if a crank is driven at constant speed; write a time";
             Failure::option(option, what)
         }),

@@ -3,7 +3,7 @@
 use super::engine::Engine;
 use super::examples::{Help, Names};
 use super::failure::{Failure, Ledger, zip3};
-use super::instants::{Asked, End};
+use super::instants::{Asked, MotionEnd};
 use super::options::SetupArgs;
 use super::output::{Form, OutputArgs, json};
 use super::session::Session;
@@ -55,8 +55,8 @@ pub(super) fn run(args: &LimitsArgs, engine: &mut dyn Engine, session: &mut Sess
     let output = ledger.take(session.destination(&args.output, "limits"));
     let setup = ledger.take(args.setup.apply_complete(engine).and_then(Setup::without_closure));
     let ((from, to), output, setup) = ledger.close(zip3(ends, output, setup))?;
-    let from = End::At(from.unwrap_or(values::Moment::At(0.0)));
-    let times = Asked::Grid { from, to: to.map(End::At), steps: 1 }.instants(&*engine, &setup)?.times;
+    let from = MotionEnd::At(from.unwrap_or(values::TimeOrAngle::At(0.0)));
+    let times = Asked::Grid { from, to: to.map(MotionEnd::At), steps: 1 }.instants(&*engine, &setup)?.times;
     let (Some(&from), Some(&to)) = (times.first(), times.last()) else { return Ok(()) };
     let all = engine.ranges(&setup, from, to).map_err(|error| analysis(engine, &error))?;
     let text = match output.form {

@@ -110,7 +110,7 @@ pub fn run_from<M: Program>(args: impl IntoIterator<Item = impl Into<OsString> +
 /// Exact position, velocity and acceleration analysis of one mechanism.
 #[derive(Debug, clap::Parser)]
 #[command(args_conflicts_with_subcommands = true, subcommand_value_name = "COMMAND")]
-struct Arguments {
+struct CommandLine {
     #[command(subcommand)]
     command: Option<Command>,
     #[command(flatten)]
@@ -157,11 +157,11 @@ fn run(
 ) -> u8 {
     let mut session = Session::new(out, err, around);
     let helps = args.iter().any(|arg| matches!(arg.to_str(), Some("-h" | "--help" | "help")));
-    let trial = if helps { trial::Trial::of(engine) } else { None };
-    let mut command = help::command(Arguments::command(), engine, program(engine, &args), trial);
+    let trial = if helps { trial::ExampleValues::of(engine) } else { None };
+    let mut command = help::command(CommandLine::command(), engine, program(engine, &args), trial);
     let asked = args.iter().skip(1).filter_map(|arg| arg.to_str()).find(|arg| !arg.starts_with('-')).map(str::to_owned);
     let parsed = command.try_get_matches_from_mut(with_negative_values(args));
-    let arguments = match parsed.and_then(|matches| Arguments::from_arg_matches(&matches)) {
+    let arguments = match parsed.and_then(|matches| CommandLine::from_arg_matches(&matches)) {
         Ok(arguments) => arguments,
         Err(error) if matches!(error.kind(), ErrorKind::DisplayHelp | ErrorKind::DisplayVersion) => {
             return session.help(&error.render());

@@ -12,7 +12,7 @@ use super::options::FreedomArgs;
 use super::session::Session;
 use super::setup::Setup;
 use super::solved::{analysis, driven_state, fully_driven, misfit, other_modes};
-use super::watch::Watch;
+use super::watch::ProgressWatch;
 use crate::arc::{ArcEnd, ArcPlace, SolutionArc};
 use crate::error::SolveError;
 use crate::forces::ContactChange;
@@ -22,7 +22,7 @@ use crate::motion::Motion;
 use crate::observer::Reached;
 use crate::present::condition;
 use crate::present::number::rounded;
-use crate::present::record::Row;
+use crate::present::record::InstantRow;
 use crate::present::text::count;
 use crate::solver::ContactWatch;
 use crate::state::State;
@@ -50,7 +50,7 @@ pub(super) struct Moved {
 
 /// How a motion is followed.
 #[derive(Clone, Copy)]
-pub(super) struct Walk<'a> {
+pub(super) struct FollowedMotion<'a> {
     pub(super) engine: &'a dyn Engine,
     pub(super) setup: &'a Setup,
     pub(super) instants: &'a Instants,
@@ -66,14 +66,14 @@ pub(super) struct Walk<'a> {
     pub(super) measures: &'a [Measure],
     /// Whether angles among their values are in degrees.
     pub(super) degrees: bool,
-    pub(super) watch: &'a Watch,
+    pub(super) watch: &'a ProgressWatch,
 }
 
 /// Called with every row; may end the motion.
-type Visit<'v> = &'v mut dyn FnMut(&Row<'_>) -> ControlFlow<()>;
+type Visit<'v> = &'v mut dyn FnMut(&InstantRow<'_>) -> ControlFlow<()>;
 
 /// A part of a motion, in one direction of time.
-struct Leg {
+struct MotionLeg {
     trajectory: Trajectory,
     /// The note on the first force that is not determined.
     missing: Option<String>,
@@ -83,7 +83,7 @@ struct Leg {
     contacts: Vec<ContactChange>,
 }
 
-impl Leg {
+impl MotionLeg {
     /// Whether it reached its last instant, or an instant as close to its limit as can be solved.
     const fn is_whole(&self) -> bool {
         self.ended.is_none() && self.limit.is_none()
@@ -94,7 +94,7 @@ impl Leg {
 /// a crossing of branches, rounding errors decide whether they have one.
 const BESIDE: f64 = 0.01;
 
-impl Walk<'_> {
+impl FollowedMotion<'_> {
     /// Follows the motion up to its first failure, to Ctrl-C or until `visit` ends it, and calls `visit` with every
     /// row. The result has no states. A motion in both directions from its start is followed backwards first.
     pub(super) fn each(&self, visit: Visit<'_>) -> Result<Moved, Failure> {
@@ -119,7 +119,7 @@ impl Walk<'_> {
             }
             // The start itself is the first row of what follows.
             for (state, motion, values) in rows.iter().skip(1).rev() {
-                if visit(&Row { state, motion: motion.as_ref(), values }).is_break() {
+                if visit(&InstantRow { state, motion: motion.as_ref(), values }).is_break() {
                     break;
                 }
             }
@@ -146,7 +146,7 @@ impl Walk<'_> {
             leg.trajectory = joined(first.trajectory, leg.trajectory);
             leg.contacts.splice(0..0, first.contacts.into_iter().rev());
         }
-        let Leg { trajectory, ended, left, contacts, .. } = leg;
+        let MotionLeg { trajectory, ended, left, contacts, .. } = leg;
         Ok(Moved { trajectory, motions: Vec::new(), columns: Vec::new(), ended, notes, at_its_end, left, contacts })
     }
 
@@ -173,7 +173,7 @@ impl Walk<'_> {
         let values: Vec<f64> = values.into_iter().zip(self.measures).map(known).collect();
         state.q_dot.fill(f64::NAN);
         state.q_ddot.fill(f64::NAN);
-        Ok(visit(&Row { state: &state, motion: self.reported.then_some(&motion), values: &values }))
+        Ok(visit(&InstantRow { state: &state, motion: self.reported.then_some(&motion), values: &values }))
     }
 
     /// The motion along the arc of the solution curve; `visit` is called after the whole arc is solved.
@@ -193,7 +193,7 @@ impl Walk<'_> {
             } else {
                 let motion = self.reported.then(|| engine.motion(setup, &state)).transpose().map_err(say)?;
                 let values = self.values(&state).map_err(say)?;
-                visit(&Row { state: &state, motion: motion.as_ref(), values: &values })
+                visit(&InstantRow { state: &state, motion: motion.as_ref(), values: &values })
             };
             if flow.is_break() {
                 break;
@@ -223,7 +223,7 @@ impl Walk<'_> {
 
     /// The motion in one direction of time, towards the limit `stop` if it is given; `done` instants were finished
     /// before.
-    fn leg(&self, times: &[f64], (done, stop): (usize, Option<&Stop>), visit: Visit<'_>) -> Result<Leg, Failure> {
+    fn leg(&self, times: &[f64], (done, stop): (usize, Option<&Stop>), visit: Visit<'_>) -> Result<MotionLeg, Failure> {
         let &Self { engine, setup, watch, .. } = self;
         // Checked at the first instant, so that a mechanism that is not fully driven fails before a long sweep.
         let first = times.first().copied().unwrap_or(0.0);
@@ -245,7 +245,7 @@ impl Walk<'_> {
             if self.tells_missing && missing.is_none() {
                 missing = missing_force((engine, self.setup), state, self.measures, &values);
             }
-            visit(&Row { state, motion: motion.as_ref(), values: &values })?;
+            visit(&InstantRow { state, motion: motion.as_ref(), values: &values })?;
             if touches {
                 // Contacts are not watched where forces do not exist.
                 let _ = engine.watch_contacts(setup, first, &mut contacts, state);
@@ -284,7 +284,7 @@ impl Walk<'_> {
             (ended, _) => (ended, None),
         };
         let left = start.degrees_of_freedom_left;
-        Ok(Leg { trajectory, missing, ended, limit, left, contacts: contacts.changes })
+        Ok(MotionLeg { trajectory, missing, ended, limit, left, contacts: contacts.changes })
     }
 
     /// The motion with its states, with the values of the quantities as columns, and with motions if `reported`.

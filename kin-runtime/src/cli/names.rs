@@ -10,7 +10,7 @@ const LISTED: usize = 24;
 
 /// The kind of a name that is looked up.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Kind {
+pub(super) enum NameKind {
     Parameter,
     Coordinate,
     Input,
@@ -23,7 +23,7 @@ pub(super) enum Kind {
     Joint,
 }
 
-impl Kind {
+impl NameKind {
     fn singular(self) -> &'static str {
         match self {
             Self::Parameter => "parameter",
@@ -40,7 +40,7 @@ impl Kind {
     }
 }
 
-impl Kind {
+impl NameKind {
     /// All names of this kind; none for quantities, which [`find_quantity`] looks up.
     pub(super) fn names(self, model: &Model) -> Vec<&'static str> {
         match self {
@@ -89,7 +89,7 @@ pub(super) fn find_quantity(model: &'static Model, option: &str, name: &str) -> 
     let drivers = Measure::drivers(model);
     if let Some((of, driver)) = name.rsplit_once('/') {
         let of = find_quantity(model, option, of)?;
-        search(option, Kind::Driver, driver, &drivers, None)?;
+        search(option, NameKind::Driver, driver, &drivers, None)?;
         let what = format!(
             "`{}` has no velocity ratio; only coordinates, points, defines and joint quantities have one",
             of.name()
@@ -104,7 +104,7 @@ pub(super) fn find_quantity(model: &'static Model, option: &str, name: &str) -> 
     let is_force = |(_, of): (&str, &str)| ["effort", "force", "force_x", "force_y", "moment"].contains(&of);
     let forces = (model.forces.is_none() && name.rsplit_once('.').is_some_and(is_force))
         .then_some("forces need masses or loads in the description: #[mass(…)], #[force(…)], …");
-    let Err(failure) = search(option, Kind::Quantity, name, &all, forces) else {
+    let Err(failure) = search(option, NameKind::Quantity, name, &all, forces) else {
         return Err(Failure::option(option, format!("`{name}` is no quantity")));
     };
     let mut text = failure.to_string();
@@ -115,11 +115,11 @@ pub(super) fn find_quantity(model: &'static Model, option: &str, name: &str) -> 
 }
 
 /// The index of `name` among the names of a kind. If the model has it as a name of another kind, the error says so.
-pub(super) fn find(model: &Model, option: &str, kind: Kind, name: &str) -> Result<usize, Failure> {
+pub(super) fn find(model: &Model, option: &str, kind: NameKind, name: &str) -> Result<usize, Failure> {
     search(option, kind, name, &kind.names(model), other_kind(model, kind, name))
 }
 
-fn search(option: &str, kind: Kind, name: &str, names: &[&str], elsewhere: Option<&str>) -> Result<usize, Failure> {
+fn search(option: &str, kind: NameKind, name: &str, names: &[&str], elsewhere: Option<&str>) -> Result<usize, Failure> {
     if let Some(index) = names.iter().position(|n| *n == name) {
         return Ok(index);
     }
@@ -157,20 +157,20 @@ fn search(option: &str, kind: Kind, name: &str, names: &[&str], elsewhere: Optio
 }
 
 /// A hint for a name of another kind, with the option that takes it.
-fn other_kind(model: &Model, kind: Kind, name: &str) -> Option<&'static str> {
+fn other_kind(model: &Model, kind: NameKind, name: &str) -> Option<&'static str> {
     let coordinate = model.coordinates.iter().any(|c| c.name == name);
     let parameter = model.parameters.iter().any(|p| p.name == name);
     let input = model.inputs.contains(&name);
     let mode = model.plan.modes.iter().any(|mode| mode.name == name);
     match kind {
-        Kind::Coordinate if parameter => Some("it is a parameter, which --set sets"),
-        Kind::Parameter if coordinate => {
+        NameKind::Coordinate if parameter => Some("it is a parameter, which --set sets"),
+        NameKind::Parameter if coordinate => {
             Some("it is a coordinate: --guess says where it starts, --given prescribes it")
         }
-        Kind::Parameter | Kind::Coordinate if input => Some("it is an input, which --input gives"),
-        Kind::Parameter | Kind::Coordinate if mode => Some("it is an assembly mode, which --mode chooses"),
-        Kind::Input if parameter => Some("it is a parameter, which --set sets"),
-        Kind::Input if coordinate => Some("it is a coordinate, which --given prescribes"),
+        NameKind::Parameter | NameKind::Coordinate if input => Some("it is an input, which --input gives"),
+        NameKind::Parameter | NameKind::Coordinate if mode => Some("it is an assembly mode, which --mode chooses"),
+        NameKind::Input if parameter => Some("it is a parameter, which --set sets"),
+        NameKind::Input if coordinate => Some("it is a coordinate, which --given prescribes"),
         _ => None,
     }
 }
@@ -205,7 +205,7 @@ mod tests {
 
     fn message(name: &str) -> String {
         let model = CrossHead::<DRIVEN>::model();
-        let found = search("--set", Kind::Parameter, name, NAMES, other_kind(model, Kind::Parameter, name));
+        let found = search("--set", NameKind::Parameter, name, NAMES, other_kind(model, NameKind::Parameter, name));
         found.map_or_else(|e| e.to_string(), |i| format!("found {i}"))
     }
 
@@ -218,14 +218,14 @@ mod tests {
         assert!(message("something").ends_with("\n  parameters: crank.x, crank.phi, coupler.phi, l[0], l[1]"));
         assert!(message("crank").contains("did you mean `crank.x`?"));
         assert!(message("s").contains("`s`; it is a coordinate: --guess"));
-        let modes = |name| search("--mode", Kind::Mode, name, &["A-B-D", "E-F-G"], None);
+        let modes = |name| search("--mode", NameKind::Mode, name, &["A-B-D", "E-F-G"], None);
         assert!(modes("F").is_err_and(|e| e.to_string().contains("did you mean `E-F-G`?")));
         assert!(message("l").contains("it is an array: name its elements, `l[0]`"));
     }
 
     #[test]
     fn says_so_when_there_are_none() {
-        let error = |name| find(CrossHead::<DRIVEN>::model(), "--input", Kind::Input, name);
+        let error = |name| find(CrossHead::<DRIVEN>::model(), "--input", NameKind::Input, name);
         assert_eq!(error("u"), Err(Failure::usage("--input: `u`: this mechanism has no inputs")));
         let set = "--input: `r`: this mechanism has no inputs; it is a parameter, which --set sets";
         assert_eq!(error("r"), Err(Failure::usage(set)));

@@ -5,7 +5,7 @@
 
 use crate::measure::Dimension;
 use crate::model::Model;
-use crate::present::units::Units;
+use crate::present::units::ResultUnits;
 use kin_core::units::{Unit, UnknownUnit, parse};
 
 /// The quantity that a number is a value of.
@@ -28,13 +28,13 @@ impl<'a> Measured<'a> {
 
     /// The value of a coordinate or an input.
     pub(super) fn quantity(model: &Model, name: &'a str) -> Self {
-        let unit = match Units::of(model).dimension(name) {
+        let unit = match ResultUnits::of(model).dimension(name) {
             Dimension::Length => model.units.length,
             Dimension::Angle => Some("rad"),
             Dimension::In(unit) => Some(unit),
             Dimension::Unknown => None,
         };
-        Self { name, unit, rate: (0, Units::of(model).time()) }
+        Self { name, unit, rate: (0, ResultUnits::of(model).time()) }
     }
 }
 

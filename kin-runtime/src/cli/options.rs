@@ -2,10 +2,10 @@
 
 use super::engine::Engine;
 use super::failure::{Failure, Ledger};
-use super::names::{Kind, find};
+use super::names::{NameKind, find};
 use super::number::Measured;
 use super::setup::Setup;
-use super::values::{self, Moment};
+use super::values::{self, TimeOrAngle};
 use crate::model::Model;
 use crate::workspace::Signal;
 
@@ -68,7 +68,8 @@ impl SetupArgs {
         let [set, file_modes] = ledger.take(expanded("--set", &self.set)).unwrap_or_default();
         let number =
             |name: &str, value: &str| values::number(&format!("--set {name}"), value, Measured::parameter(model, name));
-        for (index, value) in values::of_names(&mut ledger, ("--set", Kind::Parameter, "0.12"), &set, model, number) {
+        for (index, value) in values::of_names(&mut ledger, ("--set", NameKind::Parameter, "0.12"), &set, model, number)
+        {
             if !engine.set_parameter(index, value) {
                 ledger.fault("--set", format!("`{}` cannot be set", model.parameters[index].name));
             }
@@ -76,15 +77,15 @@ impl SetupArgs {
         let number = |name: &str, value: &str| {
             values::number(&format!("--guess {name}"), value, Measured::quantity(model, name))
         };
-        let guess = ("--guess", Kind::Coordinate, "0.9");
+        let guess = ("--guess", NameKind::Coordinate, "0.9");
         setup.guesses = values::of_names(&mut ledger, guess, &self.guess, model, number);
         let signal = |name: &str, value: &str| {
             let parts: Vec<&str> = value.split(':').collect();
             values::signal(&format!("--given {name}"), name, &parts, Measured::quantity(model, name))
         };
-        let given = ("--given", Kind::Coordinate, "0.3");
+        let given = ("--given", NameKind::Coordinate, "0.3");
         setup.given = values::of_names(&mut ledger, given, &self.given, model, signal);
-        let example = values::example_of(Kind::Mode, model, "+");
+        let example = values::example_of(NameKind::Mode, model, "+");
         let mut asked = ledger.take(values::assignments("--mode", &example, &self.mode)).unwrap_or_default();
         let of_files = ledger.take(values::assignments("--set", &example, &file_modes)).unwrap_or_default();
         let others = of_files.into_iter().filter(|(name, _)| asked.iter().all(|(other, _)| other != name));
@@ -103,7 +104,7 @@ impl SetupArgs {
                 Some(why) => {
                     Err(Failure::option("--mode", format!("there are no modes, because there is no plan: {why}")))
                 }
-                None => find(model, "--mode", Kind::Mode, &name),
+                None => find(model, "--mode", NameKind::Mode, &name),
             };
             let sign = values::sign(&format!("--mode {name}"), &sign);
             setup.modes.extend(ledger.take(found).zip(ledger.take(sign)));
@@ -113,7 +114,7 @@ impl SetupArgs {
         let mut inputs: Vec<Option<Signal>> =
             defaults.chain(std::iter::repeat(None)).take(model.inputs.len()).collect();
         for (name, signal) in ledger.take(values::inputs("--input", &self.input, model)).unwrap_or_default() {
-            let found = ledger.take(find(model, "--input", Kind::Input, &name));
+            let found = ledger.take(find(model, "--input", NameKind::Input, &name));
             if let Some(slot) = found.and_then(|index| inputs.get_mut(index)) {
                 *slot = Some(signal);
             }
@@ -173,7 +174,7 @@ pub(super) struct InstantArgs {
 }
 
 impl InstantArgs {
-    pub(super) fn time(&self, model: &Model) -> Result<Moment, Failure> {
+    pub(super) fn time(&self, model: &Model) -> Result<TimeOrAngle, Failure> {
         values::moment("--at", &self.at, model)
     }
 }

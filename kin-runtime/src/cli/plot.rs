@@ -10,7 +10,7 @@ use super::names::find_quantity;
 use super::output::{Form, OutputArgs};
 use super::session::Session;
 use super::solved::note_freedom;
-use super::task::{MotionArgs, Task};
+use super::task::{MotionArgs, MotionTask};
 use super::tolerance::{Slopes, tolerances};
 use super::trial::quoted;
 use super::vary::VaryArgs;
@@ -19,7 +19,7 @@ use crate::model::Model;
 use crate::present::animation::ColumnInfo;
 use crate::present::plot::{Curve, Diagram, Mark, Panel};
 use crate::present::text::count;
-use crate::present::units::Units;
+use crate::present::units::ResultUnits;
 
 /// Number of steps without `--steps`.
 pub(super) const STEPS: usize = 360;
@@ -45,7 +45,7 @@ pub(super) struct PlotArgs {
 
 /// A curve to be drawn: its columns by their indices; column 0 is t.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct Wanted {
+struct PlottedCurve {
     x: usize,
     y: usize,
     path: bool,
@@ -158,7 +158,7 @@ pub(super) fn run(args: &PlotArgs, engine: &mut dyn Engine, session: &mut Sessio
     }
     watch.end();
     let Some(first) = runs.first() else { return failure.map_or(Ok(()), Err) };
-    let units = Units::of(model).in_degrees(args.motion.angles.degrees);
+    let units = ResultUnits::of(model).in_degrees(args.motion.angles.degrees);
     let infos = column_infos(units, &measures[1..]);
     let names: Vec<String> = infos.iter().map(|info| info.name.clone()).collect();
     let beside = wanted.is_empty();
@@ -182,12 +182,12 @@ pub(super) fn run(args: &PlotArgs, engine: &mut dyn Engine, session: &mut Sessio
 type Numbers = (Vec<Vec<f64>>, Vec<Vec<f64>>, [Option<String>; 2], Option<Failure>);
 
 /// The curves that are drawn, and the tolerances of the parameters.
-type Toleranced<'a> = (&'a [Wanted], &'a [f64]);
+type Toleranced<'a> = (&'a [PlottedCurve], &'a [f64]);
 
 fn one(
     args: &PlotArgs,
     engine: &dyn Engine,
-    task: &Task<'_>,
+    task: &MotionTask<'_>,
     (measures, toleranced): (&[Measure], Option<Toleranced<'_>>),
     place: (usize, usize),
     session: &mut Session<'_>,
@@ -216,7 +216,7 @@ fn one(
 
 /// The curves that are drawn by default: the path of the first point that moves, and the coordinate that varies most
 /// among those that are not linear in time; without such a point a coordinate and its rate.
-fn default_curves(model: &Model, names: &[String], infos: &[ColumnInfo], numbers: &[Vec<f64>]) -> Vec<Wanted> {
+fn default_curves(model: &Model, names: &[String], infos: &[ColumnInfo], numbers: &[Vec<f64>]) -> Vec<PlottedCurve> {
     let range = |k: usize| {
         let values = numbers.get(k).map_or(&[][..], Vec::as_slice).iter();
         let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(*x), high.max(*x)));
@@ -229,7 +229,7 @@ fn default_curves(model: &Model, names: &[String], infos: &[ColumnInfo], numbers
         .filter_map(|point| Some((index(&format!("{}.x", point.name))?, index(&format!("{}.y", point.name))?)));
     let paths: Vec<(usize, usize)> = paths.filter(|&(x, y)| range(x).max(range(y)) > 0.0).collect();
     let Some(&(x, y)) = paths.first() else {
-        return shown(model, &numbers[1..]).into_iter().map(|k| Wanted { x: 0, y: k + 1, path: false }).collect();
+        return shown(model, &numbers[1..]).into_iter().map(|k| PlottedCurve { x: 0, y: k + 1, path: false }).collect();
     };
     // Lengths are compared with the largest of the paths, angles with a radian.
     let size = paths.iter().map(|&(x, y)| range(x).max(range(y))).fold(0.0, f64::max);
@@ -239,8 +239,8 @@ fn default_curves(model: &Model, names: &[String], infos: &[ColumnInfo], numbers
     };
     let bent = moved_unevenly(model, numbers);
     let most = bent.into_iter().max_by(|&a, &b| moves(a).total_cmp(&moves(b)).then(b.cmp(&a)));
-    let most = most.map(|y| Wanted { x: 0, y, path: false });
-    std::iter::once(Wanted { x, y, path: true }).chain(most).collect()
+    let most = most.map(|y| PlottedCurve { x: 0, y, path: false });
+    std::iter::once(PlottedCurve { x, y, path: true }).chain(most).collect()
 }
 
 /// The coordinates that are not linear in time, as the angle of a crank at constant speed is.
@@ -250,7 +250,7 @@ fn moved_unevenly(model: &Model, numbers: &[Vec<f64>]) -> Vec<usize> {
 }
 
 /// The requested curves; columns that are not standard are added to `measures`. All errors are reported at once.
-fn wanted(model: &'static Model, what: &[String], measures: &mut Vec<Measure>) -> Result<Vec<Wanted>, Failure> {
+fn wanted(model: &'static Model, what: &[String], measures: &mut Vec<Measure>) -> Result<Vec<PlottedCurve>, Failure> {
     let carried = || model.points.iter().map(|p| p.name).chain(model.bodies.iter().map(|b| b.name));
     let mut index = |measure: Measure| {
         let found = measures.iter().position(|other| *other == measure);
@@ -266,32 +266,32 @@ fn wanted(model: &'static Model, what: &[String], measures: &mut Vec<Measure>) -
             // The two components of a force are drawn with equal axes.
             let path = x.strip_suffix(".force_x").is_some_and(|joint| y.strip_suffix(".force_y") == Some(joint));
             let [x, y] = [x, y].map(|name| ledger.take(find_quantity(model, "WHAT", name)));
-            wanted.extend(x.zip(y).map(|(x, y)| Wanted { x: index(x), y: index(y), path }));
+            wanted.extend(x.zip(y).map(|(x, y)| PlottedCurve { x: index(x), y: index(y), path }));
             continue;
         }
         let axis = |axis: &str| Measure::named(model, &format!("{what}.{axis}"));
         if let (None, true, Some(x), Some(y)) =
             (Measure::named(model, what), carried().any(|name| name == what), axis("x"), axis("y"))
         {
-            wanted.push(Wanted { x: index(x), y: index(y), path: true });
+            wanted.push(PlottedCurve { x: index(x), y: index(y), path: true });
             continue;
         }
         if let (None, Some(x), Some(y)) = (Measure::named(model, what), axis("force_x"), axis("force_y")) {
-            wanted.push(Wanted { x: index(x), y: index(y), path: true });
+            wanted.push(PlottedCurve { x: index(x), y: index(y), path: true });
             continue;
         }
         let found = ledger.take(find_quantity(model, "WHAT", what));
-        wanted.extend(found.map(|y| Wanted { x: 0, y: index(y), path: false }));
+        wanted.extend(found.map(|y| PlottedCurve { x: 0, y: index(y), path: false }));
     }
     ledger.close(Some(wanted))
 }
 
 /// The panels of the diagram; curves with the same axes share one.
-fn panels(units: Units, wanted: &[Wanted], infos: &[ColumnInfo], runs: &[Curves]) -> Vec<Panel> {
+fn panels(units: ResultUnits, wanted: &[PlottedCurve], infos: &[ColumnInfo], runs: &[Curves]) -> Vec<Panel> {
     let time = units.time();
     let name = |k: usize| if k == 0 { "t" } else { infos[k - 1].name.as_str() };
     let unit = |k: usize| if k == 0 { time } else { infos[k - 1].unit.as_deref() };
-    let mut panels: Vec<(Vec<Wanted>, Panel)> = Vec::new();
+    let mut panels: Vec<(Vec<PlottedCurve>, Panel)> = Vec::new();
     for (index, &want) in wanted.iter().enumerate() {
         let curves = runs.iter().map(|run| {
             let points = run.columns[want.x].iter().copied().zip(run.columns[want.y].iter().copied());
@@ -315,7 +315,7 @@ fn panels(units: Units, wanted: &[Wanted], infos: &[ColumnInfo], runs: &[Curves]
             }
         });
         let curves: Vec<Curve> = curves.collect();
-        let alike = |other: &Wanted| {
+        let alike = |other: &PlottedCurve| {
             let same = unit(other.y) == unit(want.y) && unit(want.y).is_some();
             other.path == want.path && same && (want.path || other.x == want.x && want.x == 0)
         };
@@ -334,7 +334,7 @@ fn panels(units: Units, wanted: &[Wanted], infos: &[ColumnInfo], runs: &[Curves]
 }
 
 /// Marks the ends of curves that are limits, if the quantities have values there.
-fn mark_limits(marks: &mut Vec<Mark>, want: Wanted, runs: &[Curves]) {
+fn mark_limits(marks: &mut Vec<Mark>, want: PlottedCurve, runs: &[Curves]) {
     for run in runs {
         let (xs, ys) = (&run.columns[want.x], &run.columns[want.y]);
         let ends = [(xs.first(), ys.first()), (xs.last(), ys.last())];
@@ -352,7 +352,12 @@ fn mark_limits(marks: &mut Vec<Mark>, want: Wanted, runs: &[Curves]) {
 }
 
 /// The labels of a panel with several quantities: units, without the names of quantities.
-fn shared_labels<'u>(count: usize, panel: Panel, members: &[Wanted], unit: &dyn Fn(usize) -> Option<&'u str>) -> Panel {
+fn shared_labels<'u>(
+    count: usize,
+    panel: Panel,
+    members: &[PlottedCurve],
+    unit: &dyn Fn(usize) -> Option<&'u str>,
+) -> Panel {
     if count < 2 {
         return panel;
     }

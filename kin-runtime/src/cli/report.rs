@@ -13,7 +13,7 @@ use super::solved::{note_freedom, note_modes, note_start, solve};
 use super::task::{At, AtArgs};
 use crate::present::json::record;
 use crate::present::number::rounded;
-use crate::present::structure::Known;
+use crate::present::structure::KnownConfiguration;
 use crate::present::text;
 
 /// Random configurations of the cross-check in the report.
@@ -85,7 +85,7 @@ pub(super) fn run(args: &ReportArgs, engine: &mut dyn Engine, session: &mut Sess
     let findings = find(engine, &setup, t, Some(&solved.state), CONFIGURATIONS, &session.watch())?;
     let q = solved.state.q.clone();
     let solved = solved.shown(engine.model(), args.angles.degrees);
-    let known = Known { t, q: &q, mobility: &solved.mobility, modes: &solved.modes };
+    let known = KnownConfiguration { t, q: &q, mobility: &solved.mobility, modes: &solved.modes };
     let model = engine.model();
     let text = match output.form {
         Form::Json => {

@@ -10,7 +10,7 @@ use super::failure::Failure;
 use super::interrupt::Interrupt;
 use super::output::{Destination, OutputArgs, Target};
 use super::paint;
-use super::watch::Watch;
+use super::watch::ProgressWatch;
 use crate::present::output::{write_atomically, write_atomically_by};
 
 /// The surroundings of a run: where its streams go, and whether it can be interrupted.
@@ -47,7 +47,7 @@ pub(super) struct Session<'a> {
     err: &'a mut dyn Write,
     colours: [bool; 2],
     screen: bool,
-    watch: Rc<Watch>,
+    watch: Rc<ProgressWatch>,
     /// Whether the reader of the result closed its pipe before all was written.
     reader_left: bool,
 }
@@ -57,12 +57,12 @@ const READER_LEFT: u8 = 141;
 
 impl<'a> Session<'a> {
     pub(super) fn new(out: &'a mut dyn Write, err: &'a mut dyn Write, around: Surroundings) -> Self {
-        let watch = Rc::new(Watch::new(around.interrupt, around.bar));
+        let watch = Rc::new(ProgressWatch::new(around.interrupt, around.bar));
         Self { out, err, colours: around.colours, screen: around.screen, watch, reader_left: false }
     }
 
     /// The progress bar and the interruption of this run.
-    pub(super) fn watch(&self) -> Rc<Watch> {
+    pub(super) fn watch(&self) -> Rc<ProgressWatch> {
         Rc::clone(&self.watch)
     }
 

@@ -9,7 +9,7 @@ use super::options::{AngleArgs, FreedomArgs, SetupArgs};
 use super::output::{Destination, Form, OutputArgs, json};
 use super::session::Session;
 use super::setup::Setup;
-use super::solved::{Solved, analysis, driven_state, note_freedom, note_modes, note_start, solve};
+use super::solved::{SolvedInstant, analysis, driven_state, note_freedom, note_modes, note_start, solve};
 use super::task::{At, AtArgs};
 use crate::measure::{Measure, column_values};
 use crate::model::Model;
@@ -23,9 +23,9 @@ use crate::present::plan;
 use crate::present::record::{Parameters, QuantitiesState, inputs};
 use crate::present::table::Table;
 use crate::present::text;
-use crate::present::units::Units;
+use crate::present::units::ResultUnits;
 use crate::ratios::VelocityRatio;
-use crate::serial::{Named, coordinate_names};
+use crate::serial::{NamedValues, coordinate_names};
 
 /// Position, velocity and acceleration at one instant
 #[derive(Clone, Debug, clap::Args)]
@@ -141,7 +141,7 @@ fn named(
     note_freedom(session, state.degrees_of_freedom_left);
     note_start(session, &mobility);
     note_modes(session, engine, setup, t);
-    let units = Units::of(model).in_degrees(degrees);
+    let units = ResultUnits::of(model).in_degrees(degrees);
     let names = wanted.iter().map(Measure::name);
     let text = match output.form {
         Form::Json => {
@@ -172,8 +172,8 @@ fn csv<'n>(names: impl Iterator<Item = &'n str>, values: impl Iterator<Item = f6
 }
 
 /// All tables of a solved instant.
-pub(super) fn body(model: &'static Model, solved: &Solved) -> String {
-    let units = Units::of(model).in_degrees(solved.degrees);
+pub(super) fn body(model: &'static Model, solved: &SolvedInstant) -> String {
+    let units = ResultUnits::of(model).in_degrees(solved.degrees);
     [
         text::coordinates(model, units, &solved.state),
         text::inputs(model, units, &solved.state),
@@ -191,10 +191,11 @@ pub(super) fn body(model: &'static Model, solved: &Solved) -> String {
 }
 
 /// The solved instant as one JSON object.
-pub(super) fn record(engine: &dyn Engine, solved: &Solved) -> Record {
-    let Solved { state, motion, mobility, ratios, angles, modes, certificate, degrees } = solved;
+pub(super) fn record(engine: &dyn Engine, solved: &SolvedInstant) -> Record {
+    let SolvedInstant { state, motion, mobility, ratios, angles, modes, certificate, degrees } = solved;
     let model = engine.model();
-    let ratios_of = |of: &'_ [VelocityRatio]| of.iter().map(|ratio| (ratio.name, ratio.clone())).collect::<Named<_>>();
+    let ratios_of =
+        |of: &'_ [VelocityRatio]| of.iter().map(|ratio| (ratio.name, ratio.clone())).collect::<NamedValues<_>>();
     let mut all = record! {
         t: state.t,
         coordinates: coordinate_names(model),
@@ -206,7 +207,7 @@ pub(super) fn record(engine: &dyn Engine, solved: &Solved) -> Record {
     all.extend(record! {
         mechanism: model.name,
         parameters: Parameters::new(model, &engine.parameters()),
-        units: Units::of(model).in_degrees(*degrees).record(),
+        units: ResultUnits::of(model).in_degrees(*degrees).record(),
         inputs: inputs(model, state),
         degrees_of_freedom: mobility.degrees_of_freedom,
         degrees_of_freedom_left: mobility.degrees_of_freedom_left,

@@ -22,7 +22,7 @@ use crate::workspace::Instant;
 
 /// A solved instant.
 #[derive(Clone, Debug)]
-pub(super) struct Solved {
+pub(super) struct SolvedInstant {
     pub(super) state: State,
     pub(super) motion: Motion,
     pub(super) mobility: Mobility,
@@ -35,7 +35,7 @@ pub(super) struct Solved {
     pub(super) degrees: bool,
 }
 
-impl Solved {
+impl SolvedInstant {
     /// With angles in degrees, if requested. Velocity ratios stay per radian.
     pub(super) fn shown(mut self, model: &Model, degrees: bool) -> Self {
         if !degrees {
@@ -49,7 +49,7 @@ impl Solved {
 }
 
 /// Solves at `t` and refuses motions that the drivers leave open.
-pub(super) fn solve(engine: &dyn Engine, setup: &Setup, t: f64, least_norm: bool) -> Result<Solved, Failure> {
+pub(super) fn solve(engine: &dyn Engine, setup: &Setup, t: f64, least_norm: bool) -> Result<SolvedInstant, Failure> {
     let say = |error| analysis(engine, &error);
     let (state, mobility) = driven_state(engine, setup, t, least_norm)?;
     let motion = engine.motion(setup, &state).map_err(say)?;
@@ -58,7 +58,7 @@ pub(super) fn solve(engine: &dyn Engine, setup: &Setup, t: f64, least_norm: bool
         engine.velocity_ratios(setup, &state).unwrap_or(VelocityRatios { drivers: Vec::new(), inputs: Vec::new() });
     let angles = engine.transmission_angles(&state).unwrap_or_default();
     let modes = engine.modes(&state.instant(), &state.q);
-    Ok(Solved { state, motion, mobility, ratios, angles, modes, certificate: None, degrees: false })
+    Ok(SolvedInstant { state, motion, mobility, ratios, angles, modes, certificate: None, degrees: false })
 }
 
 /// The state at an instant, without the other results.

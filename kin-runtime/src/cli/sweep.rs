@@ -10,21 +10,21 @@ use super::engine::Engine;
 use super::examples::{Help, Names};
 use super::failure::{Failure, Ledger};
 use super::instants::ArcArgs;
-use super::moving::{Moved, Walk, note_motion};
+use super::moving::{FollowedMotion, Moved, note_motion};
 use super::output::{Form, OutputArgs};
 use super::session::Session;
 use super::solved::note_freedom;
-use super::task::{MotionArgs, Task};
+use super::task::{MotionArgs, MotionTask};
 use super::vary::{Choice, VaryArgs};
-use super::watch::Watch;
+use super::watch::ProgressWatch;
 use crate::forces::ContactChange;
 use crate::measure::Measure;
 use crate::model::Model;
 use crate::present::grid::{self, CsvRows};
 use crate::present::number::rounded;
-use crate::present::record::{MotionsRecord, Parameters, Row, SweepRecord, Visit};
+use crate::present::record::{InstantRow, MotionsRecord, Parameters, SweepRecord, Visit};
 use crate::present::text::count;
-use crate::present::units::Units;
+use crate::present::units::ResultUnits;
 use crate::trajectory::Trajectory;
 
 /// Number of steps without `--steps`.
@@ -113,10 +113,11 @@ pub(super) fn run(args: &SweepArgs, engine: &mut dyn Engine, session: &mut Sessi
     let unnamed = wanted.is_empty();
     let time = Measure::standard(model, false).into_iter().take(1);
     let measures = if unnamed { Measure::standard(model, args.points) } else { time.chain(wanted).collect() };
-    let motions = Motions { args, task, choices, measures, unnamed, rows: Cell::new(0) };
+    let motions = SweepTask { args, task, choices, measures, unnamed, rows: Cell::new(0) };
     let (output, watch) = (&motions.task.output, session.watch());
     let streams = output.form != Form::Text;
-    let mut run = Run { engine, watch: &watch, seen: streams && session.is_seen(output), outcomes: Vec::new() };
+    let mut run =
+        RunningSweep { engine, watch: &watch, seen: streams && session.is_seen(output), outcomes: Vec::new() };
     match streams {
         true => streamed(&motions, &mut run, session)?,
         false => {
@@ -131,9 +132,9 @@ pub(super) fn run(args: &SweepArgs, engine: &mut dyn Engine, session: &mut Sessi
 }
 
 /// The task of a sweep: a motion for every combination of the varied parameters.
-struct Motions<'a> {
+struct SweepTask<'a> {
     args: &'a SweepArgs,
-    task: Task<'a>,
+    task: MotionTask<'a>,
     choices: Vec<Choice>,
     /// The columns, t first.
     measures: Vec<Measure>,
@@ -144,22 +145,22 @@ struct Motions<'a> {
 }
 
 /// A sweep while it runs.
-struct Run<'r> {
+struct RunningSweep<'r> {
     engine: &'r mut dyn Engine,
-    watch: &'r Watch,
+    watch: &'r ProgressWatch,
     /// Whether rows appear on a terminal, so that there is no progress bar.
     seen: bool,
-    outcomes: Vec<Outcome>,
+    outcomes: Vec<MotionOutcome>,
 }
 
 /// The outcome of one motion: its rows, of how many instants, and how it ended.
-struct Outcome {
+struct MotionOutcome {
     rows: usize,
     instants: usize,
     moved: Result<Moved, Failure>,
 }
 
-impl Motions<'_> {
+impl SweepTask<'_> {
     fn are_several(&self) -> bool {
         self.choices.len() > 1
     }
@@ -168,13 +169,13 @@ impl Motions<'_> {
     fn follow(
         &self,
         (place, choice): (usize, &Choice),
-        run: &mut Run<'_>,
-        each: impl FnOnce(&Walk<'_>) -> Result<Moved, Failure>,
+        run: &mut RunningSweep<'_>,
+        each: impl FnOnce(&FollowedMotion<'_>) -> Result<Moved, Failure>,
     ) {
-        let Task { asked, setup, .. } = &self.task;
+        let MotionTask { asked, setup, .. } = &self.task;
         choice.set(run.engine);
         let outcome = match asked.instants(run.engine, setup) {
-            Err(failure) => Outcome { rows: 0, instants: 0, moved: Err(failure) },
+            Err(failure) => MotionOutcome { rows: 0, instants: 0, moved: Err(failure) },
             Ok(instants) => {
                 match (place, run.seen) {
                     (0, true) => run.watch.begin_unseen(),
@@ -182,12 +183,12 @@ impl Motions<'_> {
                 }
                 let before = self.rows.get();
                 let walk = self.args.motion.walk(run.engine, (asked, setup, &instants), &self.measures, run.watch);
-                let moved = each(&Walk {
+                let moved = each(&FollowedMotion {
                     stop_at_events: self.args.stop_at_events,
                     tells_missing: !self.args.what.is_empty(),
                     ..walk
                 });
-                Outcome { rows: self.rows.get() - before, instants: instants.len(), moved }
+                MotionOutcome { rows: self.rows.get() - before, instants: instants.len(), moved }
             }
         };
         run.outcomes.push(outcome);
@@ -199,10 +200,10 @@ impl Motions<'_> {
     }
 
     /// Prints the notes of all motions; returns the first failure.
-    fn tell(&self, model: &'static Model, all: Vec<Outcome>, session: &mut Session<'_>) -> Result<(), Failure> {
+    fn tell(&self, model: &'static Model, all: Vec<MotionOutcome>, session: &mut Session<'_>) -> Result<(), Failure> {
         let mut failure = None;
         let finished = all.len();
-        for (Outcome { rows, instants, moved }, choice) in all.into_iter().zip(&self.choices) {
+        for (MotionOutcome { rows, instants, moved }, choice) in all.into_iter().zip(&self.choices) {
             let ended = match moved {
                 Ok(moved) => {
                     note_motion(session, &moved);
@@ -236,7 +237,7 @@ impl Motions<'_> {
 }
 
 /// Writes every row as soon as it is computed.
-fn streamed(motions: &Motions<'_>, run: &mut Run<'_>, session: &mut Session<'_>) -> Result<(), Failure> {
+fn streamed(motions: &SweepTask<'_>, run: &mut RunningSweep<'_>, session: &mut Session<'_>) -> Result<(), Failure> {
     let output = &motions.task.output;
     let written = session.stream(output, |out| {
         match output.form {
@@ -246,12 +247,12 @@ fn streamed(motions: &Motions<'_>, run: &mut Run<'_>, session: &mut Session<'_>)
         // Without a row an existing file keeps its contents.
         if motions.rows.get() == 0 { Err(io::Error::other("there is nothing to write")) } else { Ok(()) }
     });
-    let ended = |outcome: &Outcome| outcome.moved.as_ref().map_or(true, |moved| moved.ended.is_some());
+    let ended = |outcome: &MotionOutcome| outcome.moved.as_ref().map_or(true, |moved| moved.ended.is_some());
     let failed = run.outcomes.iter().any(ended);
     if motions.rows.get() > 0 || !failed { written } else { Ok(()) }
 }
 
-fn csv(motions: &Motions<'_>, run: &mut Run<'_>, out: &mut dyn Write) -> io::Result<()> {
+fn csv(motions: &SweepTask<'_>, run: &mut RunningSweep<'_>, out: &mut dyn Write) -> io::Result<()> {
     let model = run.engine.model();
     let varied = motions.choices.first().map(|choice| choice.pairs(model).map(|(name, _)| name));
     let names = varied.into_iter().flatten().chain(motions.measures.iter().map(Measure::name));
@@ -278,7 +279,7 @@ fn csv(motions: &Motions<'_>, run: &mut Run<'_>, out: &mut dyn Write) -> io::Res
     failed.map_or_else(|| csv.flush(), Err)
 }
 
-fn json(motions: &Motions<'_>, run: &mut Run<'_>, out: &mut dyn Write) -> io::Result<()> {
+fn json(motions: &SweepTask<'_>, run: &mut RunningSweep<'_>, out: &mut dyn Write) -> io::Result<()> {
     let (model, degrees) = (run.engine.model(), motions.args.motion.angles.degrees);
     let shared = RefCell::new(run);
     let record = |index: usize, write: &mut dyn FnMut(&SweepRecord<'_>)| {
@@ -287,12 +288,13 @@ fn json(motions: &Motions<'_>, run: &mut Run<'_>, out: &mut dyn Write) -> io::Re
         motions.follow((index, choice), run, |walk| {
             let moved = RefCell::new(None);
             let each = |visit: Visit<'_>| {
-                let walk = Walk { measures: if motions.unnamed { &[] } else { &motions.measures[1..] }, ..*walk };
-                let walk = Walk { reported: motions.args.points, ..walk };
+                let walk =
+                    FollowedMotion { measures: if motions.unnamed { &[] } else { &motions.measures[1..] }, ..*walk };
+                let walk = FollowedMotion { reported: motions.args.points, ..walk };
                 moved.replace(Some(walk.each(&mut |row| {
                     let motion = row.motion.map(|motion| degrees::motion(model, motion, walk.degrees));
                     let state = degrees::state(model, row.state, walk.degrees);
-                    visit(&Row { state: &state, motion: motion.as_deref(), values: row.values })?;
+                    visit(&InstantRow { state: &state, motion: motion.as_deref(), values: row.values })?;
                     motions.count(1);
                     ControlFlow::Continue(())
                 })));
@@ -306,7 +308,7 @@ fn json(motions: &Motions<'_>, run: &mut Run<'_>, out: &mut dyn Write) -> io::Re
                 model,
                 varied: motions.are_several().then(|| choice.pairs(model).collect()),
                 parameters: Parameters::new(model, &walk.engine.parameters()),
-                units: Units::of(model).in_degrees(degrees).record(),
+                units: ResultUnits::of(model).in_degrees(degrees).record(),
                 quantities: if motions.unnamed { &[] } else { &motions.measures[1..] },
                 walk: &each,
                 ended: &ended,
@@ -328,7 +330,7 @@ fn json(motions: &Motions<'_>, run: &mut Run<'_>, out: &mut dyn Write) -> io::Re
     out.write_all(b"\n")
 }
 
-fn text(motions: &Motions<'_>, run: &mut Run<'_>) -> String {
+fn text(motions: &SweepTask<'_>, run: &mut RunningSweep<'_>) -> String {
     let model = run.engine.model();
     let mut out = String::new();
     for (index, choice) in motions.choices.iter().enumerate() {
@@ -349,7 +351,7 @@ fn text(motions: &Motions<'_>, run: &mut Run<'_>) -> String {
     out
 }
 
-fn table(motions: &Motions<'_>, model: &Model, choice: &Choice, moved: &Moved) -> String {
+fn table(motions: &SweepTask<'_>, model: &Model, choice: &Choice, moved: &Moved) -> String {
     let names = motions.measures.iter().map(|measure| measure.name().to_owned());
     let columns: Vec<grid::Column> = names.zip(moved.columns.iter().cloned()).collect();
     let times = &moved.columns[0];

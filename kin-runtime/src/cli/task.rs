@@ -5,12 +5,12 @@ use super::closures::settled;
 use super::engine::Engine;
 use super::failure::{Failure, Ledger, zip3};
 use super::instants::{ArcArgs, Asked, GridArgs, Instants, instant};
-use super::moving::Walk;
+use super::moving::FollowedMotion;
 use super::options::{AngleArgs, FreedomArgs, InstantArgs, SetupArgs};
 use super::output::{Destination, OutputArgs};
 use super::session::Session;
 use super::setup::Setup;
-use super::watch::Watch;
+use super::watch::ProgressWatch;
 use crate::measure::Measure;
 
 /// Options of the analysis of one instant.
@@ -67,7 +67,7 @@ pub(super) struct MotionArgs {
 }
 
 /// A motion to be followed.
-pub(super) struct Task<'o> {
+pub(super) struct MotionTask<'o> {
     pub(super) asked: Asked,
     pub(super) setup: Setup,
     pub(super) output: Destination<'o>,
@@ -83,7 +83,7 @@ impl MotionArgs {
         (steps, arc): (usize, ArcArgs),
         engine: &mut dyn Engine,
         session: &Session<'_>,
-    ) -> Option<Task<'o>> {
+    ) -> Option<MotionTask<'o>> {
         let asked = ledger.take(self.grid.asked(steps, engine.model()).and_then(|asked| arc.of(asked)));
         let output = ledger.take(session.destination(output, command));
         let setup = ledger.take(self.setup.apply_complete(engine));
@@ -91,7 +91,7 @@ impl MotionArgs {
         let setup = Setup { least_norm: self.freedom.least_norm, ..setup };
         let first = ledger.take(asked.first(engine, &setup))?;
         let setup = ledger.take(settled(engine, setup, first))?;
-        Some(Task { asked, setup, output })
+        Some(MotionTask { asked, setup, output })
     }
 
     /// The walk over the instants of a task, with the values of `measures`.
@@ -100,9 +100,9 @@ impl MotionArgs {
         engine: &'w dyn Engine,
         (asked, setup, instants): (&Asked, &'w Setup, &'w Instants),
         measures: &'w [Measure],
-        watch: &'w Watch,
-    ) -> Walk<'w> {
-        Walk {
+        watch: &'w ProgressWatch,
+    ) -> FollowedMotion<'w> {
+        FollowedMotion {
             engine,
             setup,
             instants,

@@ -2,7 +2,7 @@
 
 use super::engine::Engine;
 use super::failure::{Failure, Ledger};
-use super::names::{Kind, find};
+use super::names::{NameKind, find};
 use super::number::Measured;
 use super::setup::Setup;
 use super::values;
@@ -16,10 +16,10 @@ pub(super) fn tolerances(texts: &[String], model: &Model) -> Result<Vec<f64>, Fa
     const OPTION: &str = "--tolerance";
     let mut all = vec![0.0; model.parameters.len()];
     let mut ledger = Ledger::default();
-    let example = values::example_of(Kind::Parameter, model, "0.001");
+    let example = values::example_of(NameKind::Parameter, model, "0.001");
     for (name, value) in ledger.take(values::assignments(OPTION, &example, texts)).unwrap_or_default() {
         // If the name is no parameter, its unit is not known.
-        let Some(index) = ledger.take(find(model, OPTION, Kind::Parameter, &name)) else { continue };
+        let Some(index) = ledger.take(find(model, OPTION, NameKind::Parameter, &name)) else { continue };
         let option = format!("{OPTION} {name}");
         match ledger.take(values::number(&option, &value, Measured::parameter(model, &name))) {
             Some(value) if value >= 0.0 => all[index] = value,

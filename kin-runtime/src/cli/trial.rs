@@ -26,7 +26,7 @@ const TRIES: usize = 200;
 
 /// Values that examples can use.
 #[derive(Clone, Debug)]
-pub(super) struct Trial {
+pub(super) struct ExampleValues {
     /// ` --input u=0.9,0.1`, ` --given s=0.3:1`; empty if nothing is needed.
     pub(super) needed: String,
     /// An instant within the motion, and one at its end.
@@ -43,7 +43,7 @@ pub(super) struct Trial {
     pub(super) arc: bool,
 }
 
-impl Default for Trial {
+impl Default for ExampleValues {
     fn default() -> Self {
         Self {
             needed: String::new(),
@@ -57,7 +57,7 @@ impl Default for Trial {
     }
 }
 
-impl Trial {
+impl ExampleValues {
     /// Tries the mechanism; its parameters are restored afterwards.
     pub(super) fn of(engine: &mut dyn Engine) -> Option<Self> {
         let model = engine.model();

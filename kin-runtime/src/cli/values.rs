@@ -1,12 +1,12 @@
 //! The values of options: numbers, `name=value` lists, times, signals.
 
 use super::failure::{Failure, Ledger};
-use super::names::{Kind, find};
+use super::names::{NameKind, find};
 use super::number::{Amount, Measured, amount, converted};
 use crate::model::Model;
 use crate::planned::Sign;
 use crate::present::number::plain;
-use crate::present::units::Units;
+use crate::present::units::ResultUnits;
 use crate::workspace::Signal;
 use kin_core::units::Unit;
 
@@ -22,20 +22,21 @@ pub(super) fn number(option: &str, text: &str, of: Measured<'_>) -> Result<f64, 
 
 /// An instant: a time, or the angle by which the driven crank has turned since t = 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Moment {
+pub(super) enum TimeOrAngle {
     At(f64),
     /// An angle in radians.
     Turned(f64),
 }
 
 /// An instant.
-pub(super) fn moment(option: &str, text: &str, model: &Model) -> Result<Moment, Failure> {
+pub(super) fn moment(option: &str, text: &str, model: &Model) -> Result<TimeOrAngle, Failure> {
     let amount = written(option, text)?;
     if amount.unit.is_some_and(Unit::is_number) {
         let angle = Measured { name: "t", unit: Some("rad"), ..Measured::default() };
-        return number(option, text, angle).map(Moment::Turned);
+        return number(option, text, angle).map(TimeOrAngle::Turned);
     }
-    number(option, text, Measured { name: "t", unit: Units::of(model).time(), ..Measured::default() }).map(Moment::At)
+    number(option, text, Measured { name: "t", unit: ResultUnits::of(model).time(), ..Measured::default() })
+        .map(TimeOrAngle::At)
 }
 
 fn not_finite(option: &str, text: &str) -> Failure {
@@ -111,7 +112,7 @@ pub(super) fn assignments(option: &str, example: &str, texts: &[String]) -> Resu
 /// The values of `name=value` pairs with the places of the names; errors go to the ledger.
 pub(super) fn of_names<T>(
     ledger: &mut Ledger,
-    (option, kind, example): (&str, Kind, &str),
+    (option, kind, example): (&str, NameKind, &str),
     texts: &[String],
     model: &Model,
     read: impl Fn(&str, &str) -> Result<T, Failure>,
@@ -125,7 +126,7 @@ pub(super) fn of_names<T>(
 }
 
 /// An example of an assignment, for error messages.
-pub(super) fn example_of(kind: Kind, model: &Model, value: &str) -> String {
+pub(super) fn example_of(kind: NameKind, model: &Model, value: &str) -> String {
     format!("{}={value}", kind.names(model).first().unwrap_or(&"NAME"))
 }
 
@@ -229,10 +230,10 @@ fn finish(
 }
 
 /// The instants of `--times`.
-pub(super) fn times(option: &str, text: &str, model: &Model) -> Result<Vec<Moment>, Failure> {
+pub(super) fn times(option: &str, text: &str, model: &Model) -> Result<Vec<TimeOrAngle>, Failure> {
     let mut ledger = Ledger::default();
     let texts: Vec<&str> = text.split(',').collect();
-    let times: Vec<Moment> = texts.iter().filter_map(|t| ledger.take(moment(option, t, model))).collect();
+    let times: Vec<TimeOrAngle> = texts.iter().filter_map(|t| ledger.take(moment(option, t, model))).collect();
     let times = ledger.close(Some(times))?;
     for (pair, text) in times.windows(2).zip(&texts) {
         if let [a, b] = pair

@@ -14,7 +14,7 @@ fn inputs(option: &str, texts: &[String]) -> Result<Vec<(String, Signal)>, Failu
     super::inputs(option, texts, model())
 }
 
-fn times(option: &str, text: &str) -> Result<Vec<Moment>, Failure> {
+fn times(option: &str, text: &str) -> Result<Vec<TimeOrAngle>, Failure> {
     super::times(option, text, model())
 }
 
@@ -98,18 +98,18 @@ fn a_grid_has_one_instant_more_than_steps() {
 
 #[test]
 fn times_are_a_list() {
-    assert_eq!(times("--times", "-1,0, 1"), Ok([-1.0, 0.0, 1.0].map(Moment::At).to_vec()));
-    assert_eq!(times("--times", "0,1,0"), Ok([0.0, 1.0, 0.0].map(Moment::At).to_vec()));
+    assert_eq!(times("--times", "-1,0, 1"), Ok([-1.0, 0.0, 1.0].map(TimeOrAngle::At).to_vec()));
+    assert_eq!(times("--times", "0,1,0"), Ok([0.0, 1.0, 0.0].map(TimeOrAngle::At).to_vec()));
     assert_eq!(
         times("--times", "0, 90deg,0.5turn, pi/2"),
         Ok(vec![
-            Moment::At(0.0),
-            Moment::Turned(std::f64::consts::FRAC_PI_2),
-            Moment::Turned(std::f64::consts::PI),
-            Moment::At(std::f64::consts::FRAC_PI_2),
+            TimeOrAngle::At(0.0),
+            TimeOrAngle::Turned(std::f64::consts::FRAC_PI_2),
+            TimeOrAngle::Turned(std::f64::consts::PI),
+            TimeOrAngle::At(std::f64::consts::FRAC_PI_2),
         ])
     );
-    assert_eq!(times("--times", "20 ms"), Ok(vec![Moment::At(0.02)]));
+    assert_eq!(times("--times", "20 ms"), Ok(vec![TimeOrAngle::At(0.02)]));
     assert_eq!(message(times("--times", "2mm")), "--times: `2mm`: `t` is in s, and this is mm");
     assert!(times("--times", "0,,1").is_err());
     assert!(times("--times", "").is_err());

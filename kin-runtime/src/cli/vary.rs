@@ -2,7 +2,7 @@
 
 use super::engine::Engine;
 use super::failure::{Failure, Ledger};
-use super::names::{Kind, find};
+use super::names::{NameKind, find};
 use super::values;
 use crate::model::Model;
 use crate::present::number::rounded;
@@ -35,7 +35,7 @@ impl VaryArgs {
         for text in &self.vary {
             let varied = values::variation("--vary", text, model, (most, why));
             let Some((name, values)) = ledger.take(varied) else { continue };
-            let found = find(model, "--vary", Kind::Parameter, &name);
+            let found = find(model, "--vary", NameKind::Parameter, &name);
             let Some(place) = ledger.take(found) else { continue };
             if choices[0].0.iter().any(|&(varied, _)| varied == place) {
                 ledger.fault("--vary", format!("`{name}` is varied twice"));

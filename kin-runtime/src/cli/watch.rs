@@ -15,7 +15,7 @@ const PATIENCE: Duration = Duration::from_secs(1);
 const TEMPLATE: &str = "  {bar:32} {percent:>3} %  {place} of {total} {msg}, {rate}, {left} left";
 
 /// The progress of the long part of a command.
-pub(super) struct Watch {
+pub(super) struct ProgressWatch {
     interrupt: Interrupt,
     /// Whether stderr is a terminal.
     seen: bool,
@@ -26,7 +26,7 @@ pub(super) struct Watch {
     before: Cell<usize>,
 }
 
-impl Watch {
+impl ProgressWatch {
     pub(super) fn new(interrupt: Interrupt, seen: bool) -> Self {
         let (bar, began) = (RefCell::new(None), Cell::new(Instant::now()));
         Self { interrupt, seen, bar, began, drawn: Cell::new(false), before: Cell::new(0) }

@@ -1,7 +1,7 @@
 //! The conditions of a design: each is a list of slacks that must be positive.
 
 use super::error::DesignError;
-use super::objective::Quantity;
+use super::objective::DesignQuantity;
 use super::variables::parameter_index;
 use crate::measure::Measure;
 use crate::model::Model;
@@ -28,7 +28,7 @@ pub(crate) enum Condition {
     /// Margins of the plan at instants.
     Margins { times: Vec<f64>, least: f64 },
     /// A quantity within a range at instants.
-    Range { name: String, of: Quantity, low: f64, high: f64, times: Vec<f64> },
+    Range { name: String, of: DesignQuantity, low: f64, high: f64, times: Vec<f64> },
 }
 
 /// Instants that are equally far apart, the ends of the period included.
@@ -79,7 +79,7 @@ impl Condition {
 
     pub(crate) fn range(
         name: String,
-        of: Quantity,
+        of: DesignQuantity,
         range: RangeInclusive<f64>,
         period: f64,
         instants: usize,
@@ -109,7 +109,7 @@ impl Condition {
             return Err(DesignError::NoTransmission { joint: joint.to_owned(), angles });
         }
         let condition = |angle: &Measure| {
-            let (name, of) = (angle.name().to_owned(), Quantity::Named(angle.clone()));
+            let (name, of) = (angle.name().to_owned(), DesignQuantity::Named(angle.clone()));
             Self::range(name, of, least..=core::f64::consts::PI - least, period, instants)
         };
         found.into_iter().map(condition).collect()
@@ -132,7 +132,9 @@ impl Condition {
         match self {
             Self::Sum { name, .. } => name.clone(),
             Self::Margins { least, .. } => format!("turns with margins above {least}"),
-            Self::Range { name, of: Quantity::Named(of) | Quantity::Angle(of), low, high, .. } if of.is_angle() => {
+            Self::Range { name, of: DesignQuantity::Named(of) | DesignQuantity::Angle(of), low, high, .. }
+                if of.is_angle() =>
+            {
                 // Rounded, because the conversion from degrees to radians has changed the last digits.
                 let [low, high] = [low, high].map(|bound| (bound.to_degrees() * 1e9).round() / 1e9);
                 format!("{name} in {low}°..{high}°")

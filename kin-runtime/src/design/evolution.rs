@@ -6,8 +6,8 @@
 //! a descent can leave a local minimum. A design that breaks a condition or does not assemble counts as worse than the
 //! start.
 
-use super::fit::{Effort, End, error};
-use super::follow::Branch;
+use super::fit::{DescentEnd, DescentLimits, error};
+use super::follow::DescentBranch;
 use super::problem::Problem;
 use basin::{
     BoundedCmaEs, BoxBounds, ConstraintDescription, ConstraintSet, Constraints, CostFunction, DenseMatrix, Executor,
@@ -20,7 +20,7 @@ const NARROW: f64 = 1e-9;
 /// The objective as a function of the variables.
 struct Landscape<'d> {
     design: Problem<'d>,
-    branch: &'d Branch,
+    branch: &'d DescentBranch,
     lower: Vec<f64>,
     upper: Vec<f64>,
     /// The value of a design that breaks a condition.
@@ -28,7 +28,7 @@ struct Landscape<'d> {
 }
 
 /// Improves a design that keeps all conditions, generation by generation; the start where none is better.
-pub(super) fn evolve(design: Problem<'_>, start: End, effort: Effort) -> End {
+pub(super) fn evolve(design: Problem<'_>, start: DescentEnd, effort: DescentLimits) -> DescentEnd {
     let count = start.variables.len();
     let size = if start.error == 0.0 { 1.0 } else { start.error.abs() };
     let worst = start.error + 10.0 * size;
@@ -40,7 +40,7 @@ pub(super) fn evolve(design: Problem<'_>, start: End, effort: Effort) -> End {
     let run = Executor::from_start(landscape, solver, start.variables.clone()).max_iter(effort.steps).run();
     let Ok(variables) = run.map(|result| result.best_param().clone()) else { return start };
     match error(design, &variables, &start.branch) {
-        Some(error) if error < start.error => End { variables, error, branch: start.branch },
+        Some(error) if error < start.error => DescentEnd { variables, error, branch: start.branch },
         _ => start,
     }
 }

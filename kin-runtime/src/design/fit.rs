@@ -8,7 +8,7 @@
 //! A slack c adds the residual √τ/c: it keeps c positive at every step and vanishes with τ. Where a slack is not
 //! positive or the mechanism does not assemble, residuals are NaN, and the trust region shrinks.
 
-use super::follow::Branch;
+use super::follow::DescentBranch;
 use super::motion::Evaluated;
 use super::problem::Problem;
 use basin::{
@@ -22,7 +22,7 @@ pub(crate) const NOTHING: f64 = 1e-24;
 
 /// How far a descent goes.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Effort {
+pub(crate) struct DescentLimits {
     /// The terms of conditions at the start of a descent, as shares of the sum of squares, one descent after the other;
     /// 0 leaves the terms out.
     pub(crate) shares: &'static [f64],
@@ -37,20 +37,22 @@ pub(crate) struct Effort {
 }
 
 /// To select the random designs that are worth a descent.
-pub(crate) const GLANCE: Effort = Effort { shares: &[1e-2], steps: 12, change: 1e-3, reflective: 0, spread: 0.1 };
+pub(crate) const GLANCE: DescentLimits =
+    DescentLimits { shares: &[1e-2], steps: 12, change: 1e-3, reflective: 0, spread: 0.1 };
 /// To select the starts that are worth further descents.
-pub(crate) const FIRST: Effort = Effort { shares: &[1e-2, 1e-6], steps: 60, change: 1e-4, reflective: 0, spread: 0.1 };
+pub(crate) const FIRST: DescentLimits =
+    DescentLimits { shares: &[1e-2, 1e-6], steps: 60, change: 1e-4, reflective: 0, spread: 0.1 };
 /// To select the best of these.
-pub(crate) const SECOND: Effort =
-    Effort { shares: &[1e-6, 1e-10], steps: 120, change: 1e-8, reflective: 0, spread: 0.03 };
+pub(crate) const SECOND: DescentLimits =
+    DescentLimits { shares: &[1e-6, 1e-10], steps: 120, change: 1e-8, reflective: 0, spread: 0.03 };
 /// To convergence.
-pub(crate) const LAST: Effort =
-    Effort { shares: &[1e-6, 1e-10, 0.0], steps: 480, change: 1e-12, reflective: 12, spread: 0.003 };
+pub(crate) const LAST: DescentLimits =
+    DescentLimits { shares: &[1e-6, 1e-10, 0.0], steps: 480, change: 1e-12, reflective: 12, spread: 0.003 };
 
 /// The least squares problem of one branch.
 struct Fit<'d> {
     design: Problem<'d>,
-    branch: &'d Branch,
+    branch: &'d DescentBranch,
     lower: Vec<f64>,
     upper: Vec<f64>,
     /// √τ.
@@ -60,15 +62,15 @@ struct Fit<'d> {
 
 /// The result of a descent.
 #[derive(Clone, Debug)]
-pub(crate) struct End {
+pub(crate) struct DescentEnd {
     pub(crate) variables: Vec<f64>,
     /// The sum of squared misses, plus the values that are to be least.
     pub(crate) error: f64,
-    pub(crate) branch: Branch,
+    pub(crate) branch: DescentBranch,
 }
 
 /// The sum of squared misses of a design that keeps all conditions, plus the values that are to be least.
-pub(crate) fn error(design: Problem<'_>, variables: &[f64], branch: &Branch) -> Option<f64> {
+pub(crate) fn error(design: Problem<'_>, variables: &[f64], branch: &DescentBranch) -> Option<f64> {
     let evaluated = design.evaluate(variables, branch, false).ok()?;
     let kept = evaluated.slacks.iter().all(|slack| slack.value > 0.0);
     let error = evaluated.misses.iter().map(|row| row.value * row.value).sum::<f64>() + evaluated.least;
@@ -76,7 +78,7 @@ pub(crate) fn error(design: Problem<'_>, variables: &[f64], branch: &Branch) -> 
 }
 
 /// Descends from a design that keeps all conditions.
-pub(crate) fn descend(design: Problem<'_>, start: End, effort: Effort) -> End {
+pub(crate) fn descend(design: Problem<'_>, start: DescentEnd, effort: DescentLimits) -> DescentEnd {
     let mut end = start;
     let nothing = NOTHING * design.wanted();
     for share in effort.shares {
@@ -107,7 +109,9 @@ pub(crate) fn descend(design: Problem<'_>, start: End, effort: Effort) -> End {
         };
         let Some(variables) = reached else { return end };
         match error(design, &variables, &end.branch) {
-            Some(error) if error <= end.error || *share > 0.0 => end = End { variables, error, branch: end.branch },
+            Some(error) if error <= end.error || *share > 0.0 => {
+                end = DescentEnd { variables, error, branch: end.branch }
+            }
             _ => {}
         }
     }

@@ -20,7 +20,7 @@ pub(crate) type See<'s> = dyn FnMut(usize, usize, &Varied) + 's;
 
 /// What is fixed in one descent: the signs of modes, and the directions of paths.
 #[derive(Clone, Debug)]
-pub(crate) struct Branch {
+pub(crate) struct DescentBranch {
     pub(crate) modes: Vec<(usize, Sign)>,
     pub(crate) forward: bool,
 }
@@ -29,10 +29,10 @@ pub(crate) struct Branch {
 pub(crate) trait Family: Sync {
     /// The modes to which the guesses lead at an instant; none where the mechanism does not assemble.
     fn guessed(&self, task: &Task, t: f64) -> Option<Vec<Mode>>;
-    /// As [`Motion::each`].
+    /// As [`DesignMotion::each`].
     fn each(
         &self,
-        motion: &Motion<'_>,
+        motion: &DesignMotion<'_>,
         times: &[f64],
         varying: &[usize],
         needs: Needs,
@@ -41,10 +41,10 @@ pub(crate) trait Family: Sync {
 }
 
 /// The motion of a mechanism whose parameters are set.
-pub(crate) struct Motion<'d> {
+pub(crate) struct DesignMotion<'d> {
     family: &'d dyn Family,
     pub(crate) task: &'d Task,
-    branch: &'d Branch,
+    branch: &'d DescentBranch,
     pub(crate) parameters: Vec<f64>,
     /// Indices of the parameters that vary.
     indices: Vec<usize>,
@@ -52,8 +52,8 @@ pub(crate) struct Motion<'d> {
     pub(crate) moved_by: Vec<(usize, f64)>,
 }
 
-impl<'d> Motion<'d> {
-    pub(crate) fn new(family: &'d dyn Family, task: &'d Task, variables: &[f64], branch: &'d Branch) -> Self {
+impl<'d> DesignMotion<'d> {
+    pub(crate) fn new(family: &'d dyn Family, task: &'d Task, variables: &[f64], branch: &'d DescentBranch) -> Self {
         let free = task.free.iter().enumerate();
         let all = free.flat_map(|(k, free)| free.indices.iter().map(move |&index| (index, (k, free.width()))));
         let (indices, moved_by) = all.unzip();
@@ -79,7 +79,7 @@ impl<M: Mechanism> Family for Design<M> {
 
     fn each(
         &self,
-        motion: &Motion<'_>,
+        motion: &DesignMotion<'_>,
         times: &[f64],
         varying: &[usize],
         needs: Needs,

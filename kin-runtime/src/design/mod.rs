@@ -61,9 +61,9 @@ pub use crate::results::varied::Number;
 pub use builder::Design;
 pub use condition::Shortest;
 pub use error::{DesignError, Missed};
-pub use objective::Direction;
 #[cfg(feature = "cli")]
-pub(crate) use objective::Quantity;
+pub(crate) use objective::DesignQuantity;
+pub use objective::Direction;
 pub use result::{Designed, Slack};
 pub use search::{Progress, Search};
 #[cfg(feature = "cli")]

@@ -1,11 +1,11 @@
 //! The evaluation of a design: its misses (differences from what is wanted), its slacks, and the derivatives of both.
 
 use super::condition::Condition;
-use super::follow::{Branch, Motion};
-use super::objective::{Least, Objective, Quantity, Wanted};
+use super::follow::{DescentBranch, DesignMotion};
+use super::objective::{DesignQuantity, Least, Objective, Requirement};
 use super::problem::Problem;
 use super::task::Task;
-use super::variables::{Instants, instants};
+use super::variables::{VariableInstants, instants};
 use crate::error::SolveError;
 use crate::measure::Needs;
 use crate::model::Model;
@@ -14,7 +14,7 @@ use crate::scalar::Scalar;
 
 /// A number with its derivatives with respect to all variables.
 #[derive(Clone, Debug)]
-pub(crate) struct Row {
+pub(crate) struct Differentiated {
     pub(crate) value: f64,
     pub(crate) by: Vec<f64>,
 }
@@ -22,11 +22,11 @@ pub(crate) struct Row {
 /// The misses of a design, and the slacks of its conditions.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Evaluated {
-    pub(crate) misses: Vec<Row>,
+    pub(crate) misses: Vec<Differentiated>,
     /// The sum of the values that are to be least.
     pub(crate) least: f64,
     /// Positive where a condition holds; of the order of 1 far from its limit.
-    pub(crate) slacks: Vec<Row>,
+    pub(crate) slacks: Vec<Differentiated>,
     /// For every slack, its condition.
     pub(crate) conditions: Vec<usize>,
     /// The instants of every objective.
@@ -38,23 +38,28 @@ impl Problem<'_> {
     ///
     /// # Errors
     /// Why the mechanism does not assemble all the way, or that the search has been stopped.
-    pub(crate) fn evaluate(&self, variables: &[f64], branch: &Branch, slopes: bool) -> Result<Evaluated, SolveError> {
+    pub(crate) fn evaluate(
+        &self,
+        variables: &[f64],
+        branch: &DescentBranch,
+        slopes: bool,
+    ) -> Result<Evaluated, SolveError> {
         self.go_on()?;
         let motion = self.motion(variables, branch);
-        let rows = Rows { motion: &motion, task: self.task, slopes, variables: variables.len() };
+        let rows = MotionRows { motion: &motion, task: self.task, slopes, variables: variables.len() };
         rows.evaluated(variables, branch.forward)
     }
 }
 
 /// Misses and slacks of a mechanism that is followed.
-struct Rows<'f> {
-    motion: &'f Motion<'f>,
+struct MotionRows<'f> {
+    motion: &'f DesignMotion<'f>,
     task: &'f Task,
     slopes: bool,
     variables: usize,
 }
 
-impl Rows<'_> {
+impl MotionRows<'_> {
     fn evaluated(&self, variables: &[f64], forward: bool) -> Result<Evaluated, SolveError> {
         let Task { free, objectives, conditions, .. } = self.task;
         let mut evaluated = Evaluated::default();
@@ -80,7 +85,7 @@ impl Rows<'_> {
             }
             first += objective.variables();
             match &objective.wanted {
-                Wanted::Least(of) => evaluated.least += self.least(objective, &instants, of)?,
+                Requirement::Least(of) => evaluated.least += self.least(objective, &instants, of)?,
                 _ => self.objective(objective, &instants, &mut evaluated.misses)?,
             }
             evaluated.times.push(instants.times);
@@ -100,12 +105,12 @@ impl Rows<'_> {
     }
 
     /// A row without derivatives.
-    fn row(&self, value: f64) -> Row {
-        Row { value, by: if self.slopes { vec![0.0; self.variables] } else { Vec::new() } }
+    fn row(&self, value: f64) -> Differentiated {
+        Differentiated { value, by: if self.slopes { vec![0.0; self.variables] } else { Vec::new() } }
     }
 
     /// Adds the derivatives with respect to the parameters that vary, from the index `first` on.
-    fn add(&self, row: &mut Row, first: usize, number: Number) {
+    fn add(&self, row: &mut Differentiated, first: usize, number: Number) {
         if self.slopes {
             for (by, &(variable, width)) in number.by().iter().zip(&self.motion.moved_by[first..]) {
                 row.by[variable] += width * by;
@@ -114,7 +119,7 @@ impl Rows<'_> {
     }
 
     /// Σ factor · parameter − least, relative to the widths of the parameters' bounds.
-    fn sum(&self, terms: &[(usize, f64)], least: f64) -> Row {
+    fn sum(&self, terms: &[(usize, f64)], least: f64) -> Differentiated {
         let free = |index: usize| self.task.free.iter().position(|free| free.indices.contains(&index));
         let width = |index: usize| free(index).map_or(0.0, |free| self.task.free[free].width());
         let size: f64 = terms.iter().map(|(index, factor)| factor.abs() * width(*index)).sum();
@@ -130,17 +135,22 @@ impl Rows<'_> {
     }
 
     /// The part of a period that the gaps leave.
-    fn rest(&self, variables: &[f64], first: usize, count: usize) -> Row {
+    fn rest(&self, variables: &[f64], first: usize, count: usize) -> Differentiated {
         let gaps = first + 1..first + count;
         let mut row = self.row(1.0 - variables[gaps.clone()].iter().sum::<f64>());
         row.by.iter_mut().enumerate().filter(|(k, _)| gaps.contains(k)).for_each(|(_, by)| *by = -1.0);
         row
     }
 
-    fn objective(&self, objective: &Objective, at: &Instants, misses: &mut Vec<Row>) -> Result<(), SolveError> {
+    fn objective(
+        &self,
+        objective: &Objective,
+        at: &VariableInstants,
+        misses: &mut Vec<Differentiated>,
+    ) -> Result<(), SolveError> {
         match &objective.wanted {
-            Wanted::Values(values, weights) => self.values(objective, at, (values, weights), misses),
-            Wanted::Zeros(residuals) => {
+            Requirement::Values(values, weights) => self.values(objective, at, (values, weights), misses),
+            Requirement::Zeros(residuals) => {
                 let chunks = if self.slopes { self.motion.moved_by.len().div_ceil(WIDTH) } else { 1 };
                 let mut seen = vec![vec![Vec::new(); at.times.len()]; chunks];
                 self.motion.each(&at.times, self.slopes, objective.needs(), &mut |instant, first, varied| {
@@ -160,12 +170,12 @@ impl Rows<'_> {
                 }
                 Ok(())
             }
-            Wanted::Least(_) => Ok(()),
+            Requirement::Least(_) => Ok(()),
         }
     }
 
     /// A number that is to be least.
-    fn least(&self, objective: &Objective, at: &Instants, of: &Least) -> Result<f64, SolveError> {
+    fn least(&self, objective: &Objective, at: &VariableInstants, of: &Least) -> Result<f64, SolveError> {
         let mut seen = vec![Vec::new(); at.times.len()];
         self.motion.each(&at.times, false, objective.needs(), &mut |instant, _, varied| {
             let values = objective.of.iter().map(|quantity| quantity.varied(self.task.model, varied));
@@ -178,9 +188,9 @@ impl Rows<'_> {
     fn values(
         &self,
         objective: &Objective,
-        at: &Instants,
+        at: &VariableInstants,
         (values, weights): (&[Vec<f64>], &[f64]),
-        misses: &mut Vec<Row>,
+        misses: &mut Vec<Differentiated>,
     ) -> Result<(), SolveError> {
         let (begin, each) = (misses.len(), objective.of.len());
         self.motion.each(&at.times, self.slopes, objective.needs(), &mut |instant, first, varied| {
@@ -205,7 +215,7 @@ impl Rows<'_> {
         &self,
         times: &[f64],
         needs: Needs,
-        slacks: &mut Vec<Row>,
+        slacks: &mut Vec<Differentiated>,
         of: &dyn Fn(&Varied, &mut Vec<Number>),
     ) -> Result<(), SolveError> {
         let (mut begin, mut numbers) = (slacks.len(), Vec::new());
@@ -222,11 +232,17 @@ impl Rows<'_> {
         })
     }
 
-    fn margins(&self, times: &[f64], least: f64, slacks: &mut Vec<Row>) -> Result<(), SolveError> {
+    fn margins(&self, times: &[f64], least: f64, slacks: &mut Vec<Differentiated>) -> Result<(), SolveError> {
         self.slacks(times, Needs::LEAST, slacks, &|varied, out| margin_slacks(varied, least, out))
     }
 
-    fn range(&self, times: &[f64], of: &Quantity, ends: [f64; 2], slacks: &mut Vec<Row>) -> Result<(), SolveError> {
+    fn range(
+        &self,
+        times: &[f64],
+        of: &DesignQuantity,
+        ends: [f64; 2],
+        slacks: &mut Vec<Differentiated>,
+    ) -> Result<(), SolveError> {
         self.slacks(times, of.needs(), slacks, &|varied, out| range_slacks(self.task.model, varied, of, ends, out))
     }
 }
@@ -240,7 +256,7 @@ pub(crate) fn margin_slacks(varied: &Varied, least: f64, out: &mut Vec<Number>) 
 pub(crate) fn range_slacks(
     model: &Model,
     varied: &Varied,
-    of: &Quantity,
+    of: &DesignQuantity,
     [low, high]: [f64; 2],
     out: &mut Vec<Number>,
 ) {

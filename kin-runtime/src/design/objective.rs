@@ -23,7 +23,7 @@ pub enum Direction {
 
 /// A number of the motion.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) enum Quantity {
+pub(crate) enum DesignQuantity {
     /// A quantity by name.
     Named(Measure),
     /// The angle of a body, of which whole turns do not count.
@@ -32,7 +32,7 @@ pub(crate) enum Quantity {
     Pose(usize, usize),
 }
 
-impl Quantity {
+impl DesignQuantity {
     /// The quantity of this name.
     pub(crate) fn named(model: &'static Model, name: &str) -> Result<Self, DesignError> {
         if let Some(measure) = Measure::named(model, name) {
@@ -111,7 +111,7 @@ pub(crate) type Least = Arc<dyn Fn(&[Vec<f64>]) -> f64 + Send + Sync>;
 
 /// What is wanted of quantities.
 #[derive(Clone)]
-pub(crate) enum Wanted {
+pub(crate) enum Requirement {
     /// For every instant the values of all quantities, and the weight of each quantity.
     Values(Vec<Vec<f64>>, Vec<f64>),
     /// Such that these are 0.
@@ -123,8 +123,8 @@ pub(crate) enum Wanted {
 /// Quantities at instants.
 #[derive(Clone)]
 pub(crate) struct Objective {
-    pub(crate) of: Vec<Quantity>,
-    pub(crate) wanted: Wanted,
+    pub(crate) of: Vec<DesignQuantity>,
+    pub(crate) wanted: Requirement,
     /// The instants; empty where they are free.
     pub(crate) times: Vec<f64>,
     pub(crate) free: Option<FreeInstants>,
@@ -132,16 +132,16 @@ pub(crate) struct Objective {
 
 impl Objective {
     pub(crate) fn timed(
-        of: Vec<Quantity>,
+        of: Vec<DesignQuantity>,
         weights: Vec<f64>,
         wanted: impl Iterator<Item = (f64, Vec<f64>)>,
     ) -> Result<Self, DesignError> {
         let (times, values): (Vec<f64>, Vec<Vec<f64>>) = wanted.unzip();
-        Self { of, wanted: Wanted::Values(values, weights), times, free: None }.checked()
+        Self { of, wanted: Requirement::Values(values, weights), times, free: None }.checked()
     }
 
     pub(crate) fn untimed(
-        of: Vec<Quantity>,
+        of: Vec<DesignQuantity>,
         values: Vec<Vec<f64>>,
         period: f64,
         direction: Direction,
@@ -151,15 +151,15 @@ impl Objective {
         }
         let weights = vec![1.0; of.len()];
         let free = Some(FreeInstants { period, direction });
-        Self { of, wanted: Wanted::Values(values, weights), times: Vec::new(), free }.checked()
+        Self { of, wanted: Requirement::Values(values, weights), times: Vec::new(), free }.checked()
     }
 
-    pub(crate) fn zeros(of: Vec<Quantity>, times: &[f64], residuals: Residuals) -> Result<Self, DesignError> {
-        Self { of, wanted: Wanted::Zeros(residuals), times: times.to_vec(), free: None }.checked()
+    pub(crate) fn zeros(of: Vec<DesignQuantity>, times: &[f64], residuals: Residuals) -> Result<Self, DesignError> {
+        Self { of, wanted: Requirement::Zeros(residuals), times: times.to_vec(), free: None }.checked()
     }
 
-    pub(crate) fn least(of: Vec<Quantity>, times: &[f64], least: Least) -> Result<Self, DesignError> {
-        Self { of, wanted: Wanted::Least(least), times: times.to_vec(), free: None }.checked()
+    pub(crate) fn least(of: Vec<DesignQuantity>, times: &[f64], least: Least) -> Result<Self, DesignError> {
+        Self { of, wanted: Requirement::Least(least), times: times.to_vec(), free: None }.checked()
     }
 
     fn checked(self) -> Result<Self, DesignError> {
@@ -167,7 +167,7 @@ impl Objective {
             return Err(DesignError::NotFinite { what: "the instants" });
         }
         match &self.wanted {
-            Wanted::Values(values, weights)
+            Requirement::Values(values, weights)
                 if !values.iter().flatten().chain(weights).all(|value| value.is_finite()) =>
             {
                 Err(DesignError::NotFinite { what: "what is wanted" })
@@ -179,8 +179,8 @@ impl Objective {
     /// How many instants it has.
     pub(crate) fn instants(&self) -> usize {
         match &self.wanted {
-            Wanted::Values(values, _) => values.len(),
-            Wanted::Zeros(_) | Wanted::Least(_) => self.times.len(),
+            Requirement::Values(values, _) => values.len(),
+            Requirement::Zeros(_) | Requirement::Least(_) => self.times.len(),
         }
     }
 
@@ -192,8 +192,8 @@ impl Objective {
     /// The wanted values, each times its weight.
     pub(crate) fn weighted(&self) -> impl Iterator<Item = f64> + '_ {
         let (values, weights) = match &self.wanted {
-            Wanted::Values(values, weights) => (&values[..], &weights[..]),
-            Wanted::Zeros(_) | Wanted::Least(_) => (&[][..], &[][..]),
+            Requirement::Values(values, weights) => (&values[..], &weights[..]),
+            Requirement::Zeros(_) | Requirement::Least(_) => (&[][..], &[][..]),
         };
         values.iter().flat_map(move |values| values.iter().zip(weights).map(|(value, weight)| value * weight))
     }

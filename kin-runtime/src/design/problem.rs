@@ -1,7 +1,7 @@
 //! Misses and slacks as functions of the variables: what searches and descents work on.
 
-use super::follow::{Branch, Family, Motion};
-use super::objective::{Objective, Wanted};
+use super::follow::{DescentBranch, DesignMotion, Family};
+use super::objective::{Objective, Requirement};
 use super::task::Task;
 use crate::error::SolveError;
 
@@ -16,8 +16,8 @@ pub(crate) struct Problem<'p> {
 
 impl<'p> Problem<'p> {
     /// The motion with these variables.
-    pub(crate) fn motion(&self, variables: &[f64], branch: &'p Branch) -> Motion<'p> {
-        Motion::new(self.family, self.task, variables, branch)
+    pub(crate) fn motion(&self, variables: &[f64], branch: &'p DescentBranch) -> DesignMotion<'p> {
+        DesignMotion::new(self.family, self.task, variables, branch)
     }
 
     /// An error if the search has been stopped.
@@ -40,6 +40,6 @@ impl<'p> Problem<'p> {
 
     /// Whether an objective is to be least and is no sum of squares.
     pub(crate) fn is_least(&self) -> bool {
-        self.task.objectives.iter().any(|objective| matches!(objective.wanted, Wanted::Least(_)))
+        self.task.objectives.iter().any(|objective| matches!(objective.wanted, Requirement::Least(_)))
     }
 }

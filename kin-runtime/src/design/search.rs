@@ -3,8 +3,8 @@
 use super::builder::Design;
 use super::error::{DesignError, Missed};
 use super::evolution::evolve;
-use super::fit::{Effort, End, FIRST, GLANCE, LAST, NOTHING, SECOND, descend, error};
-use super::follow::{Branch, Family};
+use super::fit::{DescentEnd, DescentLimits, FIRST, GLANCE, LAST, NOTHING, SECOND, descend, error};
+use super::follow::{DescentBranch, Family};
 use super::problem::Problem;
 use super::result::{Designed, Slack};
 use super::task::Task;
@@ -146,7 +146,7 @@ pub(crate) fn searched(
         }
         // New starts are drawn if none of the old ones keeps the tightened conditions.
         let design = Problem { family, task: &tightened, is_stopped: None };
-        ends.retain(|end: &End| error(design, &end.variables, &end.branch).is_some());
+        ends.retain(|end: &DescentEnd| error(design, &end.variables, &end.branch).is_some());
     }
     Err(DesignError::NotKept { rounds: ROUNDS })
 }
@@ -163,7 +163,7 @@ impl Problem<'_> {
     }
 
     /// What is reported of a design with these slacks.
-    fn designed(&self, end: &End, slacks: Vec<Slack>) -> Designed<Vec<f64>> {
+    fn designed(&self, end: &DescentEnd, slacks: Vec<Slack>) -> Designed<Vec<f64>> {
         let (task, parameters) = (self.task, self.task.parameters_at(&end.variables));
         let evaluated = self.evaluate(&end.variables, &end.branch, false).unwrap_or_default();
         let modes = end.branch.modes.iter().map(|&(index, sign)| (task.model.plan.modes[index].name, sign));
@@ -185,7 +185,7 @@ impl Problem<'_> {
     }
 
     /// Random variables.
-    fn draw(&self, random: &mut Random, modes: &[(usize, Option<Sign>)]) -> (Vec<f64>, Branch) {
+    fn draw(&self, random: &mut Random, modes: &[(usize, Option<Sign>)]) -> (Vec<f64>, DescentBranch) {
         let mut share = || 0.5 * (random.symmetric() + 1.0);
         // Bounds may be far wider than the wanted values are large: half of the draws are restricted to a smaller part
         // of them, of random width.
@@ -202,20 +202,20 @@ impl Problem<'_> {
         let sign = |share: f64| if share < 0.5 { Sign::Plus } else { Sign::Minus };
         let forward = share() < 0.5;
         let modes = modes.iter().map(|&(place, asked)| (place, asked.unwrap_or_else(|| sign(share())))).collect();
-        (variables, Branch { modes, forward })
+        (variables, DescentBranch { modes, forward })
     }
 
     /// A random design that keeps all conditions: of some that are drawn the best are improved by a few steps, and the best
     /// of these is taken.
-    fn drawn(&self, number: usize, seed: u64, modes: &[(usize, Option<Sign>)]) -> Option<End> {
+    fn drawn(&self, number: usize, seed: u64, modes: &[(usize, Option<Sign>)]) -> Option<DescentEnd> {
         // Numbers of one seed are far from those of the next.
         let mut random = Random::new(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) ^ ((number as u64) << 20));
-        let mut found: Vec<End> = Vec::new();
+        let mut found: Vec<DescentEnd> = Vec::new();
         for _ in 0..DRAWS {
             self.go_on().ok()?;
             let (variables, branch) = self.draw(&mut random, modes);
             let Some(error) = error(*self, &variables, &branch) else { continue };
-            found.push(End { variables, error, branch });
+            found.push(DescentEnd { variables, error, branch });
             if found.len() == COMPARED {
                 break;
             }
@@ -261,7 +261,7 @@ impl Problem<'_> {
 }
 
 /// A design after a descent.
-fn improved(design: Problem<'_>, start: End, effort: Effort) -> End {
+fn improved(design: Problem<'_>, start: DescentEnd, effort: DescentLimits) -> DescentEnd {
     if design.is_least() { evolve(design, start, effort) } else { descend(design, start, effort) }
 }
 
@@ -276,7 +276,7 @@ struct Descents<'s> {
 impl Descents<'_> {
     /// First descents from random designs, where there are none yet, and the best of them taken to the end, in ascending
     /// order of their errors.
-    fn run(&self, ends: &mut Vec<End>) -> Vec<End> {
+    fn run(&self, ends: &mut Vec<DescentEnd>) -> Vec<DescentEnd> {
         let starts = self.search.starts;
         let taken = |count: usize| (count / TAKEN).max(FINISHED).min(count);
         let (done, total) = (AtomicUsize::new(0), starts + taken(starts) + FINISHED.min(starts));
@@ -305,8 +305,8 @@ impl Descents<'_> {
             *ends = (0..starts).into_par_iter().filter_map(first).collect();
             ends.sort_by(|a, b| a.error.total_cmp(&b.error));
         }
-        let further = |ends: &[End], effort: Effort| -> Vec<End> {
-            let one = |end: &End| {
+        let further = |ends: &[DescentEnd], effort: DescentLimits| -> Vec<DescentEnd> {
+            let one = |end: &DescentEnd| {
                 if stopped.load(Ordering::Relaxed) {
                     return end.clone();
                 }
@@ -314,7 +314,7 @@ impl Descents<'_> {
                 count();
                 end
             };
-            let mut found: Vec<End> = ends.par_iter().map(one).collect();
+            let mut found: Vec<DescentEnd> = ends.par_iter().map(one).collect();
             found.sort_by(|a, b| a.error.total_cmp(&b.error));
             found
         };

@@ -2,7 +2,7 @@
 
 use super::condition::{Condition, Shortest};
 use super::error::DesignError;
-use super::objective::{Direction, Least, Objective, Quantity, Residuals};
+use super::objective::{DesignQuantity, Direction, Least, Objective, Residuals};
 use super::variables::{Free, parameter_index};
 use crate::model::Model;
 use crate::planned::Sign;
@@ -87,7 +87,7 @@ impl Task {
 
     /// A point at places at given instants.
     pub(crate) fn path_at(&mut self, point: &str, places: &[(f64, [f64; 2])]) -> Result<(), DesignError> {
-        let axes = Quantity::point(self.model, point)?;
+        let axes = DesignQuantity::point(self.model, point)?;
         let wanted = places.iter().map(|(t, place)| (*t, place.to_vec()));
         self.objectives.push(Objective::timed(axes, vec![1.0; 2], wanted)?);
         Ok(())
@@ -101,7 +101,7 @@ impl Task {
         period: f64,
         direction: Direction,
     ) -> Result<(), DesignError> {
-        let axes = Quantity::point(self.model, point)?;
+        let axes = DesignQuantity::point(self.model, point)?;
         let places = places.iter().map(|place| place.to_vec()).collect();
         self.objectives.push(Objective::untimed(axes, places, period, direction)?);
         Ok(())
@@ -109,7 +109,7 @@ impl Task {
 
     /// A quantity with values at given instants.
     pub(crate) fn function(&mut self, quantity: &str, values: &[(f64, f64)]) -> Result<(), DesignError> {
-        let of = Quantity::named(self.model, quantity)?;
+        let of = DesignQuantity::named(self.model, quantity)?;
         let wanted = values.iter().map(|&(t, value)| (t, vec![value]));
         self.objectives.push(Objective::timed(vec![of], vec![1.0], wanted)?);
         Ok(())
@@ -117,7 +117,7 @@ impl Task {
 
     /// A body in poses at given instants.
     pub(crate) fn poses(&mut self, body: &str, poses: &[(f64, [f64; 3])], arm: f64) -> Result<(), DesignError> {
-        let axes = Quantity::pose(self.model, body)?;
+        let axes = DesignQuantity::pose(self.model, body)?;
         let wanted = poses.iter().map(|(t, pose)| (*t, pose.to_vec()));
         self.objectives.push(Objective::timed(axes, vec![1.0, 1.0, arm], wanted)?);
         Ok(())
@@ -142,8 +142,8 @@ impl Task {
         Ok(())
     }
 
-    fn quantities(&self, names: &[&str]) -> Result<Vec<Quantity>, DesignError> {
-        names.iter().map(|name| Quantity::named(self.model, name)).collect()
+    fn quantities(&self, names: &[&str]) -> Result<Vec<DesignQuantity>, DesignError> {
+        names.iter().map(|name| DesignQuantity::named(self.model, name)).collect()
     }
 
     /// A sum of multiples of parameters that is no less than this.
@@ -172,7 +172,7 @@ impl Task {
         period: f64,
         instants: usize,
     ) -> Result<(), DesignError> {
-        let of = Quantity::named(self.model, quantity)?;
+        let of = DesignQuantity::named(self.model, quantity)?;
         self.conditions.push(Condition::range(quantity.to_owned(), of, range, period, instants)?);
         Ok(())
     }

@@ -38,7 +38,7 @@ pub(crate) fn parameter_index(model: &'static Model, parameter: &str) -> Result<
 }
 
 /// Instants with their derivatives: of which variables each is a sum, and by which factor.
-pub(crate) struct Instants {
+pub(crate) struct VariableInstants {
     pub(crate) times: Vec<f64>,
     /// How the instants follow from variables; none where they are given.
     pub(crate) moved_by: Option<Chain>,
@@ -66,8 +66,10 @@ impl Chain {
 pub(crate) const FIRST: f64 = 3.0;
 
 /// The instants of an objective; `first` is the place of its own variables.
-pub(crate) fn instants(objective: &Objective, variables: &[f64], first: usize, forward: bool) -> Instants {
-    let Some(free) = &objective.free else { return Instants { times: objective.times.clone(), moved_by: None } };
+pub(crate) fn instants(objective: &Objective, variables: &[f64], first: usize, forward: bool) -> VariableInstants {
+    let Some(free) = &objective.free else {
+        return VariableInstants { times: objective.times.clone(), moved_by: None };
+    };
     let is_forward = match free.direction {
         Direction::Forward => true,
         Direction::Backward => false,
@@ -80,5 +82,5 @@ pub(crate) fn instants(objective: &Objective, variables: &[f64], first: usize, f
         t += chain.sign * free.period * gap;
         times.push(t);
     }
-    Instants { times, moved_by: Some(chain) }
+    VariableInstants { times, moved_by: Some(chain) }
 }

@@ -2,7 +2,7 @@
 
 use super::condition::Condition;
 use super::error::DesignError;
-use super::follow::{Branch, Motion};
+use super::follow::{DescentBranch, DesignMotion};
 use super::motion::{margin_slacks, range_slacks};
 use super::problem::Problem;
 use super::result::Slack;
@@ -22,7 +22,7 @@ impl Problem<'_> {
     ///
     /// # Errors
     /// [`Broken`](DesignError::Broken) where the mechanism does not move through all of a period.
-    pub(crate) fn verified(&self, variables: &[f64], branch: &Branch) -> Result<Vec<Slack>, DesignError> {
+    pub(crate) fn verified(&self, variables: &[f64], branch: &DescentBranch) -> Result<Vec<Slack>, DesignError> {
         let motion = self.motion(variables, branch);
         let evaluated = self.evaluate(variables, branch, false).unwrap_or_default();
         let at_instants = |index: usize| {
@@ -51,7 +51,7 @@ impl Problem<'_> {
 }
 
 /// The least slack from 0 to the end of a period, and where it is.
-fn least(motion: &Motion<'_>, period: f64, needs: Needs, of: &Slacks<'_>) -> Result<(f64, f64), SolveError> {
+fn least(motion: &DesignMotion<'_>, period: f64, needs: Needs, of: &Slacks<'_>) -> Result<(f64, f64), SolveError> {
     let slacks = |times: &[f64]| -> Result<Vec<Vec<f64>>, SolveError> {
         let (mut all, mut numbers) = (Vec::with_capacity(times.len()), Vec::new());
         motion.each(times, false, needs, &mut |_, _, varied| {

@@ -1,7 +1,7 @@
 //! The equations of one analysis at a current instant: the rows of the mechanism, then one row per prescribed
 //! coordinate.
 
-use crate::course::{InputFunction, InputPath, Kind};
+use crate::course::{InputFunction, InputPath, PathShape};
 use crate::equations::scale::Scale;
 use crate::equations::system::System;
 use crate::error::SolveError;
@@ -254,7 +254,7 @@ impl<'a> Equations<'a> {
 
     /// True where time is frozen, so that derivatives are taken along the course of the inputs.
     pub(crate) fn is_frozen(&self) -> bool {
-        self.path.as_ref().is_some_and(|path| path.kind == Kind::Frozen)
+        self.path.as_ref().is_some_and(|path| path.kind == PathShape::Frozen)
     }
 
     /// Writes the branch value of every group of the plan at q and the current instant, whose sign distinguishes its

@@ -30,7 +30,7 @@ pub(crate) const UNDERFLOW: f64 = f64::MIN_POSITIVE;
 
 /// The sums over one row of Φ_q.
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Row {
+pub(crate) struct RowSums {
     /// Σ |∂Φᵢ/∂qⱼ| over coordinates that are lengths.
     lengths: f64,
     /// Σ |∂Φᵢ/∂qⱼ| over angles and scalars.
@@ -57,7 +57,7 @@ fn largest(x: &[f64], lengths: &[f64], inverse: f64) -> f64 {
 }
 
 /// L, the largest arm of an angle.
-fn arm(rows: &[Row]) -> f64 {
+fn arm(rows: &[RowSums]) -> f64 {
     let arms = rows.iter().map(|row| if row.lengths > 0.0 { row.angles / row.lengths } else { 0.0 });
     let arm = arms.fold(0.0, |most, arm| if arm > most { arm } else { most });
     if arm > 0.0 && arm.is_finite() { arm } else { 1.0 }
@@ -142,9 +142,9 @@ pub(crate) fn closed(
     [q, q_dot, q_ddot]: [&[f64]; 3],
     lengths: &[f64],
     tolerances: Tolerances,
-    rows: &mut [Row],
+    rows: &mut [RowSums],
 ) -> Option<f64> {
-    rows.fill(Row::default());
+    rows.fill(RowSums::default());
     for (&(i, j), a) in model.constraint_pattern.entries.iter().zip(parts.phi_q) {
         let (row, size, length) = (&mut rows[i], a.abs(), lengths[j]);
         row.lengths += length * size;

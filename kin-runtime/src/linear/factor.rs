@@ -26,7 +26,7 @@ const RANK_TRUST: f64 = 10.0;
 /// A factorised matrix.
 #[derive(Clone, Debug)]
 pub(crate) struct Factorization {
-    kind: Kind,
+    kind: FactorKind,
     columns: Vec<f64>,
     /// The numerical rank.
     pub(crate) rank: usize,
@@ -38,7 +38,7 @@ pub(crate) struct Factorization {
 }
 
 #[derive(Clone, Debug)]
-enum Kind {
+enum FactorKind {
     Sparse(Box<NumericLu>),
     Lu(LU<f64, Dyn, Dyn>),
     /// Rank equal to the number of columns: the QR factorisation and R.
@@ -68,13 +68,13 @@ impl Factorization {
 
     fn sparse(lu: Box<NumericLu>, columns: Vec<f64>, condition: f64) -> Self {
         let rank = columns.len();
-        Self { kind: Kind::Sparse(lu), columns, rank, condition, full_condition: condition }
+        Self { kind: FactorKind::Sparse(lu), columns, rank, condition, full_condition: condition }
     }
 
     /// Returns the buffers of the sparse LU and of the columns for reuse.
     pub(crate) fn into_buffers(self) -> (Box<NumericLu>, Vec<f64>) {
         match self.kind {
-            Kind::Sparse(lu) => (lu, self.columns),
+            FactorKind::Sparse(lu) => (lu, self.columns),
             _ => (Box::default(), self.columns),
         }
     }
@@ -82,7 +82,7 @@ impl Factorization {
     /// Whether the determinant of a square matrix is positive; `None` where the factorisation does not give its sign.
     pub(crate) fn is_positive(&self) -> Option<bool> {
         match &self.kind {
-            Kind::Sparse(lu) => Some(lu.is_positive()),
+            FactorKind::Sparse(lu) => Some(lu.is_positive()),
             _ => None,
         }
     }
@@ -96,7 +96,7 @@ impl Factorization {
             let (smallest, largest) = smallest_and_largest(lu.u().diagonal().as_slice());
             if smallest > LU_TRUST * largest {
                 let condition = largest / smallest;
-                let kind = Kind::Lu(lu);
+                let kind = FactorKind::Lu(lu);
                 let columns = columns.to_vec();
                 return Self { kind, columns, rank: a.ncols(), condition, full_condition: condition };
             }
@@ -135,7 +135,7 @@ impl Factorization {
         };
         let full_condition = ratio(largest.max(unit), smallest);
         let kind = if rank == a.ncols() {
-            Kind::Tall(qr, r)
+            FactorKind::Tall(qr, r)
         } else {
             let mut leading = r.rows(0, rank).into_owned();
             qr.p().inv_permute_columns(&mut leading);
@@ -143,7 +143,7 @@ impl Factorization {
                 column /= d;
             }
             let second = leading.transpose().qr();
-            Kind::Wide(qr, second.q(), second.r())
+            FactorKind::Wide(qr, second.q(), second.r())
         };
         Self { kind, columns: columns.to_vec(), rank, condition, full_condition }
     }
@@ -151,13 +151,13 @@ impl Factorization {
     /// The x of least norm among those that minimise |A x − b|.
     pub(crate) fn solve(&self, b: &DVector<f64>) -> DVector<f64> {
         match &self.kind {
-            Kind::Sparse(lu) => self.unscaled(DVector::from_vec(lu.solve(b.as_slice()))),
-            Kind::Lu(lu) => {
+            FactorKind::Sparse(lu) => self.unscaled(DVector::from_vec(lu.solve(b.as_slice()))),
+            FactorKind::Lu(lu) => {
                 let mut y = b.clone();
                 lu.solve_mut(&mut y);
                 self.unscaled(y)
             }
-            Kind::Tall(qr, r) => {
+            FactorKind::Tall(qr, r) => {
                 let mut right = b.clone();
                 qr.q_tr_mul(&mut right);
                 let mut x = right.rows(0, self.rank).into_owned();
@@ -165,7 +165,7 @@ impl Factorization {
                 qr.p().inv_permute_rows(&mut x);
                 self.unscaled(x)
             }
-            Kind::Wide(qr, z, u) => {
+            FactorKind::Wide(qr, z, u) => {
                 let mut right = b.clone();
                 qr.q_tr_mul(&mut right);
                 let mut x = right.rows(0, self.rank).into_owned();

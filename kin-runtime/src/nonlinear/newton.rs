@@ -38,7 +38,7 @@ pub(crate) trait Residual {
 
 /// Parameters of the iteration.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Settings {
+pub(crate) struct NewtonSettings {
     pub(crate) max_iterations: usize,
     /// Largest |r| that counts as zero.
     pub(crate) tolerance: f64,
@@ -50,7 +50,7 @@ pub(crate) struct Settings {
 
 /// The result of the iteration.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Outcome {
+pub(crate) struct Iteration {
     /// True if r is zero within tolerance.
     pub(crate) converged: bool,
     pub(crate) iterations: usize,
@@ -73,8 +73,8 @@ const CONTRACTION: f64 = 1e-3;
 const LARGEST_ROUNDING: f64 = 1e-6;
 
 /// Iterates from `q` and leaves the best point found there.
-pub(crate) fn solve(problem: &mut dyn Residual, q: &mut [f64], settings: &Settings) -> Outcome {
-    let mut outcome = Outcome { converged: false, iterations: 0, gap: f64::INFINITY, worst: 0 };
+pub(crate) fn solve(problem: &mut dyn Residual, q: &mut [f64], settings: &NewtonSettings) -> Iteration {
+    let mut outcome = Iteration { converged: false, iterations: 0, gap: f64::INFINITY, worst: 0 };
     if !problem.evaluate(q) {
         return outcome;
     }
@@ -151,7 +151,7 @@ pub(crate) fn solve(problem: &mut dyn Residual, q: &mut [f64], settings: &Settin
         let before = history.len().checked_sub(PATIENCE + 1).map(|k| history[k]);
         let closed = is_closed(problem, settings, q, &residual, contracts);
         if !closed && before.is_some_and(|before| residual.norm() > (1.0 - PROGRESS) * before) {
-            return Outcome { converged: false, ..outcome };
+            return Iteration { converged: false, ..outcome };
         }
     }
     outcome.converged = is_closed(problem, settings, q, &residual, contracts);
@@ -160,7 +160,13 @@ pub(crate) fn solve(problem: &mut dyn Residual, q: &mut [f64], settings: &Settin
 
 /// True if every r is zero within tolerance. A row that is steeper here than on the common scale may be open by as much
 /// more once a full step has reduced the residual as only steps near a root do: beside a pole of a row they halve it.
-fn is_closed(problem: &dyn Residual, settings: &Settings, q: &[f64], residual: &DVector<f64>, contracts: bool) -> bool {
+fn is_closed(
+    problem: &dyn Residual,
+    settings: &NewtonSettings,
+    q: &[f64],
+    residual: &DVector<f64>,
+    contracts: bool,
+) -> bool {
     let allowed = tolerance(settings, q, problem.columns());
     largest(residual).1 <= allowed || contracts && are_within(problem, residual, allowed)
 }
@@ -183,7 +189,7 @@ fn are_within(problem: &dyn Residual, residual: &DVector<f64>, allowed: f64) -> 
 }
 
 /// The tolerance of the settings, but not below the effect of rounding in q.
-fn tolerance(settings: &Settings, q: &[f64], columns: &[f64]) -> f64 {
+fn tolerance(settings: &NewtonSettings, q: &[f64], columns: &[f64]) -> f64 {
     settings.tolerance.max(rounding(farthest(q, columns)))
 }
 
@@ -283,7 +289,8 @@ mod tests {
     /// Beside the pole the residual is small relative to the slope, which is no reason to stop.
     #[test]
     fn a_pole_is_no_root() {
-        let settings = Settings { max_iterations: 200, tolerance: 1e-12, trust_radius: 1.0, rank_tolerance: 1e-12 };
+        let settings =
+            NewtonSettings { max_iterations: 200, tolerance: 1e-12, trust_radius: 1.0, rank_tolerance: 1e-12 };
         let start = std::f64::consts::FRAC_PI_2;
         for near in [1e-3, 1e-9, 1e-12, 1e-13, 1e-15] {
             let mut q = [start - near];

@@ -46,7 +46,7 @@ const AGREEMENT: f64 = 1e-7;
 const AT_LIMIT: f64 = 0.01;
 
 /// An extrapolated limit.
-pub(super) struct Found<M: Mechanism> {
+pub(super) struct ExtrapolatedLimit<M: Mechanism> {
     /// Its parameter on the course.
     pub(super) s: f64,
     /// q there.
@@ -67,16 +67,16 @@ impl<M: Mechanism> PlanFollower<M> {
         course: &dyn Course,
         (group, at): (usize, f64),
         blocked: &Blocked<M>,
-    ) -> Option<Found<M>> {
+    ) -> Option<ExtrapolatedLimit<M>> {
         // Narrow intervals avoid the influence of other limits, wide ones that of rounding; the one with the smallest
         // error is used.
-        let mut best: Option<Found<M>> = None;
+        let mut best: Option<ExtrapolatedLimit<M>> = None;
         for (k, width) in WIDTHS.into_iter().chain(FURTHER_WIDTHS).enumerate() {
             if k == WIDTHS.len() && best.as_ref().is_some_and(|best| best.error <= AGREEMENT) {
                 break;
             }
             let found = self.extrapolate_from(mechanism, course, (group, at, width), blocked);
-            let is_better = |found: &Found<M>| best.as_ref().is_none_or(|best| found.error < best.error);
+            let is_better = |found: &ExtrapolatedLimit<M>| best.as_ref().is_none_or(|best| found.error < best.error);
             if let Some(found) = found.filter(is_better) {
                 best = Some(found);
             }
@@ -91,7 +91,7 @@ impl<M: Mechanism> PlanFollower<M> {
         course: &dyn Course,
         (group, at, width): (usize, f64, f64),
         blocked: &Blocked<M>,
-    ) -> Option<Found<M>> {
+    ) -> Option<ExtrapolatedLimit<M>> {
         let margin = M::model().plan.margin_of_group(group)?;
         // Moves away from the limit in steps that grow with the distance.
         let [start, _] = course.ends();
@@ -125,7 +125,7 @@ impl<M: Mechanism> PlanFollower<M> {
             *seen = (*w, *s, q.as_ref());
         }
         let (s, error, kind) = interpolated(&seen, reach, q.as_mut())?;
-        let found = Found::<M> { s, q, error, kind };
+        let found = ExtrapolatedLimit::<M> { s, q, error, kind };
         let is_there = group < M::model().plan.modes.len() || {
             let mut inputs = M::Inputs::<f64>::filled(Signal::constant(0.0));
             let at = Instant { t: course.at(s, inputs.as_mut()), inputs: inputs.as_ref() };

@@ -114,7 +114,7 @@ impl<M: Mechanism> Copy for PlanFollower<M> {}
 
 /// Why a step was rejected.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Fault {
+pub(crate) enum Rejection {
     /// A margin is not positive; its index.
     Margin(usize),
     /// It is not certain that this group has kept its sign; its index among the groups with a sign.

@@ -27,7 +27,7 @@ const NEGLIGIBLE_LENGTH: f64 = 1e-9;
 
 /// A step of a course: its first and last parameter, and q, q̇ of both.
 #[derive(Clone, Copy)]
-pub(crate) struct Stretch<'a, V> {
+pub(crate) struct CourseStep<'a, V> {
     /// The path of the inputs.
     pub(crate) course: &'a dyn Course,
     /// The parameters of its first and last point.
@@ -44,12 +44,12 @@ pub(crate) struct Stretch<'a, V> {
 pub(crate) fn certainty_within<M: Mechanism, V: Compare>(
     mechanism: &M,
     parameters: &[V],
-    (stretch, fraction): (Stretch<'_, V>, f64),
+    (stretch, fraction): (CourseStep<'_, V>, f64),
     modes: &Modes<M, V>,
     (weights, allowed): (&[V], V),
     control: &Control,
 ) -> Result<V, LengthError> {
-    let Stretch { course, interval: [s, next], ends } = stretch;
+    let CourseStep { course, interval: [s, next], ends } = stretch;
     let zeros = M::Coordinates::<V>::filled(V::from_f64(0.0));
     let (mut cubic, mut found, mut rates) = (zeros, zeros, [zeros; 2]);
     let mut margins = Margins::<M, V>::filled(V::from_f64(0.0));
@@ -75,7 +75,7 @@ pub(crate) fn certainty_within<M: Mechanism, V: Compare>(
 pub(crate) fn curves_are_followed<M: Mechanism>(
     mechanism: &M,
     parameters: &[f64],
-    Stretch { course, interval, ends }: Stretch<'_, f64>,
+    CourseStep { course, interval, ends }: CourseStep<'_, f64>,
     is_near: &mut dyn FnMut(f64) -> Result<bool, LengthError>,
 ) -> Result<bool, LengthError> {
     let [mut first, mut last] = [M::Inputs::<f64>::filled(Signal::constant(0.0)); 2];
@@ -159,7 +159,7 @@ impl<M: Mechanism> PlanFollower<M> {
         let turn = largest_turn([here.q_dot.as_ref(), here.q_ddot.as_ref()], weights, interval[1] - interval[0]);
         let allowed = control.correction * turn + NEGLIGIBLE;
         let ends = [here.q.as_ref(), here.q_dot.as_ref(), tried.q.as_ref(), tried.q_dot.as_ref()];
-        let stretch = Stretch { course, interval, ends };
+        let stretch = CourseStep { course, interval, ends };
         let is_near = |fraction: f64, modes: &Modes<M>| {
             let parameters = self.parameters.as_ref();
             let certainty =

@@ -11,13 +11,13 @@ use crate::forces::ContactChange;
 use crate::measure::Measure;
 use crate::model::{ForceModel, Model};
 use crate::motion::Motion;
-use crate::serial::{Named, coordinate_names};
+use crate::serial::{NamedValues, coordinate_names};
 use crate::signal::Signal;
 use crate::state::State;
 use crate::trajectory::Trajectory;
 
 /// Parameters with their values.
-pub(crate) type Parameters = Named<f64>;
+pub(crate) type Parameters = NamedValues<f64>;
 
 impl Parameters {
     pub(crate) fn new(model: &Model, values: &[f64]) -> Self {
@@ -27,7 +27,7 @@ impl Parameters {
 
 /// An instant of a motion, with angles in degrees if requested.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Row<'r> {
+pub(crate) struct InstantRow<'r> {
     pub(crate) state: &'r State,
     /// Points, defines and joint quantities, if they are wanted.
     pub(crate) motion: Option<&'r Motion>,
@@ -36,7 +36,7 @@ pub(crate) struct Row<'r> {
 }
 
 /// A function that writes a row of a sweep.
-pub(crate) type Visit<'v> = &'v mut dyn FnMut(&Row<'_>) -> ControlFlow<()>;
+pub(crate) type Visit<'v> = &'v mut dyn FnMut(&InstantRow<'_>) -> ControlFlow<()>;
 
 /// Passes the result of a finished sweep to a function: its trajectory, the contacts that lift off or press again, and
 /// whether it is complete.
@@ -173,7 +173,7 @@ impl Serialize for States<'_> {
 #[derive(Clone, Debug, Serialize)]
 pub(crate) struct QuantitiesState<'a> {
     t: f64,
-    quantities: Named<f64, &'a str>,
+    quantities: NamedValues<f64, &'a str>,
 }
 
 impl<'a> QuantitiesState<'a> {
@@ -191,7 +191,7 @@ struct SweepState<'a> {
     q_ddot: &'a [f64],
     #[serde(flatten)]
     motion: Option<&'a Motion>,
-    inputs: Named<Signal>,
+    inputs: NamedValues<Signal>,
     residual: f64,
     condition: Option<f64>,
     degrees_of_freedom_left: usize,
@@ -214,6 +214,6 @@ impl<'a> SweepState<'a> {
 }
 
 /// The inputs of a state by name.
-pub(crate) fn inputs(model: &Model, state: &State) -> Named<Signal> {
+pub(crate) fn inputs(model: &Model, state: &State) -> NamedValues<Signal> {
     model.inputs.iter().copied().zip(state.inputs.iter().copied()).collect()
 }

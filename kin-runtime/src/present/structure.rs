@@ -2,7 +2,7 @@
 
 use super::json::{Record, record};
 use super::text::{coordinate_names, frame_name, third_body};
-use super::units::Units;
+use super::units::ResultUnits;
 use super::{condition, plan};
 use crate::mobility::Mobility;
 use crate::model::{Level, Model, OperationCount, OriginKind};
@@ -11,7 +11,7 @@ use crate::serial::coordinate_names as all_coordinates;
 
 /// A configuration and its mobility.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Known<'a> {
+pub(crate) struct KnownConfiguration<'a> {
     pub(crate) t: f64,
     pub(crate) q: &'a [f64],
     pub(crate) mobility: &'a Mobility,
@@ -19,7 +19,7 @@ pub(crate) struct Known<'a> {
 }
 
 /// The structure; entries that need a configuration are null without one.
-pub(crate) fn structure(model: &'static Model, values: &[f64], known: Option<Known<'_>>) -> Record {
+pub(crate) fn structure(model: &'static Model, values: &[f64], known: Option<KnownConfiguration<'_>>) -> Record {
     let mobility = known.map(|k| k.mobility);
     let names = |places: fn(&Mobility) -> &[usize]| mobility.map(|m| coordinate_names(model, places(m)));
     let mut all = record! {
@@ -39,7 +39,7 @@ pub(crate) fn structure(model: &'static Model, values: &[f64], known: Option<Kno
         bodies: bodies(model),
         parameters: parameters(model, values),
         inputs: model.inputs,
-        units: Units::of(model).record(),
+        units: ResultUnits::of(model).record(),
         functions: model.functions,
         points: model.points.iter().map(|p| p.name).collect::<Vec<_>>(),
         defines: model.defines.iter().map(|d| d.name).collect::<Vec<_>>(),

@@ -4,7 +4,7 @@
 
 use super::number::{magnitude, plain, rounded};
 use super::table::{Table, width, wrapped};
-use super::units::Units;
+use super::units::ResultUnits;
 use crate::measure::Dimension;
 use crate::mobility::Mobility;
 use crate::model::{Frame, JointInfo, Model};
@@ -129,7 +129,7 @@ pub(crate) fn coordinate_names(model: &Model, places: &[usize]) -> Vec<&'static 
 }
 
 /// q, q̇, q̈; the unit is that of q, as rates and accelerations are per unit of time.
-pub(crate) fn coordinates(model: &Model, units: Units, state: &State) -> String {
+pub(crate) fn coordinates(model: &Model, units: ResultUnits, state: &State) -> String {
     let table = Table::new()
         .words("coordinate", model.coordinates.iter().map(|c| c.name))
         .numbers("q", state.q.iter().copied())
@@ -140,7 +140,7 @@ pub(crate) fn coordinates(model: &Model, units: Units, state: &State) -> String 
 }
 
 /// Poses of bodies with fewer than three coordinates of their own; the poses of the others are among the coordinates.
-pub(crate) fn bodies(model: &Model, units: Units, motion: &Motion) -> String {
+pub(crate) fn bodies(model: &Model, units: ResultUnits, motion: &Motion) -> String {
     let chosen: Vec<_> =
         model.bodies.iter().zip(&motion.bodies).filter(|(b, _)| b.coordinates.iter().any(Option::is_none)).collect();
     let column = |f: fn(&crate::motion::BodyMotion) -> f64| chosen.iter().map(move |(_, m)| f(m));
@@ -169,7 +169,7 @@ pub(crate) fn bodies(model: &Model, units: Units, motion: &Motion) -> String {
 }
 
 /// Named points.
-pub(crate) fn points(model: &Model, units: Units, motion: &Motion) -> String {
+pub(crate) fn points(model: &Model, units: ResultUnits, motion: &Motion) -> String {
     let column = |f: fn(&crate::motion::PointMotion) -> f64| motion.points.iter().map(f);
     let table = Table::new()
         .words("point", model.points.iter().map(|p| p.name))
@@ -184,7 +184,7 @@ pub(crate) fn points(model: &Model, units: Units, motion: &Motion) -> String {
 }
 
 /// Named expressions.
-pub(crate) fn defines(model: &Model, units: Units, motion: &Motion) -> String {
+pub(crate) fn defines(model: &Model, units: ResultUnits, motion: &Motion) -> String {
     let table = Table::new()
         .words("define", model.defines.iter().map(|d| d.name))
         .numbers("value", motion.defines.iter().map(|r| r.value))
@@ -195,7 +195,7 @@ pub(crate) fn defines(model: &Model, units: Units, motion: &Motion) -> String {
 }
 
 /// Quantities of joints.
-pub(crate) fn joints(model: &Model, units: Units, motion: &Motion) -> String {
+pub(crate) fn joints(model: &Model, units: ResultUnits, motion: &Motion) -> String {
     let lines: Vec<_> = model
         .joints
         .iter()
@@ -213,7 +213,7 @@ pub(crate) fn joints(model: &Model, units: Units, motion: &Motion) -> String {
 }
 
 /// The inputs with their values, rates and accelerations.
-pub(crate) fn inputs(model: &Model, units: Units, state: &State) -> String {
+pub(crate) fn inputs(model: &Model, units: ResultUnits, state: &State) -> String {
     let table = Table::new()
         .words("input", model.inputs.iter().copied())
         .numbers("value", state.inputs.iter().map(|u| u.value))

@@ -3,17 +3,17 @@
 use super::json::{Record, record};
 use crate::measure::{Dimension, Measure};
 use crate::model::{self, Model};
-use crate::serial::Named;
+use crate::serial::NamedValues;
 
 /// The units of the results of a mechanism.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Units {
+pub(crate) struct ResultUnits {
     units: model::Units,
     /// Whether angles are shown in degrees.
     degrees: bool,
 }
 
-impl Units {
+impl ResultUnits {
     /// The units of a mechanism.
     pub(crate) fn of(model: &Model) -> Self {
         Self { units: model.units, degrees: false }
@@ -28,7 +28,7 @@ impl Units {
     pub(crate) fn record(&self) -> Record {
         let angle = if self.degrees { "deg" } else { "rad" };
         let shown = |unit: &'static str| if unit == "rad" { angle } else { unit };
-        let named: Named<&str> = self.units.named.iter().map(|(name, unit)| (*name, shown(unit))).collect();
+        let named: NamedValues<&str> = self.units.named.iter().map(|(name, unit)| (*name, shown(unit))).collect();
         record! { length: self.units.length, time: self.time(), angle: angle, named: named }
     }
 

@@ -22,7 +22,7 @@
 
 use super::closure_equations::ClosureEquations;
 use super::contraction::Preconditioner;
-use super::located::Trial;
+use super::located::NearSolution;
 use crate::certificate::Uncertified;
 use crate::scalar::Interval;
 use nalgebra::{DMatrix, DVector};
@@ -140,7 +140,7 @@ pub(super) fn prove(equations: &mut ClosureEquations<'_>, near: &[f64], reach: f
             if equations.is_smooth(&all[..m]) { Ok(()) } else { Err(Uncertified::Singular { nearness: 0.0 }) }
         };
         let mut locate = |boxes: &[f64]| {
-            let trial = Trial { boxes, entries: &entries, centre: &y, sizes: &sizes, newton: &newton };
+            let trial = NearSolution { boxes, entries: &entries, centre: &y, sizes: &sizes, newton: &newton };
             trial.locate(&mut inverse, over, &mut Vec::new()).ok()?
         };
         let unique = locate(&LARGE)?.unique(&y);

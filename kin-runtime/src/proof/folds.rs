@@ -71,7 +71,7 @@ pub(crate) fn folds(
     let is_bounded = |u: &usize| !turns[*u];
     let bounded = (0..places.len()).filter(is_bounded).map(|u| (places[u], region[places[u]])).collect();
     let step = NewtonStep::new(places.len(), sizes, NARROWEST);
-    let mut search = Search { equations, step, bound: None, proven: Vec::new(), undecided: Vec::new() };
+    let mut search = FoldSearch { equations, step, bound: None, proven: Vec::new(), undecided: Vec::new() };
     search.examine(start.clone());
     for u in (0..places.len()).filter(is_bounded) {
         for bound in [start[u].lower(), start[u].upper()] {
@@ -85,7 +85,7 @@ pub(crate) fn folds(
 }
 
 /// The state of a search.
-struct Search<'s> {
+struct FoldSearch<'s> {
     equations: ClosureEquations<'s>,
     /// With the sizes of u and t.
     step: NewtonStep,
@@ -95,7 +95,7 @@ struct Search<'s> {
     undecided: Vec<Vec<Interval>>,
 }
 
-impl Search<'_> {
+impl FoldSearch<'_> {
     /// Examines a box and all that it is cut into.
     fn examine(&mut self, start: Vec<Interval>) {
         let (mut boxes, mut seen) = (vec![start], 0);

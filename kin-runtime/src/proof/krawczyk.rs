@@ -2,7 +2,7 @@
 
 use super::contraction::Preconditioner;
 use super::enclosures::Enclosures;
-use super::located::{Located, Trial};
+use super::located::{NearSolution, SolutionBox};
 use crate::certificate::{Certificate, Uncertified};
 use crate::mechanism::LengthError;
 use crate::model::{CoordinateInfo, JointKind, Level, Model};
@@ -267,7 +267,7 @@ impl<'s> Prover<'s> {
     }
 
     /// The box with one solution around q, n finite numbers.
-    fn locate(&mut self, system: &mut dyn Enclosures, q: &[f64]) -> Result<Located, Uncertified> {
+    fn locate(&mut self, system: &mut dyn Enclosures, q: &[f64]) -> Result<SolutionBox, Uncertified> {
         let Self { square, inverse, exchanges, sizes, still, point, rows, newton, matrix, over_box } = self;
         if !is_list(square.coordinates(), q) {
             return Err(Uncertified::Malformed);
@@ -295,7 +295,7 @@ impl<'s> Prover<'s> {
             let evaluated = system.evaluate(Subset::JACOBIAN, q, still).map_err(malformed)?;
             square.matrix(evaluated.phi_q, matrix, Unbounded::Refused)
         };
-        let trial = Trial { boxes: &BOXES, entries: &square.entries, centre: q, sizes, newton };
+        let trial = NearSolution { boxes: &BOXES, entries: &square.entries, centre: q, sizes, newton };
         let located = trial.locate(inverse, &mut over, over_box)?;
         located.ok_or_else(|| Uncertified::Singular {
             nearness: inverse.inverse_condition(&square.entries, matrix, sizes),

@@ -14,7 +14,7 @@ fn raised(x: f64) -> f64 {
 }
 
 /// Equations F(y) = 0 at a place that is nearly a solution.
-pub(super) struct Trial<'a> {
+pub(super) struct NearSolution<'a> {
     /// Sizes of the boxes that are tried, relative to `sizes`, largest first.
     pub(super) boxes: &'a [f64],
     /// (row, column) of the entries of the matrix A of F.
@@ -29,7 +29,7 @@ pub(super) struct Trial<'a> {
 type Over<'a> = dyn FnMut(&[Interval], &mut Vec<Interval>) -> Result<(), Uncertified> + 'a;
 
 /// A box with one solution.
-pub(super) struct Located {
+pub(super) struct SolutionBox {
     /// The radii ρ of the box.
     radii: Vec<f64>,
     /// Bounds of |I − C A| ρ everywhere in the box.
@@ -40,7 +40,7 @@ pub(super) struct Located {
     pub(super) q: Vec<Interval>,
 }
 
-impl Trial<'_> {
+impl NearSolution<'_> {
     /// The largest of the boxes that Krawczyk's operator maps into itself; `None` if there is no such box. `over` gives the
     /// entries of the matrix over a box, for which `matrix` is a buffer.
     ///
@@ -51,8 +51,8 @@ impl Trial<'_> {
         inverse: &mut Preconditioner,
         over: &mut Over<'_>,
         matrix: &mut Vec<Interval>,
-    ) -> Result<Option<Located>, Uncertified> {
-        let &Trial { boxes, entries, centre, sizes, newton } = self;
+    ) -> Result<Option<SolutionBox>, Uncertified> {
+        let &NearSolution { boxes, entries, centre, sizes, newton } = self;
         let n = centre.len();
         let (mut radii, mut rest, mut q) = (vec![0.0; n], vec![0.0; n], vec![Interval::ZERO; n]);
         let mut shares = vec![[0.0; 2]; n];
@@ -88,7 +88,7 @@ impl Trial<'_> {
                     let around = Interval::from(centre[i]) - newton[i] + Interval::new(-left, left);
                     q[i] = around.intersection(q[i]).unwrap_or(q[i]);
                 }
-                return Ok(Some(Located { radii, rest, beta, q }));
+                return Ok(Some(SolutionBox { radii, rest, beta, q }));
             }
             refused = Ok(None);
         }
@@ -96,7 +96,7 @@ impl Trial<'_> {
     }
 }
 
-impl Located {
+impl SolutionBox {
     /// d with A d = b for all matrices of the box: |d| ≤ |C b| + |I − C A| |d|, and so |d| ≤ max |C b|_i / ρ_i / (1 − β) ρ.
     pub(super) fn solve(&self, inverse: &mut Preconditioner, b: &[Interval]) -> Vec<Interval> {
         let mut d = inverse.times(b);

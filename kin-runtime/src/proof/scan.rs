@@ -4,7 +4,7 @@ use std::collections::VecDeque;
 
 /// The result for a stretch of t.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Seen {
+pub(crate) enum MarginSign {
     /// All margins are positive on all of it.
     Closed,
     /// This margin is negative on all of it.
@@ -18,7 +18,7 @@ pub(crate) enum Seen {
 pub(crate) struct Stretch {
     pub(crate) from: f64,
     pub(crate) to: f64,
-    pub(crate) seen: Seen,
+    pub(crate) seen: MarginSign,
 }
 
 /// The stretches from `from` to `to`, in order; neighbours with the same result are joined. A stretch with an unknown
@@ -28,7 +28,7 @@ pub(crate) fn stretches(
     [from, to]: [f64; 2],
     narrowest: f64,
     most: usize,
-    look: &mut dyn FnMut(f64, f64) -> Seen,
+    look: &mut dyn FnMut(f64, f64) -> MarginSign,
 ) -> Vec<Stretch> {
     let (mut waiting, mut found): (VecDeque<(f64, f64)>, Vec<Stretch>) = (VecDeque::from([(from, to)]), Vec::new());
     let mut looked = 0;
@@ -37,7 +37,7 @@ pub(crate) fn stretches(
         let seen = look(from, to);
         let middle = 0.5 * from + 0.5 * to;
         let wide = to - from > narrowest && from < middle && middle < to;
-        if matches!(seen, Seen::Unknown(_)) && wide && looked < most {
+        if matches!(seen, MarginSign::Unknown(_)) && wide && looked < most {
             waiting.extend([(from, middle), (middle, to)]);
             continue;
         }
@@ -55,14 +55,14 @@ pub(crate) fn refined(
     stretches_found: &[Stretch],
     narrowest: [f64; 2],
     most: usize,
-    look: &mut dyn FnMut(f64, f64) -> Seen,
+    look: &mut dyn FnMut(f64, f64) -> MarginSign,
 ) -> Vec<Stretch> {
     let [coarse, fine] = narrowest;
     let mut smooth: Vec<Stretch> = Vec::new();
     for (index, stretch) in stretches_found.iter().enumerate() {
         let beside = [index.checked_sub(1), Some(index + 1)].map(|k| stretches_found.get(k?).map(|beside| beside.seen));
         match beside {
-            [Some(unknown @ Seen::Unknown(_)), Some(Seen::Unknown(_))]
+            [Some(unknown @ MarginSign::Unknown(_)), Some(MarginSign::Unknown(_))]
                 if stretch.to - stretch.from < 100.0 * coarse =>
             {
                 push(&mut smooth, Stretch { seen: unknown, ..*stretch });
@@ -73,8 +73,12 @@ pub(crate) fn refined(
     let mut known = Vec::new();
     for (index, stretch) in smooth.iter().enumerate() {
         let beside = [index.checked_sub(1), Some(index + 1)].map(|k| smooth.get(k?).map(|beside| beside.seen));
-        let is_limit = matches!(stretch.seen, Seen::Unknown(_))
-            && matches!(beside, [Some(Seen::Closed), Some(Seen::Open(_))] | [Some(Seen::Open(_)), Some(Seen::Closed)]);
+        let is_limit = matches!(stretch.seen, MarginSign::Unknown(_))
+            && matches!(
+                beside,
+                [Some(MarginSign::Closed), Some(MarginSign::Open(_))]
+                    | [Some(MarginSign::Open(_)), Some(MarginSign::Closed)]
+            );
         if is_limit {
             let inside = stretches([stretch.from, stretch.to], fine, most, look);
             inside.into_iter().for_each(|stretch| push(&mut known, stretch));
@@ -88,10 +92,10 @@ pub(crate) fn refined(
 /// Appends a stretch, or extends the last one if the results are of the same kind. Of several negative margins in
 /// joined stretches the first is kept.
 fn push(known: &mut Vec<Stretch>, next: Stretch) {
-    let kind = |seen: Seen| match seen {
-        Seen::Closed => 0,
-        Seen::Open(_) => 1,
-        Seen::Unknown(_) => 2,
+    let kind = |seen: MarginSign| match seen {
+        MarginSign::Closed => 0,
+        MarginSign::Open(_) => 1,
+        MarginSign::Unknown(_) => 2,
     };
     match known.last_mut() {
         Some(last) if kind(last.seen) == kind(next.seen) => last.to = next.to,
@@ -101,7 +105,7 @@ fn push(known: &mut Vec<Stretch>, next: Stretch) {
 
 #[cfg(test)]
 mod tests {
-    use super::{Seen, Stretch, refined, stretches};
+    use super::{MarginSign, Stretch, refined, stretches};
 
     #[test]
     fn signs_of_a_parabola_are_told_apart() {
@@ -114,14 +118,23 @@ mod tests {
             };
             let slack = 0.1 * (to - from);
             match (0.25 - most * most - slack > 0.0, 0.25 - least * least + slack < 0.0) {
-                (true, _) => Seen::Closed,
-                (_, true) => Seen::Open(3),
-                _ => Seen::Unknown(3),
+                (true, _) => MarginSign::Closed,
+                (_, true) => MarginSign::Open(3),
+                _ => MarginSign::Unknown(3),
             }
         };
         let found = stretches([-1.0, 1.0], 1e-9, 10_000, &mut look);
-        let kinds: Vec<Seen> = found.iter().map(|stretch| stretch.seen).collect();
-        assert_eq!(kinds, [Seen::Open(3), Seen::Unknown(3), Seen::Closed, Seen::Unknown(3), Seen::Open(3)]);
+        let kinds: Vec<MarginSign> = found.iter().map(|stretch| stretch.seen).collect();
+        assert_eq!(
+            kinds,
+            [
+                MarginSign::Open(3),
+                MarginSign::Unknown(3),
+                MarginSign::Closed,
+                MarginSign::Unknown(3),
+                MarginSign::Open(3)
+            ]
+        );
         let Stretch { from, to, .. } = found[3];
         assert!(from <= 0.5 && 0.5 <= to && to - from < 1e-8, "{from} {to}");
         let found = refined(&found, [1e-9, 1e-13], 1000, &mut look);
@@ -137,11 +150,11 @@ mod tests {
         let touch = 1.0 / 3.0;
         let mut look = |from: f64, to: f64| {
             let least = if from < touch && touch < to { 0.0 } else { (from - touch).abs().min((to - touch).abs()) };
-            if least * least - 0.1 * (to - from) > 0.0 { Seen::Closed } else { Seen::Unknown(0) }
+            if least * least - 0.1 * (to - from) > 0.0 { MarginSign::Closed } else { MarginSign::Unknown(0) }
         };
         let found = stretches([0.0, 1.0], 1e-12, 2000, &mut look);
-        let kinds: Vec<Seen> = found.iter().map(|stretch| stretch.seen).collect();
-        assert_eq!(kinds, [Seen::Closed, Seen::Unknown(0), Seen::Closed]);
+        let kinds: Vec<MarginSign> = found.iter().map(|stretch| stretch.seen).collect();
+        assert_eq!(kinds, [MarginSign::Closed, MarginSign::Unknown(0), MarginSign::Closed]);
         let Stretch { from, to, .. } = found[1];
         assert!(from < touch && touch < to && to - from < 1e-2, "{from} {to}");
         assert_eq!((found[0].from, found[2].to), (0.0, 1.0));

@@ -25,7 +25,7 @@ pub(crate) type Certified = ([Vec<f64>; 3], Certificate);
 
 /// What a search has found.
 #[derive(Default)]
-pub(crate) struct Outcome {
+pub(crate) struct SearchOutcome {
     pub(crate) found: Vec<Certified>,
     /// Boxes, by the coordinates that were searched.
     pub(crate) undecided: Vec<Vec<Interval>>,
@@ -45,14 +45,14 @@ pub(crate) fn search(
     system: &mut dyn Enclosures,
     region: &[Interval],
     prove: &mut dyn FnMut(&[f64]) -> Result<Certified, Uncertified>,
-) -> Result<Outcome, Uncertified> {
+) -> Result<SearchOutcome, Uncertified> {
     let equations = ClosureEquations::new(square, system, region);
     let places: Vec<usize> = equations.places().collect();
     let start: Vec<Interval> = places.iter().map(|&k| region[k]).collect();
     let searched = places.into_iter().zip(start.iter().copied()).collect();
     let count = equations.count();
-    let mut search = Search { equations, step: NewtonStep::new(count, vec![1.0; count], NARROWEST) };
-    let mut outcome = Outcome { searched, ..Outcome::default() };
+    let mut search = BoxSearch { equations, step: NewtonStep::new(count, vec![1.0; count], NARROWEST) };
+    let mut outcome = SearchOutcome { searched, ..SearchOutcome::default() };
     let (mut boxes, mut seen) = (vec![start], 0);
     while let Some(now) = boxes.pop() {
         seen += 1;
@@ -68,18 +68,18 @@ pub(crate) fn search(
 }
 
 /// The state of a search.
-struct Search<'s> {
+struct BoxSearch<'s> {
     equations: ClosureEquations<'s>,
     step: NewtonStep,
 }
 
-impl Search<'_> {
+impl BoxSearch<'_> {
     /// Examines a box: it is empty, divided, has a certified solution, or stays undecided.
     fn look(
         &mut self,
         mut now: Vec<Interval>,
         boxes: &mut Vec<Vec<Interval>>,
-        outcome: &mut Outcome,
+        outcome: &mut SearchOutcome,
         prove: &mut dyn FnMut(&[f64]) -> Result<Certified, Uncertified>,
     ) {
         let mut smear = Vec::new();
@@ -121,7 +121,7 @@ impl Search<'_> {
     fn solution(
         &mut self,
         now: &[Interval],
-        outcome: &mut Outcome,
+        outcome: &mut SearchOutcome,
         prove: &mut dyn FnMut(&[f64]) -> Result<Certified, Uncertified>,
     ) -> bool {
         let Some(full) = self.equations.complete(now) else { return false };

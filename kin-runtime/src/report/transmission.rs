@@ -141,19 +141,19 @@ fn sorted(i: usize, j: usize) -> Vec<usize> {
 }
 
 /// The point of a joint on a moving body.
-struct Place {
+struct JointPoint {
     joint: usize,
     body: usize,
     geometry: &'static Geometry,
 }
 
 /// The points of all point-like joints on moving bodies.
-fn places(model: &Model) -> Vec<Place> {
+fn places(model: &Model) -> Vec<JointPoint> {
     let mut places = Vec::new();
     for (joint, info) in model.joints.iter().enumerate().filter(|(_, info)| is_point_like(info)) {
         for geometry in info.geometry.iter().filter(|g| matches!(g.role, Role::P | Role::Q)) {
             if let (Frame::Body(body), true) = (geometry.frame, stands_still(info, geometry)) {
-                places.push(Place { joint, body, geometry });
+                places.push(JointPoint { joint, body, geometry });
             }
         }
     }

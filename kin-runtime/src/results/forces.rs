@@ -227,9 +227,9 @@ impl Forces {
 }
 
 /// A number, or a mark that there is none.
-struct Known(Option<f64>);
+struct NumberOrMark(Option<f64>);
 
-impl fmt::Display for Known {
+impl fmt::Display for NumberOrMark {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.0 {
             Some(value) => value.fmt(f),
@@ -249,7 +249,7 @@ impl fmt::Display for Wrench {
 /// `drive: effort 1.5, rate 2`.
 impl fmt::Display for Effort {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}: effort {}, rate {}", self.name, Known(self.effort), self.rate)
+        write!(f, "{}: effort {}, rate {}", self.name, NumberOrMark(self.effort), self.rate)
     }
 }
 

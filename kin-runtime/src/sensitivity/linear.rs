@@ -43,16 +43,16 @@ impl Linear {
         let held = |list: &[f64]| -> Vec<Number> { list.iter().copied().map(Number::from_f64).collect() };
         let Varied { q, q_dot, q_ddot, .. } = varied;
         (*q, *q_dot, *q_ddot) = (held(&state.q), held(&state.q_dot), held(&state.q_ddot));
-        let rows = Rows::new(variation.evaluate(Subset::PHI, q, q_dot)?.phi.to_vec());
+        let rows = RowResiduals::new(variation.evaluate(Subset::PHI, q, q_dot)?.phi.to_vec());
         self.close(equations, &rows, parameters, q)?;
         // Φ_q q̇ + Φ_t.
         let parts = variation.evaluate(Subset::VELOCITY, q, q_dot)?;
-        let rows = Rows::new(parts.phi_t.to_vec()).with_product(&parts, pattern, q_dot);
+        let rows = RowResiduals::new(parts.phi_t.to_vec()).with_product(&parts, pattern, q_dot);
         self.close(equations, &rows, parameters, q_dot)?;
         // Φ_q q̈ − γ.
         let parts = variation.evaluate(Subset::ALL, q, q_dot)?;
         let gamma = parts.gamma.iter().map(|gamma| -*gamma).collect();
-        let rows = Rows::new(gamma).with_product(&parts, pattern, q_ddot);
+        let rows = RowResiduals::new(gamma).with_product(&parts, pattern, q_ddot);
         self.close(equations, &rows, parameters, q_ddot)
     }
 
@@ -60,7 +60,7 @@ impl Linear {
     fn close(
         &self,
         equations: &Equations<'_>,
-        rows: &Rows,
+        rows: &RowResiduals,
         parameters: &[usize],
         x: &mut [Number],
     ) -> Result<(), SolveError> {
@@ -98,13 +98,13 @@ impl Linear {
 
 /// Residuals of rows, with the size of their largest term and its largest change with each parameter, from which
 /// rounding errors are estimated.
-struct Rows {
+struct RowResiduals {
     values: Vec<Number>,
     terms: Vec<[f64; WIDTH]>,
     sizes: Vec<f64>,
 }
 
-impl Rows {
+impl RowResiduals {
     fn new(values: Vec<Number>) -> Self {
         let terms = values.iter().map(|value| value.by().map(f64::abs)).collect();
         let sizes = values.iter().map(|value| value.value().abs()).collect();

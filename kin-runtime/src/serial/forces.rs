@@ -1,6 +1,6 @@
 //! Forces by name.
 
-use super::Named;
+use super::NamedValues;
 use crate::forces::{Effort, Forces, Reaction, SpringForce, Wrench};
 use crate::model::ForceUnits;
 use serde::{Serialize, Serializer};
@@ -16,17 +16,17 @@ impl Serialize for Forces {
 #[derive(Serialize)]
 struct ForcesRecord<'a> {
     t: f64,
-    efforts: Named<EffortRecord>,
-    #[serde(skip_serializing_if = "Named::is_empty")]
-    inputs: Named<EffortRecord>,
-    reactions: Named<ReactionRecord<'a>>,
-    #[serde(skip_serializing_if = "Named::is_empty")]
-    springs: Named<SpringRecord>,
+    efforts: NamedValues<EffortRecord>,
+    #[serde(skip_serializing_if = "NamedValues::is_empty")]
+    inputs: NamedValues<EffortRecord>,
+    reactions: NamedValues<ReactionRecord<'a>>,
+    #[serde(skip_serializing_if = "NamedValues::is_empty")]
+    springs: NamedValues<SpringRecord>,
     shaking: Wrench,
     inertia: Wrench,
     energy: Energy,
     power: Power,
-    multipliers: Named<f64>,
+    multipliers: NamedValues<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     units: Option<ForceUnits>,
 }
@@ -49,8 +49,8 @@ struct ReactionRecord<'a> {
     force: Option<[f64; 2]>,
     #[serde(skip_serializing_if = "Option::is_none")]
     moment: Option<f64>,
-    #[serde(skip_serializing_if = "Named::is_empty")]
-    torques: Named<f64>,
+    #[serde(skip_serializing_if = "NamedValues::is_empty")]
+    torques: NamedValues<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     generalized: Option<&'a f64>,
     #[serde(skip_serializing_if = "Option::is_none")]

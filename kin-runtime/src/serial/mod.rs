@@ -14,16 +14,16 @@ use serde::{Serialize, Serializer};
 
 /// Named values in order, written as one map.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Named<T, N = &'static str>(Vec<(N, T)>);
+pub(crate) struct NamedValues<T, N = &'static str>(Vec<(N, T)>);
 
-impl<T, N> FromIterator<(N, T)> for Named<T, N> {
+impl<T, N> FromIterator<(N, T)> for NamedValues<T, N> {
     fn from_iter<I: IntoIterator<Item = (N, T)>>(iter: I) -> Self {
         Self(iter.into_iter().collect())
     }
 }
 
 #[cfg(feature = "cli")]
-impl<T, N> Named<T, N> {
+impl<T, N> NamedValues<T, N> {
     /// Names with their values.
     pub(crate) fn iter(&self) -> core::slice::Iter<'_, (N, T)> {
         self.0.iter()
@@ -35,14 +35,14 @@ impl<T, N> Named<T, N> {
     }
 }
 
-impl<T> Named<T> {
+impl<T> NamedValues<T> {
     /// True if there are no values.
     pub(crate) fn is_empty(&self) -> bool {
         self.0.is_empty()
     }
 }
 
-impl<T: Serialize, N: Serialize> Serialize for Named<T, N> {
+impl<T: Serialize, N: Serialize> Serialize for NamedValues<T, N> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.collect_map(self.0.iter().map(|(name, value)| (name, value)))
     }
@@ -92,8 +92,8 @@ fn fields<S: SerializeStruct>(state: &State, s: &mut S) -> Result<(), S::Error> 
 /// With the names of the coordinates, and bodies and points by name.
 impl Serialize for State {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let bodies: Named<&BodyMotion> = body_names(self.model).zip(&self.bodies).collect();
-        let points: Named<&PointMotion> = point_names(self.model).zip(&self.points).collect();
+        let bodies: NamedValues<&BodyMotion> = body_names(self.model).zip(&self.bodies).collect();
+        let points: NamedValues<&PointMotion> = point_names(self.model).zip(&self.points).collect();
         let mut s = serializer.serialize_struct("State", 13)?;
         s.serialize_field("mechanism", self.model.name)?;
         s.serialize_field("coordinates", &coordinate_names(self.model))?;
@@ -139,14 +139,14 @@ macro_rules! by_name {
         impl Serialize for $report {
             fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
                 let model = self.model;
-                let bodies: Named<_> = body_names(model).zip(&self.bodies).collect();
-                let points: Named<_> = point_names(model).zip(&self.points).collect();
-                let defines: Named<_> = model.defines.iter().map(|d| d.name).zip(&self.defines).collect();
+                let bodies: NamedValues<_> = body_names(model).zip(&self.bodies).collect();
+                let points: NamedValues<_> = point_names(model).zip(&self.points).collect();
+                let defines: NamedValues<_> = model.defines.iter().map(|d| d.name).zip(&self.defines).collect();
                 let joints = model.joints.iter().zip(&self.joints).filter(|(joint, _)| !joint.quantities.is_empty());
-                let joints: Named<Named<_>> = joints
+                let joints: NamedValues<NamedValues<_>> = joints
                     .map(|(joint, all)| (joint.name, joint.quantities.iter().map(|q| q.name).zip(all).collect()))
                     .collect();
-                let conditions: Named<_> = model.conditions.iter().map(|c| c.name).zip(&self.conditions).collect();
+                let conditions: NamedValues<_> = model.conditions.iter().map(|c| c.name).zip(&self.conditions).collect();
                 let mut s = serializer.serialize_struct(stringify!($report), 5)?;
                 s.serialize_field("points", &points)?;
                 s.serialize_field("bodies", &bodies)?;

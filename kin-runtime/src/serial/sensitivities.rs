@@ -1,6 +1,6 @@
 //! Sensitivities by name: of every quantity, with respect to every parameter.
 
-use super::{Named, coordinate_names};
+use super::{NamedValues, coordinate_names};
 use crate::forces::{Effort, Reaction, Wrench};
 use crate::motion::PointMotion;
 use crate::sensitivities::{Sensitivities, Sensitivity};
@@ -8,7 +8,7 @@ use crate::signal::Signal;
 use serde::{Serialize, Serializer};
 
 /// The derivatives of one quantity with respect to all parameters.
-type By<T> = Named<T>;
+type By<T> = NamedValues<T>;
 
 /// Derivatives of q, q̇ and q̈ with respect to every parameter, then those of everything that is reported, by name and
 /// parameter.
@@ -27,27 +27,27 @@ struct Record<'a> {
     dq: By<&'a [f64]>,
     dq_dot: By<&'a [f64]>,
     dq_ddot: By<&'a [f64]>,
-    points: Named<By<PointMotion>>,
-    defines: Named<By<Signal>>,
-    joints: Named<Named<By<Signal>>>,
-    conditions: Named<By<Signal>>,
-    #[serde(skip_serializing_if = "Named::is_empty")]
-    efforts: Named<By<EffortRecord>>,
-    #[serde(skip_serializing_if = "Named::is_empty")]
-    reactions: Named<By<ReactionRecord>>,
-    #[serde(skip_serializing_if = "Named::is_empty")]
+    points: NamedValues<By<PointMotion>>,
+    defines: NamedValues<By<Signal>>,
+    joints: NamedValues<NamedValues<By<Signal>>>,
+    conditions: NamedValues<By<Signal>>,
+    #[serde(skip_serializing_if = "NamedValues::is_empty")]
+    efforts: NamedValues<By<EffortRates>>,
+    #[serde(skip_serializing_if = "NamedValues::is_empty")]
+    reactions: NamedValues<By<ReactionRates>>,
+    #[serde(skip_serializing_if = "NamedValues::is_empty")]
     shaking: By<Wrench>,
 }
 
 /// The effort of a driver and the rate of what it drives, differentiated.
 #[derive(Serialize)]
-struct EffortRecord {
+struct EffortRates {
     value: Option<f64>,
     rate: f64,
 }
 
 #[derive(Serialize)]
-struct ReactionRecord {
+struct ReactionRates {
     #[serde(skip_serializing_if = "Option::is_none")]
     force: Option<[f64; 2]>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -67,11 +67,11 @@ impl<'a> Record<'a> {
         let forces = by.first().and_then(|by| by.forces.as_ref());
         let of_forces = || by.iter().filter_map(|by| Some((by.parameter, by.forces.as_ref()?)));
         let effort = |(k, effort): (usize, &Effort)| {
-            let record = |effort: &Effort| EffortRecord { value: effort.effort, rate: effort.rate };
+            let record = |effort: &Effort| EffortRates { value: effort.effort, rate: effort.rate };
             (effort.name, of_forces().map(|(name, forces)| (name, record(&forces.efforts[k]))).collect())
         };
         let reaction = |(k, reaction): (usize, &Reaction)| {
-            let record = |reaction: &Reaction| ReactionRecord { force: reaction.force, moment: reaction.moment };
+            let record = |reaction: &Reaction| ReactionRates { force: reaction.force, moment: reaction.moment };
             (reaction.name, of_forces().map(|(name, forces)| (name, record(&forces.reactions[k]))).collect())
         };
         Self {

@@ -76,12 +76,12 @@ pub(crate) trait AnySolver {
         way: [f64; 2],
         guesses: &[(usize, f64)],
         modes: &[(usize, Sign)],
-    ) -> Result<Vec<f64>, End>;
+    ) -> Result<Vec<f64>, SweepEnd>;
 }
 
 /// What ended a motion.
 #[derive(Default)]
-pub(crate) struct End {
+pub(crate) struct SweepEnd {
     pub(crate) limit: Option<Limit>,
     /// q there; empty where it is not known.
     pub(crate) q: Vec<f64>,
@@ -155,7 +155,7 @@ impl<M: Mechanism> AnySolver for Solver<'_, M> {
         way: [f64; 2],
         guesses: &[(usize, f64)],
         modes: &[(usize, Sign)],
-    ) -> Result<Vec<f64>, End> {
+    ) -> Result<Vec<f64>, SweepEnd> {
         let later = |t: f64, out: &mut [Signal]| continued(start, t, out);
         let settings = Settings { options: self.settings.options, inputs: Some(&later), ..Settings::default() };
         let settings = settings.starting_from(M::model(), guesses, modes);
@@ -174,12 +174,12 @@ fn continued(start: &Instant<'_>, t: f64, out: &mut [Signal]) {
 }
 
 /// q at the end of a sweep, or what ended it.
-fn end_of(sweep: Result<Trajectory, SweepError>) -> Result<Vec<f64>, End> {
+fn end_of(sweep: Result<Trajectory, SweepError>) -> Result<Vec<f64>, SweepEnd> {
     match sweep {
         Ok(trajectory) => Ok(trajectory.states.into_iter().next_back().map(|state| state.q).unwrap_or_default()),
         Err(error) => {
             let q = error.q_at_limit().map(<[f64]>::to_vec).unwrap_or_default();
-            Err(End { limit: error.source.limit().copied(), q })
+            Err(SweepEnd { limit: error.source.limit().copied(), q })
         }
     }
 }

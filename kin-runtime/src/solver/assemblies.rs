@@ -14,7 +14,7 @@ use crate::model::Model;
 use crate::modes::modes;
 use crate::plan::{Depth, Plan, Solved, StepKind};
 use crate::planned::Sign;
-use crate::proof::{Certified, Closing, Outcome, Prover, Seen, combinations, search, zeros};
+use crate::proof::{Certified, Closing, MarginSign, Prover, SearchOutcome, combinations, search, zeros};
 use crate::scalar::Interval;
 use crate::workspace::{Instant, Subset};
 
@@ -93,7 +93,7 @@ impl dyn AnySolver + '_ {
             let certificate = prove(&lists[0])?;
             Ok((lists, certificate))
         };
-        let Outcome { mut found, undecided, unfinished, searched } =
+        let SearchOutcome { mut found, undecided, unfinished, searched } =
             search(&square, &mut *boxes, &region, prove).map_err(refuse)?;
         found.sort_by(|([a, ..], _), ([b, ..], _)| b.partial_cmp(a).unwrap_or(std::cmp::Ordering::Equal));
         let mut apart: Vec<Certified> = Vec::new();
@@ -150,7 +150,7 @@ impl dyn AnySolver + '_ {
             None => Closing::Open { margin: 0, excluded: false },
             Some(margin) => {
                 let seen = self.look([at.t, at.t], at, signs, start);
-                Closing::Open { margin, excluded: matches!(seen, Seen::Open(_)) }
+                Closing::Open { margin, excluded: matches!(seen, MarginSign::Open(_)) }
             }
         }
     }

@@ -11,7 +11,7 @@ use super::{Position, Solver};
 use crate::analysis::poses::{coordinate_motions, write_poses};
 use crate::analysis::refinement::{ACCURATE, correct, refine};
 use crate::equations::residual::{
-    Row, Tolerances, certainly_closed, closed, closed_position, write_lengths, write_sizes,
+    RowSums, Tolerances, certainly_closed, closed, closed_position, write_lengths, write_sizes,
 };
 use crate::equations::system::Parts;
 use crate::mechanism::{Mechanism, Workspace};
@@ -30,7 +30,7 @@ use crate::workspace::{Array, Instant, Subset};
 
 /// The start of a solution by the plan: the modes, and a configuration. The angles of the solution are within half a
 /// turn of those of this configuration.
-struct Start<M: Mechanism> {
+struct PlanStart<M: Mechanism> {
     q: M::Coordinates<f64>,
     modes: Modes<M>,
 }
@@ -50,7 +50,7 @@ impl<M: Mechanism> Solver<'_, M> {
 
     /// The parameters, and the start of a solution by the plan; `None` if the general path must be used.
     #[inline(always)]
-    fn start_by_plan(&self, at: &Instant<'_>, start: Option<&[f64]>) -> Option<(M::Parameters<f64>, Start<M>)> {
+    fn start_by_plan(&self, at: &Instant<'_>, start: Option<&[f64]>) -> Option<(M::Parameters<f64>, PlanStart<M>)> {
         if !self.has_solution_by_plan(at) {
             return None;
         }
@@ -70,7 +70,7 @@ impl<M: Mechanism> Solver<'_, M> {
             return None;
         }
         let parameters = self.mechanism.parameters::<f64>();
-        let Start { q, modes } = self.start_of_guess(&parameters, at)?;
+        let PlanStart { q, modes } = self.start_of_guess(&parameters, at)?;
         Some(PlanFollower::begin(self.mechanism, parameters, at, q.as_ref(), modes))
     }
 
@@ -80,7 +80,7 @@ impl<M: Mechanism> Solver<'_, M> {
     }
 
     /// A complete start and its modes.
-    fn start_of(&self, parameters: &M::Parameters<f64>, at: &Instant<'_>, start: &[f64]) -> Option<Start<M>> {
+    fn start_of(&self, parameters: &M::Parameters<f64>, at: &Instant<'_>, start: &[f64]) -> Option<PlanStart<M>> {
         if !all_finite(parameters.as_ref()) || !all_finite(start) {
             return None;
         }
@@ -90,11 +90,11 @@ impl<M: Mechanism> Solver<'_, M> {
             _ => BranchValues::at(self.mechanism, parameters.as_ref(), at, start).ok()?.modes(),
         };
         let q = *M::Coordinates::<f64>::view(start)?;
-        Some(Start { q, modes })
+        Some(PlanStart { q, modes })
     }
 
     /// The start that the guesses determine.
-    fn start_of_guess(&self, parameters: &M::Parameters<f64>, at: &Instant<'_>) -> Option<Start<M>> {
+    fn start_of_guess(&self, parameters: &M::Parameters<f64>, at: &Instant<'_>) -> Option<PlanStart<M>> {
         let guess = self.guessed(parameters)?;
         if !all_finite(parameters.as_ref()) {
             return None;
@@ -107,7 +107,7 @@ impl<M: Mechanism> Solver<'_, M> {
             [plus.as_mut(), minus.as_mut()],
             &mut |modes, q| self.solved(parameters, at, start.as_ref(), modes, q, &mut Margins::filled(0.0)),
         )?;
-        Some(Start { q: start, modes })
+        Some(PlanStart { q: start, modes })
     }
 
     /// The guesses, NaN for coordinates without one; `None` if one is not finite or for a coordinate that does not
@@ -141,7 +141,7 @@ impl<M: Mechanism> Solver<'_, M> {
     }
 
     /// The state that the plan finds at an instant, if it satisfies all rows.
-    fn state_of(&self, parameters: &M::Parameters<f64>, at: &Instant<'_>, start: &Start<M>) -> Option<State> {
+    fn state_of(&self, parameters: &M::Parameters<f64>, at: &Instant<'_>, start: &PlanStart<M>) -> Option<State> {
         let mut poses = PlanSolution::nothing();
         self.solve_poses(parameters, at, start, &mut poses)?;
         if !self.stays_near(parameters, at, start.q.as_ref(), poses.q.as_ref()) {
@@ -155,7 +155,7 @@ impl<M: Mechanism> Solver<'_, M> {
         &self,
         parameters: &M::Parameters<f64>,
         at: &Instant<'_>,
-        start: &Start<M>,
+        start: &PlanStart<M>,
         poses: &mut PlanSolution<M>,
     ) -> Option<()> {
         let PlanSolution { q, q_dot, q_ddot, margins } = poses;
@@ -275,7 +275,7 @@ impl<M: Mechanism> Solver<'_, M> {
     }
 
     /// The position by the plan, if it satisfies all rows.
-    fn position_of(&self, parameters: &M::Parameters<f64>, at: &Instant<'_>, start: &Start<M>) -> Option<Position> {
+    fn position_of(&self, parameters: &M::Parameters<f64>, at: &Instant<'_>, start: &PlanStart<M>) -> Option<Position> {
         if M::model().plan.has_redundant_rows() || M::model().has_curves {
             // These are checked with rates.
             let State { q, residual, iterations, .. } = self.state_of(parameters, at, start)?;
@@ -357,12 +357,12 @@ pub(super) fn all_closed(
     tolerances: Tolerances,
 ) -> Option<f64> {
     // Usually the rows fit on the stack.
-    let mut few = [Row::default(); FEW];
+    let mut few = [RowSums::default(); FEW];
     let mut many = Vec::new();
     let rows = match few.get_mut(..parts.phi.len()) {
         Some(rows) => rows,
         None => {
-            many.resize(parts.phi.len(), Row::default());
+            many.resize(parts.phi.len(), RowSums::default());
             &mut many[..]
         }
     };

@@ -1,6 +1,6 @@
 //! The globalised iteration on functions with known roots.
 
-use crate::nonlinear::newton::{Outcome, Residual, Settings, solve};
+use crate::nonlinear::newton::{Iteration, NewtonSettings, Residual, solve};
 use nalgebra::{DMatrix, DVector};
 
 /// r and J.
@@ -31,8 +31,8 @@ impl<const R: usize, const C: usize> Residual for Function<R, C> {
     }
 }
 
-fn run<const R: usize, const C: usize>(of: fn(&[f64]) -> Values<R, C>, q: &mut [f64; C]) -> Outcome {
-    let settings = Settings { max_iterations: 200, tolerance: 1e-11, trust_radius: 0.5, rank_tolerance: 1e-8 };
+fn run<const R: usize, const C: usize>(of: fn(&[f64]) -> Values<R, C>, q: &mut [f64; C]) -> Iteration {
+    let settings = NewtonSettings { max_iterations: 200, tolerance: 1e-11, trust_radius: 0.5, rank_tolerance: 1e-8 };
     solve(&mut Function { of, last: ([0.0; R], [[0.0; C]; R]) }, q, &settings)
 }
 

@@ -5,7 +5,7 @@ use crate::constraint::{Assembly, JointRows};
 use crate::joints::contact::{Contact, Normal, side};
 use crate::joints::joint::{JointType, joint};
 use crate::mechanism::{Curve, OperandSlot, OperandType, Place};
-use crate::vectors::{Equation, NamedJoint, Piece, Symbol, Terms, equals, zero};
+use crate::vectors::{Equation, EquationPiece, Letter, NamedJoint, Terms, equals, zero};
 use crate::vocabulary::JointKind;
 
 joint! {
@@ -49,8 +49,8 @@ impl JointType for OnCurve {
     /// For a parametric curve r_Q − r_P − A_i c(u) = 0; rows of the other forms are the user's own formulas.
     fn vector_equations(joint: &NamedJoint<'_>) -> Vec<Equation> {
         let (Some(terms), JointKind::OnParametricCurve) = (Terms::of(joint), joint.kind) else { return Vec::new() };
-        let c = Piece::Vector(Symbol::bold("c").of(joint.name));
-        let curve = [Piece::Op(" − "), terms.i.matrix(), c, Piece::Op("(u)")];
+        let c = EquationPiece::Vector(Letter::bold("c").of(joint.name));
+        let curve = [EquationPiece::Op(" − "), terms.i.matrix(), c, EquationPiece::Op("(u)")];
         vec![equals(terms.difference().into_iter().chain(curve).collect(), zero())]
     }
 }

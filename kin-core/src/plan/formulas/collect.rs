@@ -3,16 +3,16 @@
 use crate::expr::{ExprId, Graph, Symbol};
 use crate::plan::step::StepId;
 use crate::plan::steps::StepList;
-use crate::plan::tree::{Block, Core, PairValue, Part, SolutionMethod};
+use crate::plan::tree::{Block, BlockPart, Core, PairValue, SolutionMethod};
 
 /// A part that is solved at once. Its expressions are given as indices of the list of roots.
 pub(super) struct Item {
     pub(super) step: StepId,
-    pub(super) method: Solved,
+    pub(super) method: PartSolution,
 }
 
 /// The method of solution of a part.
-pub(super) enum Solved {
+pub(super) enum PartSolution {
     /// A coordinate is given by an expression.
     Explicit { k: u32, value: usize },
     /// A linear system; its residuals are differentiated.
@@ -46,16 +46,16 @@ impl Collector<'_> {
     fn block(&mut self, block: &Block) {
         for part in &block.parts {
             match part {
-                Part::Core(core) => self.core(core),
-                Part::Block(block) => self.block(block),
-                Part::Pair(pair) => {
+                BlockPart::Core(core) => self.core(core),
+                BlockPart::Block(block) => self.block(block),
+                BlockPart::Pair(pair) => {
                     self.block(&pair.inner);
                     let k = pair.coordinate;
                     let step = self.listed.giving(k);
                     let method = match &pair.value {
-                        PairValue::Linear { value, .. } => Solved::Explicit { k, value: self.root(*value) },
+                        PairValue::Linear { value, .. } => PartSolution::Explicit { k, value: self.root(*value) },
                         PairValue::Angle { turn, cos, sin, .. } => {
-                            Solved::Turn { k, turn: turn.clone(), cos: self.root(*cos), sin: self.root(*sin) }
+                            PartSolution::Turn { k, turn: turn.clone(), cos: self.root(*cos), sin: self.root(*sin) }
                         }
                     };
                     self.items.push(Item { step, method });
@@ -64,7 +64,7 @@ impl Collector<'_> {
         }
         for pivot in block.pivots.iter().rev() {
             let step = self.listed.giving(pivot.coordinate);
-            let method = Solved::Explicit { k: pivot.coordinate, value: self.root(pivot.value) };
+            let method = PartSolution::Explicit { k: pivot.coordinate, value: self.root(pivot.value) };
             self.items.push(Item { step, method });
         }
     }
@@ -82,18 +82,18 @@ impl Collector<'_> {
                 let right = constant.iter().map(|&e| self.graph.neg(e)).collect();
                 let rows = matrix.iter().zip(constant);
                 let residuals = rows.map(|(row, &constant)| self.affine(row, &unknowns, constant)).collect();
-                Solved::Linear { unknowns, residuals, matrix: matrix.clone(), right }
+                PartSolution::Linear { unknowns, residuals, matrix: matrix.clone(), right }
             }
             SolutionMethod::Newton { residuals } => {
-                Solved::Newton { unknowns, residuals: residuals.iter().map(|&e| self.root(e)).collect() }
+                PartSolution::Newton { unknowns, residuals: residuals.iter().map(|&e| self.root(e)).collect() }
             }
             SolutionMethod::Angle { times, a, b, c } => {
                 let coefficients = [*a, *b, *c].map(|e| self.root(e));
-                Solved::Angle { k: unknowns[0], times: *times, coefficients }
+                PartSolution::Angle { k: unknowns[0], times: *times, coefficients }
             }
             SolutionMethod::Quadratic { a, b, c } => {
                 let coefficients = [*a, *b, *c].map(|e| self.root(e));
-                Solved::Quadratic { k: unknowns[0], coefficients }
+                PartSolution::Quadratic { k: unknowns[0], coefficients }
             }
             SolutionMethod::Circle { e, l, k, n, m, .. } => {
                 let at = [unknowns[0], unknowns[1]];
@@ -105,7 +105,7 @@ impl Collector<'_> {
                 self.roots[circle] = whole;
                 let line = self.affine(n, &at, *m);
                 let coefficients = [*e, l[0], l[1], *k, n[0], n[1], *m].map(|e| self.root(e));
-                Solved::Circle { at, coefficients, residuals: [circle, line] }
+                PartSolution::Circle { at, coefficients, residuals: [circle, line] }
             }
         };
         self.items.push(Item { step, method });

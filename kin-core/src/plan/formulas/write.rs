@@ -1,7 +1,7 @@
 //! Writes the lines for q, q̇ and q̈ of each item that `collect` has found. The formulas are built as expressions of
 //! the graph, which simplifies factors of 0 and 1.
 
-use super::collect::{Item, Solved};
+use super::collect::{Item, PartSolution};
 use super::line::{Formulas, Line};
 use super::share::Naming;
 use crate::expr::{ExprId, Graph, Jet, Shown, Symbol, total_derivatives};
@@ -11,7 +11,7 @@ use crate::system::KinematicSystem;
 use crate::vocabulary::Function;
 use crate::vocabulary::StepKind;
 
-struct Writer<'a> {
+struct FormulaWriter<'a> {
     system: &'a KinematicSystem,
     graph: Graph,
     listed: &'a StepList,
@@ -35,12 +35,12 @@ pub(super) fn write(
         let name = naming.fresh("sigma", mode.step.number());
         naming.modes.insert(index, name);
     }
-    let mut writer = Writer { system, graph, listed, roots, jets, naming, out: Vec::new() };
+    let mut writer = FormulaWriter { system, graph, listed, roots, jets, naming, out: Vec::new() };
     items.iter().for_each(|item| writer.item(item));
     writer.out
 }
 
-impl Writer<'_> {
+impl FormulaWriter<'_> {
     fn item(&mut self, item: &Item) {
         if self.out.last().is_none_or(|last| last.step != item.step) {
             let what = self.what(item.step);
@@ -48,8 +48,8 @@ impl Writer<'_> {
         }
         let number = item.step.number();
         match &item.method {
-            Solved::Explicit { k, value } => self.explicit(*k, *value),
-            Solved::Linear { unknowns, residuals, matrix, right } => {
+            PartSolution::Explicit { k, value } => self.explicit(*k, *value),
+            PartSolution::Linear { unknowns, residuals, matrix, right } => {
                 match (matrix.as_slice(), right.as_slice(), unknowns.as_slice()) {
                     ([row], [right], [k]) => {
                         let value = self.graph.div(*right, row[0]);
@@ -59,7 +59,7 @@ impl Writer<'_> {
                 }
                 self.implicit(unknowns, residuals);
             }
-            Solved::Newton { unknowns, residuals } => {
+            PartSolution::Newton { unknowns, residuals } => {
                 for &residual in residuals {
                     let (left, value) = (self.naming.fresh("g", number), self.roots[residual]);
                     let right = self.shown(0, value);
@@ -67,13 +67,13 @@ impl Writer<'_> {
                 }
                 self.implicit(unknowns, residuals);
             }
-            Solved::Angle { k, times, coefficients } => self.angle(*k, *times, *coefficients, number),
-            Solved::Quadratic { k, coefficients } => self.quadratic(*k, *coefficients, number),
-            Solved::Circle { at, coefficients, residuals } => {
+            PartSolution::Angle { k, times, coefficients } => self.angle(*k, *times, *coefficients, number),
+            PartSolution::Quadratic { k, coefficients } => self.quadratic(*k, *coefficients, number),
+            PartSolution::Circle { at, coefficients, residuals } => {
                 self.circle(*at, *coefficients, number);
                 self.implicit(at, residuals);
             }
-            Solved::Turn { k, turn, cos, sin } => self.turn(*k, turn, [*cos, *sin], number),
+            PartSolution::Turn { k, turn, cos, sin } => self.turn(*k, turn, [*cos, *sin], number),
         }
     }
 

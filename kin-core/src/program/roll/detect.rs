@@ -3,7 +3,7 @@
 //! At every item, the distances to later items of the same kind (and followed by the same kinds) are candidates for the
 //! period. The candidate that saves the most items is taken, and the search continues after its loop.
 
-use super::stream::{Operand, Stream};
+use super::stream::{ItemOperand, Stream};
 use crate::hash::{Table, hash_of};
 
 /// A loop: `count` iterations of `period` items each, starting at item `start`.
@@ -31,7 +31,7 @@ const CANDIDATES: usize = 40;
 /// The loops of a stream, in order, with at least `fewest` iterations each.
 pub(super) fn loops(stream: &Stream, fewest: usize) -> Vec<Span> {
     let mut search =
-        Search { stream, fewest, next: next_alike(stream), loops: Vec::new(), loop_of: vec![None; stream.len()] };
+        LoopSearch { stream, fewest, next: next_alike(stream), loops: Vec::new(), loop_of: vec![None; stream.len()] };
     let mut at = 0;
     while at < stream.len() {
         match search.best(at) {
@@ -66,7 +66,7 @@ fn next_alike(stream: &Stream) -> Vec<Option<usize>> {
     next
 }
 
-struct Search<'s> {
+struct LoopSearch<'s> {
     stream: &'s Stream,
     fewest: usize,
     next: Vec<Option<usize>>,
@@ -75,7 +75,7 @@ struct Search<'s> {
     loop_of: Vec<Option<usize>>,
 }
 
-impl Search<'_> {
+impl LoopSearch<'_> {
     /// The loop starting at `start` that saves the most items.
     fn best(&self, start: usize) -> Option<Span> {
         let mut found: Vec<Span> = Vec::new();
@@ -131,7 +131,7 @@ impl Search<'_> {
         let mut crossing = vec![0_i64; period + 1];
         for (index, item) in (start + period..start + 2 * period).enumerate() {
             for operand in self.stream.operands(item) {
-                if let Operand::Item(at, _) = *operand
+                if let ItemOperand::Item(at, _) = *operand
                     && at >= start
                     && at < item
                 {
@@ -170,7 +170,7 @@ impl Search<'_> {
         for item in span.start..span.start + span.period {
             let (first, second) = (self.stream.addresses(item), self.stream.addresses(item + span.period));
             for (k, operand) in self.stream.operands(item).iter().enumerate() {
-                if !matches!(operand, Operand::Item(..)) {
+                if !matches!(operand, ItemOperand::Item(..)) {
                     continue;
                 }
                 let step = second[k] - first[k];

@@ -4,13 +4,13 @@
 //! A mechanism with members of several kinds has one loop and one array per kind of angle. A call processes eight
 //! angles at a time and pads the last group, so one call for thirty angles is cheaper than three calls for ten.
 
-use super::rolled::{Keep, Part, Piece, Rolled, Source, Step};
-use crate::program::{Instruction, Value};
+use super::rolled::{Keep, OperandSource, Piece, ResultPart, Rolled, RolledStep};
+use crate::program::{Instruction, ValueId};
 
 /// A step that computes a sine and a cosine.
 pub struct Angles<'r> {
     /// The angle, as an index of [`Rolled::sources`].
-    pub angle: Value,
+    pub angle: ValueId,
     /// The arrays that store the sine and cosine.
     pub keeps: &'r [Keep],
 }
@@ -22,7 +22,7 @@ impl Rolled {
         let Piece::Loop { count, body } = piece else { return None };
         let steps: Option<Vec<Angles<'r>>> = (body.iter())
             .map(|step| match step {
-                Step::Compute { instruction: Instruction::SinCos(angle), keeps, .. } => {
+                RolledStep::Compute { instruction: Instruction::SinCos(angle), keeps, .. } => {
                     Some(Angles { angle: *angle, keeps })
                 }
                 _ => None,
@@ -35,10 +35,10 @@ impl Rolled {
 
     /// True if the angle is neither an element of the arrays `own` nor a sine or cosine computed in the same
     /// iteration.
-    fn is_known_before(&self, angle: Value, own: &[usize]) -> bool {
+    fn is_known_before(&self, angle: ValueId, own: &[usize]) -> bool {
         match self.sources[angle.index()] {
-            Source::Element { array, .. } => !own.contains(&array),
-            Source::Local(_, part) => part == Part::Whole,
+            OperandSource::Element { array, .. } => !own.contains(&array),
+            OperandSource::Local(_, part) => part == ResultPart::Whole,
             _ => true,
         }
     }
@@ -47,13 +47,13 @@ impl Rolled {
     /// last; `None` if the loop does anything else.
     fn filled(&self, piece: &Piece, known: &[[usize; 2]]) -> Option<Vec<[usize; 2]>> {
         let (count, steps) = self.angles(piece)?;
-        let array = |step: &Angles<'_>, part: Part| {
+        let array = |step: &Angles<'_>, part: ResultPart| {
             let keep = step.keeps.iter().find(|keep| keep.part == part)?;
             (keep.first == 0 && self.arrays[keep.array] == count).then_some(keep.array)
         };
         let pair = |step: &Angles<'_>| {
             let alone = step.keeps.len() == 2 && self.is_known_before(step.angle, known.as_flattened());
-            alone.then(|| Some([array(step, Part::Sin)?, array(step, Part::Cos)?])).flatten()
+            alone.then(|| Some([array(step, ResultPart::Sin)?, array(step, ResultPart::Cos)?])).flatten()
         };
         steps.iter().map(pair).collect()
     }
@@ -96,14 +96,14 @@ pub(super) fn join(rolled: &mut Rolled) {
         (*array, *first) = (numbers[whole], *first + offset);
     };
     for source in &mut rolled.sources {
-        if let Source::Element { array, first, .. } = source {
+        if let OperandSource::Element { array, first, .. } = source {
             moved(array, first);
         }
     }
     for piece in &mut rolled.pieces {
         let (Piece::Straight(steps) | Piece::Loop { body: steps, .. }) = piece;
         for step in steps {
-            if let Step::Compute { keeps, .. } = step {
+            if let RolledStep::Compute { keeps, .. } = step {
                 keeps.iter_mut().for_each(|keep| moved(&mut keep.array, &mut keep.first));
             }
         }

@@ -21,7 +21,7 @@ mod straight;
 mod stream;
 
 pub use join::Angles;
-pub use rolled::{Keep, Part, Piece, Rolled, Source, Step};
+pub use rolled::{Keep, OperandSource, Piece, ResultPart, Rolled, RolledStep};
 
 use super::Program;
 

@@ -1,15 +1,15 @@
 //! Turns the loops of a stream into a rolled program by assigning arrays, tables and sources of operands.
 
 use super::detect::Span;
-use super::rolled::{Keep, Part, Piece, Rolled, Source, Step};
-use super::stream::{Action, Operand, Stream};
-use crate::program::{Program, Value};
+use super::rolled::{Keep, OperandSource, Piece, ResultPart, Rolled, RolledStep};
+use super::stream::{Action, ItemOperand, Stream};
+use crate::program::{Program, ValueId};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The loop that an item belongs to: the corresponding item of the first iteration (the template) and the loop's
 /// period.
 #[derive(Clone, Copy)]
-struct Member {
+struct LoopMember {
     template: usize,
     period: usize,
 }
@@ -17,7 +17,7 @@ struct Member {
 /// The array for one part of the items `template + k·period`, if this part is read outside the iteration that computes
 /// it.
 #[derive(Clone, Copy, Debug)]
-struct Range {
+struct LoopArray {
     number: usize,
     /// The range of iterations, including items that straight code computes before and after the loop.
     first: i64,
@@ -37,7 +37,7 @@ pub(super) fn resolve(program: &Program, stream: &Stream, loops: &[Span]) -> Rol
     for span in loops {
         for item in span.start..span.end() {
             let template = span.start + (item - span.start) % span.period;
-            resolver.members[item] = Some(Member { template, period: span.period });
+            resolver.members[item] = Some(LoopMember { template, period: span.period });
         }
     }
     resolver.find_arrays(loops);
@@ -50,11 +50,11 @@ struct Resolver<'a> {
     program: &'a Program,
     stream: &'a Stream,
     /// For items in loops, their template and period.
-    members: Vec<Option<Member>>,
+    members: Vec<Option<LoopMember>>,
     /// The arrays by template and part.
-    ranges: BTreeMap<(usize, Part), Range>,
+    ranges: BTreeMap<(usize, ResultPart), LoopArray>,
     /// Items of straight code that are stored as elements of a loop's array: (item, template, part, iteration).
-    outside: BTreeSet<(usize, usize, Part, i64)>,
+    outside: BTreeSet<(usize, usize, ResultPart, i64)>,
     /// The arrays in which parts of an item are stored.
     kept: BTreeMap<usize, Vec<Keep>>,
     rolled: Rolled,
@@ -89,7 +89,7 @@ impl Resolver<'_> {
 
     /// The template of the items `first`, `first + step`, …; `None` if each value is computed in the iteration that
     /// reads it, or all of them by straight code.
-    fn array(&self, span: Span, first: usize, step: i64) -> Option<Member> {
+    fn array(&self, span: Span, first: usize, step: i64) -> Option<LoopMember> {
         if step == 0 {
             return self.members[first];
         }
@@ -102,7 +102,7 @@ impl Resolver<'_> {
         for span in pieces(self.stream, loops) {
             for item in span.start..span.start + span.period {
                 for (index, operand) in self.stream.operands(item).iter().enumerate() {
-                    let Operand::Item(first, part) = *operand else { continue };
+                    let ItemOperand::Item(first, part) = *operand else { continue };
                     let step = self.step(span, item, index);
                     let Some(member) = self.array(span, first, step) else { continue };
                     let iteration =
@@ -110,7 +110,7 @@ impl Resolver<'_> {
                     let (one, other) = (iteration(0), iteration(span.count - 1));
                     let number = self.ranges.len();
                     let range =
-                        self.ranges.entry((member.template, part)).or_insert(Range { number, first: 0, last: 0 });
+                        self.ranges.entry((member.template, part)).or_insert(LoopArray { number, first: 0, last: 0 });
                     range.first = range.first.min(one).min(other);
                     range.last = range.last.max(one).max(other);
                     for k in 0..span.count {
@@ -124,7 +124,9 @@ impl Resolver<'_> {
         }
         for span in loops {
             for template in span.start..span.start + span.period {
-                for (_, range) in self.ranges.range_mut((template, Part::Whole)..(template + 1, Part::Whole)) {
+                for (_, range) in
+                    self.ranges.range_mut((template, ResultPart::Whole)..(template + 1, ResultPart::Whole))
+                {
                     range.last = range.last.max(span.count as i64 - 1);
                 }
             }
@@ -135,7 +137,7 @@ impl Resolver<'_> {
     fn lay_out(&mut self) {
         self.rolled.arrays = vec![0; self.ranges.len()];
         let keep = |(template, part), iteration: i64| {
-            let range: &Range = &self.ranges[&(template, part)];
+            let range: &LoopArray = &self.ranges[&(template, part)];
             Keep { part, array: range.number, first: (iteration - range.first) as usize }
         };
         for (&(template, part), range) in &self.ranges {
@@ -157,11 +159,11 @@ impl Resolver<'_> {
         }
     }
 
-    fn write_step(&mut self, span: Span, item: usize) -> Step {
+    fn write_step(&mut self, span: Span, item: usize) -> RolledStep {
         let mut operands = Vec::new();
         for place in 0..self.stream.operands(item).len() {
             let source = self.source(span, item, place);
-            operands.push(Value(self.rolled.sources.len() as u32));
+            operands.push(ValueId(self.rolled.sources.len() as u32));
             self.rolled.sources.push(source);
         }
         match self.stream.actions[item] {
@@ -171,41 +173,41 @@ impl Resolver<'_> {
                     next.set(next.get() + 1);
                     operands[next.get() - 1]
                 });
-                Step::Compute { value, instruction, keeps: self.kept.get(&item).cloned().unwrap_or_default() }
+                RolledStep::Compute { value, instruction, keeps: self.kept.get(&item).cloned().unwrap_or_default() }
             }
             // The first operand of a written output is its slot.
-            Action::Write(slot, _) => Step::Write { slot, step: self.step(span, item, 0), source: operands[1] },
+            Action::Write(slot, _) => RolledStep::Write { slot, step: self.step(span, item, 0), source: operands[1] },
         }
     }
 
-    fn source(&mut self, span: Span, item: usize, index: usize) -> Source {
+    fn source(&mut self, span: Span, item: usize, index: usize) -> OperandSource {
         let step = self.step(span, item, index);
         match self.stream.operands(item)[index] {
-            Operand::Slot(_) => Source::Number(crate::expr::Bits::new(0.0)),
-            Operand::Load(symbol) => Source::Load(symbol, step),
-            Operand::Number(bits) => {
+            ItemOperand::Slot(_) => OperandSource::Number(crate::expr::Bits::new(0.0)),
+            ItemOperand::Load(symbol) => OperandSource::Load(symbol, step),
+            ItemOperand::Number(bits) => {
                 let literal = |k: usize| match self.stream.operands(item + k * span.period)[index] {
-                    Operand::Number(bits) => bits,
+                    ItemOperand::Number(bits) => bits,
                     _ => bits,
                 };
                 let literals: Vec<_> = (0..span.count).map(literal).collect();
                 if literals.iter().all(|other| *other == bits) {
-                    return Source::Number(bits);
+                    return OperandSource::Number(bits);
                 }
                 let tables = &mut self.rolled.tables;
                 let known = tables.iter().position(|table| *table == literals);
-                Source::Table(known.unwrap_or_else(|| {
+                OperandSource::Table(known.unwrap_or_else(|| {
                     tables.push(literals);
                     tables.len() - 1
                 }))
             }
-            Operand::Item(first, part) => match self.array(span, first, step) {
-                None => Source::Local(self.value(first), part),
+            ItemOperand::Item(first, part) => match self.array(span, first, step) {
+                None => OperandSource::Local(self.value(first), part),
                 Some(member) => {
                     let range = self.ranges[&(member.template, part)];
                     let period = member.period as i64;
                     let iteration = (first as i64 - member.template as i64) / period;
-                    Source::Element {
+                    OperandSource::Element {
                         array: range.number,
                         first: (iteration - range.first) as usize,
                         step: step / period,
@@ -216,10 +218,10 @@ impl Resolver<'_> {
     }
 
     /// The value that an item computes.
-    fn value(&self, item: usize) -> Value {
+    fn value(&self, item: usize) -> ValueId {
         match self.stream.actions[item] {
             Action::Compute(value) => value,
-            Action::Write(..) => Value(0),
+            Action::Write(..) => ValueId(0),
         }
     }
 }

@@ -1,12 +1,12 @@
 //! Programs with loops.
 
 use crate::expr::{Bits, Symbol};
-use crate::program::{Instruction, Slot, Value};
+use crate::program::{Instruction, Slot, ValueId};
 use crate::vocabulary::OperationCount;
 
 /// A part of the result of an instruction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum Part {
+pub enum ResultPart {
     /// The only value of the instruction.
     Whole,
     /// The sine of a sine–cosine pair.
@@ -19,7 +19,7 @@ pub enum Part {
 
 /// The source of an operand in iteration k of its loop (k = 0 in straight code).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Source {
+pub enum OperandSource {
     /// A literal.
     Number(Bits),
     /// Entry k of a table of literals.
@@ -27,7 +27,7 @@ pub enum Source {
     /// A symbol whose index is advanced by `step`·k.
     Load(Symbol, i64),
     /// A part of a value that this iteration or earlier straight code has computed.
-    Local(Value, Part),
+    Local(ValueId, ResultPart),
     /// Element `first + step·k` of an array.
     Element {
         /// The array, as an index of [`Rolled::arrays`].
@@ -43,7 +43,7 @@ pub enum Source {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Keep {
     /// The part that is stored.
-    pub part: Part,
+    pub part: ResultPart,
     /// The array, as an index of [`Rolled::arrays`].
     pub array: usize,
     /// The index of the element for iteration 0; iteration k writes element `first + k`.
@@ -52,11 +52,11 @@ pub struct Keep {
 
 /// A step of straight code or of an iteration.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Step {
+pub enum RolledStep {
     /// Computes a value.
     Compute {
         /// The name of the value: the value of the original program that straight code or iteration 0 computes.
-        value: Value,
+        value: ValueId,
         /// The instruction; its operands are indices of [`Rolled::sources`].
         instruction: Instruction,
         /// The arrays that store the value.
@@ -69,7 +69,7 @@ pub enum Step {
         /// The step of the slot's index per iteration.
         step: i64,
         /// The value, as an index of [`Rolled::sources`].
-        source: Value,
+        source: ValueId,
     },
 }
 
@@ -77,13 +77,13 @@ pub enum Step {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Piece {
     /// Steps that are executed once.
-    Straight(Vec<Step>),
+    Straight(Vec<RolledStep>),
     /// Steps that are executed `count` times.
     Loop {
         /// The number of iterations.
         count: usize,
         /// The steps of an iteration.
-        body: Vec<Step>,
+        body: Vec<RolledStep>,
     },
 }
 
@@ -93,7 +93,7 @@ pub struct Rolled {
     /// The pieces in order of execution.
     pub pieces: Vec<Piece>,
     /// The sources of the operands of all steps.
-    pub sources: Vec<Source>,
+    pub sources: Vec<OperandSource>,
     /// The length of every array.
     pub arrays: Vec<usize>,
     /// The tables of literals that differ between iterations.
@@ -110,7 +110,7 @@ impl Rolled {
                 Piece::Loop { count, body } => (*count, body),
             };
             for step in steps {
-                if let Step::Compute { instruction, .. } = step {
+                if let RolledStep::Compute { instruction, .. } = step {
                     instruction.count(&mut count, times);
                 }
             }

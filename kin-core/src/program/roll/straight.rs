@@ -1,8 +1,8 @@
 //! Programs without repetition: one straight piece in which atan2 instructions are grouped.
 
-use super::rolled::{Part, Piece, Rolled, Source, Step};
+use super::rolled::{OperandSource, Piece, ResultPart, Rolled, RolledStep};
 use super::stream::{Action, actions};
-use crate::program::{Instruction, Program, Value, group_atan2};
+use crate::program::{Instruction, Program, ValueId, group_atan2};
 
 /// `program` as one straight piece.
 pub(super) fn straight(program: &Program) -> Rolled {
@@ -11,17 +11,17 @@ pub(super) fn straight(program: &Program) -> Rolled {
         |instruction: &Instruction| matches!(instruction, Instruction::SinCos(_) | Instruction::Atan2(..));
     let steps = actions(&program, taken_together).into_iter().map(|action| match action {
         Action::Compute(value) => {
-            Step::Compute { value, instruction: program.instructions[value.index()], keeps: Vec::new() }
+            RolledStep::Compute { value, instruction: program.instructions[value.index()], keeps: Vec::new() }
         }
-        Action::Write(slot, source) => Step::Write { slot, step: 0, source },
+        Action::Write(slot, source) => RolledStep::Write { slot, step: 0, source },
     });
     let sources = program.instructions.iter().enumerate().map(|(index, instruction)| match *instruction {
-        Instruction::Number(bits) => Source::Number(bits),
-        Instruction::Load(symbol) => Source::Load(symbol, 0),
-        Instruction::SinOf(pair) => Source::Local(pair, Part::Sin),
-        Instruction::CosOf(pair) => Source::Local(pair, Part::Cos),
-        Instruction::SuppliedOf(triple, order) => Source::Local(triple, Part::Derivative(order)),
-        _ => Source::Local(Value(index as u32), Part::Whole),
+        Instruction::Number(bits) => OperandSource::Number(bits),
+        Instruction::Load(symbol) => OperandSource::Load(symbol, 0),
+        Instruction::SinOf(pair) => OperandSource::Local(pair, ResultPart::Sin),
+        Instruction::CosOf(pair) => OperandSource::Local(pair, ResultPart::Cos),
+        Instruction::SuppliedOf(triple, order) => OperandSource::Local(triple, ResultPart::Derivative(order)),
+        _ => OperandSource::Local(ValueId(index as u32), ResultPart::Whole),
     });
     Rolled { pieces: vec![Piece::Straight(steps.collect())], sources: sources.collect(), ..Rolled::default() }
 }

@@ -5,18 +5,18 @@
 //! its kind. Items of the same kind therefore have the same code, and the differences of their addresses are the steps
 //! of a loop.
 
-use super::rolled::Part;
+use super::rolled::ResultPart;
 use crate::expr::{Bits, Symbol};
 use crate::hash::{Table, hash_of};
-use crate::program::{Instruction, Program, Slot, Value};
+use crate::program::{Instruction, Program, Slot, ValueId};
 
 /// The action of an item.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Action {
     /// Computes a value of the program.
-    Compute(Value),
+    Compute(ValueId),
     /// Writes a value of the program to an output.
-    Write(Slot, Value),
+    Write(Slot, ValueId),
 }
 
 /// The actions of a program in order. Every output is written directly after the instruction that computes it; outputs
@@ -39,7 +39,7 @@ pub(super) fn actions(program: &Program, taken_together: impl Fn(&Instruction) -
         if alone {
             actions.append(&mut waiting);
         }
-        actions.push(Action::Compute(Value(index as u32)));
+        actions.push(Action::Compute(ValueId(index as u32)));
         let written = if alone { &mut actions } else { &mut waiting };
         written.append(&mut after[index]);
     }
@@ -49,18 +49,18 @@ pub(super) fn actions(program: &Program, taken_together: impl Fn(&Instruction) -
 
 /// An operand of an item.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Operand {
+pub(super) enum ItemOperand {
     Number(Bits),
     Load(Symbol),
     /// A part of the result of another item.
-    Item(usize, Part),
+    Item(usize, ResultPart),
     /// The index of the slot that is written.
     Slot(usize),
 }
 
 /// The properties that items with the same code have in common.
 #[derive(PartialEq, Eq, Hash)]
-struct Kind {
+struct ItemKind {
     head: Head,
     operands: [OperandKind; MOST],
 }
@@ -77,7 +77,7 @@ enum Head {
 enum OperandKind {
     Number,
     Load(Symbol),
-    Item(Part),
+    Item(ResultPart),
 }
 
 /// Maximum number of operands of an item.
@@ -89,7 +89,7 @@ pub(super) struct Stream {
     pub(super) kinds: Vec<u32>,
     /// The operands of item k are `operands[starts[k]..starts[k + 1]]`.
     pub(super) starts: Vec<usize>,
-    operands: Vec<Operand>,
+    operands: Vec<ItemOperand>,
     pub(super) addresses: Vec<i64>,
 }
 
@@ -124,7 +124,7 @@ impl Stream {
     }
 
     /// The operands of an item; the first operand of a written output is its slot.
-    pub(super) fn operands(&self, item: usize) -> &[Operand] {
+    pub(super) fn operands(&self, item: usize) -> &[ItemOperand] {
         &self.operands[self.starts[item]..self.starts[item + 1]]
     }
 
@@ -147,7 +147,7 @@ fn is_operand(instruction: &Instruction) -> bool {
 }
 
 /// The value that an item computes: the value itself, or the pair or triple that it is a component of.
-fn holder(program: &Program, value: Value) -> Value {
+fn holder(program: &Program, value: ValueId) -> ValueId {
     match program.instructions[value.index()] {
         Instruction::SinOf(whole) | Instruction::CosOf(whole) | Instruction::SuppliedOf(whole, _) => whole,
         _ => value,
@@ -158,33 +158,33 @@ struct Builder<'p> {
     program: &'p Program,
     /// The item that computes each value.
     positions: Vec<usize>,
-    kinds: Vec<Kind>,
+    kinds: Vec<ItemKind>,
     /// Finds a kind by its hash.
     places: Table,
     stream: Stream,
 }
 
 impl Builder<'_> {
-    fn compute(&mut self, value: Value) {
+    fn compute(&mut self, value: ValueId) {
         let instruction = self.program.instructions[value.index()];
-        let (mut operands, mut count) = ([Operand::Slot(0); MOST], 0);
+        let (mut operands, mut count) = ([ItemOperand::Slot(0); MOST], 0);
         instruction.for_each_operand(|operand| {
             operands[count] = self.operand(operand);
             count += 1;
         });
-        let blank = instruction.map_operands(|_| Value(0));
+        let blank = instruction.map_operands(|_| ValueId(0));
         self.positions[value.index()] = self.stream.len();
         self.push(Action::Compute(value), Head::Compute(blank), &operands[..count]);
     }
 
-    fn write(&mut self, slot: Slot, value: Value) {
-        let operands = [Operand::Slot(slot.index()), self.operand(value)];
+    fn write(&mut self, slot: Slot, value: ValueId) {
+        let operands = [ItemOperand::Slot(slot.index()), self.operand(value)];
         self.push(Action::Write(slot, value), Head::Write(slot.at(0)), &operands);
     }
 
-    fn push(&mut self, action: Action, head: Head, operands: &[Operand]) {
+    fn push(&mut self, action: Action, head: Head, operands: &[ItemOperand]) {
         let stream = &mut self.stream;
-        let mut kind = Kind { head, operands: [OperandKind::Number; MOST] };
+        let mut kind = ItemKind { head, operands: [OperandKind::Number; MOST] };
         let mut k = 0;
         while k < operands.len() {
             kind.operands[k] = operand_kind(&operands[k]);
@@ -203,32 +203,32 @@ impl Builder<'_> {
         stream.starts.push(stream.operands.len());
     }
 
-    fn operand(&self, value: Value) -> Operand {
-        let item = |value: Value, part| Operand::Item(self.positions[value.index()], part);
+    fn operand(&self, value: ValueId) -> ItemOperand {
+        let item = |value: ValueId, part| ItemOperand::Item(self.positions[value.index()], part);
         match self.program.instructions[value.index()] {
-            Instruction::Number(bits) => Operand::Number(bits),
-            Instruction::Load(symbol) => Operand::Load(symbol),
-            Instruction::SinOf(pair) => item(pair, Part::Sin),
-            Instruction::CosOf(pair) => item(pair, Part::Cos),
-            Instruction::SuppliedOf(triple, order) => item(triple, Part::Derivative(order)),
-            _ => item(value, Part::Whole),
+            Instruction::Number(bits) => ItemOperand::Number(bits),
+            Instruction::Load(symbol) => ItemOperand::Load(symbol),
+            Instruction::SinOf(pair) => item(pair, ResultPart::Sin),
+            Instruction::CosOf(pair) => item(pair, ResultPart::Cos),
+            Instruction::SuppliedOf(triple, order) => item(triple, ResultPart::Derivative(order)),
+            _ => item(value, ResultPart::Whole),
         }
     }
 }
 
-fn operand_kind(operand: &Operand) -> OperandKind {
+fn operand_kind(operand: &ItemOperand) -> OperandKind {
     match *operand {
-        Operand::Number(_) | Operand::Slot(_) => OperandKind::Number,
-        Operand::Load(symbol) => OperandKind::Load(symbol.at(0)),
-        Operand::Item(_, part) => OperandKind::Item(part),
+        ItemOperand::Number(_) | ItemOperand::Slot(_) => OperandKind::Number,
+        ItemOperand::Load(symbol) => OperandKind::Load(symbol.at(0)),
+        ItemOperand::Item(_, part) => OperandKind::Item(part),
     }
 }
 
-fn address(operand: &Operand) -> i64 {
+fn address(operand: &ItemOperand) -> i64 {
     match *operand {
-        Operand::Number(_) => 0,
-        Operand::Load(symbol) => i64::from(symbol.index()),
-        Operand::Item(item, _) => item as i64,
-        Operand::Slot(index) => index as i64,
+        ItemOperand::Number(_) => 0,
+        ItemOperand::Load(symbol) => i64::from(symbol.index()),
+        ItemOperand::Item(item, _) => item as i64,
+        ItemOperand::Slot(index) => index as i64,
     }
 }

@@ -24,7 +24,7 @@ use crate::signal::{Instant, Signal};
 use crate::workspace::Array;
 
 /// Eight sets that move together.
-pub(super) struct Motion<M: Mechanism> {
+pub(super) struct BlockMotion<M: Mechanism> {
     pub(super) parameters: M::Parameters<Octet>,
     pub(super) modes: Modes<M, Octet>,
     pub(super) predicted: M::Coordinates<Octet>,
@@ -50,7 +50,7 @@ pub(super) struct Motion<M: Mechanism> {
 /// For every set without a solution the margin to report, and the step of the plan that is the reason, if there is one.
 type Refusals = [Option<(f64, Option<Limit>)>; Octet::COUNT];
 
-impl<M: Mechanism> Motion<M> {
+impl<M: Mechanism> BlockMotion<M> {
     /// Buffers without a state.
     pub(super) fn nothing() -> Self {
         let nothing = Octet::default();

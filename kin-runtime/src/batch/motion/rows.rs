@@ -1,10 +1,10 @@
 //! The check of a common step where the gradients of rows turn otherwise than bodies do.
 
-use super::{BlockSolution, Motion};
+use super::{BlockMotion, BlockSolution};
 use crate::course::{Between, Course, kind};
 use crate::mechanism::Mechanism;
 use crate::planned::follower::Control;
-use crate::planned::hidden_motion::{Stretch, certainty_within, curves_are_followed};
+use crate::planned::hidden_motion::{CourseStep, certainty_within, curves_are_followed};
 use crate::planned::inputs::write_lane_of_inputs;
 use crate::planned::interior::FRACTIONS;
 use crate::planned::predict::largest_turn;
@@ -16,7 +16,7 @@ use crate::scalar::lanes::Octet;
 use crate::signal::{Instant, Signal};
 use crate::workspace::Array;
 
-impl<M: Mechanism> Motion<M> {
+impl<M: Mechanism> BlockMotion<M> {
     /// The largest turn of the gradients of rows in a step of the length h from the last instant.
     pub(super) fn turn_of_rows(&self, h: f64) -> Octet {
         let here = self.poses();
@@ -69,7 +69,7 @@ impl<M: Mechanism> Motion<M> {
         }
         let (here, tried) = (self.poses(), &self.poses[1 - self.good]);
         let ends = [here.q.as_ref(), here.q_dot.as_ref(), tried.q.as_ref(), tried.q_dot.as_ref()];
-        let stretch = Stretch { course: &course, interval: [self.t, t], ends };
+        let stretch = CourseStep { course: &course, interval: [self.t, t], ends };
         let (parameters, weights) = (self.parameters.as_ref(), self.weights.as_ref());
         let certainty_at = |fraction: f64| {
             let there = (stretch, fraction);
@@ -88,9 +88,9 @@ impl<M: Mechanism> Motion<M> {
                 write_lane(to.as_mut(), from, lane);
             }
             let [q0, v0, q1, v1] = &numbers;
-            let Stretch { course, interval, .. } = stretch;
+            let CourseStep { course, interval, .. } = stretch;
             let ends = [q0.as_ref(), v0.as_ref(), q1.as_ref(), v1.as_ref()];
-            let stretch = Stretch { course, interval, ends };
+            let stretch = CourseStep { course, interval, ends };
             let mut own_parameters = M::Parameters::<f64>::filled(0.0);
             write_lane(own_parameters.as_mut(), parameters, lane);
             let mut is_near = |fraction: f64| Ok(certainty_at(fraction).lane(lane) >= 0.0);

@@ -21,10 +21,10 @@ fn at_distance(w: f64) -> PlannedFourBar {
 }
 
 /// Eight sets of parameters of this four-bar at their first instant.
-fn begun(mechanism: &PlannedFourBar) -> Motion<PlannedFourBar> {
+fn begun(mechanism: &PlannedFourBar) -> BlockMotion<PlannedFourBar> {
     let own = PlannedFourBar { margin: None, ..*mechanism };
     let q = own.state_at(&crate::Instant::at(T)).unwrap().q;
-    let mut motion = Motion::<PlannedFourBar>::nothing();
+    let mut motion = BlockMotion::<PlannedFourBar>::nothing();
     motion.predicted = Array::generate(Octet::default(), |k| Octet::from_f64(q[k]));
     motion.modes = motion.branch_values(mechanism, &at(T), motion.predicted.as_ref()).modes();
     assert!(motion.begin(mechanism, &at(T)).is_none());
@@ -33,7 +33,7 @@ fn begun(mechanism: &PlannedFourBar) -> Motion<PlannedFourBar> {
 }
 
 /// The step, forwards or backwards, that turns by `turn`.
-fn step_of(motion: &Motion<PlannedFourBar>, turn: f64, side: f64) -> f64 {
+fn step_of(motion: &BlockMotion<PlannedFourBar>, turn: f64, side: f64) -> f64 {
     let BlockSolution { q, q_dot, q_ddot, .. } = motion.poses();
     let rates = [q.as_ref(), q_dot.as_ref(), q_ddot.as_ref()];
     let turns = |h: f64| parabola(&mut q.clone(), rates, motion.weights.as_ref(), h).lane(0);

@@ -5,8 +5,8 @@ mod refine;
 mod search;
 mod written;
 
-use record::{MotionRecord, Range};
-use search::Search;
+use record::{MotionRecord, QuantityRange};
+use search::SearchedMotion;
 use written::{csv, text};
 
 use crate::cli::columns::quantities;
@@ -14,17 +14,17 @@ use crate::cli::engine::Engine;
 use crate::cli::examples::{Help, Names};
 use crate::cli::failure::{Failure, Ledger};
 use crate::cli::instants::ArcArgs;
-use crate::cli::moving::{Moved, Walk, note_motion};
+use crate::cli::moving::{FollowedMotion, Moved, note_motion};
 use crate::cli::output::{Form, OutputArgs, json};
 use crate::cli::session::Session;
 use crate::cli::solved::note_freedom;
-use crate::cli::task::{MotionArgs, Task};
+use crate::cli::task::{MotionArgs, MotionTask};
 use crate::cli::vary::VaryArgs;
 use crate::measure::Measure;
 use crate::present::json::record;
 use crate::present::record::Parameters;
 use crate::present::text::count;
-use crate::present::units::Units;
+use crate::present::units::ResultUnits;
 
 /// Number of steps without `--steps`.
 pub(super) const STEPS: usize = 360;
@@ -106,7 +106,7 @@ pub(super) fn run(args: &ExtremesArgs, engine: &mut dyn Engine, session: &mut Se
     if motions.is_empty() {
         return failure.map_or(Ok(()), Err);
     }
-    let units = Units::of(model).in_degrees(args.motion.angles.degrees);
+    let units = ResultUnits::of(model).in_degrees(args.motion.angles.degrees);
     let text = match task.output.form {
         Form::Json => json(&record! { mechanism: model.name, units: units.record(), motions: motions })?,
         Form::Csv => csv(&motions, &choices[0], model),
@@ -120,7 +120,7 @@ pub(super) fn run(args: &ExtremesArgs, engine: &mut dyn Engine, session: &mut Se
 fn one(
     args: &ExtremesArgs,
     engine: &dyn Engine,
-    (task, wanted): (&Task<'_>, &[Measure]),
+    (task, wanted): (&MotionTask<'_>, &[Measure]),
     place: (usize, usize),
     session: &mut Session<'_>,
 ) -> Result<(MotionRecord, Option<Failure>), Failure> {
@@ -136,7 +136,7 @@ fn one(
         false => time.chain(driven).chain(wanted.iter().cloned()).collect(),
     };
     let walk = args.motion.walk(engine, (&task.asked, &task.setup, &instants), &measures, &watch);
-    let moved = Walk { tells_missing: !wanted.is_empty(), ..walk }.kept()?;
+    let moved = FollowedMotion { tells_missing: !wanted.is_empty(), ..walk }.kept()?;
     note_motion(session, &moved);
     let Moved { trajectory, columns, ended, left, .. } = moved;
     note_freedom(session, left);
@@ -147,9 +147,9 @@ fn one(
     }
     let (from, to) = (states.first().map(|state| state.t), states.last().map(|state| state.t));
     let (states, columns) = refine::refined(&walk, &instants, (states, &columns), first);
-    let search = Search { walk, states: &states, columns: &columns, first, instants: &instants };
-    let units = Units::of(model).in_degrees(args.motion.angles.degrees);
-    let range = |place: usize| Range {
+    let search = SearchedMotion { walk, states: &states, columns: &columns, first, instants: &instants };
+    let units = ResultUnits::of(model).in_degrees(args.motion.angles.degrees);
+    let range = |place: usize| QuantityRange {
         quantity: measures[place].name().to_owned(),
         unit: units.of_measure(&measures[place]),
         least: search.extreme(place, -1.0),

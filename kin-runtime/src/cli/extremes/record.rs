@@ -7,7 +7,7 @@ use crate::present::record::Parameters;
 
 /// A quantity with its extremes; `None` if it has no finite value.
 #[derive(Clone, Debug, Serialize)]
-pub(super) struct Range {
+pub(super) struct QuantityRange {
     pub(super) quantity: String,
     pub(super) unit: Option<String>,
     pub(super) least: Option<Extreme>,
@@ -23,5 +23,5 @@ pub(super) struct MotionRecord {
     pub(super) from: Option<f64>,
     pub(super) to: Option<f64>,
     pub(super) complete: bool,
-    pub(super) extremes: Vec<Range>,
+    pub(super) extremes: Vec<QuantityRange>,
 }

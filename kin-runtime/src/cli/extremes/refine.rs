@@ -6,7 +6,7 @@
 
 use super::search::solve;
 use crate::cli::instants::Instants;
-use crate::cli::moving::Walk;
+use crate::cli::moving::FollowedMotion;
 use crate::state::State;
 
 /// The largest distance of a quantity from the straight line between two instants, relative to its range.
@@ -28,7 +28,7 @@ struct Sampled {
 
 /// The states and columns of a motion with further instants; those from `first` on are the quantities.
 pub(super) fn refined(
-    walk: &Walk<'_>,
+    walk: &FollowedMotion<'_>,
     instants: &Instants,
     (states, columns): (&[State], &[Vec<f64>]),
     first: usize,
@@ -79,7 +79,7 @@ fn ranges(all: &[Sampled], first: usize) -> Vec<f64> {
 }
 
 /// Instants between two others; none where the motion cannot be solved there.
-fn between(walk: &Walk<'_>, instants: &Instants, [a, b]: [&Sampled; 2], places: &[f64]) -> Vec<Sampled> {
+fn between(walk: &FollowedMotion<'_>, instants: &Instants, [a, b]: [&Sampled; 2], places: &[f64]) -> Vec<Sampled> {
     let is_solved = |sampled: &Sampled| sampled.state.q_dot.iter().all(|rate| rate.is_finite());
     let (from, h) = (a.state.t, b.state.t - a.state.t);
     if !is_solved(a) || !is_solved(b) || h == 0.0 {

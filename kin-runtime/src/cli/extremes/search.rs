@@ -3,9 +3,9 @@
 use serde::Serialize;
 
 use crate::cli::instants::Instants;
-use crate::cli::moving::Walk;
+use crate::cli::moving::FollowedMotion;
 use crate::nonlinear::peak::peak;
-use crate::serial::Named;
+use crate::serial::NamedValues;
 use crate::state::State;
 
 /// Largest number of peaks that are refined, the highest possible ones first.
@@ -20,7 +20,7 @@ pub(super) struct Extreme {
     pub(super) value: f64,
     pub(super) t: f64,
     /// The values of the driven quantities there.
-    pub(super) drivers: Named<f64, String>,
+    pub(super) drivers: NamedValues<f64, String>,
     #[serde(rename = "where")]
     pub(super) place: &'static str,
 }
@@ -32,8 +32,8 @@ fn bounds(values: &[f64]) -> [f64; 2] {
 }
 
 /// A motion whose extremes are searched.
-pub(super) struct Search<'a> {
-    pub(super) walk: Walk<'a>,
+pub(super) struct SearchedMotion<'a> {
+    pub(super) walk: FollowedMotion<'a>,
     pub(super) states: &'a [State],
     /// t, the driven quantities, and the quantities whose extremes are wanted.
     pub(super) columns: &'a [Vec<f64>],
@@ -42,7 +42,7 @@ pub(super) struct Search<'a> {
     pub(super) instants: &'a Instants,
 }
 
-impl Search<'_> {
+impl SearchedMotion<'_> {
     /// True for a quantity that varies by rounding at most.
     pub(super) fn is_constant(&self, place: usize) -> bool {
         let [low, high] = bounds(&self.columns[place]);
@@ -141,8 +141,8 @@ impl Search<'_> {
 }
 
 /// The states at `times`, each solved from the one before it, the first one from `from`.
-pub(super) fn solve(walk: &Walk<'_>, instants: &Instants, from: &State, times: &[f64]) -> Option<Vec<State>> {
-    let Walk { engine, setup, .. } = walk;
+pub(super) fn solve(walk: &FollowedMotion<'_>, instants: &Instants, from: &State, times: &[f64]) -> Option<Vec<State>> {
+    let FollowedMotion { engine, setup, .. } = walk;
     let first = instants.times.get(instants.start)?;
     let starts_there = times.first().is_some_and(|t| *t == from.t);
     let all: Vec<f64> = match starts_there {

@@ -1,6 +1,6 @@
 //! Extremes as text and as csv.
 
-use super::record::{MotionRecord, Range};
+use super::record::{MotionRecord, QuantityRange};
 use super::search::Extreme;
 use crate::cli::vary::Choice;
 use crate::model::Model;
@@ -29,10 +29,10 @@ pub(super) fn text(motions: &[MotionRecord], model: &Model, degrees: bool) -> St
             out += "\n  nothing changes\n";
         }
         for (heading, of) in [
-            ("least", (|range| range.least.as_ref()) as fn(&Range) -> Option<&Extreme>),
+            ("least", (|range| range.least.as_ref()) as fn(&QuantityRange) -> Option<&Extreme>),
             ("greatest", |range| range.greatest.as_ref()),
         ] {
-            let rows: Vec<(&Range, &Extreme)> =
+            let rows: Vec<(&QuantityRange, &Extreme)> =
                 motion.extremes.iter().filter_map(|range| Some((range, of(range)?))).collect();
             if rows.is_empty() {
                 continue;

@@ -14,7 +14,7 @@ use crate::cli::session::Session;
 use crate::cli::solved::{analysis, driven_state, note_modes};
 use crate::cli::task::{At, AtArgs};
 use crate::cli::tolerance::tolerances;
-use crate::cli::values::Moment;
+use crate::cli::values::TimeOrAngle;
 use crate::measure::Measure;
 use crate::present::json::{fields, record};
 use crate::present::number::{plain, rounded};
@@ -80,7 +80,7 @@ pub(in crate::cli) fn run(
     let at = args.at.read(&mut ledger, to, SetupArgs::apply_complete, engine, session);
     let asked = match args.grid.is_given() {
         true => ledger.take(args.grid.asked(motion::STEPS, engine.model())),
-        false => at.as_ref().map(|at| Asked::Times(vec![Moment::At(at.t)])),
+        false => at.as_ref().map(|at| Asked::Times(vec![TimeOrAngle::At(at.t)])),
     };
     let measures = ledger.take(named(engine.model(), &args.what).and_then(differentiable));
     let tolerances = ledger.take(tolerances(&args.tolerance, engine.model()));
@@ -88,7 +88,7 @@ pub(in crate::cli) fn run(
         ledger.close(at.zip(tolerances).zip(asked.zip(measures)))?;
     if args.grid.is_given() || !measures.is_empty() {
         let course =
-            motion::Course { asked, measures, tolerances, freedom: args.freedom, degrees: args.angles.degrees };
+            motion::VariedMotion { asked, measures, tolerances, freedom: args.freedom, degrees: args.angles.degrees };
         return course.run(&*engine, &setup, &output, session);
     }
     let (state, _) = driven_state(engine, &setup, t, args.freedom.least_norm)?;

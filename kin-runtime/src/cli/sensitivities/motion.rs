@@ -3,7 +3,7 @@
 use crate::cli::engine::Engine;
 use crate::cli::failure::Failure;
 use crate::cli::instants::Asked;
-use crate::cli::moving::{Moved, Walk, note_motion};
+use crate::cli::moving::{FollowedMotion, Moved, note_motion};
 use crate::cli::options::FreedomArgs;
 use crate::cli::output::{Destination, Form, json};
 use crate::cli::session::Session;
@@ -17,14 +17,14 @@ use crate::present::number::{plain, rounded};
 use crate::present::table::Table;
 use crate::present::text::section;
 use crate::sensitivities::Deviation;
-use crate::serial::Named;
+use crate::serial::NamedValues;
 use serde::Serialize;
 
 /// Number of steps without `--steps`.
 pub(super) const STEPS: usize = 180;
 
 /// A motion along which derivatives are requested.
-pub(super) struct Course {
+pub(super) struct VariedMotion {
     pub(super) asked: Asked,
     /// The quantities; an empty list stands for the default outputs.
     pub(super) measures: Vec<Measure>,
@@ -36,16 +36,16 @@ pub(super) struct Course {
 
 /// A quantity along the motion.
 #[derive(Serialize)]
-struct Quantity {
+struct VariedQuantity {
     value: Vec<f64>,
-    by: Named<Vec<f64>>,
+    by: NamedValues<Vec<f64>>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     deviations: Vec<Deviation>,
     #[serde(skip)]
     name: String,
 }
 
-impl Course {
+impl VariedMotion {
     pub(super) fn run(
         self,
         engine: &dyn Engine,
@@ -59,7 +59,7 @@ impl Course {
         watch.begin("instants", instants.len());
         let are_named = !self.measures.is_empty();
         let measures = if self.measures.is_empty() { Measure::default_outputs(model) } else { self.measures };
-        let walk = Walk {
+        let walk = FollowedMotion {
             engine,
             setup,
             instants: &instants,
@@ -83,13 +83,14 @@ impl Course {
             let parameters = model.parameters.iter().enumerate();
             let by = parameters.map(|(index, info)| (info.name, slopes.by(k, index).collect())).collect();
             let deviations = if toleranced { slopes.deviations(k, &self.tolerances) } else { Vec::new() };
-            Quantity { value, by, deviations, name: measure.name().to_owned() }
+            VariedQuantity { value, by, deviations, name: measure.name().to_owned() }
         };
-        let quantities: Vec<Quantity> = measures.iter().zip(columns).enumerate().map(quantity).collect();
+        let quantities: Vec<VariedQuantity> = measures.iter().zip(columns).enumerate().map(quantity).collect();
         let times: Vec<f64> = trajectory.states.iter().map(|state| state.t).collect();
         let text = match output.form {
             Form::Json => {
-                let quantities: Named<_, _> = quantities.iter().map(|quantity| (&quantity.name, quantity)).collect();
+                let quantities: NamedValues<_, _> =
+                    quantities.iter().map(|quantity| (&quantity.name, quantity)).collect();
                 json(&record! { mechanism: model.name, t: times, quantities: quantities })?
             }
             Form::Csv => csv(&times, &quantities),
@@ -106,13 +107,13 @@ fn greatest(numbers: impl Iterator<Item = f64>) -> Option<(usize, f64)> {
 }
 
 /// For every quantity, the parameter that matters most and when; and the largest deviations that tolerances cause.
-fn text(model: &Model, times: &[f64], quantities: &[Quantity], values: &[f64]) -> String {
+fn text(model: &Model, times: &[f64], quantities: &[VariedQuantity], values: &[f64]) -> String {
     let [from, to] = [times.first(), times.last()].map(|t| t.copied().map_or_else(String::new, rounded));
     let when = if times.len() == 1 { format!("at t = {from}") } else { format!("from t = {from} to t = {to}") };
     let mut out = format!("{}, sensitivities {when}\n", model.name);
     let t = |index: usize| times.get(index).copied().map_or_else(String::new, rounded);
     // Along a motion the parameter that matters most; at one instant all that matter, in this order.
-    let ranked = |quantity: &Quantity| {
+    let ranked = |quantity: &VariedQuantity| {
         let percent = |k: usize| 0.01 * values.get(k).copied().unwrap_or(0.0).abs();
         let all = quantity.by.iter().enumerate().filter_map(|(k, (name, by))| {
             let (index, size) = greatest(by.iter().map(|by| by.abs() * percent(k)))?;
@@ -149,9 +150,9 @@ fn text(model: &Model, times: &[f64], quantities: &[Quantity], values: &[f64]) -
 }
 
 /// A row per instant: t, then for every quantity its value and either its deviations by tolerances or its derivatives.
-fn csv(times: &[f64], quantities: &[Quantity]) -> String {
+fn csv(times: &[f64], quantities: &[VariedQuantity]) -> String {
     let mut header = vec!["t".to_owned()];
-    for Quantity { name, by, deviations, .. } in quantities {
+    for VariedQuantity { name, by, deviations, .. } in quantities {
         header.push(name.clone());
         match deviations.is_empty() {
             true => header.extend(by.names().map(|parameter| format!("{name} by {parameter}"))),
@@ -161,7 +162,7 @@ fn csv(times: &[f64], quantities: &[Quantity]) -> String {
     let mut out = header.join(",") + "\n";
     for (k, t) in times.iter().enumerate() {
         let mut row = vec![plain(*t)];
-        for Quantity { value, by, deviations, .. } in quantities {
+        for VariedQuantity { value, by, deviations, .. } in quantities {
             row.push(plain(value[k]));
             match deviations.get(k) {
                 None => row.extend(by.iter().map(|(_, by)| plain(by[k]))),

@@ -1,7 +1,7 @@
 //! The builder of a sequence, which adds segment by segment.
 
 use super::Sequence;
-use super::segment::{Course, Segment};
+use super::segment::{Displacement, Segment};
 use crate::function::FunctionError;
 use crate::function::law::MotionLaw;
 use crate::text::counted;
@@ -35,12 +35,12 @@ impl SequenceBuilder {
 
     /// Adds a segment of length `duration` without motion.
     pub fn dwell(self, duration: f64) -> Self {
-        self.segment(Course::Dwell, duration)
+        self.segment(Displacement::Dwell, duration)
     }
 
     /// Adds a motion by `height`, up or (if negative) down.
     pub fn rise(self, law: MotionLaw, height: f64, duration: f64) -> Self {
-        self.segment(Course::Law(law, height), duration)
+        self.segment(Displacement::Law(law, height), duration)
     }
 
     /// Adds a motion down by `height`, which is a rise by −`height`.
@@ -63,15 +63,15 @@ impl SequenceBuilder {
     /// Adds a motion by Σ c_k τ^k, where τ goes from 0 to 1 over the duration; c_0 must be 0, since the motion begins
     /// at the current position.
     pub fn polynomial(self, coefficients: &[f64], duration: f64) -> Self {
-        self.segment(Course::Polynomial(coefficients.to_vec()), duration)
+        self.segment(Displacement::Polynomial(coefficients.to_vec()), duration)
     }
 
-    fn segment(mut self, course: Course, duration: f64) -> Self {
+    fn segment(mut self, course: Displacement, duration: f64) -> Self {
         let (start, position) = self.here();
         let number = self.segments.len();
         let constant = match &course {
-            Course::Polynomial(coefficients) => coefficients.first().copied().unwrap_or(0.0),
-            Course::Dwell | Course::Law(..) => 0.0,
+            Displacement::Polynomial(coefficients) => coefficients.first().copied().unwrap_or(0.0),
+            Displacement::Dwell | Displacement::Law(..) => 0.0,
         };
         let end = (start + duration, position + course.rise());
         let error = if !duration.is_finite() || !end.0.is_finite() || !end.1.is_finite() {

@@ -13,12 +13,12 @@ pub(super) struct Segment {
     pub(super) duration: f64,
     /// The position at the start.
     pub(super) position: f64,
-    pub(super) course: Course,
+    pub(super) course: Displacement,
 }
 
 /// The displacement of a segment from its position at the start, over τ in [0, 1].
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum Course {
+pub(super) enum Displacement {
     Dwell,
     /// A motion law and the height of the rise.
     Law(MotionLaw, f64),
@@ -26,7 +26,7 @@ pub(super) enum Course {
     Polynomial(Vec<f64>),
 }
 
-impl Course {
+impl Displacement {
     /// The displacement and its first two derivatives with respect to τ.
     fn evaluate(&self, tau: f64) -> [f64; 3] {
         match self {
@@ -79,9 +79,9 @@ impl Segment {
         let [from, to] = [x.lower(), x.upper()].map(|x| ((x - self.start) / self.duration).clamp(0.0, 1.0));
         let tau = Interval::new(from, to);
         let moved = match &self.course {
-            Course::Dwell => Interval::ZERO,
-            Course::Law(law, rise) => law.enclose(tau) * Interval::from(*rise),
-            Course::Polynomial(coefficients) => polynomial::enclose(coefficients, tau),
+            Displacement::Dwell => Interval::ZERO,
+            Displacement::Law(law, rise) => law.enclose(tau) * Interval::from(*rise),
+            Displacement::Polynomial(coefficients) => polynomial::enclose(coefficients, tau),
         };
         Interval::from(self.position) + moved
     }

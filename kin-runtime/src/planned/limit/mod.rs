@@ -10,7 +10,7 @@ mod iteration;
 mod pole;
 
 use super::error::{Limit, LimitKind, Located, PlanError};
-use super::follower::{Fault, PlanFollower, PlanSolution};
+use super::follower::{PlanFollower, PlanSolution, Rejection};
 use super::step::Step;
 use super::substeps::Blocked;
 use crate::course::Course;
@@ -92,7 +92,7 @@ impl<M: Mechanism> PlanFollower<M> {
         let reached = course.at(blocked.interval[0], inputs.as_mut());
         let Some(fault) = blocked.fault else { return (PlanError::TooManySteps { t: reached, t_refused: t }, last) };
         let plan = &M::model().plan;
-        if let Fault::Rounded(k) = fault {
+        if let Rejection::Rounded(k) = fault {
             return (PlanError::rounded(M::model(), t, k), last);
         }
         let rates = [blocked.here.q.as_ref(), blocked.here.q_dot.as_ref()];
@@ -294,11 +294,11 @@ fn explain(
 
 /// The margin because of which a step was rejected, and the step of the plan to which it belongs; `None` where no step
 /// of the plan is at its limit.
-fn step_of(model: &'static Model, fault: Fault) -> Option<(usize, Step)> {
+fn step_of(model: &'static Model, fault: Rejection) -> Option<(usize, Step)> {
     let index = match fault {
-        Fault::Margin(index) => index,
-        Fault::Group(group) => model.plan.margin_of_group(group)?,
-        Fault::Coarse | Fault::Rounded(_) | Fault::NonFinite => return None,
+        Rejection::Margin(index) => index,
+        Rejection::Group(group) => model.plan.margin_of_group(group)?,
+        Rejection::Coarse | Rejection::Rounded(_) | Rejection::NonFinite => return None,
     };
     Step::of_margin(model, index).map(|step| (index, step))
 }

@@ -6,7 +6,7 @@
 //! followed in steps that resolve the bend, and a group that reaches its limit stops the walk just before it.
 
 use super::branch::{first_dip, may_have_touched_limit, resolves};
-use super::follower::{Control, Fault, NEGLIGIBLE, PlanFollower, PlanSolution, most_turn};
+use super::follower::{Control, NEGLIGIBLE, PlanFollower, PlanSolution, Rejection, most_turn};
 use super::lists::{BranchValues, Modes};
 use super::predict::{parabola, turned};
 use super::rates::{largest_angle, turning};
@@ -26,7 +26,7 @@ pub(crate) struct Blocked<M: Mechanism> {
     /// The state at the last one reached.
     pub(super) here: PlanSolution<M>,
     /// The reason; `None` where there were too many steps.
-    pub(super) fault: Option<Fault>,
+    pub(super) fault: Option<Rejection>,
 }
 
 /// If no step is short enough, the limit of a group is the reason if the group is nearer to it than this.
@@ -96,7 +96,7 @@ impl<M: Mechanism> PlanFollower<M> {
                 }
                 Err(fault) => {
                     if 0.5 * walked < smallest {
-                        let is_coarse = fault == Fault::Coarse;
+                        let is_coarse = fault == Rejection::Coarse;
                         let share = natural / remaining.abs();
                         return Err(blocked(if is_coarse { self.fault_of_short_steps(&here, share) } else { fault }));
                     }
@@ -128,10 +128,10 @@ impl<M: Mechanism> PlanFollower<M> {
             self.measure();
         }
         if let Some(group) = self.ill_conditioned(mechanism, at) {
-            return Err(blocked(Fault::Group(group)));
+            return Err(blocked(Rejection::Group(group)));
         }
         match self.first_steep_unknown(&self.turns) {
-            Some(k) => Err(blocked(Fault::Rounded(k))),
+            Some(k) => Err(blocked(Rejection::Rounded(k))),
             None => Ok(()),
         }
     }
@@ -145,7 +145,7 @@ impl<M: Mechanism> PlanFollower<M> {
         inputs: &mut M::Inputs<f64>,
         (here, nearest): (&PlanSolution<M>, f64),
         control: &Control,
-    ) -> Result<f64, Fault> {
+    ) -> Result<f64, Rejection> {
         let h = next - s;
         let rates = [here.q.as_ref(), here.q_dot.as_ref(), here.q_ddot.as_ref()];
         let weights = self.weights;
@@ -164,7 +164,7 @@ impl<M: Mechanism> PlanFollower<M> {
                 self.hides_motion |= hides;
                 !hides
             };
-            if followed { Ok(effort) } else { Err(Fault::Coarse) }
+            if followed { Ok(effort) } else { Err(Rejection::Coarse) }
         });
         if result.is_err() {
             self.branch.modes = modes;
@@ -181,7 +181,7 @@ impl<M: Mechanism> PlanFollower<M> {
         inputs: &mut M::Inputs<f64>,
         (here, kept): (&PlanSolution<M>, &Modes<M>),
         [allowed, turn, nearest]: [f64; 3],
-    ) -> Result<f64, Fault> {
+    ) -> Result<f64, Rejection> {
         let mut good = self.solve_at(mechanism, course, next, inputs)?;
         let t = course.at(next, inputs.as_mut());
         if !good && !course.is_frozen() {
@@ -196,14 +196,14 @@ impl<M: Mechanism> PlanFollower<M> {
         // The comparisons are written so that NaN is rejected.
         let (is_expected, is_resolved) = (away <= allowed, resolves(nearest, turn) >= 0.0);
         if !is_expected {
-            return Err(Fault::Coarse);
+            return Err(Rejection::Coarse);
         }
         if !is_resolved {
-            return Err(Fault::Group(self.nearest_group()));
+            return Err(Rejection::Group(self.nearest_group()));
         }
         let at = Instant { t, inputs: inputs.as_ref() };
         if let Some(group) = self.uncertain(mechanism, &at, self.predicted.as_ref())? {
-            return Err(Fault::Group(group));
+            return Err(Rejection::Group(group));
         }
         if may_have_touched_limit(self.branch.distances.as_ref(), self.distances.as_ref()) {
             let mut middle = M::Coordinates::<f64>::filled(0.0);
@@ -219,7 +219,7 @@ impl<M: Mechanism> PlanFollower<M> {
             let [before, middle, after] = [of(s, &here.q)?, of(s + 0.5 * (next - s), &middle)?, of(next, &found)?];
             let modes = [self.branch.modes.as_ref(), kept.as_ref()];
             if let Some(group) = first_dip([before.as_ref(), after.as_ref()], middle.as_ref(), modes) {
-                return Err(Fault::Group(group));
+                return Err(Rejection::Group(group));
             }
         }
         Ok(away / allowed)
@@ -260,14 +260,14 @@ impl<M: Mechanism> PlanFollower<M> {
     /// The reason why no step from `here` is short enough: a group beside its limit or, if `share`, the length of a step
     /// by the rates relative to the rest of the course, is so small that rates grow without bound, the first group
     /// with a determinant that has such rates. (The distance of an iteration of one unknown may stay large up to its limit.)
-    fn fault_of_short_steps(&self, here: &PlanSolution<M>, share: f64) -> Fault {
+    fn fault_of_short_steps(&self, here: &PlanSolution<M>, share: f64) -> Rejection {
         let distances = self.branch.distances.as_ref();
         let group = index_of_least(distances);
         if distances.get(group).is_some_and(|distance| *distance < BESIDE) {
-            return Fault::Group(group);
+            return Rejection::Group(group);
         }
         let unbounded = if share < UNBOUNDED { self.first_of_largest_rate(here) } else { None };
-        unbounded.map_or(Fault::Coarse, Fault::Group)
+        unbounded.map_or(Rejection::Coarse, Rejection::Group)
     }
 
     /// The first group with a determinant whose unknowns have about the largest rates of all coordinates, in radians.
@@ -282,12 +282,12 @@ impl<M: Mechanism> PlanFollower<M> {
     }
 
     /// The reason why the trial state is not valid.
-    pub(super) fn fault(&self) -> Fault {
-        self.trial().margins.first_bad().map_or(Fault::NonFinite, Fault::Margin)
+    pub(super) fn fault(&self) -> Rejection {
+        self.trial().margins.first_bad().map_or(Rejection::NonFinite, Rejection::Margin)
     }
 }
 
-impl From<LengthError> for Fault {
+impl From<LengthError> for Rejection {
     fn from(_: LengthError) -> Self {
         Self::NonFinite
     }

@@ -41,7 +41,7 @@ fn step(
     now: &PlannedFourBar,
     h: f64,
     control: &Control,
-) -> Result<f64, Fault> {
+) -> Result<f64, Rejection> {
     let course = Timed { from: 0.0, to: h, inputs: &|_, _| () };
     let mut inputs = follower.inputs;
     let nearest = follower.nearest;
@@ -67,7 +67,7 @@ fn a_group_is_believed_where_the_step_resolves_it() {
     for [before, now] in [[0.2, 0.2], [0.9, 0.2], [0.2, 0.9]] {
         for side in [1.0, -1.0] {
             let (from, to) = (at_distance(0.2, before), at_distance(0.2, now));
-            for (turn, expected) in [(0.27, None), (0.273, Some(Fault::Group(0)))] {
+            for (turn, expected) in [(0.27, None), (0.273, Some(Rejection::Group(0)))] {
                 let mut follower = follower(&from);
                 let (here, h) = (*follower.state(), step_of(&follower, turn, side));
                 assert_eq!(expected, step(&mut follower, &here, &to, h, &GENEROUS).err(), "{before} {now} {turn}");
@@ -86,7 +86,7 @@ fn a_solution_that_is_not_where_it_was_predicted_does_not_count() {
         let found = follower.trial();
         let away = turned(found.q.as_ref(), follower.predicted.as_ref(), follower.weights.as_ref());
         assert!(away > 4.0 * NEGLIGIBLE && away < 0.03, "{away}");
-        for (factor, expected) in [(1.01, None), (0.99, Some(Fault::Coarse))] {
+        for (factor, expected) in [(1.01, None), (0.99, Some(Rejection::Coarse))] {
             let control = Control { correction: (factor * away - NEGLIGIBLE) / 0.3, ..GENEROUS };
             assert_eq!(expected, step(&mut follower, &here, &mechanism, h, &control).err(), "{factor}");
         }
@@ -98,7 +98,9 @@ fn a_group_that_cannot_close_is_to_blame_and_so_is_a_number_that_is_none() {
     let mechanism = PlannedFourBar::default();
     let mut follower = follower(&mechanism);
     let here = *follower.state();
-    for (margin, expected) in [(1e-12, Fault::Margin(0)), (-0.5, Fault::Margin(0)), (f64::NAN, Fault::NonFinite)] {
+    for (margin, expected) in
+        [(1e-12, Rejection::Margin(0)), (-0.5, Rejection::Margin(0)), (f64::NAN, Rejection::NonFinite)]
+    {
         let bad = PlannedFourBar { margin: Some(margin), ..PlannedFourBar::default() };
         assert_eq!(Some(expected), step(&mut follower, &here, &bad, 0.01, &GENEROUS).err());
     }
@@ -156,7 +158,7 @@ fn a_group_that_may_have_been_at_its_limit_within_a_step_is_looked_at_half_way()
             here.q_ddot = [0.0; 9];
             (here.q_dot[5], here.q_ddot[5]) = (4.0 * out / h, -8.0 * out / (h * h));
             let found = step(&mut follower, &here, &at_distance(phi, now), h, &GENEROUS);
-            let expected = if looks && !is_far { Some(Fault::Group(0)) } else { None };
+            let expected = if looks && !is_far { Some(Rejection::Group(0)) } else { None };
             assert_eq!(expected, found.err(), "{share} {before} {now}");
         }
     }

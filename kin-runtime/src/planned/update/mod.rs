@@ -12,7 +12,7 @@ use super::follower::{Control, NEGLIGIBLE, PlanFollower, PlanSolution, most_turn
 use super::ill_conditioned::NEAR;
 use super::lists::{BranchValues, Modes};
 use super::predict::{beyond_parabola, parabola, turned, weights};
-use crate::course::{Between, Course, Kind, kind};
+use crate::course::{Between, Course, PathShape, kind};
 use crate::mechanism::{LengthError, Mechanism};
 use crate::model::Model;
 use crate::plan::StepKind;
@@ -178,13 +178,13 @@ impl<M: Mechanism> PlanFollower<M> {
         let inputs = self.inputs;
         let from = Instant { t: self.t, inputs: inputs.as_ref() };
         let mut way = Between { kind: kind(&from, at), from, to: *at };
-        if way.kind == Kind::Smooth {
+        if way.kind == PathShape::Smooth {
             let swung = self.walk_and_keep(mechanism, &way, at, control);
             if swung.is_ok() || M::INPUTS == 0 {
                 return swung;
             }
             // The quintic course of the inputs may leave the mechanism's range although the straight one does not.
-            way.kind = Kind::Straight;
+            way.kind = PathShape::Straight;
         }
         self.walk_and_keep(mechanism, &way, at, control)
     }

@@ -10,7 +10,7 @@ use crate::present::number::rounded;
 use serde::Serialize;
 
 /// A motion with the columns that can be plotted beside it.
-pub(crate) struct Run {
+pub(crate) struct AnimatedMotion {
     /// Its name, which distinguishes it from the others, an assembly mode for example.
     pub(crate) name: String,
     /// A sentence about it, if it ended early.
@@ -35,7 +35,7 @@ pub(crate) struct Animation {
     /// The mechanism.
     pub(crate) model: &'static Model,
     /// At least one motion.
-    pub(crate) runs: Vec<Run>,
+    pub(crate) runs: Vec<AnimatedMotion>,
     /// The columns, which are the same for all motions.
     pub(crate) columns: Vec<ColumnInfo>,
     /// The columns plotted at first.

@@ -1,7 +1,7 @@
 //! The positions of names: each is on the side of its point on which it collides least with other names and with the
 //! drawing, over the whole motion.
 
-use super::part::{Kind, Part};
+use super::part::{LabelKind, Part};
 use super::scene::Scene;
 use super::subject::placed;
 use super::view::View;
@@ -41,7 +41,7 @@ pub(super) fn sides(scene: &Scene, view: &View, symbol: f64) -> Vec<Side> {
         [Part::Name(text, kind)] => Some((place, text.chars().count() as f64, *kind)),
         _ => None,
     });
-    let names: Vec<(usize, f64, Kind)> = names.collect();
+    let names: Vec<(usize, f64, LabelKind)> = names.collect();
     if names.len() > MOST {
         return sides;
     }
@@ -50,7 +50,7 @@ pub(super) fn sides(scene: &Scene, view: &View, symbol: f64) -> Vec<Side> {
     let drawn: Vec<Vec<[f64; 2]>> = instants.iter().map(|&instant| ink(scene, view, instant)).collect();
     let mut taken: Vec<Vec<Frame>> = vec![Vec::new(); instants.len()];
     for (place, letters, kind) in names {
-        let size = if kind == Kind::Joint { 10.0 } else { 12.0 };
+        let size = if kind == LabelKind::Joint { 10.0 } else { 12.0 };
         let width = 0.56 * size * letters;
         let origin = |k: usize| {
             let [x, y, _] = view.pose(scene.pose(&scene.carriers[place], instants[k]));
@@ -156,7 +156,7 @@ mod tests {
 
     #[test]
     fn names_in_one_place_take_different_sides() {
-        let name = |text: &str| Carrier::new(vec![[0.0; 3]], vec![Part::Name(text.to_owned(), Kind::Point)]);
+        let name = |text: &str| Carrier::new(vec![[0.0; 3]], vec![Part::Name(text.to_owned(), LabelKind::Point)]);
         let points = vec![[-1.0, -1.0], [1.0, 1.0]];
         let bar = Carrier::new(vec![[0.0; 3]], vec![Part::Bar { points, ink: super::super::part::Ink::Ground }]);
         let mut scene = Scene::empty(vec![0.0]);

@@ -12,7 +12,7 @@ const SAME: f64 = 1e-6;
 
 /// The parts of the bodies and of the ground that have been collected so far.
 pub(super) struct Links {
-    bodies: Vec<Body>,
+    bodies: Vec<BodyParts>,
     ground: Vec<Part>,
     pins: Vec<(String, Vec<[f64; 2]>)>,
     wheels: Vec<Wheel>,
@@ -21,14 +21,14 @@ pub(super) struct Links {
 
 /// The parts of a body that have been collected so far.
 #[derive(Default)]
-struct Body {
-    attached: Vec<Place>,
+struct BodyParts {
+    attached: Vec<Attachment>,
     slots: Vec<[[f64; 2]; 2]>,
     parts: Vec<Part>,
 }
 
 /// A point at which something is attached to a body.
-struct Place {
+struct Attachment {
     at: [f64; 2],
     /// Whether a joint is attached here, and not only a named point.
     held: bool,
@@ -38,7 +38,7 @@ impl Links {
     /// Bodies with their named points, and with pins where the origin of a body is fixed to another frame.
     pub(super) fn new(subject: &Subject<'_>, front: &mut Vec<Carrier>) -> Self {
         let model = subject.model;
-        let bodies = model.bodies.iter().map(|_| Body::default()).collect();
+        let bodies = model.bodies.iter().map(|_| BodyParts::default()).collect();
         let mut links = Self { bodies, ground: Vec::new(), pins: Vec::new(), wheels: Vec::new(), size: size(subject) };
         for point in model.points {
             if let Some(&[x, y]) = subject.snapshots[0].geometry.get(point.local..point.local + 2) {
@@ -80,7 +80,7 @@ impl Links {
         let Some(body) = self.body(frame) else { return };
         match body.attached.iter_mut().find(|other| distance(other.at, at) <= same) {
             Some(other) => other.held |= held,
-            None => body.attached.push(Place { at, held }),
+            None => body.attached.push(Attachment { at, held }),
         }
     }
 
@@ -114,9 +114,9 @@ impl Links {
     /// the first two.
     pub(super) fn middle(&self, body: usize) -> Option<[f64; 2]> {
         let places = &self.bodies.get(body)?.attached;
-        let mean = |places: &[Place]| {
+        let mean = |places: &[Attachment]| {
             let count = places.len().max(1) as f64;
-            places.iter().fold([0.0; 2], |[x, y], Place { at: [u, v], .. }| [x + u / count, y + v / count])
+            places.iter().fold([0.0; 2], |[x, y], Attachment { at: [u, v], .. }| [x + u / count, y + v / count])
         };
         let middle = mean(places);
         let reach = places.iter().map(|place| distance(place.at, middle)).fold(0.0, f64::max);
@@ -146,7 +146,7 @@ impl Links {
         carriers
     }
 
-    fn body(&mut self, frame: Frame) -> Option<&mut Body> {
+    fn body(&mut self, frame: Frame) -> Option<&mut BodyParts> {
         match frame {
             Frame::Ground => None,
             Frame::Body(body) => self.bodies.get_mut(body),
@@ -154,12 +154,12 @@ impl Links {
     }
 }
 
-impl Body {
+impl BodyParts {
     fn shape(self, ink: Ink) -> Vec<Part> {
         let Self { mut attached, slots, parts } = self;
         if attached.len() == 1 && slots.is_empty() && parts.is_empty() && attached[0].at != [0.0; 2] {
             // The only known place of this body is one joint: it is drawn as a bar from the joint to the origin.
-            attached.push(Place { at: [0.0; 2], held: false });
+            attached.push(Attachment { at: [0.0; 2], held: false });
         }
         let bar = |from, to| Part::Bar { points: vec![from, to], ink };
         let hung = slots.iter().filter_map(|slot| nearest(slot, &attached)).map(|(from, to)| bar(from, to));
@@ -176,7 +176,7 @@ impl Body {
 }
 
 /// A joint strictly inside the outline of all joints: such a body is drawn with arms from there instead of an outline.
-fn axle(attached: &[Place], outline: &[[f64; 2]]) -> Option<[f64; 2]> {
+fn axle(attached: &[Attachment], outline: &[[f64; 2]]) -> Option<[f64; 2]> {
     let extent = outline.iter().map(|&corner| distance(corner, outline[0])).fold(0.0, f64::max);
     let within = |p: [f64; 2]| {
         let sides = outline.iter().zip(outline.iter().cycle().skip(1));
@@ -187,7 +187,7 @@ fn axle(attached: &[Place], outline: &[[f64; 2]]) -> Option<[f64; 2]> {
 }
 
 /// The line from a slot to the nearest of some points; `None` if one of them lies in the slot.
-fn nearest([from, to]: &[[f64; 2]; 2], places: &[Place]) -> Option<([f64; 2], [f64; 2])> {
+fn nearest([from, to]: &[[f64; 2]; 2], places: &[Attachment]) -> Option<([f64; 2], [f64; 2])> {
     let (along, length) = ([to[0] - from[0], to[1] - from[1]], distance(*from, *to));
     let foot = |[x, y]: [f64; 2]| {
         let part = ((x - from[0]) * along[0] + (y - from[1]) * along[1]) / (length * length).max(f64::MIN_POSITIVE);
@@ -268,9 +268,9 @@ mod tests {
     }
     /// Joints at `held`, names at `named`.
     fn shape(held: &[[f64; 2]], named: &[[f64; 2]], slots: Vec<[[f64; 2]; 2]>) -> Vec<Vec<[f64; 2]>> {
-        let place = |held: bool| move |&at: &[f64; 2]| Place { at, held };
+        let place = |held: bool| move |&at: &[f64; 2]| Attachment { at, held };
         let attached = held.iter().map(place(true)).chain(named.iter().map(place(false))).collect();
-        let parts = Body { attached, slots, parts: Vec::new() }.shape(Ink::Ground);
+        let parts = BodyParts { attached, slots, parts: Vec::new() }.shape(Ink::Ground);
         parts.into_iter().map(|part| if let Part::Bar { points, .. } = part { points } else { Vec::new() }).collect()
     }
 

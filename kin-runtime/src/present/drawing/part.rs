@@ -67,7 +67,7 @@ pub(crate) enum Part {
     /// A curved arrow around the origin, for a couple.
     Turn { clockwise: bool, ink: Ink },
     /// A name, always upright.
-    Name(String, Kind),
+    Name(String, LabelKind),
 }
 
 /// How a line is drawn.
@@ -83,7 +83,7 @@ pub(crate) enum Stroke {
 
 /// What a name belongs to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Kind {
+pub(crate) enum LabelKind {
     Body,
     Joint,
     Point,

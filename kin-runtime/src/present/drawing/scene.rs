@@ -4,7 +4,7 @@ use super::arrows::{Arrows, ForceScale};
 use super::carrier::Carrier;
 use super::links::Links;
 use super::palette::Palette;
-use super::part::{Kind, Part};
+use super::part::{LabelKind, Part};
 use super::subject::{Pose, Subject, distance};
 use super::{joints, outlines, paths, slides};
 use crate::model::Frame;
@@ -67,9 +67,9 @@ fn ground(parts: Vec<Part>, paths: Vec<Part>) -> Carrier {
 }
 
 /// A name, and its place at every instant.
-struct Named<'a> {
+struct NamedTrack<'a> {
     names: Vec<&'a str>,
-    kind: Kind,
+    kind: LabelKind,
     track: Vec<[f64; 2]>,
 }
 
@@ -82,14 +82,14 @@ fn names(subject: &Subject<'_>, links: &Links) -> Vec<Carrier> {
             let [x, y] = super::subject::placed(subject.pose(k, Frame::Body(body)), place);
             [x, y, 0.0]
         });
-        Some(label(poses.collect(), info.name, Kind::Body))
+        Some(label(poses.collect(), info.name, LabelKind::Body))
     });
     // Names of the same place share a label.
-    let mut places: Vec<Named<'_>> = Vec::new();
-    let pins = links.pins().iter().map(|(name, track)| (name.as_str(), Kind::Joint, track.clone()));
+    let mut places: Vec<NamedTrack<'_>> = Vec::new();
+    let pins = links.pins().iter().map(|(name, track)| (name.as_str(), LabelKind::Joint, track.clone()));
     let points = model.points.iter().enumerate().map(|(place, info)| {
         let at = |k: usize| subject.snapshots[k].points.get(place).copied().unwrap_or_default();
-        (info.name, Kind::Point, subject.instants().map(at).collect())
+        (info.name, LabelKind::Point, subject.instants().map(at).collect())
     });
     for (name, kind, track) in pins.chain(points) {
         let same = |other: &[[f64; 2]]| {
@@ -102,10 +102,10 @@ fn names(subject: &Subject<'_>, links: &Links) -> Vec<Carrier> {
                     place.names.push(name);
                 }
             }
-            None => places.push(Named { names: vec![name], kind, track }),
+            None => places.push(NamedTrack { names: vec![name], kind, track }),
         }
     }
-    let places = places.into_iter().map(|Named { names, kind, track }| {
+    let places = places.into_iter().map(|NamedTrack { names, kind, track }| {
         label(track.into_iter().map(|[x, y]| [x, y, 0.0]).collect(), &together(&names), kind)
     });
     bodies.chain(places).collect()
@@ -125,6 +125,6 @@ fn together(names: &[&str]) -> String {
     families.join(", ")
 }
 
-fn label(poses: Vec<Pose>, name: &str, kind: Kind) -> Carrier {
+fn label(poses: Vec<Pose>, name: &str, kind: LabelKind) -> Carrier {
     Carrier::new(poses, vec![Part::Name(name.to_owned(), kind)])
 }

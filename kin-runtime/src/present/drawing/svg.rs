@@ -4,7 +4,7 @@ use super::arrows::ForceScale;
 use super::carrier::Carrier;
 use super::labels::{self, Side};
 use super::palette::Palette;
-use super::part::{Ink, Kind, Part, Stroke};
+use super::part::{Ink, LabelKind, Part, Stroke};
 use super::scene::Scene;
 use super::view::{Pixels, View, short};
 use crate::present::number::rounded;
@@ -286,9 +286,9 @@ impl Pen<'_> {
             }
             Part::Name(name, kind) => {
                 let class = match kind {
-                    Kind::Body => "name body",
-                    Kind::Joint => "name joint",
-                    Kind::Point => "name point",
+                    LabelKind::Body => "name body",
+                    LabelKind::Joint => "name joint",
+                    LabelKind::Point => "name point",
                 };
                 let Side { at, anchor } = self.side;
                 let [x, y] = at.map(short);

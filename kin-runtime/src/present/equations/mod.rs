@@ -5,12 +5,12 @@
 //! them.
 
 use crate::model::{EquationText, Frame, JointInfo, Level, LineText, Model, Role, StepText};
-use kin_core::sheet::{Dynamics, Joint, Line, Row, Rows, Sheet, Shown, Step};
+use kin_core::sheet::{Dynamics, Joint, Row, Rows, Sheet, SheetStep, ShownFormula, StepLine};
 use kin_core::vectors::NamedJoint;
 
 /// The requested part of a sheet.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Part {
+pub(crate) enum SheetPart {
     /// Joints, matrices and steps.
     All,
     /// Joints and matrices.
@@ -23,18 +23,18 @@ pub(crate) enum Part {
 
 /// The sheet of the joints with these indices, of all joints if the list is empty, and of the steps of the plan in
 /// which they take part.
-pub(crate) fn sheet(model: &Model, chosen: &[usize], part: Part) -> Sheet {
+pub(crate) fn sheet(model: &Model, chosen: &[usize], part: SheetPart) -> Sheet {
     let all = model.joints.iter().enumerate();
-    let joints = all.filter(|(index, _)| part != Part::Solution && (chosen.is_empty() || chosen.contains(index)));
+    let joints = all.filter(|(index, _)| part != SheetPart::Solution && (chosen.is_empty() || chosen.contains(index)));
     let takes_part = |step: &&StepText| {
         let own = model.plan.steps.get(step.step).map_or(&[][..], |step| step.joints);
-        matches!(part, Part::All | Part::Solution)
+        matches!(part, SheetPart::All | SheetPart::Solution)
             && (chosen.is_empty() || own.iter().any(|joint| chosen.contains(joint)))
     };
-    let unsolved = model.plan.absent.filter(|_| matches!(part, Part::All | Part::Solution));
+    let unsolved = model.plan.absent.filter(|_| matches!(part, SheetPart::All | SheetPart::Solution));
     let rows = match part {
-        Part::Matrices => Rows::Together,
-        Part::All | Part::Rows if chosen.is_empty() => Rows::Both,
+        SheetPart::Matrices => Rows::Together,
+        SheetPart::All | SheetPart::Rows if chosen.is_empty() => Rows::Both,
         _ => Rows::ByJoint,
     };
     let coordinates: Vec<String> = model.coordinates.iter().map(|coordinate| coordinate.name.to_owned()).collect();
@@ -53,20 +53,20 @@ pub(crate) fn sheet(model: &Model, chosen: &[usize], part: Part) -> Sheet {
     }
 }
 
-fn step(step: &StepText) -> Step {
+fn step(step: &StepText) -> SheetStep {
     let line = |line: &LineText| match *line {
-        LineText::Equation { left, right } => Line::equation(left, right, false),
-        LineText::Zero { left, right } => Line::equation(left, right, true),
+        LineText::Equation { left, right } => StepLine::equation(left, right, false),
+        LineText::Zero { left, right } => StepLine::equation(left, right, true),
         LineText::System { matrix, unknowns, right } => {
-            let shown = |texts: &[&str]| texts.iter().map(|text| Shown::new(text)).collect();
-            Line::System {
+            let shown = |texts: &[&str]| texts.iter().map(|text| ShownFormula::new(text)).collect();
+            StepLine::System {
                 matrix: matrix.iter().map(|row| shown(row)).collect(),
                 unknowns: unknowns.iter().map(|&name| name.to_owned()).collect(),
                 right: shown(right),
             }
         }
     };
-    Step {
+    SheetStep {
         number: step.step + 1,
         what: step.what.to_owned(),
         lines: step.lines.map(|of| of.iter().map(line).collect()),
@@ -92,9 +92,9 @@ fn row(model: &Model, index: usize) -> Option<Row> {
     Some(Row {
         name: info.name.to_owned(),
         position: info.level == Level::Position,
-        phi: Shown::new(text.phi),
-        phi_q: text.phi_q.iter().map(|&(name, entry)| (name.to_owned(), Shown::new(entry))).collect(),
-        phi_t: Shown::new(text.phi_t),
-        gamma: Shown::new(text.gamma),
+        phi: ShownFormula::new(text.phi),
+        phi_q: text.phi_q.iter().map(|&(name, entry)| (name.to_owned(), ShownFormula::new(entry))).collect(),
+        phi_t: ShownFormula::new(text.phi_t),
+        gamma: ShownFormula::new(text.gamma),
     })
 }

@@ -107,12 +107,12 @@ enum Along {
 /// A driving row or an input, with the dimension of the driven quantity.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Driver {
-    place: Place,
+    place: DriverPlace,
     dimension: Dimension,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Place {
+enum DriverPlace {
     Row(usize),
     Input(usize),
 }
@@ -390,10 +390,10 @@ fn drivers(model: &'static Model) -> impl Iterator<Item = (&'static str, Driver)
     let row = move |(place, row): (usize, &'static crate::model::RowInfo)| {
         let dimension =
             driven_by(model, place).map_or(Dimension::Unknown, |name| Dimension::named(&model.units, &name));
-        (row.name, Driver { place: Place::Row(place), dimension })
+        (row.name, Driver { place: DriverPlace::Row(place), dimension })
     };
     let input = move |(place, name): (usize, &&'static str)| {
-        (*name, Driver { place: Place::Input(place), dimension: Dimension::named(&model.units, name) })
+        (*name, Driver { place: DriverPlace::Input(place), dimension: Dimension::named(&model.units, name) })
     };
     let rows = model.rows.iter().enumerate().filter(|(_, row)| row.driving).map(row);
     rows.chain(model.inputs.iter().enumerate().map(input))

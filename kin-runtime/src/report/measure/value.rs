@@ -1,6 +1,6 @@
 //! Where quantities come from, and their values at a solved state.
 
-use super::{Along, Measure, Of, Place, Source, force};
+use super::{Along, DriverPlace, Measure, Of, Source, force};
 use crate::analysis::forces::{Sharing, forces};
 use crate::equations::Equations;
 use crate::error::SolveError;
@@ -79,7 +79,7 @@ fn of_order(rates: Signal, order: usize) -> f64 {
 
 /// The velocity ratios of all quantities to a driving row or an input.
 struct Ratio {
-    place: Place,
+    place: DriverPlace,
     /// ∂q/∂f.
     first: Vec<f64>,
     /// The velocity ratios of observables.
@@ -165,12 +165,12 @@ fn of_pose(model: &Model, bodies: &[BodyMotion], observable: usize) -> Option<Si
 fn ratios(equations: &mut Equations<'_>, state: &State) -> Result<Vec<Ratio>, SolveError> {
     let found = velocity_ratios(equations, state)?;
     let declared = equations.model.rows.len();
-    let rows = found.drivers.into_iter().filter_map(|ratio| Some((Place::Row(ratio.row?), ratio.first)));
-    let rows = rows.filter(|(place, _)| !matches!(place, Place::Row(row) if *row >= declared));
-    let inputs = found.inputs.into_iter().enumerate().map(|(k, ratio)| (Place::Input(k), ratio.first));
+    let rows = found.drivers.into_iter().filter_map(|ratio| Some((DriverPlace::Row(ratio.row?), ratio.first)));
+    let rows = rows.filter(|(place, _)| !matches!(place, DriverPlace::Row(row) if *row >= declared));
+    let inputs = found.inputs.into_iter().enumerate().map(|(k, ratio)| (DriverPlace::Input(k), ratio.first));
     let mut all = Vec::new();
     for (place, first) in rows.chain(inputs) {
-        let input = if let Place::Input(input) = place { Some(input) } else { None };
+        let input = if let DriverPlace::Input(input) = place { Some(input) } else { None };
         let observed = observed_ratio(equations, &state.q, &first, input)?;
         all.push(Ratio { place, first, observed });
     }

@@ -5,7 +5,7 @@ use super::driven;
 use crate::model::Model;
 use crate::plan::{Depth, Plan, Solved};
 use crate::planned::{Limit, LimitKind, Sign, Step};
-use crate::proof::{Seen, Stretch, Winding, refined, stretches};
+use crate::proof::{MarginSign, Stretch, Winding, refined, stretches};
 use crate::ranges::{Range, RangeLimit, Ranges};
 use crate::scalar::Interval;
 use crate::workspace::{Instant, Signal};
@@ -34,9 +34,9 @@ impl dyn AnySolver + '_ {
             let found = refined(&found, narrowest, MOST[1], look);
             for (index, stretch) in found.iter().enumerate() {
                 match stretch.seen {
-                    Seen::Closed => all.ranges.push((signs.clone(), *stretch)),
-                    Seen::Open(_) => {}
-                    Seen::Unknown(margin) => {
+                    MarginSign::Closed => all.ranges.push((signs.clone(), *stretch)),
+                    MarginSign::Open(_) => {}
+                    MarginSign::Unknown(margin) => {
                         let neighbours = [index.checked_sub(1).map(|k| found[k]), found.get(index + 1).copied()];
                         all.limits.push(self.limit(from, &signs, margin, *stretch, neighbours));
                     }
@@ -50,15 +50,21 @@ impl dyn AnySolver + '_ {
 
     /// What the plan proves for an interval of t, in the modes with these signs. Inputs continue from the instant
     /// `start`.
-    pub(in crate::solver) fn look(&self, way: [f64; 2], start: &Instant<'_>, signs: &[f64], guess: &[f64]) -> Seen {
-        let Some([_, margins]) = self.enclosed(way, start, signs, guess) else { return Seen::Unknown(0) };
+    pub(in crate::solver) fn look(
+        &self,
+        way: [f64; 2],
+        start: &Instant<'_>,
+        signs: &[f64],
+        guess: &[f64],
+    ) -> MarginSign {
+        let Some([_, margins]) = self.enclosed(way, start, signs, guess) else { return MarginSign::Unknown(0) };
         let first = margins.iter().position(|margin| margin.lower() <= Plan::SMALLEST_MARGIN || !margin.is_defined());
         // The margin of a later group encloses its values wherever the groups before it close.
         let open = margins.iter().position(|margin| margin.is_defined() && margin.upper() < 0.0);
         match (first, open) {
-            (None, _) => Seen::Closed,
-            (Some(_), Some(margin)) => Seen::Open(margin),
-            (Some(margin), None) => Seen::Unknown(margin),
+            (None, _) => MarginSign::Closed,
+            (Some(_), Some(margin)) => MarginSign::Open(margin),
+            (Some(margin), None) => MarginSign::Unknown(margin),
         }
     }
 
@@ -108,8 +114,8 @@ impl dyn AnySolver + '_ {
         stretch: Stretch,
         neighbours: [Option<Stretch>; 2],
     ) -> FoundLimit {
-        let closed = |side: &Option<Stretch>| side.filter(|stretch| stretch.seen == Seen::Closed);
-        let open = |side: &Option<Stretch>| matches!(side, Some(Stretch { seen: Seen::Open(_), .. }));
+        let closed = |side: &Option<Stretch>| side.filter(|stretch| stretch.seen == MarginSign::Closed);
+        let open = |side: &Option<Stretch>| matches!(side, Some(Stretch { seen: MarginSign::Open(_), .. }));
         let [before, after] = neighbours;
         let proven = (closed(&before).is_some() && open(&after)) || (open(&before) && closed(&after).is_some());
         let (inside, beyond) = match (closed(&before), closed(&after)) {

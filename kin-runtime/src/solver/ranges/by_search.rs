@@ -3,7 +3,7 @@
 //! Between two neighbouring folds no closure begins or ends, so that the closures at one t between them stand for all
 //! closures of that interval. A sweep connects each of them with one on the other side of a fold, or ends at it.
 
-use super::super::any_solver::{AnySolver, End};
+use super::super::any_solver::{AnySolver, SweepEnd};
 use super::super::assemblies::{difference, is_length, region};
 use super::driven;
 use crate::assembly::Assembly;
@@ -31,7 +31,7 @@ const SHORTLY: f64 = 1e-6;
 const CLEARLY: f64 = 0.2;
 
 /// A place at which closures come together, or something is undecided.
-struct Place {
+struct FoldPlace {
     t: Interval,
     q: Vec<f64>,
     proven: bool,
@@ -50,7 +50,7 @@ struct Gap {
 type ClosureIndex = (usize, usize);
 
 /// A range under construction.
-struct Chain {
+struct OpenRange {
     closures: Vec<ClosureIndex>,
     /// The places at its beginning and at its end.
     ends: [Option<usize>; 2],
@@ -77,14 +77,15 @@ impl dyn AnySolver + '_ {
         let sizes: Vec<f64> = (0..guess.len()).map(|k| if is_length(model, k) { length } else { 1.0 }).collect();
         let mut system = self.boxes(start);
         let all = folds(&square, &mut *system, &region(model, guess, length), &sizes, way).map_err(refuse)?;
-        let mut places: Vec<Place> = Vec::new();
-        let place =
-            |proven: bool| move |Fold { q, t }: Fold| Place { t, q: q.iter().map(|x| x.midpoint()).collect(), proven };
+        let mut places: Vec<FoldPlace> = Vec::new();
+        let place = |proven: bool| {
+            move |Fold { q, t }: Fold| FoldPlace { t, q: q.iter().map(|x| x.midpoint()).collect(), proven }
+        };
         for place in all.found.into_iter().map(place(true)).chain(all.undecided.into_iter().map(place(false))) {
             // A place is found twice where an angle is half a turn from its guess, and in several boxes if it is
             // undecided.
             let most = SAME[usize::from(!place.proven)];
-            let same = |other: &&mut Place| {
+            let same = |other: &&mut FoldPlace| {
                 other.t.intersection(place.t).is_some() && difference(model, &other.q, &place.q, length) < most
             };
             match places.iter_mut().find(same) {
@@ -102,7 +103,7 @@ impl dyn AnySolver + '_ {
     }
 
     /// The gaps between places, with their closures.
-    fn gaps(&self, start: &Instant<'_>, way: Interval, places: &[Place]) -> Result<Vec<Gap>, SolveError> {
+    fn gaps(&self, start: &Instant<'_>, way: Interval, places: &[FoldPlace]) -> Result<Vec<Gap>, SolveError> {
         let (mut from, mut gaps) = (way.lower(), Vec::new());
         let ends = places.iter().map(|place| [place.t.lower(), place.t.upper()]);
         for [to, next] in ends.chain([[way.upper(), way.upper()]]) {
@@ -118,7 +119,7 @@ impl dyn AnySolver + '_ {
     }
 
     /// q at the end of a motion from a configuration.
-    fn moved_from(&self, start: &Instant<'_>, q: &[f64], way: [f64; 2]) -> Result<Vec<f64>, End> {
+    fn moved_from(&self, start: &Instant<'_>, q: &[f64], way: [f64; 2]) -> Result<Vec<f64>, SweepEnd> {
         self.moved(start, way, &q.iter().copied().enumerate().collect::<Vec<_>>(), &[])
     }
 }
@@ -134,11 +135,11 @@ struct RangeSearch<'s> {
     solver: &'s dyn AnySolver,
     start: &'s Instant<'s>,
     length: f64,
-    places: Vec<Place>,
+    places: Vec<FoldPlace>,
     gaps: Vec<Gap>,
     /// Coordinates that are searched only in a bounded interval, and their intervals.
     bounded: Vec<(usize, Interval)>,
-    chains: Vec<Chain>,
+    chains: Vec<OpenRange>,
     ended: Vec<Ended>,
 }
 
@@ -172,7 +173,7 @@ impl RangeSearch<'_> {
                             self.chains[chain].closures.push((gap, next));
                             is_new[next] = false;
                         }
-                        Ok(_) => self.chains[chain].ends[1] = self.ended(from, gap, End::default()),
+                        Ok(_) => self.chains[chain].ends[1] = self.ended(from, gap, SweepEnd::default()),
                         Err(end) => self.chains[chain].ends[1] = self.ended(from, gap, end),
                     }
                 }
@@ -183,13 +184,13 @@ impl RangeSearch<'_> {
                     let end = self.follow(here, before).err().unwrap_or_default();
                     self.ended(here, before, end)
                 });
-                self.chains.push(Chain { closures: vec![here], ends: [begins, None] });
+                self.chains.push(OpenRange { closures: vec![here], ends: [begins, None] });
             }
         }
     }
 
     /// The closure of another gap to which a motion leads from a closure; `None` if it is not one of those.
-    fn follow(&self, (gap, closure): ClosureIndex, other: usize) -> Result<Option<usize>, End> {
+    fn follow(&self, (gap, closure): ClosureIndex, other: usize) -> Result<Option<usize>, SweepEnd> {
         let (from, to) = (&self.gaps[gap], &self.gaps[other]);
         let q = &from.closures[closure].q;
         let reached = self.solver.moved_from(self.start, q, [from.middle(), to.middle()])?;
@@ -199,7 +200,7 @@ impl RangeSearch<'_> {
 
     /// Records that a motion to another gap has ended, and finds its place: the only one between the two gaps, or the
     /// one whose configuration is that of the limit.
-    fn ended(&mut self, closure: ClosureIndex, other: usize, end: End) -> Option<usize> {
+    fn ended(&mut self, closure: ClosureIndex, other: usize, end: SweepEnd) -> Option<usize> {
         let [a, b] = [closure.0.min(other), closure.0.max(other)];
         let (from, to) = (self.gaps[a].to, self.gaps[b].from);
         let between = |place: &usize| self.places[*place].t.lower() >= from && self.places[*place].t.upper() <= to;
@@ -289,7 +290,7 @@ impl RangeSearch<'_> {
     }
 
     /// Where a range begins and ends.
-    fn way(&self, chain: &Chain) -> [f64; 2] {
+    fn way(&self, chain: &OpenRange) -> [f64; 2] {
         let gap = |closure: Option<&ClosureIndex>| closure.map(|&(gap, _)| &self.gaps[gap]);
         let own = |end: usize| chain.ends[end].map(|place| self.places[place].t);
         let from = own(0).map(|t| t.upper()).or(gap(chain.closures.first()).map(|gap| gap.from));
@@ -297,7 +298,7 @@ impl RangeSearch<'_> {
         [from, to].map(|t| t.unwrap_or(self.start.t))
     }
 
-    fn range(&self, chain: &Chain, circuit: usize) -> Range {
+    fn range(&self, chain: &OpenRange, circuit: usize) -> Range {
         let [from, to] = self.way(chain);
         let middle = 0.5 * from + 0.5 * to;
         let away = |(gap, _): &&ClosureIndex| (self.gaps[*gap].middle() - middle).abs();

@@ -23,7 +23,7 @@ const NO_SIGN: f64 = 1e-6;
 
 /// A place on the solution curve.
 #[derive(Clone, Debug)]
-pub(super) struct Node {
+pub(super) struct ArcNode {
     /// The length of the arc from the start.
     pub(super) s: f64,
     /// q, followed by t.
@@ -31,20 +31,20 @@ pub(super) struct Node {
     /// dz/ds.
     pub(super) tangent: Vec<f64>,
     /// The sign of the determinant with this tangent.
-    sign: Sign,
+    sign: DeterminantSign,
     /// The branch value of every group of the plan; empty if the motion may pass limits of groups (with redundant rows).
     groups: Vec<f64>,
 }
 
 /// The sign of a determinant that vanishes only where branches cross.
 #[derive(Clone, Debug)]
-struct Sign {
+struct DeterminantSign {
     /// The rows that form it: as many as there are coordinates, if there are more rows than that; `None` for all rows.
     rows: Option<Vec<usize>>,
     positive: bool,
 }
 
-impl Node {
+impl ArcNode {
     /// q.
     pub(super) fn q(&self) -> &[f64] {
         &self.z[..self.z.len() - 1]
@@ -136,7 +136,7 @@ impl Bordered {
         predicted: &[f64],
         direction: &[f64],
         allowed: f64,
-    ) -> Option<Node> {
+    ) -> Option<ArcNode> {
         let mut z = predicted.to_vec();
         self.correct(equations, &mut z, direction, allowed)?;
         let mut matrix = self.matrix(equations, &z, direction).ok()?;
@@ -165,13 +165,13 @@ impl Bordered {
         if !equations.model.plan.has_redundant_rows() {
             equations.write_branch_values(&z[..z.len() - 1], &mut groups);
         }
-        Some(Node { s: 0.0, z, tangent, sign: Sign { rows, positive }, groups })
+        Some(ArcNode { s: 0.0, z, tangent, sign: DeterminantSign { rows, positive }, groups })
     }
 
     /// True where no other branch crosses between two neighbouring places: the determinant has the same sign, and no
     /// groups have changed theirs but the one that turns back at a dead centre. Where two groups cross their limits at
     /// the same place, the determinant changes its sign twice.
-    pub(super) fn on_one_branch(&self, equations: &mut Equations<'_>, from: &Node, to: &Node) -> bool {
+    pub(super) fn on_one_branch(&self, equations: &mut Equations<'_>, from: &ArcNode, to: &ArcNode) -> bool {
         let has_changed = |(from, to): &(&f64, &f64)| !from.is_nan() && (**from > 0.0) != (**to > 0.0);
         let changes = from.groups.iter().zip(&to.groups).filter(has_changed).count();
         let turns_back = (from.t_rate() > 0.0) != (to.t_rate() > 0.0);

@@ -1,6 +1,6 @@
 //! The steps along the solution curve, in both directions from a start.
 
-use super::bordered::{Bordered, Node};
+use super::bordered::{ArcNode, Bordered};
 use super::places::{between, cusps, singular_place, turning};
 use super::rows;
 use crate::arc::{ArcEnd, ArcFault, ArcPlace, ArcPlaceKind, SolutionArc};
@@ -39,8 +39,8 @@ pub(crate) struct Window {
 }
 
 /// The curve in one direction from its start.
-struct Leg {
-    nodes: Vec<Node>,
+struct ArcLeg {
+    nodes: Vec<ArcNode>,
     places: Vec<ArcPlace>,
     end: ArcEnd,
 }
@@ -76,7 +76,7 @@ pub(crate) fn solution_arc(
     let Some(start) = bordered.node(equations, &z, &direction, FIRST) else {
         return refuse(ArcFault::Directions { count: 2 });
     };
-    let walk = Walk { bordered: &bordered, window, angles: angles(equations, q)? };
+    let walk = ArcFollower { bordered: &bordered, window, angles: angles(equations, q)? };
     let start = start.start();
     let mut leg = walk.leg(equations, start.clone())?;
     let mut first = leg.end;
@@ -91,7 +91,7 @@ pub(crate) fn solution_arc(
 }
 
 /// Drops the last place of a closed curve if it is the first one, after a whole turn along the curve.
-fn listed_once(leg: &mut Leg) {
+fn listed_once(leg: &mut ArcLeg) {
     let length = leg.nodes.last().map_or(0.0, |node| node.s);
     if let [first, .., last] = &leg.places[..]
         && first.kind == last.kind
@@ -102,8 +102,8 @@ fn listed_once(leg: &mut Leg) {
 }
 
 /// Joins two legs from one start; `back` is reversed.
-fn joined(back: Leg, onwards: Leg) -> Leg {
-    let mut nodes: Vec<Node> = back.nodes.into_iter().skip(1).rev().map(Node::reversed).collect();
+fn joined(back: ArcLeg, onwards: ArcLeg) -> ArcLeg {
+    let mut nodes: Vec<ArcNode> = back.nodes.into_iter().skip(1).rev().map(ArcNode::reversed).collect();
     nodes.extend(onwards.nodes);
     let mut places: Vec<ArcPlace> = back.places;
     places.reverse();
@@ -111,23 +111,23 @@ fn joined(back: Leg, onwards: Leg) -> Leg {
     places.extend(onwards.places);
     // A place at the start is in both legs.
     places.dedup_by(|a, b| a.kind == b.kind && (a.s - b.s).abs() <= SHORTEST);
-    Leg { nodes, places, end: onwards.end }
+    ArcLeg { nodes, places, end: onwards.end }
 }
 
-struct Walk<'b> {
+struct ArcFollower<'b> {
     bordered: &'b Bordered,
     window: Window,
     /// True for coordinates that are equivalent after a whole turn.
     angles: Vec<bool>,
 }
 
-impl Walk<'_> {
+impl ArcFollower<'_> {
     /// The curve from a place on in the direction of its tangent.
-    fn leg(&self, equations: &mut Equations<'_>, start: Node) -> Result<Leg, SolveError> {
-        let mut leg = Leg { nodes: vec![start.at(0.0)], places: Vec::new(), end: ArcEnd::TooLong };
+    fn leg(&self, equations: &mut Equations<'_>, start: ArcNode) -> Result<ArcLeg, SolveError> {
+        let mut leg = ArcLeg { nodes: vec![start.at(0.0)], places: Vec::new(), end: ArcEnd::TooLong };
         let (mut length, mut shortened) = (FIRST, false);
         // The first place at which the mechanism moves; the curve is closed when it returns there.
-        let mut origin: Option<Node> = None;
+        let mut origin: Option<ArcNode> = None;
         for _ in 0..MOST {
             let here = leg.nodes[leg.nodes.len() - 1].clone();
             equations.observed.pass(here.t())?;
@@ -165,7 +165,7 @@ impl Walk<'_> {
 
     /// The next place, and the cosine of the angle between the tangents; `None` where a step of this length is not
     /// accepted.
-    fn step(&self, equations: &mut Equations<'_>, here: &Node, length: f64) -> Option<(Node, f64)> {
+    fn step(&self, equations: &mut Equations<'_>, here: &ArcNode, length: f64) -> Option<(ArcNode, f64)> {
         let predicted: Vec<f64> = here.z.iter().zip(&here.tangent).map(|(z, rate)| z + length * rate).collect();
         let allowed = equations.options.prediction_tolerance * length;
         let mut next = self.bordered.node(equations, &predicted, &here.tangent, allowed)?;
@@ -184,14 +184,14 @@ impl Walk<'_> {
     }
 
     /// The longest step in which no body turns by more than the options allow.
-    fn longest(&self, equations: &Equations<'_>, here: &Node) -> f64 {
+    fn longest(&self, equations: &Equations<'_>, here: &ArcNode) -> f64 {
         let n = here.q().len();
         let turn = equations.scale.turn(&here.tangent[..n]).max((here.t_rate() / self.bordered.columns[n]).abs());
         equations.options.max_rotation_per_step / turn
     }
 
     /// True where q changes along the curve, and not t alone.
-    fn moves(&self, here: &Node) -> bool {
+    fn moves(&self, here: &ArcNode) -> bool {
         let n = here.q().len();
         self.bordered.dot(&here.tangent[..n], &here.tangent[..n]) > MOVING * MOVING
     }
@@ -200,9 +200,9 @@ impl Walk<'_> {
     fn settle(
         &self,
         equations: &mut Equations<'_>,
-        leg: &mut Leg,
-        next: Node,
-        origin: Option<&Node>,
+        leg: &mut ArcLeg,
+        next: ArcNode,
+        origin: Option<&ArcNode>,
     ) -> Option<ArcEnd> {
         let here = leg.nodes[leg.nodes.len() - 1].clone();
         let turn = turning(equations, self.bordered, &here, &next, ENCLOSED);
@@ -236,7 +236,7 @@ impl Walk<'_> {
     }
 
     /// The place at which t leaves the interval, if it lies between these.
-    fn bound(&self, equations: &mut Equations<'_>, a: &Node, b: &Node) -> Option<Node> {
+    fn bound(&self, equations: &mut Equations<'_>, a: &ArcNode, b: &ArcNode) -> Option<ArcNode> {
         let Window { from, to } = self.window;
         let to = to?;
         let bound = if b.t() > from.max(to) {
@@ -263,9 +263,9 @@ impl Walk<'_> {
     }
 
     /// The place between these at which the mechanism is where it began, up to whole turns of bodies.
-    fn closing(&self, equations: &mut Equations<'_>, origin: &Node, a: &Node, b: &Node) -> Option<Node> {
+    fn closing(&self, equations: &mut Equations<'_>, origin: &ArcNode, a: &ArcNode, b: &ArcNode) -> Option<ArcNode> {
         let (bordered, n) = (self.bordered, origin.q().len());
-        let along = |node: &Node| bordered.dot(&self.apart(origin, node), &origin.tangent[..n]);
+        let along = |node: &ArcNode| bordered.dot(&self.apart(origin, node), &origin.tangent[..n]);
         let is_passed = along(a) < 0.0 && along(b) >= 0.0;
         if !is_passed || bordered.norm(&self.apart(origin, b)) > 2.0 * (b.s - a.s) + SAME {
             return None;
@@ -277,7 +277,7 @@ impl Walk<'_> {
     }
 
     /// The difference of two places in q, up to whole turns.
-    fn apart(&self, origin: &Node, node: &Node) -> Vec<f64> {
+    fn apart(&self, origin: &ArcNode, node: &ArcNode) -> Vec<f64> {
         let pairs = node.q().iter().zip(origin.q()).zip(&self.angles);
         let difference = pairs.map(|((a, b), &is_angle)| {
             let turns = if is_angle { ((a - b) / TAU).round() * TAU } else { 0.0 };
@@ -287,9 +287,15 @@ impl Walk<'_> {
     }
 
     /// The place between two at which a function, which grows from negative to positive, is 0.
-    fn root(&self, equations: &mut Equations<'_>, a: &Node, b: &Node, f: impl Fn(&Node) -> f64) -> Option<Node> {
+    fn root(
+        &self,
+        equations: &mut Equations<'_>,
+        a: &ArcNode,
+        b: &ArcNode,
+        f: impl Fn(&ArcNode) -> f64,
+    ) -> Option<ArcNode> {
         let slope = (f(b) - f(a)) / (b.s - a.s);
-        let value = |node: &Node| Value { t: node.s, f: -f(node), rate: -slope };
+        let value = |node: &ArcNode| Value { t: node.s, f: -f(node), rate: -slope };
         let [low, _] = bracket(value(a), value(b), ENCLOSED, |s| {
             between(equations, self.bordered, a, b, s).map(|node| value(&node))
         });

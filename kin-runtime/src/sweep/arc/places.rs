@@ -1,6 +1,6 @@
 //! Special places between two neighbouring places of the curve: dead centres and cusps.
 
-use super::bordered::{Bordered, Node};
+use super::bordered::{ArcNode, Bordered};
 use crate::analysis::by_plan;
 use crate::arc::{ArcPlace, ArcPlaceKind};
 use crate::equations::Equations;
@@ -22,7 +22,13 @@ const RETRACED: f64 = 1e-5;
 
 /// The place on the curve at a length s between two neighbours: predicted by the cubic through both with their
 /// tangents.
-pub(super) fn between(equations: &mut Equations<'_>, bordered: &Bordered, a: &Node, b: &Node, s: f64) -> Option<Node> {
+pub(super) fn between(
+    equations: &mut Equations<'_>,
+    bordered: &Bordered,
+    a: &ArcNode,
+    b: &ArcNode,
+    s: f64,
+) -> Option<ArcNode> {
     let h = b.s - a.s;
     let x = (s - a.s) / h;
     let (mut z, mut direction) = (Vec::with_capacity(a.z.len()), Vec::with_capacity(a.z.len()));
@@ -42,16 +48,16 @@ pub(super) fn between(equations: &mut Equations<'_>, bordered: &Bordered, a: &No
 pub(super) fn turning(
     equations: &mut Equations<'_>,
     bordered: &Bordered,
-    a: &Node,
-    b: &Node,
+    a: &ArcNode,
+    b: &ArcNode,
     within: f64,
-) -> Option<(Node, f64)> {
+) -> Option<(ArcNode, f64)> {
     if (a.t_rate() > 0.0) == (b.t_rate() > 0.0) {
         return None;
     }
     let sign = if a.t_rate() > 0.0 { 1.0 } else { -1.0 };
     let slope = sign * (b.t_rate() - a.t_rate()) / (b.s - a.s);
-    let value = |node: &Node| Value { t: node.s, f: sign * node.t_rate(), rate: slope };
+    let value = |node: &ArcNode| Value { t: node.s, f: sign * node.t_rate(), rate: slope };
     let [low, high] =
         bracket(value(a), value(b), within, |s| between(equations, bordered, a, b, s).map(|node| value(&node)));
     let node = between(equations, bordered, a, b, 0.5 * (low.t + high.t))?;
@@ -63,8 +69,8 @@ pub(super) fn turning(
 pub(super) fn singular_place(
     equations: &mut Equations<'_>,
     kind: ArcPlaceKind,
-    beside: &Node,
-    here: &Node,
+    beside: &ArcNode,
+    here: &ArcNode,
     (beyond, within): (f64, f64),
 ) -> ArcPlace {
     let q = here.q().to_vec();
@@ -94,7 +100,7 @@ pub(super) fn singular_place(
 pub(super) fn cusps(
     equations: &mut Equations<'_>,
     bordered: &Bordered,
-    (a, b): (&Node, &Node),
+    (a, b): (&ArcNode, &ArcNode),
     at_start: bool,
     within: f64,
     places: &mut Vec<ArcPlace>,
@@ -141,7 +147,7 @@ pub(super) fn cusps(
 }
 
 /// The derivatives of all named points with respect to the length of the arc.
-fn rates(equations: &mut Equations<'_>, node: &Node) -> Option<Vec<[f64; 2]>> {
+fn rates(equations: &mut Equations<'_>, node: &ArcNode) -> Option<Vec<[f64; 2]>> {
     equations.move_to(node.t()).ok()?;
     let at = Instant { t: equations.t, inputs: &equations.inputs };
     equations.system.observe(&at, node.q(), &equations.still).ok()?;

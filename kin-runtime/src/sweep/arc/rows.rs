@@ -1,6 +1,6 @@
 //! States at equal distances along the solution curve.
 
-use super::bordered::{Bordered, Node};
+use super::bordered::{ArcNode, Bordered};
 use super::places::between;
 use crate::analysis::acceleration::acceleration;
 use crate::analysis::poses::poses;
@@ -19,7 +19,7 @@ const SAME: f64 = 1e-9;
 pub(super) fn states(
     equations: &mut Equations<'_>,
     bordered: &Bordered,
-    mut nodes: Vec<Node>,
+    mut nodes: Vec<ArcNode>,
     mut places: Vec<ArcPlace>,
     ends: [ArcEnd; 2],
     steps: usize,
@@ -51,7 +51,7 @@ pub(super) fn states(
 }
 
 /// The state at a place; rates are NaN where the driver does not determine them.
-fn state(equations: &mut Equations<'_>, node: &Node) -> Result<State, SolveError> {
+fn state(equations: &mut Equations<'_>, node: &ArcNode) -> Result<State, SolveError> {
     equations.move_to(node.t())?;
     let q = node.q().to_vec();
     equations.evaluate(Subset::POSITION, &q, None)?;

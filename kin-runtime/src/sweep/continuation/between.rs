@@ -1,6 +1,6 @@
 //! States between two nodes, at which unilateral conditions are evaluated.
 
-use super::step::{Fault, Node, Scratch, Start};
+use super::step::{Fault, Node, StepBuffers, StepStart};
 use crate::equations::Equations;
 use crate::state::State;
 
@@ -8,9 +8,9 @@ use crate::state::State;
 /// longer. The flag is true if the node must be converged fully, because the caller requested this place, or because
 /// the plan has a limit there.
 pub(super) type StepMethod =
-    fn(&mut Equations<'_>, &mut Scratch, Start<'_>, &mut Node, f64, bool) -> Result<f64, Fault>;
+    fn(&mut Equations<'_>, &mut StepBuffers, StepStart<'_>, &mut Node, f64, bool) -> Result<f64, Fault>;
 
-impl<'n> Start<'n> {
+impl<'n> StepStart<'n> {
     /// The start of a step at a node with a basis, with its rates in time.
     fn at(node: &'n Node) -> Option<Self> {
         let State { q_dot, q_ddot, .. } = &node.state;
@@ -23,8 +23,8 @@ impl<'n> Start<'n> {
 pub(super) fn state_between(
     equations: &mut Equations<'_>,
     step: StepMethod,
-    scratch: &mut Scratch,
-    from: Start<'_>,
+    scratch: &mut StepBuffers,
+    from: StepStart<'_>,
     s: f64,
 ) -> Option<State> {
     let mut reached = from.node.clone();
@@ -32,7 +32,7 @@ pub(super) fn state_between(
         let mut middle = from.node.clone();
         step(equations, scratch, from, &mut middle, from.s + 0.5 * (s - from.s), false).ok()?;
         reached = middle.clone();
-        step(equations, scratch, Start::at(&middle)?, &mut reached, s, true).ok()?;
+        step(equations, scratch, StepStart::at(&middle)?, &mut reached, s, true).ok()?;
     }
     Some(reached.state)
 }

@@ -5,7 +5,7 @@ use crate::analysis::poses::poses;
 use crate::analysis::refinement::{ACCURATE, refine};
 use crate::equations::Equations;
 use crate::equations::contact;
-use crate::equations::residual::{Row, Tolerances, closed, closed_position, write_lengths, write_sizes};
+use crate::equations::residual::{RowSums, Tolerances, closed, closed_position, write_lengths, write_sizes};
 use crate::equations::system::Followed;
 use crate::error::{Degeneracy, SolveError};
 use crate::options::Options;
@@ -30,7 +30,7 @@ pub(super) struct CheckedPlan {
     /// Whether the way to the last state was divided because its ends did not show the motion between them.
     pub(super) hides_motion: bool,
     /// Buffers for the accumulated sums of every row, and 1 for every coordinate that is a length.
-    rows: Vec<Row>,
+    rows: Vec<RowSums>,
     lengths: Vec<f64>,
     /// The sizes of the rows at the first state; empty until that state is known.
     sizes: Vec<f64>,
@@ -54,7 +54,7 @@ impl CheckedPlan {
     /// `None` where the options disable the plan, the mechanism has none, or coordinates are prescribed.
     pub(super) fn new(equations: &Equations<'_>) -> Option<Self> {
         let used = equations.options.use_plan && equations.model.plan.exists() && equations.given() == 0;
-        let rows = vec![Row::default(); equations.rows()];
+        let rows = vec![RowSums::default(); equations.rows()];
         let mut lengths = vec![0.0; equations.coordinates()];
         write_lengths(equations.model, &mut lengths);
         used.then(|| Self {

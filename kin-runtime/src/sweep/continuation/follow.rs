@@ -6,12 +6,12 @@ use super::groups;
 use super::integrate::integrate;
 use super::nodes::{at_instant, basis_with, complete_basis, natural_step, rates};
 use super::refusal::refusal;
-use super::step::{Fault, Node, Scratch, Start, step};
+use super::step::{Fault, Node, StepBuffers, StepStart, step};
 use crate::analysis::poses::poses;
 use crate::equations::Equations;
 use crate::equations::scale::Scale;
 use crate::error::{Refusal, SolveError};
-use crate::events::Watch;
+use crate::events::EventWatch;
 use crate::linear::Factorization;
 use crate::planned::LimitKind;
 use crate::planned::step_length::{next_parameter, shortest_step};
@@ -39,15 +39,15 @@ pub(crate) struct Continuation {
     step: StepMethod,
     /// Length of the next internal step.
     proposed: f64,
-    scratch: Scratch,
+    scratch: StepBuffers,
     /// The unilateral conditions, where there are any to watch.
-    pub(crate) watch: Option<Watch>,
+    pub(crate) watch: Option<EventWatch>,
     /// Internal steps that the plan could not solve and that full Newton took.
     pub(crate) fallbacks: Vec<Fallback>,
 }
 
 /// What has been reached on the way to the next instant: a node, and the derivatives of q along the course there.
-struct Reached<'c> {
+struct ReachedNode<'c> {
     node: &'c Node,
     rates: [&'c [f64]; 2],
     s: f64,
@@ -76,7 +76,7 @@ impl Continuation {
             plan,
             step: if integrates { integrate } else { step },
             proposed: f64::INFINITY,
-            scratch: Scratch::new(equations),
+            scratch: StepBuffers::new(equations),
             watch: None,
             fallbacks: Vec::new(),
             node,
@@ -219,7 +219,7 @@ impl Continuation {
         let direction = (target - self.s).signum();
         let has_passed = |s: f64, refused: f64| (s - refused) * direction >= 0.0;
         for _ in 0..options.max_steps {
-            let Reached { s: from, .. } = self.reached(moved);
+            let ReachedNode { s: from, .. } = self.reached(moved);
             if from == target {
                 if self.here.basis.is_some() {
                     self.here.state.iterations = iterations;
@@ -261,7 +261,7 @@ impl Continuation {
                 complete_basis(equations, node)?;
                 let (node, Some(basis)) = (&*node, &node.basis) else { continue };
                 let rates = if moved { [&node.state.q_dot, &node.state.q_ddot] } else { [&*q_dot, &*q_ddot] };
-                let start = Start { node, basis, s: from, q_dot: rates[0], q_ddot: rates[1] };
+                let start = StepStart { node, basis, s: from, q_dot: rates[0], q_ddot: rates[1] };
                 let is_pole = limit.and_then(|limit| limit.kind()) == Some(LimitKind::Pole);
                 if s == from || is_pole && !equations.model.plan.has_redundant_rows() {
                     // The step is shorter than the spacing of floating-point numbers, or the coordinates grow without
@@ -317,11 +317,11 @@ impl Continuation {
     }
 
     /// What has been reached on the way to the next instant: after the last internal step, if there was one.
-    fn reached(&self, moved: bool) -> Reached<'_> {
+    fn reached(&self, moved: bool) -> ReachedNode<'_> {
         let Self { node, here, q_dot, q_ddot, s, .. } = self;
         match moved {
-            true => Reached { node: here, rates: [&here.state.q_dot, &here.state.q_ddot], s: here.s },
-            false => Reached { node, rates: [q_dot, q_ddot], s: *s },
+            true => ReachedNode { node: here, rates: [&here.state.q_dot, &here.state.q_ddot], s: here.s },
+            false => ReachedNode { node, rates: [q_dot, q_ddot], s: *s },
         }
     }
 
@@ -335,7 +335,7 @@ impl Continuation {
 
     /// The longest step from there in which no body turns by more than the options allow.
     fn longest_step(&self, equations: &mut Equations<'_>, moved: bool) -> f64 {
-        let Reached { node, rates, .. } = self.reached(moved);
+        let ReachedNode { node, rates, .. } = self.reached(moved);
         if !equations.scale.is_known {
             equations.scale = Scale::around(equations, &node.state.q);
         }
@@ -374,7 +374,7 @@ impl Continuation {
                 plan.peek(equations, &mut state).map(|()| state)
             }
             (_, Some(basis)) => {
-                let start = Start { node, basis, s: from, q_dot: rates[0], q_ddot: rates[1] };
+                let start = StepStart { node, basis, s: from, q_dot: rates[0], q_ddot: rates[1] };
                 state_between(equations, *step, scratch, start, s)
             }
             _ => None,

@@ -19,7 +19,7 @@
 //! may have a narrow peak (see [`planned::narrow_curves`](crate::planned::narrow_curves)).
 
 use super::hidden_motion::places_of_narrow_curves;
-use super::step::{Fault, Node, Scratch, Start, correct, settle};
+use super::step::{Fault, Node, StepBuffers, StepStart, correct, settle};
 use crate::analysis::velocity::scaled;
 use crate::equations::Equations;
 use crate::equations::factorisation::Purpose;
@@ -35,8 +35,8 @@ const DRIFT: f64 = 1e3;
 /// Writes the node at the place `s` to `to`; returns the factor by which the next step may be longer.
 pub(super) fn integrate(
     equations: &mut Equations<'_>,
-    scratch: &mut Scratch,
-    from: Start<'_>,
+    scratch: &mut StepBuffers,
+    from: StepStart<'_>,
     to: &mut Node,
     s: f64,
     last: bool,

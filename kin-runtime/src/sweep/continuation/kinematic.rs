@@ -4,7 +4,7 @@ use super::follow::Continuation;
 use crate::equations::scale::Scale;
 use crate::equations::{Equations, finite};
 use crate::error::{SolveError, SweepError};
-use crate::events::{Seen, Watch};
+use crate::events::{EventWatch, WatchResult};
 use crate::linear::Factorization;
 use crate::state::State;
 use crate::trajectory::Trajectory;
@@ -74,7 +74,7 @@ fn visit_instants(
         equations.scale = Scale::around(equations, &state.q);
     }
     let mut motion = Continuation::new(equations, state, factor)?;
-    motion.watch = Watch::start(equations, motion.state())?;
+    motion.watch = EventWatch::start(equations, motion.state())?;
     let mut instants = times.iter().enumerate().skip(1);
     let first = if goes_on { Ok(()) } else { stopped_at(start, 1) };
     let result = first.and_then(|()| {
@@ -97,7 +97,7 @@ fn visit_instants(
     });
     trajectory.fallbacks = motion.fallbacks;
     if let Some(watch) = motion.watch {
-        let Seen { events, violated_at_start, unwatched } = watch.finish();
+        let WatchResult { events, violated_at_start, unwatched } = watch.finish();
         (trajectory.events, trajectory.violated_at_start, trajectory.unwatched) =
             (events, violated_at_start, unwatched);
     }

@@ -15,13 +15,13 @@ const SIGN_TRUST: f64 = 1e-12;
 #[derive(Clone, Debug)]
 pub(crate) struct Orientation {
     /// The rows and border that form the matrix; `None` where the matrix is Φ_q itself.
-    chosen: Option<Chosen>,
+    chosen: Option<BorderedRows>,
     positive: bool,
 }
 
 /// A matrix built from selected rows of Φ_q and bordering null vectors.
 #[derive(Clone, Debug)]
-struct Chosen {
+struct BorderedRows {
     rows: Vec<usize>,
     border: DMatrix<f64>,
 }
@@ -37,7 +37,7 @@ impl Orientation {
             let matrix = equations.scaled(&all);
             let rows = if rank == s { all } else { independent_rows(&matrix, rank) };
             let border = null_space(&equations.scaled(&rows), equations.options.rank_tolerance).transpose();
-            orientation.chosen = Some(Chosen { rows, border });
+            orientation.chosen = Some(BorderedRows { rows, border });
         }
         orientation.positive = orientation.sign(equations, factor)?;
         Some(orientation)
@@ -63,7 +63,7 @@ impl Orientation {
         if n == 0 {
             return Some(true);
         }
-        let Some(Chosen { rows, border }) = &self.chosen else {
+        let Some(BorderedRows { rows, border }) = &self.chosen else {
             let dense = || {
                 let rows: Vec<usize> = (0..n).collect();
                 positive_determinant(&mut equations.scaled(&rows), SIGN_TRUST)

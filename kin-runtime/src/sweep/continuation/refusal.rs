@@ -1,7 +1,7 @@
 //! The reason why a motion cannot be continued.
 
 use super::nodes::natural_step;
-use super::step::{Fault, Node, Start};
+use super::step::{Fault, Node, StepStart};
 use crate::analysis::by_plan;
 use crate::analysis::singular::dependent_rows;
 use crate::equations::Equations;
@@ -32,7 +32,7 @@ const ELSEWHERE: f64 = 100.0;
 /// `located` is the limit that the plan found, and `jumps` is true if the plan found that a row or an input jumps.
 pub(super) fn refusal(
     equations: &mut Equations<'_>,
-    start: &Start<'_>,
+    start: &StepStart<'_>,
     [refused, target]: [f64; 2],
     fault: Fault,
     (located, jumps): (Option<Limit>, bool),
@@ -128,7 +128,7 @@ impl RowsBeyond for FromPlace<'_, '_> {
 
 /// The row of the mechanism that ends just beyond the place that a motion has reached, and the reason why the motion ends
 /// there.
-fn end_of_row(equations: &mut Equations<'_>, start: &Start<'_>, target: f64) -> Option<(usize, Refusal)> {
+fn end_of_row(equations: &mut Equations<'_>, start: &StepStart<'_>, target: f64) -> Option<(usize, Refusal)> {
     let rows = equations.model.rows.len();
     let [mut phi, mut other] = [(); 2].map(|()| vec![0.0; rows]);
     let mut at = vec![0.0; start.q_dot.len()];

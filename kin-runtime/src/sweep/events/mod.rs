@@ -11,7 +11,7 @@
 //! extremum is located first, so that a crossing and its return within one step are both found. Values between two
 //! configurations always come from the mechanism itself, solved on the branch, never from an interpolation.
 //!
-//! `Watch` does not depend on how a sweep takes steps or computes states in between: the sweep passes every accepted
+//! `EventWatch` does not depend on how a sweep takes steps or computes states in between: the sweep passes every accepted
 //! state to it, together with a function that computes states since the previous one.
 
 mod sample;
@@ -19,7 +19,7 @@ mod shape;
 mod watch;
 
 pub use crate::results::event::{Crossing, Event, Unwatched};
-pub(crate) use watch::{Seen, Watch};
+pub(crate) use watch::{EventWatch, WatchResult};
 
 #[cfg(test)]
 mod tests;

@@ -20,7 +20,7 @@ use super::sample::Sample;
 
 /// The possible courses of g between two instants.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Shape {
+pub(super) enum CurveShape {
     /// g keeps its sign.
     Clear,
     /// g and its derivatives are zero within rounding.
@@ -83,7 +83,7 @@ pub(super) fn is_known(a: &Sample, b: &Sample, doubt: f64) -> bool {
 const KNOWN: f64 = 0.1;
 
 /// The course of g between two samples, whose interpolation is accurate to `doubt`.
-pub(super) fn shape(a: &Sample, b: &Sample, doubt: f64) -> Shape {
+pub(super) fn shape(a: &Sample, b: &Sample, doubt: f64) -> CurveShape {
     let h = b.t - a.t;
     let [first_a, first_b] = [a, b].map(|s| h * s.rate);
     let [second_a, second_b] = [a, b].map(|s| h * h * s.acceleration);
@@ -94,22 +94,22 @@ pub(super) fn shape(a: &Sample, b: &Sample, doubt: f64) -> Shape {
     let of_value = ahead.max(behind) + of_rate + doubt;
     let value = bernstein([a.value, b.value], [first_a, first_b]);
     if clearance(value) > of_value + noise {
-        return Shape::Clear;
+        return CurveShape::Clear;
     }
     let rests = |s: &Sample| s.value.abs() <= noise && s.rests();
     if rests(a) && rests(b) {
-        return Shape::Still;
+        return CurveShape::Still;
     }
     // Rates that contradict the values are not trusted, even where they are equal: there may be a whole wave in
     // between.
     if clearance(bernstein([first_a, first_b], [second_a, second_b])) > of_value {
-        return Shape::Monotone;
+        return CurveShape::Monotone;
     }
     let turns = first_a * first_b < 0.0 || (first_a == 0.0) != (first_b == 0.0);
     if turns && clearance([second_a, second_b]) > 2.0 * of_value {
-        return Shape::Turning;
+        return CurveShape::Turning;
     }
-    Shape::Unclear
+    CurveShape::Unclear
 }
 
 /// The Bernstein coefficients of the cubic with these values and slopes at its ends.

@@ -1,8 +1,8 @@
 //! Tests of the parts of event location.
 
 use super::sample::Sample;
-use super::shape::{Shape, doubt, is_known, shape};
-use super::watch::Watch;
+use super::shape::{CurveShape, doubt, is_known, shape};
+use super::watch::EventWatch;
 use crate::equations::Equations;
 use crate::equations::system::Evaluator;
 use crate::fixture::Approaching;
@@ -71,7 +71,7 @@ fn sample(t: f64, value: f64, rate: f64, acceleration: f64) -> Sample {
 }
 
 /// The shape of a polynomial between two times.
-fn course(c: [f64; 4], a: f64, b: f64) -> Shape {
+fn course(c: [f64; 4], a: f64, b: f64) -> CurveShape {
     let at = |t: f64| {
         let value = c[0] + t * (c[1] + t * (c[2] + t * c[3]));
         sample(t, value, c[1] + t * (2.0 * c[2] + 3.0 * t * c[3]), 2.0 * c[2] + 6.0 * t * c[3])
@@ -82,17 +82,17 @@ fn course(c: [f64; 4], a: f64, b: f64) -> Shape {
 #[test]
 fn shapes_are_what_they_are_called() {
     for (a, b) in [(-1.0, 1.0), (1.0, -1.0)] {
-        assert_eq!(course([3.0, 1.0, 0.5, 0.0], a, b), Shape::Clear);
-        assert_eq!(course([0.2, 2.0, 0.1, 0.0], a, b), Shape::Monotone);
-        assert_eq!(course([-0.1, 0.2, 1.0, 0.0], a, b), Shape::Turning);
-        assert_eq!(course([0.0, -1.0, 0.0, 2.0], a, b), Shape::Unclear);
-        assert_eq!(course([0.0; 4], a, b), Shape::Still);
+        assert_eq!(course([3.0, 1.0, 0.5, 0.0], a, b), CurveShape::Clear);
+        assert_eq!(course([0.2, 2.0, 0.1, 0.0], a, b), CurveShape::Monotone);
+        assert_eq!(course([-0.1, 0.2, 1.0, 0.0], a, b), CurveShape::Turning);
+        assert_eq!(course([0.0, -1.0, 0.0, 2.0], a, b), CurveShape::Unclear);
+        assert_eq!(course([0.0; 4], a, b), CurveShape::Still);
     }
     // Two equal values with a wave between them.
     let wave = |t: f64| sample(t, t.sin() + 0.5, t.cos(), -t.sin());
-    assert_eq!(shape(&wave(0.1), &wave(0.1 + core::f64::consts::TAU), 0.0), Shape::Unclear);
+    assert_eq!(shape(&wave(0.1), &wave(0.1 + core::f64::consts::TAU), 0.0), CurveShape::Unclear);
     let unknown = sample(1.0, 0.1, f64::NAN, f64::NAN);
-    assert_eq!(shape(&sample(0.0, 1.0, 0.0, 0.0), &unknown, 0.0), Shape::Unclear);
+    assert_eq!(shape(&sample(0.0, 1.0, 0.0, 0.0), &unknown, 0.0), CurveShape::Unclear);
 }
 
 /// Three samples of a sine, of which the first and the last are `width` apart.
@@ -126,13 +126,13 @@ fn a_third_sample_shows_what_two_do_not() {
     assert_eq!(doubt(&a, &m, &b), f64::INFINITY);
     let [a, m, b] = wave(0.0, 0.1, 0.5);
     assert!(doubt(&a, &Sample { rate: f64::NAN, ..m }, &b).is_nan());
-    assert_eq!(shape(&a, &b, f64::NAN), Shape::Unclear);
+    assert_eq!(shape(&a, &b, f64::NAN), CurveShape::Unclear);
     // Two samples may look like a parabola although a third one shows a deviation.
     let parabola = |t: f64| sample(t, 3.0 - t * t, -2.0 * t, -2.0);
     let wavy = sample(0.1, 0.5, 4.0, 30.0);
-    assert_eq!(shape(&parabola(-1.0), &parabola(1.0), 0.0), Shape::Clear);
+    assert_eq!(shape(&parabola(-1.0), &parabola(1.0), 0.0), CurveShape::Clear);
     let doubted = doubt(&parabola(-1.0), &wavy, &parabola(1.0));
-    assert_eq!(shape(&parabola(-1.0), &parabola(1.0), doubted), Shape::Unclear);
+    assert_eq!(shape(&parabola(-1.0), &parabola(1.0), doubted), CurveShape::Unclear);
 }
 
 #[test]
@@ -171,7 +171,7 @@ fn watched(limit: f64, solved: usize) -> (f64, f64, usize) {
         condition: Some(1.0),
         degrees_of_freedom_left: 0,
     };
-    let mut watch = Watch::start(&mut equations, &state(0.0)).unwrap().unwrap();
+    let mut watch = EventWatch::start(&mut equations, &state(0.0)).unwrap().unwrap();
     let mut asked = 0;
     let mut between = |_: &mut Equations<'_>, t: f64| {
         asked += 1;

@@ -1,7 +1,7 @@
 //! The watch over all conditions of a sweep.
 
 use super::sample::{Sample, samples};
-use super::shape::{Shape, doubt, is_known, shape};
+use super::shape::{CurveShape, doubt, is_known, shape};
 use crate::analysis::poses::poses;
 use crate::equations::Equations;
 use crate::error::SolveError;
@@ -26,7 +26,7 @@ pub(crate) type Between<'f> = dyn FnMut(&mut Equations<'_>, f64) -> Option<State
 
 /// Watches the conditions of a sweep and collects its events.
 #[derive(Clone, Debug)]
-pub(crate) struct Watch {
+pub(crate) struct EventWatch {
     /// The last state and the samples of its conditions.
     state: State,
     samples: Vec<Sample>,
@@ -43,13 +43,13 @@ pub(crate) struct Watch {
 }
 
 /// The result of the watch over a sweep.
-pub(crate) struct Seen {
+pub(crate) struct WatchResult {
     pub(crate) events: Vec<Event>,
     pub(crate) violated_at_start: Vec<usize>,
     pub(crate) unwatched: Vec<Unwatched>,
 }
 
-impl Watch {
+impl EventWatch {
     /// Starts the watch at a state; `None` where there are no conditions.
     pub(crate) fn start(equations: &mut Equations<'_>, state: &State) -> Result<Option<Self>, SolveError> {
         if equations.model.conditions.is_empty() {
@@ -110,15 +110,15 @@ impl Watch {
             let doubt = self.earlier.get(condition).map_or(f64::INFINITY, |earlier| doubt(earlier, &start, &end));
             let patience = self.patience[condition];
             let (known, found, lost) = (&mut known, Vec::new(), Vec::new());
-            let mut search = Search { equations, between, known, condition, step: h, side, patience, found, lost };
+            let mut search = EventSearch { equations, between, known, condition, step: h, side, patience, found, lost };
             search.step(&start, &end, doubt);
             self.satisfied[condition] = Some(search.side);
             self.patience[condition] =
                 if search.patience > 0 { MOST_SAMPLES } else { (patience / 4).max(FEWEST_SAMPLES) };
-            let Search { found, lost, .. } = search;
+            let EventSearch { found, lost, .. } = search;
             let name = equations.model.conditions[condition].name;
             self.unwatched.extend(lost.into_iter().map(|[from, to]| Unwatched { name, condition, from, to }));
-            for Found { crossing, ends } in found {
+            for LocatedEvent { crossing, ends } in found {
                 let event = self.event(equations, between, to, condition, crossing, ends)?;
                 self.events.push(event);
             }
@@ -187,18 +187,18 @@ impl Watch {
     }
 
     /// Ends the watch and returns its results.
-    pub(crate) fn finish(mut self) -> Seen {
+    pub(crate) fn finish(mut self) -> WatchResult {
         let at_limit = |k: &usize| self.satisfied[*k].is_none() && self.samples[*k].value <= 0.0;
         let still: Vec<usize> = (0..self.satisfied.len()).filter(at_limit).collect();
         self.violated_at_start.extend(still);
         self.violated_at_start.sort_unstable();
         let Self { events, violated_at_start, unwatched, .. } = self;
-        Seen { events, violated_at_start, unwatched }
+        WatchResult { events, violated_at_start, unwatched }
     }
 }
 
 /// A located event and the interval that contains it.
-struct Found {
+struct LocatedEvent {
     crossing: Crossing,
     ends: [Value; 2],
 }
@@ -212,7 +212,7 @@ struct Depth {
 }
 
 /// The search for the events of one condition between two states.
-struct Search<'s, 'e, 'a, 'b> {
+struct EventSearch<'s, 'e, 'a, 'b> {
     equations: &'e mut Equations<'a>,
     between: &'b mut Between<'s>,
     /// The samples of all conditions at the times computed in this step, shared by all conditions.
@@ -224,12 +224,12 @@ struct Search<'s, 'e, 'a, 'b> {
     side: bool,
     /// The number of samples that halving may still take.
     patience: usize,
-    found: Vec<Found>,
+    found: Vec<LocatedEvent>,
     /// The intervals, from and to, in which the condition was not watched.
     lost: Vec<[f64; 2]>,
 }
 
-impl Search<'_, '_, '_, '_> {
+impl EventSearch<'_, '_, '_, '_> {
     /// The condition at a time in between; `None` where the motion cannot be solved there.
     fn sample(&mut self, t: f64) -> Option<Sample> {
         let Self { equations, between, known, .. } = self;
@@ -261,8 +261,8 @@ impl Search<'_, '_, '_, '_> {
     /// Searches between two samples, whose interpolation is accurate to `doubt`.
     fn between(&mut self, a: &Sample, b: &Sample, doubt: f64, depth: Depth) {
         match shape(a, b, doubt) {
-            Shape::Unclear if depth.halved == HALVINGS || depth.known == HALVINGS_OF_KNOWN => self.monotone(a, b),
-            Shape::Unclear => match self.middle(a, b) {
+            CurveShape::Unclear if depth.halved == HALVINGS || depth.known == HALVINGS_OF_KNOWN => self.monotone(a, b),
+            CurveShape::Unclear => match self.middle(a, b) {
                 Some(middle) => self.halve([a, &middle, b], doubt, depth),
                 None => self.without_middle(a, b),
             },
@@ -274,8 +274,8 @@ impl Search<'_, '_, '_, '_> {
     /// clear, its halves otherwise.
     fn halve(&mut self, [a, middle, b]: [&Sample; 3], before: f64, depth: Depth) {
         let doubt = self::doubt(a, middle, b);
-        let whole = if doubt < before { shape(a, b, doubt) } else { Shape::Unclear };
-        if whole != Shape::Unclear {
+        let whole = if doubt < before { shape(a, b, doubt) } else { CurveShape::Unclear };
+        if whole != CurveShape::Unclear {
             return self.take(whole, a, b);
         }
         let known = if is_known(a, b, doubt) { depth.known + 1 } else { 0 };
@@ -285,11 +285,11 @@ impl Search<'_, '_, '_, '_> {
     }
 
     /// Searches an interval whose shape is known.
-    fn take(&mut self, shape: Shape, a: &Sample, b: &Sample) {
+    fn take(&mut self, shape: CurveShape, a: &Sample, b: &Sample) {
         match shape {
-            Shape::Clear | Shape::Still => {}
-            Shape::Turning => self.turning(a, b),
-            Shape::Monotone | Shape::Unclear => self.monotone(a, b),
+            CurveShape::Clear | CurveShape::Still => {}
+            CurveShape::Turning => self.turning(a, b),
+            CurveShape::Monotone | CurveShape::Unclear => self.monotone(a, b),
         }
     }
 
@@ -302,8 +302,8 @@ impl Search<'_, '_, '_, '_> {
     /// Searches without a sample in between: uses the shape that both ends suggest, and records the interval as
     /// unwatched where they suggest none.
     fn without_middle(&mut self, a: &Sample, b: &Sample) {
-        let alone = if self.patience > 0 { shape(a, b, 0.0) } else { Shape::Unclear };
-        if alone == Shape::Unclear {
+        let alone = if self.patience > 0 { shape(a, b, 0.0) } else { CurveShape::Unclear };
+        if alone == CurveShape::Unclear {
             match self.lost.last_mut() {
                 Some([_, to]) if *to == a.t => *to = b.t,
                 _ => self.lost.push([a.t, b.t]),
@@ -321,7 +321,8 @@ impl Search<'_, '_, '_, '_> {
         let value = |s: &Sample| Value { t: s.t, f: sign * s.value, rate: sign * s.rate };
         let narrow = tolerance(a.t.abs().max(b.t.abs()));
         let ends = bracket(value(a), value(b), narrow, |t| self.sample(t).as_ref().map(value));
-        self.found.push(Found { crossing: if self.side { Crossing::Violated } else { Crossing::Restored }, ends });
+        self.found
+            .push(LocatedEvent { crossing: if self.side { Crossing::Violated } else { Crossing::Restored }, ends });
         self.side = !self.side;
     }
 
@@ -353,7 +354,7 @@ impl Search<'_, '_, '_, '_> {
         let t = if ends[0].f.abs() <= ends[1].f.abs() { ends[0].t } else { ends[1].t };
         let Some(extremum) = self.sample(t) else { return self.monotone(a, b) };
         if extremum.touches(narrow) {
-            self.found.push(Found { crossing: Crossing::Touched, ends });
+            self.found.push(LocatedEvent { crossing: Crossing::Touched, ends });
         }
         self.monotone(&extremum, b);
     }

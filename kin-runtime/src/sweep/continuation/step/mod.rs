@@ -57,7 +57,7 @@ pub(crate) struct Basis {
 
 /// The start of a step: a node, its parameter on the course, and the derivatives of q along the course.
 #[derive(Clone, Copy)]
-pub(crate) struct Start<'n> {
+pub(crate) struct StepStart<'n> {
     pub(crate) node: &'n Node,
     pub(crate) basis: &'n Basis,
     pub(crate) s: f64,
@@ -88,7 +88,7 @@ impl From<SolveError> for Fault {
 
 /// Buffers for the steps.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Scratch {
+pub(crate) struct StepBuffers {
     motion: Vec<f64>,
     pub(super) predicted: Vec<f64>,
     difference: Vec<f64>,
@@ -98,7 +98,7 @@ pub(crate) struct Scratch {
     groups: [Vec<f64>; 2],
 }
 
-impl Scratch {
+impl StepBuffers {
     pub(crate) fn new(equations: &Equations<'_>) -> Self {
         Self { closing: equations.rows_where(Equations::holonomic), ..Self::default() }
     }
@@ -109,15 +109,15 @@ impl Scratch {
 /// With `last` the caller requested this instant: the node is converged fully and the rank of Φ_q is determined.
 pub(crate) fn step(
     equations: &mut Equations<'_>,
-    scratch: &mut Scratch,
-    from: Start<'_>,
+    scratch: &mut StepBuffers,
+    from: StepStart<'_>,
     to: &mut Node,
     s: f64,
     last: bool,
 ) -> Result<f64, Fault> {
     let h = s - from.s;
     equations.move_to(s)?;
-    let Scratch { motion, predicted, .. } = &mut *scratch;
+    let StepBuffers { motion, predicted, .. } = &mut *scratch;
     fill(motion, from.q_dot.iter().zip(from.q_ddot).map(|(v, a)| h * (v + 0.5 * h * a)));
     fill(predicted, from.node.state.q.iter().zip(motion.iter()).map(|(q, d)| q + d));
     let allowed = equations.options.prediction_tolerance * equations.scale.size(motion) + NEGLIGIBLE;
@@ -133,15 +133,15 @@ pub(crate) fn step(
 /// Completes the node at the parameter `s` of the course, whose q has been found, if it is on the branch of `from`.
 pub(super) fn settle(
     equations: &mut Equations<'_>,
-    scratch: &mut Scratch,
-    from: Start<'_>,
+    scratch: &mut StepBuffers,
+    from: StepStart<'_>,
     to: &mut Node,
     corrected: Corrected,
     s: f64,
     last: bool,
 ) -> Result<(), Fault> {
     let Corrected { iterations, worst, last_step, .. } = corrected;
-    let Scratch { closing, groups: [predicted_groups, groups], predicted, motion, .. } = scratch;
+    let StepBuffers { closing, groups: [predicted_groups, groups], predicted, motion, .. } = scratch;
     let state = &mut to.state;
     equations.evaluate(Subset { phi: true, ..Subset::VELOCITY }, &state.q, None)?;
     let allowed = closed(equations, &state.q);
@@ -256,12 +256,12 @@ pub(super) struct Corrected {
 /// Takes full Newton steps from the prediction in `scratch` until one is shorter than `last_step`, and writes q.
 pub(super) fn correct(
     equations: &mut Equations<'_>,
-    scratch: &mut Scratch,
+    scratch: &mut StepBuffers,
     q: &mut Vec<f64>,
     allowed: f64,
     last_step: f64,
 ) -> Result<Corrected, Fault> {
-    let Scratch { predicted, difference: travel, closing: rows, .. } = scratch;
+    let StepBuffers { predicted, difference: travel, closing: rows, .. } = scratch;
     q.clone_from(predicted);
     let mut before = f64::INFINITY;
     let mut worst = 0;
@@ -304,7 +304,7 @@ fn closed(equations: &Equations<'_>, q: &[f64]) -> f64 {
 }
 
 /// True if the velocity is near its prediction q̇ + h q̈.
-fn expected(equations: &Equations<'_>, change: &mut Vec<f64>, from: &Start<'_>, h: f64, q_dot: &[f64]) -> bool {
+fn expected(equations: &Equations<'_>, change: &mut Vec<f64>, from: &StepStart<'_>, h: f64, q_dot: &[f64]) -> bool {
     let scale = &equations.scale;
     fill(change, q_dot.iter().zip(from.q_dot).zip(from.q_ddot).map(|((new, old), a)| new - (old + h * a)));
     let (change, size) = (scale.size(change), scale.size(q_dot).max(scale.size(from.q_dot)));

@@ -26,7 +26,7 @@ fn is_expected([old, acceleration, new]: [f64; 3], h: f64) -> bool {
     let basis = Basis { orientation, factor, groups: Vec::new(), turns: Vec::new() };
     let node = Node { s: 0.0, state, basis: None };
     let (q_dot, q_ddot) = ([old, 0.1, 0.0], [acceleration, 0.0, 0.0]);
-    let start = Start { node: &node, basis: &basis, s: 0.0, q_dot: &q_dot, q_ddot: &q_ddot };
+    let start = StepStart { node: &node, basis: &basis, s: 0.0, q_dot: &q_dot, q_ddot: &q_ddot };
     expected(&equations, &mut Vec::new(), &start, h, &[new, 0.1, 0.0])
 }
 
@@ -60,7 +60,7 @@ fn corrected<M: Mechanism>(
     last_step: f64,
 ) -> Result<(Corrected, Vec<f64>), Fault> {
     let mut equations = equations(mechanism, t);
-    let mut scratch = Scratch::new(&equations);
+    let mut scratch = StepBuffers::new(&equations);
     scratch.predicted = from.to_vec();
     let mut q = Vec::new();
     let found = correct(&mut equations, &mut scratch, &mut q, allowed, last_step)?;
