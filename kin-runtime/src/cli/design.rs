@@ -111,6 +111,12 @@ pub(super) fn run(args: &DesignArgs, engine: &mut dyn Engine, session: &mut Sess
     if args.starts == 0 {
         ask("--starts", "a search has at least one start");
     }
+    if args.free.is_empty() {
+        ask("--free", "no parameter may vary; write --free NAME=LOW..HIGH");
+    }
+    if [&args.path, &args.function, &args.peak].iter().all(|wanted| wanted.is_empty()) {
+        ask("--path", "nothing is wanted of the motion; write --path, --function or --peak");
+    }
     let (output, setup, all) = ledger.close(zip3(output, setup, all))?;
     let period = match (args.period, args.turns.as_deref().filter(|driver| !driver.is_empty())) {
         (Some(period), _) => period,

@@ -228,6 +228,7 @@ pub(super) fn analysis(engine: &dyn Engine, error: &SolveError) -> Failure {
 
 /// An error after the name of the mechanism, unless it begins with that name.
 fn named(engine: &dyn Engine, error: &SolveError) -> String {
-    let (text, name) = (error.to_string(), format!("{}: ", engine.model().name));
-    if text.starts_with(&name) { text } else { name + &text }
+    let (text, name) = (error.to_string(), engine.model().name);
+    let begins = text.strip_prefix(name).is_some_and(|rest| rest.starts_with([':', ' ']));
+    if begins { text } else { format!("{name}: {text}") }
 }

@@ -74,7 +74,10 @@ fn written(option: &str, text: &str) -> Result<Amount, Failure> {
 /// The parameters and the assembly modes in a json file of `design`, in the form of the values of `--set` and `--mode`.
 pub(super) fn of_file(option: &str, file: &str) -> Result<[Vec<String>; 2], Failure> {
     let cannot = |why: String| Failure::option(option, format!("cannot read `{file}`: {why}"));
-    let text = std::fs::read_to_string(file).map_err(|error| cannot(error.to_string()))?;
+    let text = std::fs::read_to_string(file).map_err(|error| match file.split_once(',') {
+        Some((file, values)) => cannot(format!("{error}; write {option} @{file} {option} {values}")),
+        None => cannot(error.to_string()),
+    })?;
     let found: serde_json::Value = serde_json::from_str(&text).map_err(|error| cannot(error.to_string()))?;
     let object = |key: &str| found.get(key).and_then(serde_json::Value::as_object);
     let parameters = object("parameters").ok_or_else(|| cannot("it has no `parameters`".to_owned()))?;

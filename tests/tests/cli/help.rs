@@ -100,6 +100,22 @@ fn wrong_names_of_a_design_are_told_all_at_once() {
 }
 
 #[test]
+fn a_design_without_a_wish_or_a_free_parameter_names_both_options() {
+    failed("fourbar design", 2, &["--free: no parameter may vary; write --free NAME=", "--path: nothing is wanted"]);
+}
+
+#[test]
+fn an_error_names_the_mechanism_once() {
+    let ran = kin("fourbar solve --forces");
+    assert!(ran.err.starts_with("error: FourbarLectureMid has neither masses nor loads"), "{}", ran.err);
+}
+
+#[test]
+fn a_file_and_a_value_are_set_one_by_one() {
+    failed("fourbar solve --set @best.json,l1=0.1", 2, &["--set: cannot read", "write --set @best.json --set l1=0.1"]);
+}
+
+#[test]
 fn wrong_options_are_told_all_at_once() {
     let ran = kin("fourbar sweep --from x --steps 0 --to 1 --set l9=1,l1=a --guess l1=3 --mode A-B-D=up --out a.svg");
     assert_eq!(ran.status, Some(2));
