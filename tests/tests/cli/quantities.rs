@@ -86,3 +86,14 @@ fn poses_of_held_bodies_are_quantities() {
     assert!(out.lines().skip(1).all(|line| line.contains(",0,0,")), "{out}");
     assert!(out.starts_with("t,slider.y,slider.phi_dot,slider.x"), "{out}");
 }
+
+/// Without names the search leaves out what is driven, unless nothing else changes.
+#[test]
+fn extremes_of_what_is_driven_are_found_where_nothing_else_changes() {
+    let text = good("lever extremes --to 6");
+    assert!(
+        text.contains("lever.phi   -0.3  rad   4.712389") && text.contains("lever.phi       0.3  rad   1.570796"),
+        "{text}"
+    );
+    assert!(!good("fourbar extremes").contains("\n  crank.phi"));
+}

@@ -25,6 +25,7 @@ use crate::present::json::record;
 use crate::present::record::Parameters;
 use crate::present::text::count;
 use crate::present::units::ResultUnits;
+use std::ops::Range;
 
 /// Number of steps without `--steps`.
 pub(super) const STEPS: usize = 360;
@@ -63,7 +64,7 @@ Quantities are those of `sweep`: coordinates, points and their speeds, defines, 
 transmission angles (NAME.transmission), velocity ratios (NAME/DRIVER), rates (NAME_dot) and
 accelerations (NAME_ddot), and forces. Without names the search takes transmission angles, angles
 and points that are not driven, defines, strokes of joints and efforts of drivers, and leaves out
-what stays constant.
+what stays constant. If nothing else changes, it takes what is driven.
 
 The instants of the motion (--steps) show roughly where an extreme is. Between them the mechanism is
 solved at three further instants, and at more where a quantity is not nearly straight between its
@@ -162,7 +163,11 @@ fn one(
         return Err(Failure::Analysis(format!("{}: `{}` {what}", model.name, measures[place].name())));
     }
     let varies = |place: &usize| !wanted.is_empty() || !search.is_constant(*place);
-    let extremes = (first..measures.len()).filter(varies).map(range).collect();
+    let of = |places: Range<usize>| -> Vec<QuantityRange> { places.filter(varies).map(range).collect() };
+    let mut extremes = of(first..measures.len());
+    if extremes.is_empty() {
+        extremes = of(1..first);
+    }
     let parameters = Parameters::new(model, &engine.parameters());
     Ok((MotionRecord { varied: None, parameters, from, to, complete: ended.is_none(), extremes }, ended))
 }
