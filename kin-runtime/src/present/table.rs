@@ -26,7 +26,7 @@ impl Table {
 
     /// Adds a column of words to the right.
     pub(crate) fn words<S: Into<String>>(mut self, header: &str, cells: impl IntoIterator<Item = S>) -> Self {
-        self.push(header, Align::Left, cells.into_iter().map(Into::into));
+        self.push(header, Align::Left, cells.into_iter().map(Into::into).collect());
         self
     }
 
@@ -34,27 +34,23 @@ impl Table {
     pub(crate) fn numbers(mut self, header: &str, values: impl IntoIterator<Item = f64>) -> Self {
         let values: Vec<f64> = values.into_iter().collect();
         let style = Style::of(values.iter().copied());
-        self.push(header, Align::Right, values.into_iter().map(|v| style.write(v)));
+        self.push(header, Align::Right, values.into_iter().map(|v| style.write(v)).collect());
         self
     }
 
     /// Adds a column of texts that are aligned at the right.
     pub(crate) fn right<S: Into<String>>(mut self, header: &str, cells: impl IntoIterator<Item = S>) -> Self {
-        self.push(header, Align::Right, cells.into_iter().map(Into::into));
+        self.push(header, Align::Right, cells.into_iter().map(Into::into).collect());
         self
     }
 
-    fn push(&mut self, header: &str, align: Align, cells: impl Iterator<Item = String>) {
+    fn push(&mut self, header: &str, align: Align, cells: Vec<String>) {
         let index = self.columns.len();
         self.columns.push((header.to_owned(), align));
-        for (i, cell) in cells.enumerate() {
-            while self.rows.len() <= i {
-                self.rows.push(Vec::new());
-            }
-            if let Some(row) = self.rows.get_mut(i) {
-                row.resize(index, String::new());
-                row.push(cell);
-            }
+        self.rows.resize(self.rows.len().max(cells.len()), Vec::new());
+        for (row, cell) in self.rows.iter_mut().zip(cells) {
+            row.resize(index, String::new());
+            row.push(cell);
         }
     }
 
