@@ -72,6 +72,7 @@ pub fn kernels(system: &KinematicSystem, plan: &SolutionPlan, forces: Option<&Fo
     let mut lists = list::lists(set, &arguments);
     lists.extend(solution::branch_values(plan));
     lists.extend(solution::turns(plan));
+    lists.extend(solution::closeness(plan));
     lists.extend(solution::known_curves(plan));
     lists.extend(forces.into_iter().flat_map(list::of_forces));
     Kernels {

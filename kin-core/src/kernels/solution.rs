@@ -91,6 +91,12 @@ pub(super) fn turns(plan: &SolutionPlan) -> Option<List> {
     (!plan.turns.outputs.is_empty()).then(|| List::of(TURNS, "turns", Given::Position, &plan.turns))
 }
 
+/// The list of the sums of 1/d² over the distances d in every row, unless there are none.
+pub(super) fn closeness(plan: &SolutionPlan) -> Option<List> {
+    let program = &plan.closeness;
+    (!program.outputs.is_empty()).then(|| List::of("closeness_with", "closeness", Given::Position, program))
+}
+
 /// The list of known curves, unless there are none.
 pub(super) fn known_curves(plan: &SolutionPlan) -> Option<List> {
     let program = &plan.known_curves.program;

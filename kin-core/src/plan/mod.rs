@@ -25,6 +25,7 @@ mod closures;
 mod curves;
 mod dense;
 mod display;
+mod distances;
 mod expressions;
 mod formulas;
 mod groups;
@@ -95,6 +96,8 @@ pub struct SolutionPlan {
     /// are solved for lengths or scalars turn with time or with an input, or they turn with a coordinate and the plan also
     /// iterates.
     pub looks_within: bool,
+    /// For every row the sum of 1/d² over the distances d of points in it; empty if no row contains any.
+    pub closeness: Program,
     /// Whether rows with curves are iterated on.
     pub iterates_on_curves: bool,
     /// Functions whose course between two configurations these do not show. They are known without a plan, too.
@@ -180,9 +183,11 @@ fn planned(system: &KinematicSystem, rank: usize, written: bool) -> Result<(Solu
     let branch_values = lower(&graph, &outputs);
     let iterates_on_curves = curves::iterates_on_curves(&graph, &tree);
     let known_curves = curves::known_curves(&mut graph, &set.rows, Some((&tree, &source_rows)));
-    let turns::GradientTurns { by_coordinates, looks_within } = turns::turns(&mut graph, &tree, &set.coordinates);
-    let outputs: Vec<_> = by_coordinates.into_iter().enumerate().map(|(k, id)| (Slot::Entry(k), id)).collect();
-    let turns = lower(&graph, &outputs);
+    let turns::GradientTurns { by_coordinates, looks_within, closeness } = turns::turns(&mut graph, &tree, set);
+    let [turns, closeness] = [by_coordinates, closeness].map(|list| {
+        let outputs: Vec<_> = list.into_iter().enumerate().map(|(k, id)| (Slot::Entry(k), id)).collect();
+        lower(&graph, &outputs)
+    });
     let (sections, saved) = sections::sections(&mut graph, stages, iterations);
     let depth = |index| match index {
         index if index >= first.acceleration => Depth::Acceleration,
@@ -208,6 +213,7 @@ fn planned(system: &KinematicSystem, rank: usize, written: bool) -> Result<(Solu
         branch_values,
         turns,
         looks_within,
+        closeness,
         iterates_on_curves,
         known_curves,
         resolve,

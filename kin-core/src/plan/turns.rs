@@ -20,8 +20,9 @@
 
 use super::closures::LEAST;
 use super::curves::has_curves;
+use super::distances::add_turns;
 use super::tree::{Block, BlockPart, Core, SolutionMethod};
-use crate::constraint::{Coordinate, CoordinateKind};
+use crate::constraint::{ConstraintSet, Coordinate, CoordinateKind};
 use crate::expr::{ExprId, Graph, Jet, Symbol, total_derivatives};
 use crate::mechanism::Component;
 use crate::vocabulary::Function;
@@ -41,6 +42,8 @@ pub(super) struct GradientTurns {
     pub(super) by_coordinates: Vec<ExprId>,
     /// See [`SolutionPlan::looks_within`](super::SolutionPlan::looks_within).
     pub(super) looks_within: bool,
+    /// See [`SolutionPlan::closeness`](super::SolutionPlan::closeness).
+    pub(super) closeness: Vec<ExprId>,
 }
 
 /// What the cores of a plan give.
@@ -55,15 +58,16 @@ struct Found {
 }
 
 /// w of all coordinates at a configuration. It is 0 for coordinates that turn no gradient, and for angles unless the group
-/// has a curve.
-pub(super) fn turns(graph: &mut Graph, tree: &Block, coordinates: &[Coordinate]) -> GradientTurns {
-    let mut found = Found::default();
+/// has a curve or they move the points of a distance (see [`distances`](super::distances)).
+pub(super) fn turns(graph: &mut Graph, tree: &Block, set: &ConstraintSet) -> GradientTurns {
+    let (mut found, coordinates) = (Found::default(), &set.coordinates);
     of_block(graph, tree, coordinates, &mut found);
-    let Found { squares, by_time, by_coordinate, iterates } = found;
+    let Found { mut squares, by_time, by_coordinate, iterates } = found;
+    let closeness = add_turns(graph, &set.rows, &mut squares);
     let zero = graph.zero();
     let of = |(k, _): (u32, &Coordinate)| squares.get(&k).map_or(zero, |&square| graph.call(Function::Sqrt, square));
     let by_coordinates = if squares.is_empty() { Vec::new() } else { (0..).zip(coordinates).map(of).collect() };
-    GradientTurns { by_coordinates, looks_within: by_time || by_coordinate && iterates }
+    GradientTurns { by_coordinates, looks_within: by_time || by_coordinate && iterates, closeness }
 }
 
 const fn unit(k: u32, coordinate: &Coordinate) -> UnitOfUnknown {
@@ -195,7 +199,7 @@ fn turn(graph: &mut Graph, gradient: &[(Vec<ExprId>, Vec<Jet>)], by: &[u32]) -> 
 }
 
 /// Σ |e|². Over boxes, the square of an absolute value is never negative, while the product e·e of an interval around 0 is.
-fn sum_of_squares(graph: &mut Graph, entries: &[ExprId]) -> ExprId {
+pub(super) fn sum_of_squares(graph: &mut Graph, entries: &[ExprId]) -> ExprId {
     let zero = graph.zero();
     entries.iter().fold(zero, |sum, &entry| {
         let size = graph.call(Function::Abs, entry);

@@ -116,6 +116,7 @@ fn mechanism(
     let (lists, curves, kept) =
         (lists::lists(lowered, kernels), lists::curves(lowered, kernels), set.kept_lengths().count());
     let turning = kernels.turns_rows().then(|| quote! { const ROWS_TURN: bool = true; });
+    let distances = (!plan.closeness.outputs.is_empty()).then(|| quote! { const DISTANCES_IN_ROWS: bool = true; });
     let within = plan.looks_within.then(|| quote! { const CLOSED_ROWS_TURN: bool = true; });
     let curving = plan.iterates_on_curves.then(|| quote! { const ROWS_CURVE: bool = true; });
     let (known_curves, in_curves) = (plan.known_curves.program.outputs.len(), &plan.known_curves.supplied);
@@ -174,7 +175,7 @@ fn mechanism(
             const PARAMETERS: usize = #p;
             const INPUTS: usize = #u;
             const LENGTHS: usize = #kept;
-            #turning #within
+            #turning #distances #within
             #curving
             #hiding
             #in_curves

@@ -3,7 +3,7 @@
 use crate::mechanism::Mechanism;
 use crate::plan::{Depth, Plan, Solved, StepKind};
 use crate::planned::lists::Margins;
-use crate::planned::steep_rows::certainty_of_slopes;
+use crate::planned::steep_rows::{certainty_of_slopes, may_be_steep};
 use crate::scalar::Scalar;
 use crate::scalar::lanes::Octet;
 use crate::signal::{Instant, Signal};
@@ -156,7 +156,7 @@ impl<Q: AsRef<[Octet]> + AsMut<[Octet]>> BlockSolution<Q> {
         (parameters, at): (&[Octet], &Instant<'_, Octet>),
         depth: Depth,
     ) {
-        if !M::ROWS_TURN || !M::model().plan.iterates() {
+        if !may_be_steep::<M>() {
             return;
         }
         let [mut turns, still] = [M::Coordinates::<Octet>::filled(Octet::default()); 2];
@@ -166,7 +166,8 @@ impl<Q: AsRef<[Octet]> + AsMut<[Octet]>> BlockSolution<Q> {
             Depth::Acceleration => [self.q_dot.as_ref(), self.q_ddot.as_ref()],
             _ => [still.as_ref(); 2],
         };
-        let certainty = certainty_of_slopes(M::model(), turns.as_ref(), [self.q.as_ref(), rates[0], rates[1]]);
+        let solution = [self.q.as_ref(), rates[0], rates[1]];
+        let certainty = certainty_of_slopes(M::model(), M::DISTANCES_IN_ROWS, turns.as_ref(), solution);
         for lane in 0..Octet::COUNT {
             // The comparison is written so that NaN is refused.
             let is_certain = certainty.lane(lane) >= 0.0;

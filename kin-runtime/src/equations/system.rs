@@ -89,8 +89,12 @@ pub(crate) trait System {
     /// Writes for every coordinate how far the gradients of rows turn with it, in radians per unit (see
     /// [`Mechanism::turns_with`]).
     fn turns(&self, at: &Instant<'_>, q: &[f64], turns: &mut [f64]) -> Result<(), LengthError>;
+    /// Writes for every row the sum of 1/d² over the distances d of points in it (see [`Mechanism::closeness_with`]).
+    fn closeness(&self, at: &Instant<'_>, q: &[f64], closeness: &mut [f64]) -> Result<(), LengthError>;
     /// Whether the plan iterates on rows with curves.
     fn iterates_on_curves(&self) -> bool;
+    /// See [`Mechanism::DISTANCES_IN_ROWS`].
+    fn distances_in_rows(&self) -> bool;
     /// See [`Mechanism::CLOSED_ROWS_TURN`].
     fn closed_rows_turn(&self) -> bool;
     /// See [`Mechanism::KNOWN_VALUES_CURVE`].
@@ -249,8 +253,16 @@ impl<B: Borrow<M>, M: Mechanism> System for Evaluator<B, M> {
         self.mechanism.borrow().turns_with(self.parameters.as_ref(), at, q, turns)
     }
 
+    fn closeness(&self, at: &Instant<'_>, q: &[f64], closeness: &mut [f64]) -> Result<(), LengthError> {
+        self.mechanism.borrow().closeness_with(self.parameters.as_ref(), at, q, closeness)
+    }
+
     fn iterates_on_curves(&self) -> bool {
         M::ROWS_CURVE
+    }
+
+    fn distances_in_rows(&self) -> bool {
+        M::DISTANCES_IN_ROWS
     }
 
     fn closed_rows_turn(&self) -> bool {

@@ -8,8 +8,8 @@
 //! f(0) ≈ Σₖ f(wₖ) Πⱼ≠ₖ wⱼ/(wⱼ − wₖ)
 //! ```
 
-use super::error::LimitKind;
 use super::follower::{PlanFollower, PlanSolution};
+use super::group_limit::LimitKind;
 use super::lists::BranchValues;
 use super::predict::parabola;
 use super::substeps::Blocked;

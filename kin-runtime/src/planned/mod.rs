@@ -3,10 +3,12 @@
 //! [`Planned`] is its public form for controllers and fast loops, without an allocator.
 
 pub(crate) mod branch;
+pub(crate) mod coincident;
 mod error;
 mod extrapolate;
 pub(crate) mod follower;
 pub(crate) mod gradient_turns;
+mod group_limit;
 pub(crate) mod hidden_motion;
 pub(crate) mod ill_conditioned;
 pub(crate) mod inputs;
@@ -31,7 +33,8 @@ mod trial;
 pub(crate) mod turning_rows;
 mod update;
 
-pub use error::{Limit, LimitKind, Located, PlanError};
+pub use error::PlanError;
+pub use group_limit::{Limit, LimitKind, Located};
 pub use mode::{ModeKey, Sign};
 pub use range::{InputRange, OutOfRange};
 pub use step::Step;

@@ -3,8 +3,9 @@
 //! From that state the branch is followed with time and all other inputs constant, while the one input increases and
 //! then decreases, until a group reaches its limit. [`limit`](super::limit) locates the limit as in any motion.
 
-use super::error::{Limit, PlanError};
+use super::error::PlanError;
 use super::follower::{Control, PlanFollower};
+use super::group_limit::Limit;
 use super::substeps::natural_step;
 use super::{MaybeOwned, Planned};
 use crate::course::Course;

@@ -12,6 +12,9 @@
 //!
 //! Here u is 1 for an angle, w for a length, whose unit is arbitrary, and the smaller of 1 and w for a scalar coordinate,
 //! whose unit is not known.
+//!
+//! The unit vector of a distance in the rows turns with all coordinates that move its points, whether they are iterated or
+//! not. Rounding turns it by ε|x|w, which is the relative error of velocities.
 
 use super::follower::{PlanFollower, PlanSolution};
 use super::ill_conditioned::NOISE;
@@ -24,14 +27,32 @@ use crate::workspace::Array;
 
 /// Largest relative change of a slope within the last correction.
 const CHANGE: f64 = 0.1;
+/// Largest turn of the unit vector of a distance by rounding.
+const ROUNDED_TURN: f64 = 1e-9;
+
+/// Whether rounding errors may dominate a solution because gradients of rows change fast.
+pub(crate) fn may_be_steep<M: Mechanism>() -> bool {
+    M::ROWS_TURN && (M::model().plan.iterates() || M::DISTANCES_IN_ROWS)
+}
 
 /// Not negative where rounding errors are small in all unknowns of iterations and in their rates; NaN where this is not
-/// certain. The arguments are the turns of rows per unit of each coordinate, and q, q̇ and q̈.
+/// certain. The arguments are the turns of rows per unit of each coordinate, and q, q̇ and q̈; and whether the rows contain
+/// distances.
 #[cfg(all(feature = "simd", feature = "alloc"))]
-pub(crate) fn certainty_of_slopes<V: Compare>(model: &Model, turns: &[V], solution: [&[V]; 3]) -> V {
-    let unknowns =
-        unknowns(model).map(|k| certainty(model.coordinates[k].kind, turns[k], solution.map(|list| list[k])));
-    unknowns.fold(V::from_f64(1.0), least_or_nan)
+pub(crate) fn certainty_of_slopes<V: Compare>(
+    model: &Model,
+    has_distances: bool,
+    turns: &[V],
+    solution: [&[V]; 3],
+) -> V {
+    let mut least = V::from_f64(1.0);
+    for k in unknowns(model) {
+        least = least_or_nan(least, certainty(model.coordinates[k].kind, turns[k], solution.map(|list| list[k])));
+    }
+    if has_distances {
+        turns.iter().zip(solution[0]).for_each(|(w, x)| least = least_or_nan(least, certainty_of_direction(*w, *x)));
+    }
+    least
 }
 
 impl<M: Mechanism> PlanFollower<M> {
@@ -39,11 +60,12 @@ impl<M: Mechanism> PlanFollower<M> {
     /// angles per unit of each coordinate; `turns` is used only if rows turn otherwise than bodies.
     #[inline]
     pub(super) fn first_steep_unknown(&self, turns: &M::Coordinates<f64>) -> Option<usize> {
-        if !self.rows_turn_alone || !M::model().plan.iterates() {
+        if !may_be_steep::<M>() {
             return None;
         }
         let PlanSolution { q, q_dot, q_ddot, .. } = self.trial();
-        first_steep(M::model(), turns.as_ref(), [q.as_ref(), q_dot.as_ref(), q_ddot.as_ref()])
+        let solution = [q.as_ref(), q_dot.as_ref(), q_ddot.as_ref()];
+        first_steep(M::model(), M::DISTANCES_IN_ROWS, turns.as_ref(), solution)
     }
 
     /// The angles by which the gradients of rows turn per unit of each coordinate at the trial state; `None` where rounding
@@ -57,11 +79,18 @@ impl<M: Mechanism> PlanFollower<M> {
     }
 }
 
-/// The first coordinate that rounding errors dominate.
-pub(crate) fn first_steep(model: &Model, turns: &[f64], solution: [&[f64]; 3]) -> Option<usize> {
-    // The comparison is written so that NaN is rejected.
+/// The first coordinate that rounding errors dominate, in rows with or without distances.
+pub(crate) fn first_steep(model: &Model, has_distances: bool, turns: &[f64], solution: [&[f64]; 3]) -> Option<usize> {
+    // The comparisons are written so that NaN is rejected.
     let is_certain = |k: usize| certainty(model.coordinates[k].kind, turns[k], solution.map(|list| list[k])) >= 0.0;
-    unknowns(model).find(|k| !is_certain(*k))
+    let turns_little = |k: &usize| certainty_of_direction(turns[*k], solution[0][*k]) >= 0.0;
+    let of_distance = || (0..if has_distances { turns.len() } else { 0 }).find(|k| !turns_little(k));
+    unknowns(model).find(|k| !is_certain(*k)).or_else(of_distance)
+}
+
+/// Not negative where the rounding of a coordinate x turns gradients little.
+fn certainty_of_direction<V: Compare>(w: V, x: V) -> V {
+    V::from_f64(ROUNDED_TURN) - V::from_f64(f64::EPSILON) * x.abs() * w
 }
 
 /// The coordinates for which the plan iterates.

@@ -23,7 +23,7 @@ use crate::planned::PlanError;
 use crate::planned::branch::FAR_FROM_LIMITS;
 use crate::planned::follower::{PlanFollower, PlanSolution};
 use crate::planned::lists::{BranchValues, Margins, Modes};
-use crate::planned::steep_rows::first_steep;
+use crate::planned::steep_rows::{first_steep, may_be_steep};
 use crate::scalar::compare::{all_above, all_finite};
 use crate::state::State;
 use crate::workspace::{Array, Instant, Subset};
@@ -224,12 +224,12 @@ impl<M: Mechanism> Solver<'_, M> {
         at: &Instant<'_>,
         solution: [&[f64]; 3],
     ) -> bool {
-        if !M::ROWS_TURN || !M::model().plan.iterates() {
+        if !may_be_steep::<M>() {
             return true;
         }
         let mut turns = M::Coordinates::<f64>::filled(0.0);
         let counted = self.mechanism.turns_with(parameters.as_ref(), at, solution[0], turns.as_mut());
-        counted.is_ok() && first_steep(M::model(), turns.as_ref(), solution).is_none()
+        counted.is_ok() && first_steep(M::model(), M::DISTANCES_IN_ROWS, turns.as_ref(), solution).is_none()
     }
 
     /// The largest residual if all rows of position level are satisfied; otherwise none.

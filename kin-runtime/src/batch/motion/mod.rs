@@ -16,6 +16,7 @@ use crate::planned::inputs::write_lane_of_inputs;
 use crate::planned::lists::{BranchValues, Distances, Margins, Modes};
 use crate::planned::mode_changes::CLOSE;
 use crate::planned::predict::{parabola, turned, weights};
+use crate::planned::steep_rows::may_be_steep;
 use crate::planned::{Limit, PlanError, Step};
 use crate::scalar::Scalar;
 use crate::scalar::compare::{Compare, least_or_nan, write_lane};
@@ -175,7 +176,7 @@ impl<M: Mechanism> BlockMotion<M> {
         // No group is so near to its limit that rates are inaccurate, and no number is NaN.
         let far = (nearer - Octet::from_f64(1.0)).is_within(1.0 - FAR_FROM_LIMITS);
         self.measure_turns(mechanism, at);
-        if self.rows_turn_alone && plan.iterates() {
+        if may_be_steep::<M>() {
             least = least_or_nan(least, self.certainty_of_slopes());
         }
         if limits.is_none() & far & is_positive(least) {

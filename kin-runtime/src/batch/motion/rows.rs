@@ -50,7 +50,7 @@ impl<M: Mechanism> BlockMotion<M> {
     pub(super) fn certainty_of_slopes(&self) -> Octet {
         let BlockSolution { q, q_dot, q_ddot, .. } = &self.poses[1 - self.good];
         let turns = self.turns[1 - self.good].as_ref();
-        certainty_of_slopes(M::model(), turns, [q.as_ref(), q_dot.as_ref(), q_ddot.as_ref()])
+        certainty_of_slopes(M::model(), M::DISTANCES_IN_ROWS, turns, [q.as_ref(), q_dot.as_ref(), q_ddot.as_ref()])
     }
 
     /// Not negative in lanes in which the step to the time t hides no motion; `allowed` is the largest distance of the

@@ -35,6 +35,8 @@ pub trait Mechanism: Sized {
     const LENGTHS: usize = 0;
     /// Whether the mechanism implements [`turns_with`](Self::turns_with).
     const ROWS_TURN: bool = false;
+    /// Whether rows contain distances of points that may coincide, as between the points of a rope.
+    const DISTANCES_IN_ROWS: bool = false;
     /// Whether the branch values of groups that the plan solves in closed form must be looked at within steps, too.
     const CLOSED_ROWS_TURN: bool = false;
     /// Whether the plan iterates on rows with curves, whose gradients may turn faster than bodies do.
@@ -178,6 +180,18 @@ pub trait Mechanism: Sized {
         turns: &mut [T],
     ) -> Result<(), LengthError> {
         turns.fill(T::from_f64(0.0));
+        Ok(())
+    }
+
+    /// Writes for every row the sum of 1/d² over the distances d of points in it; 0 for a row without any.
+    fn closeness_with<T: Scalar>(
+        &self,
+        parameters: &[T],
+        at: &Instant<'_, T>,
+        q: &[T],
+        closeness: &mut [T],
+    ) -> Result<(), LengthError> {
+        closeness.fill(T::from_f64(0.0));
         Ok(())
     }
 

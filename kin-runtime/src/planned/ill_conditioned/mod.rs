@@ -1,7 +1,8 @@
 //! Detection of states so near to a crossing of branches that rounding errors dominate their rates.
 
-use super::error::{Limit, LimitKind, Located, PlanError};
+use super::error::PlanError;
 use super::follower::PlanFollower;
+use super::group_limit::{Limit, LimitKind, Located};
 use super::lists::BranchValues;
 use super::rates::{is_angle, largest_angle, largest_of};
 use super::step::Step;

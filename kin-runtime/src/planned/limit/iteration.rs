@@ -4,8 +4,8 @@
 use crate::course::Course;
 use crate::mechanism::Mechanism;
 use crate::plan::{Plan, StepKind};
-use crate::planned::error::{Limit, Located};
 use crate::planned::follower::PlanFollower;
+use crate::planned::group_limit::{Limit, Located};
 use crate::planned::step::Step;
 use crate::planned::substeps::Blocked;
 use crate::signal::Signal;

@@ -9,8 +9,9 @@
 mod iteration;
 mod pole;
 
-use super::error::{Limit, LimitKind, Located, PlanError};
+use super::error::PlanError;
 use super::follower::{PlanFollower, PlanSolution, Rejection};
+use super::group_limit::{Limit, LimitKind, Located};
 use super::step::Step;
 use super::substeps::Blocked;
 use crate::course::Course;
@@ -91,6 +92,10 @@ impl<M: Mechanism> PlanFollower<M> {
         let mut inputs = M::Inputs::<f64>::filled(Signal::constant(0.0));
         let reached = course.at(blocked.interval[0], inputs.as_mut());
         let Some(fault) = blocked.fault else { return (PlanError::TooManySteps { t: reached, t_refused: t }, last) };
+        let there = Instant { t: reached, inputs: inputs.as_ref() };
+        if let Some(error) = self.coincident_points(mechanism, &there, blocked.here.q.as_ref()) {
+            return (error, last);
+        }
         let plan = &M::model().plan;
         if let Rejection::Rounded(k) = fault {
             return (PlanError::rounded(M::model(), t, k), last);

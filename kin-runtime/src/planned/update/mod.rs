@@ -7,8 +7,9 @@
 //! [`limit`](super::limit).
 
 use super::branch::{OUT_OF_REACH, resolves};
-use super::error::{Limit, PlanError};
+use super::error::PlanError;
 use super::follower::{Control, NEGLIGIBLE, PlanFollower, PlanSolution, most_turn};
+use super::group_limit::Limit;
 use super::ill_conditioned::NEAR;
 use super::lists::{BranchValues, Modes};
 use super::predict::{beyond_parabola, parabola, turned, weights};
@@ -261,7 +262,8 @@ impl<M: Mechanism> PlanFollower<M> {
         }
         if let Some(k) = self.first_steep_unknown(&self.turns) {
             (self.branch.modes, self.turns, self.weights) = kept;
-            return Err(PlanError::rounded(M::model(), at.t, k));
+            let coincident = self.coincident_points(mechanism, at, q.as_ref());
+            return Err(coincident.unwrap_or_else(|| PlanError::rounded(M::model(), at.t, k)));
         }
         if !plan.orientations.is_empty() {
             // An iteration may find any solution near its start, so its orientation is taken from the result.

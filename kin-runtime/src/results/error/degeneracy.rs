@@ -46,6 +46,8 @@ pub enum Degeneracy {
         /// The distance.
         length: f64,
     },
+    /// Two points coincide whose distance is in a row of the joint, as neighbouring points of a rope.
+    Coincident,
     /// The distance that the joint keeps is negative.
     NegativeLength {
         /// The distance.
@@ -90,6 +92,7 @@ impl fmt::Display for Degeneracy {
             Self::Length { length } => {
                 write!(f, "its length is {length}; points that coincide are joined with `revolute`")
             }
+            Self::Coincident => f.write_str("two of its points coincide, so that their distance has no direction"),
             Self::NegativeLength { length } => write!(f, "its length is {length}; a length must not be negative"),
         }
     }

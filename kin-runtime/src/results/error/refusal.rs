@@ -19,6 +19,8 @@ pub enum Refusal {
     Rounded,
     /// A row is not defined beyond this place: a root, a logarithm or another function in it ends there.
     Undefined,
+    /// Two points coincide whose distance is in a row, as neighbouring points of a rope.
+    Coincident,
     /// A row or an input is discontinuous.
     Discontinuous,
     /// t is so large that neighbouring `f64` are farther apart than a step of the motion.
@@ -34,6 +36,7 @@ impl fmt::Display for Refusal {
             Self::TooManySteps => "too many internal steps",
             Self::Rounded => "rounding errors dominate the rates there, because the slopes of rows change too fast",
             Self::Undefined => "a row is not defined beyond it",
+            Self::Coincident => "two points of the row coincide there, so that their distance has no direction",
             Self::Discontinuous => "a row or an input jumps there",
             Self::TimeTooCoarse => {
                 "t is too large: neighbouring floating-point numbers are too far apart there for a step of the motion"

@@ -37,6 +37,9 @@ pub(super) fn refusal(
     fault: Fault,
     (located, jumps): (Option<Limit>, bool),
 ) -> SolveError {
+    if let Some(error) = coincident_points(equations, start) {
+        return error;
+    }
     // The plan has looked for the end of a row before it located a limit.
     let ended = if located.is_none() { end_of_row(equations, start, target) } else { None };
     if let Some((row, reason)) = ended {
@@ -124,6 +127,14 @@ impl RowsBeyond for FromPlace<'_, '_> {
         phi.copy_from_slice(equations.system.constraints().phi);
         is_known
     }
+}
+
+/// The error if two points coincide at the place that a motion has reached.
+fn coincident_points(equations: &mut Equations<'_>, start: &StepStart<'_>) -> Option<SolveError> {
+    equations.move_to(start.s).ok()?;
+    let row = equations.row_with_coincident_points(&start.node.state.q)?;
+    let (t, row_name, joint) = (equations.t, equations.row_name(row), equations.joint_name(row));
+    Some(SolveError::StepRefused { t, t_refused: t, row_name, joint, reason: Refusal::Coincident, limit: None })
 }
 
 /// The row of the mechanism that ends just beyond the place that a motion has reached, and the reason why the motion ends
