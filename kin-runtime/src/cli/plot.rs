@@ -199,12 +199,14 @@ fn one(
     note_motion(session, &moved);
     let Moved { trajectory, columns, ended, left, .. } = moved;
     note_freedom(session, left);
-    let worst = toleranced.map_or_else(Vec::new, |(wanted, tolerances)| {
+    let mut worst = Vec::new();
+    if let Some((wanted, tolerances)) = toleranced {
         let drawn: Vec<Measure> = wanted.iter().map(|want| measures[want.y].clone()).collect();
-        let slopes = Slopes::along(engine, &task.setup, &trajectory.states, &drawn, args.motion.angles.degrees);
-        let worst = |k| slopes.deviations(k, tolerances).into_iter().map(|deviation| deviation.worst).collect();
-        (0..drawn.len()).map(worst).collect()
-    });
+        let slopes = Slopes::along(engine, &task.setup, &trajectory.states, &drawn, args.motion.angles.degrees)?;
+        slopes.all_exist(engine.model(), &drawn)?;
+        let of = |k| slopes.deviations(k, tolerances).into_iter().map(|deviation| deviation.worst).collect();
+        worst.extend((0..drawn.len()).map(of));
+    }
     if ended.as_ref().is_some_and(|failure| !matches!(failure, Failure::Interrupted(_))) {
         let (states, instants) = (columns[0].len(), count(instants.len(), "instant"));
         session.note(&format!("the motion ended early: {states} of {instants} drawn"));

@@ -5,6 +5,7 @@ use super::failure::{Failure, Ledger};
 use super::names::{NameKind, find};
 use super::number::Measured;
 use super::setup::Setup;
+use super::solved::analysis;
 use super::values;
 use crate::measure::Measure;
 use crate::model::Model;
@@ -32,6 +33,10 @@ pub(super) fn tolerances(texts: &[String], model: &Model) -> Result<Vec<f64>, Fa
     ledger.close(Some(all))
 }
 
+/// Why a quantity has no derivative anywhere.
+const NO_DERIVATIVE: &str = "has no derivatives by dimensions here: efforts of inputs and of given coordinates, \
+                             velocity ratios, and quantities that are undetermined or not defined have none";
+
 /// Derivatives of quantities at the states of a motion.
 pub(super) struct Slopes {
     /// For every state and every quantity, a number per parameter; NaN where there is none.
@@ -39,18 +44,23 @@ pub(super) struct Slopes {
 }
 
 impl Slopes {
-    /// Derivatives with respect to all parameters. At a state that has none, such as a limit, they are NaN.
+    /// Derivatives with respect to all parameters. At a state that has none, such as a limit, they are NaN; if none of the
+    /// states has any, that is an error.
     pub(super) fn along(
         engine: &dyn Engine,
         setup: &Setup,
         states: &[State],
         measures: &[Measure],
         degrees: bool,
-    ) -> Self {
+    ) -> Result<Self, Failure> {
         let all: Vec<usize> = (0..engine.model().parameters.len()).collect();
+        let mut refused = Vec::new();
         let at = |state: &State| {
-            let unknown = || vec![vec![f64::NAN; all.len()]; measures.len()];
-            let mut found = engine.measure_sensitivities(setup, state, measures, &all).unwrap_or_else(|_| unknown());
+            let found = engine.measure_sensitivities(setup, state, measures, &all);
+            let mut found = found.unwrap_or_else(|error| {
+                refused.push(error);
+                vec![vec![f64::NAN; all.len()]; measures.len()]
+            });
             if degrees {
                 for (by, measure) in found.iter_mut().zip(measures) {
                     by.iter_mut().for_each(|by| *by *= measure.in_degrees());
@@ -58,7 +68,27 @@ impl Slopes {
             }
             found
         };
-        Self { numbers: states.iter().map(at).collect() }
+        let numbers: Vec<_> = states.iter().map(at).collect();
+        match refused.first() {
+            Some(error) if refused.len() == states.len() => Err(analysis(engine, error)),
+            _ => Ok(Self { numbers }),
+        }
+    }
+
+    /// The quantities that have no derivative at any state.
+    pub(super) fn missing<'m>(&self, measures: &'m [Measure]) -> Vec<&'m str> {
+        let is_missing =
+            |k: usize| self.numbers.iter().all(|at| !at[k].is_empty() && at[k].iter().all(|by| by.is_nan()));
+        let missing = measures.iter().enumerate().filter(|(k, _)| !self.numbers.is_empty() && is_missing(*k));
+        missing.map(|(_, measure)| measure.name()).collect()
+    }
+
+    /// The error for the first of the quantities that has no derivative at any state.
+    pub(super) fn all_exist(&self, model: &Model, measures: &[Measure]) -> Result<(), Failure> {
+        match self.missing(measures).first() {
+            None => Ok(()),
+            Some(name) => Err(Failure::Analysis(format!("{}: `{name}` {NO_DERIVATIVE}", model.name))),
+        }
     }
 
     /// The derivatives of a quantity with respect to a parameter, state by state.

@@ -97,3 +97,18 @@ fn extremes_of_what_is_driven_are_found_where_nothing_else_changes() {
     );
     assert!(!good("fourbar extremes").contains("\n  crank.phi"));
 }
+
+/// An empty table would hide that there is nothing to differentiate.
+#[test]
+fn a_quantity_without_derivatives_is_refused() {
+    let held = "--given upper.phi=0.7,fore.phi=-0.2";
+    let why = ["Arm: `upper.phi.effort` has no derivatives by dimensions here"];
+    for line in ["sensitivities upper.phi.effort", "plot upper.phi.effort --tolerance a=1 --to 1 --out never.svg"] {
+        failed(&format!("arm {line} {held}"), 1, &why);
+    }
+    assert!(
+        good(&format!("arm sensitivities upper.phi {held}")).contains("no parameter changes any of these quantities")
+    );
+    // Nothing is determined along the redundant direction.
+    failed("arm sensitivities upper.phi --least-norm", 1, &["at t = 0"]);
+}

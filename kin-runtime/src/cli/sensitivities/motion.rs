@@ -78,6 +78,13 @@ impl VariedMotion {
         note_freedom(session, left);
         let slopes = Slopes::along(engine, setup, &trajectory.states, &measures, self.degrees);
         watch.end();
+        let slopes = slopes?;
+        let missing = slopes.missing(&measures).join(", ");
+        if are_named {
+            slopes.all_exist(model, &measures)?;
+        } else if !missing.is_empty() {
+            session.note(&format!("note: without derivatives by dimensions: {missing}"));
+        }
         let toleranced = self.tolerances.iter().any(|tolerance| *tolerance != 0.0);
         let quantity = |(k, (measure, value)): (usize, (&Measure, Vec<f64>))| {
             let parameters = model.parameters.iter().enumerate();
@@ -132,6 +139,9 @@ fn text(model: &Model, times: &[f64], quantities: &[VariedQuantity], values: &[f
         .right("1 % moves it by", rows.iter().map(|(_, most)| rounded(most.2)))
         .right("derivative", rows.iter().map(|(_, most)| rounded(most.3)))
         .right("at t", rows.iter().map(|(_, most)| t(most.1)));
+    if rows.is_empty() {
+        out.push_str("\n  no parameter changes any of these quantities\n");
+    }
     out += &section("Which dimension matters most, and where", &table);
     let rows: Vec<_> = quantities
         .iter()
