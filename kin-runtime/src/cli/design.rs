@@ -42,7 +42,7 @@ pub(super) struct DesignArgs {
     /// In which direction paths without t may be traversed: forward, backward, either
     #[arg(long, value_name = "DIRECTION", default_value = "forward")]
     direction: String,
-    /// A quantity over time: NAME=FILE, csv with the columns t,value
+    /// A quantity over time: NAME=FILE, csv with the columns t,value or t,NAME
     #[arg(long, value_name = "NAME=FILE")]
     function: Vec<String>,
     /// A quantity whose greatest absolute value over a turn is minimised
@@ -251,7 +251,7 @@ fn wishes(args: &DesignArgs, engine: &dyn Engine) -> Result<Vec<Wish>, Failure> 
     let functions = values::assignments("--function", "rocker.phi=values.csv", &args.function);
     for (name, file) in ledger.take(functions).unwrap_or_default() {
         ledger.take(known("--function", &name));
-        let rows = ledger.take(columns("--function", &file, &[])).unwrap_or_default();
+        let rows = ledger.take(columns("--function", &file, &[&["t", "value"], &["t", &name]])).unwrap_or_default();
         match rows.iter().map(|row| <[f64; 2]>::try_from(&row[..])).collect::<Result<Vec<_>, _>>() {
             Ok(rows) => all.push(Wish::Function(name, rows.into_iter().map(|[t, value]| (t, value)).collect())),
             Err(_) => ledger.fault("--function", format!("`{file}` needs the columns t,value")),

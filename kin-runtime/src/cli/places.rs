@@ -16,7 +16,7 @@ pub(super) fn columns(option: &str, file: &str, lists: &[&[&str]]) -> Result<Vec
                 None => rows.push(numbers),
             },
             Err(_) if line == 0 => {
-                let is = |(name, wanted): (&str, &&str)| name.rsplit('.').next() == Some(*wanted);
+                let is = |(name, wanted): (&str, &&str)| name == *wanted || name.rsplit('.').next() == Some(*wanted);
                 let fits = |list: &&[&str]| list.len() == record.len() && record.iter().zip(list.iter()).all(is);
                 if !lists.is_empty() && !lists.iter().any(fits) {
                     let wanted: Vec<String> = lists.iter().map(|list| list.join(",")).collect();

@@ -218,6 +218,10 @@ fn a_file_with_numbers_that_are_not_finite_is_refused() {
         failed(&line, 2, &["places.csv", "line 3 has NaN, which is not finite"]);
     }
     assert_eq!(["places.csv"], place.names()[..]);
+    let values = place.file("values.csv");
+    fs::write(&values, "rocker.phi,t\n5.1,0\n5.2,0.1\n").expect("a file");
+    let wanted = format!("fourbar design --free l1=0.1..0.3 --function rocker.phi={values}");
+    failed(&wanted, 2, &["values.csv", "its columns are rocker.phi,t, not t,value or t,rocker.phi"]);
     let line = "fourbar design --free l1=0.1..0.3 --peak crank.y --period=-1 --starts 0";
     failed(line, 2, &["--period: a turn takes a time that is finite and positive", "--starts: a search has at least"]);
 }
