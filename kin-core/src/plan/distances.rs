@@ -11,7 +11,7 @@
 //! If one point moves straight through another, the unit vector does not turn
 //! but jumps; nevertheless w grows without bounds towards that place, so that steps of a motion end there.
 
-use super::turns::sum_of_squares;
+use super::sizes::sum_of_squares;
 use crate::constraint::ConstraintRow;
 use crate::expr::{ExprId, Graph, Node, total_derivatives};
 use crate::vocabulary::Function;

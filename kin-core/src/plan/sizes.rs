@@ -1,8 +1,18 @@
 //! Sizes of expressions, to judge whether an expression is nearly 0: estimates of its square from its terms, in which
 //! nothing cancels.
 
-use crate::expr::{ExprId, Graph, Node, Symbol};
+use crate::expr::{Depends, ExprId, Graph, Node, Symbol};
 use crate::vocabulary::Function;
+
+/// Σ |e|². Over boxes, the square of an absolute value is never negative, while the product e·e of an interval around 0 is.
+pub(super) fn sum_of_squares(graph: &mut Graph, entries: &[ExprId]) -> ExprId {
+    let zero = graph.zero();
+    entries.iter().fold(zero, |sum, &entry| {
+        let size = graph.call(Function::Abs, entry);
+        let square = graph.square(size);
+        graph.add(sum, square)
+    })
+}
 
 /// The sum of the squared terms of an expression: Σ terms² for a sum, the product of the values of both factors for a
 /// product, and the plain square below `depth` levels.
@@ -17,7 +27,10 @@ pub(super) fn sum_of_squared_terms(graph: &mut Graph, id: ExprId, depth: usize) 
             graph.add(a, b)
         }
         Node::Mul(a, b) => {
-            let (a, b) = (sum_of_squared_terms(graph, a, depth - 1), sum_of_squared_terms(graph, b, depth - 1));
+            let [a, b] = [a, b].map(|factor| match is_of_time_alone(graph, factor) {
+                true => graph.square(factor),
+                false => sum_of_squared_terms(graph, factor, depth - 1),
+            });
             graph.mul(a, b)
         }
         _ => graph.square(id),
@@ -34,7 +47,10 @@ pub(super) fn squared_terms_anywhere(graph: &mut Graph, id: ExprId, depth: usize
         Node::Neg(a) | Node::Opaque(a) => squared_terms_anywhere(graph, a, depth - 1),
         Node::Add(..) | Node::Sub(..) => sum_of_sizes(graph, (id, depth), is_position, squared_terms_anywhere),
         Node::Mul(a, b) => {
-            let [a, b] = [a, b].map(|factor| squared_terms_anywhere(graph, factor, depth - 1));
+            let [a, b] = [a, b].map(|factor| match is_of_time_alone(graph, factor) {
+                true => graph.square(factor),
+                false => squared_terms_anywhere(graph, factor, depth - 1),
+            });
             graph.mul(a, b)
         }
         _ => graph.square(id),
@@ -80,6 +96,7 @@ fn sized(graph: &mut Graph, (id, depth): (ExprId, usize), anywhere: bool) -> Exp
             for (factor, depth) in factors {
                 let is_sum = matches!(graph.node(factor), Node::Add(..) | Node::Sub(..));
                 let size = match is_quotient && is_sum {
+                    _ if is_of_time_alone(graph, factor) => graph.square(factor),
                     true if anywhere => sized_quotient(graph, (factor, depth)),
                     true => graph.square(factor),
                     false => sized(graph, (factor, depth), anywhere),
@@ -137,6 +154,13 @@ fn is_sum_of_products(graph: &Graph, id: ExprId) -> bool {
         Node::Mul(..) => true,
         _ => false,
     }
+}
+
+/// True for functions of time and inputs without coordinates. As a factor such a function counts with its own square: in
+/// v (t − t₀) neither t nor t₀ is a length of the mechanism, however large both are.
+fn is_of_time_alone(graph: &Graph, id: ExprId) -> bool {
+    let depends = graph.depends(id);
+    depends.is_rheonomic() && !depends.on(Depends::COORDINATE.or(Depends::PLAN))
 }
 
 /// True for a coordinate, as it is in Φ or as the result of an iteration, and for everything that does not move.

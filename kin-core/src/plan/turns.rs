@@ -21,6 +21,7 @@
 use super::closures::LEAST;
 use super::curves::has_curves;
 use super::distances::add_turns;
+use super::sizes::sum_of_squares;
 use super::tree::{Block, BlockPart, Core, SolutionMethod};
 use crate::constraint::{ConstraintSet, Coordinate, CoordinateKind};
 use crate::expr::{ExprId, Graph, Jet, Symbol, total_derivatives};
@@ -196,14 +197,4 @@ fn turn(graph: &mut Graph, gradient: &[(Vec<ExprId>, Vec<Jet>)], by: &[u32]) -> 
     let radius = graph.add(radius, least);
     let one = graph.number(1.0);
     Some(graph.div(one, radius))
-}
-
-/// Σ |e|². Over boxes, the square of an absolute value is never negative, while the product e·e of an interval around 0 is.
-pub(super) fn sum_of_squares(graph: &mut Graph, entries: &[ExprId]) -> ExprId {
-    let zero = graph.zero();
-    entries.iter().fold(zero, |sum, &entry| {
-        let size = graph.call(Function::Abs, entry);
-        let square = graph.square(size);
-        graph.add(sum, square)
-    })
 }

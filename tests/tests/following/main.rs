@@ -10,6 +10,7 @@ mod input_ranges;
 mod inputs;
 mod jumps;
 mod larger;
+mod late;
 mod limits;
 mod narrow;
 mod orientations;

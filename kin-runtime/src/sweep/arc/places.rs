@@ -60,7 +60,9 @@ pub(super) fn turning(
     let value = |node: &ArcNode| Value { t: node.s, f: sign * node.t_rate(), rate: slope };
     let [low, high] =
         bracket(value(a), value(b), within, |s| between(equations, bordered, a, b, s).map(|node| value(&node)));
-    let node = between(equations, bordered, a, b, 0.5 * (low.t + high.t))?;
+    // Where branches cross at the same place, the middle may not be solved.
+    let places = [0.5, 0.0, 1.0].map(|x| low.t + x * (high.t - low.t));
+    let node = places.into_iter().find_map(|s| between(equations, bordered, a, b, s))?;
     Some((node, high.t - low.t))
 }
 
