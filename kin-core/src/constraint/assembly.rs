@@ -6,7 +6,7 @@ use super::variables::Variables;
 use crate::error::{ModelError, Origin};
 use crate::expr::{ExprId, Graph};
 use crate::mechanism::{Mechanism, Range, Value};
-use std::collections::HashMap;
+use std::collections::{BTreeSet, HashMap};
 
 /// The state of an assembly.
 pub(crate) struct Assembly<'m> {
@@ -35,6 +35,8 @@ pub(crate) struct Assembly<'m> {
     pub(crate) at_rest: bool,
     /// The curve of the joint that is being written, for drawings.
     pub(crate) outline: Option<[ExprId; 4]>,
+    /// The distances of points that may coincide.
+    pub(crate) distances: BTreeSet<ExprId>,
     pub(crate) errors: Vec<ModelError>,
 }
 

@@ -56,7 +56,7 @@ impl Assembly<'_> {
             }
             Formula::Distance(p, q) => {
                 let (p, q) = (self.place(p), self.place(q));
-                self.distance(&p, &q)
+                self.distance_of_points(&p, &q)
             }
             Formula::Define(member) => self.define(member),
             // A curve variable outside a curve has been reported when names were resolved.

@@ -5,7 +5,7 @@ use super::pose::Pose;
 use super::set::{BodyInstance, ConstraintSet, Coordinate, CoordinateKind, Family};
 use crate::expr::{ExprId, Graph};
 use crate::mechanism::{Component, Mechanism};
-use std::collections::HashMap;
+use std::collections::{BTreeSet, HashMap};
 
 /// `name` or `name[index]`.
 pub(crate) fn indexed(name: &str, is_array: bool, index: impl core::fmt::Display) -> String {
@@ -92,6 +92,7 @@ impl<'m> Assembly<'m> {
             variables: Default::default(),
             at_rest: false,
             outline: None,
+            distances: BTreeSet::new(),
             errors: Vec::new(),
         }
     }

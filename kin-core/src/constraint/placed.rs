@@ -148,6 +148,13 @@ impl<'m> Assembly<'m> {
         self.graph.add(x, y)
     }
 
+    /// The distance |r_Q − r_P| of points that may coincide.
+    pub(crate) fn distance_of_points(&mut self, p: &PlacedPoint, q: &PlacedPoint) -> ExprId {
+        let distance = self.distance(p, q);
+        self.distances.insert(distance);
+        distance
+    }
+
     /// The distance |r_Q − r_P|.
     pub(crate) fn distance(&mut self, p: &PlacedPoint, q: &PlacedPoint) -> ExprId {
         let square = self.square_of_distance(p, q);

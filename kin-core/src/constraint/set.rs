@@ -5,6 +5,7 @@ use crate::expr::{ExprId, Graph, Names, Symbol};
 use crate::mechanism::Component;
 use crate::vocabulary::{Frame, JointKind, Role};
 use core::fmt;
+use std::collections::BTreeSet;
 
 /// The kind of a generalized coordinate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -257,6 +258,8 @@ pub struct ConstraintSet {
     pub curves: Vec<CurveInstance>,
     /// The rows of Φ.
     pub rows: Vec<ConstraintRow>,
+    /// The distances of points that may coincide, among the expressions.
+    pub distances: BTreeSet<ExprId>,
     /// The unilateral conditions.
     pub conditions: Vec<ConditionInstance>,
     /// The observables.

@@ -25,7 +25,7 @@ pub fn assemble(mechanism: &Mechanism) -> Result<ConstraintSet, Vec<ModelError>>
     joints(&mut assembly, &mut set);
     assembly.conditions(&mut set);
     assembly.guesses(&mut set);
-    set.graph = assembly.graph;
+    (set.graph, set.distances) = (assembly.graph, assembly.distances);
     if assembly.errors.is_empty() { Ok(set) } else { Err(assembly.errors) }
 }
 

@@ -37,7 +37,7 @@ impl JointType for Rope {
                 let message = "is the one before it, so that the distance of the two has no gradient";
                 a.degenerate(place.origin, "this point of the rope", message);
             }
-            let part = a.distance(&pair[0], &pair[1]);
+            let part = a.distance_of_points(&pair[0], &pair[1]);
             length = a.graph.add(length, part);
         }
         let role = |k: usize| match k {

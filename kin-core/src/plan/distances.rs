@@ -7,21 +7,29 @@
 //! wₖ² = Σ |∂v/∂xₖ|²/|v|²
 //! ```
 //!
-//! The sum comprises all distances in the rows. Which row it is follows from the sums Σ 1/|v|² of every row.
-//! If one point moves straight through another, the unit vector does not turn
-//! but jumps; nevertheless w grows without bounds towards that place, so that steps of a motion end there.
+//! The sum comprises all distances in the rows. If one point moves straight through another, the unit
+//! vector does not turn but jumps; nevertheless w grows without bounds towards that place, so that steps of a motion end
+//! there. The sum Σ 1/|v|² of every row shows which row it is.
 
 use super::sizes::sum_of_squares;
-use crate::constraint::ConstraintRow;
+use crate::constraint::{ConstraintRow, ConstraintSet};
 use crate::expr::{ExprId, Graph, Node, total_derivatives};
 use crate::vocabulary::Function;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
-/// Adds w² of every coordinate on which a distance in the rows depends; returns Σ 1/|v|² of every row, and nothing if there
-/// are no distances.
-pub(super) fn add_turns(graph: &mut Graph, rows: &[ConstraintRow], squares: &mut BTreeMap<u32, ExprId>) -> Vec<ExprId> {
+/// Adds w² of every coordinate on which a distance in the rows depends, except for angles that are iterated, whose limits
+/// the determinant of their group shows. Returns Σ 1/|v|² of every row, and nothing if there are no distances.
+pub(super) fn add_turns(
+    graph: &mut Graph,
+    ConstraintSet { rows, distances, .. }: &ConstraintSet,
+    iterated_angles: &BTreeSet<u32>,
+    squares: &mut BTreeMap<u32, ExprId>,
+) -> Vec<ExprId> {
     let mut sizes = BTreeMap::new();
-    for id in graph.reachable(rows.iter().map(|row| row.phi)) {
+    if distances.is_empty() {
+        return Vec::new();
+    }
+    for id in graph.reachable(rows.iter().map(|row| row.phi)).into_iter().filter(|id| distances.contains(id)) {
         let Node::Call(Function::Sqrt, square) = graph.node(id) else { continue };
         let (mut vector, mut constant) = (Vec::new(), graph.zero());
         if !add_components(graph, square, &mut vector, &mut constant) {
@@ -36,7 +44,7 @@ pub(super) fn add_turns(graph: &mut Graph, rows: &[ConstraintRow], squares: &mut
         if !changes.is_empty() {
             sizes.insert(id, size);
         }
-        for (k, change) in changes {
+        for (k, change) in changes.into_iter().filter(|(k, _)| !iterated_angles.contains(k)) {
             let change = sum_of_squares(graph, &change);
             let turn = graph.div(change, size);
             let sum = squares.get(&k).copied().unwrap_or_else(|| graph.zero());

@@ -1,7 +1,7 @@
 //! Sizes of expressions, to judge whether an expression is nearly 0: estimates of its square from its terms, in which
 //! nothing cancels.
 
-use crate::expr::{Depends, ExprId, Graph, Node, Symbol};
+use crate::expr::{ExprId, Graph, Node, Symbol};
 use crate::vocabulary::Function;
 
 /// Σ |e|². Over boxes, the square of an absolute value is never negative, while the product e·e of an interval around 0 is.
@@ -27,10 +27,10 @@ pub(super) fn sum_of_squared_terms(graph: &mut Graph, id: ExprId, depth: usize) 
             graph.add(a, b)
         }
         Node::Mul(a, b) => {
-            let [a, b] = [a, b].map(|factor| match is_of_time_alone(graph, factor) {
-                true => graph.square(factor),
-                false => sum_of_squared_terms(graph, factor, depth - 1),
-            });
+            if is_uniform(graph, [a, b]) {
+                return graph.square(id);
+            }
+            let (a, b) = (sum_of_squared_terms(graph, a, depth - 1), sum_of_squared_terms(graph, b, depth - 1));
             graph.mul(a, b)
         }
         _ => graph.square(id),
@@ -47,10 +47,10 @@ pub(super) fn squared_terms_anywhere(graph: &mut Graph, id: ExprId, depth: usize
         Node::Neg(a) | Node::Opaque(a) => squared_terms_anywhere(graph, a, depth - 1),
         Node::Add(..) | Node::Sub(..) => sum_of_sizes(graph, (id, depth), is_position, squared_terms_anywhere),
         Node::Mul(a, b) => {
-            let [a, b] = [a, b].map(|factor| match is_of_time_alone(graph, factor) {
-                true => graph.square(factor),
-                false => squared_terms_anywhere(graph, factor, depth - 1),
-            });
+            if is_uniform(graph, [a, b]) {
+                return graph.square(id);
+            }
+            let [a, b] = [a, b].map(|factor| squared_terms_anywhere(graph, factor, depth - 1));
             graph.mul(a, b)
         }
         _ => graph.square(id),
@@ -88,6 +88,7 @@ fn sized(graph: &mut Graph, (id, depth): (ExprId, usize), anywhere: bool) -> Exp
             sum_of_sizes(graph, (id, depth), is_at_rest_or_coordinate, squared_size_anywhere)
         }
         Node::Add(a, b) | Node::Sub(a, b) => length(graph, [a, b]),
+        Node::Mul(a, b) if is_uniform(graph, [a, b]) => graph.square(id),
         Node::Mul(..) => {
             let mut factors = Vec::new();
             write_factors(graph, (id, depth), &mut factors);
@@ -96,7 +97,6 @@ fn sized(graph: &mut Graph, (id, depth): (ExprId, usize), anywhere: bool) -> Exp
             for (factor, depth) in factors {
                 let is_sum = matches!(graph.node(factor), Node::Add(..) | Node::Sub(..));
                 let size = match is_quotient && is_sum {
-                    _ if is_of_time_alone(graph, factor) => graph.square(factor),
                     true if anywhere => sized_quotient(graph, (factor, depth)),
                     true => graph.square(factor),
                     false => sized(graph, (factor, depth), anywhere),
@@ -156,11 +156,22 @@ fn is_sum_of_products(graph: &Graph, id: ExprId) -> bool {
     }
 }
 
-/// True for functions of time and inputs without coordinates. As a factor such a function counts with its own square: in
-/// v (t − t₀) neither t nor t₀ is a length of the mechanism, however large both are.
-fn is_of_time_alone(graph: &Graph, id: ExprId) -> bool {
-    let depends = graph.depends(id);
-    depends.is_rheonomic() && !depends.on(Depends::COORDINATE.or(Depends::PLAN))
+/// True for the factors of a uniform motion v (t − t₀), which counts with its own square: neither v t nor v t₀ is a length
+/// of the mechanism, however large both are.
+fn is_uniform(graph: &Graph, factors: [ExprId; 2]) -> bool {
+    let is_constant = |id: ExprId| graph.depends(id).is_static();
+    factors.iter().any(|&factor| is_constant(factor)) && factors.iter().any(|&factor| is_clock(graph, factor))
+}
+
+/// True for a sum of t and constants.
+fn is_clock(graph: &Graph, id: ExprId) -> bool {
+    let is_part = |id: ExprId| graph.depends(id).is_static() || is_clock(graph, id);
+    match graph.node(id) {
+        Node::Symbol(Symbol::Time) => true,
+        Node::Neg(a) | Node::Opaque(a) => is_clock(graph, a),
+        Node::Add(a, b) | Node::Sub(a, b) => is_part(a) && is_part(b) && !graph.depends(id).is_static(),
+        _ => false,
+    }
 }
 
 /// True for a coordinate, as it is in Φ or as the result of an iteration, and for everything that does not move.

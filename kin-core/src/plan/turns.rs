@@ -27,7 +27,7 @@ use crate::constraint::{ConstraintSet, Coordinate, CoordinateKind};
 use crate::expr::{ExprId, Graph, Jet, Symbol, total_derivatives};
 use crate::mechanism::Component;
 use crate::vocabulary::Function;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Kinds of unknowns by their unit; the unit of a scalar is not known, so every scalar is a kind by itself.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -56,6 +56,8 @@ struct Found {
     by_time: bool,
     by_coordinate: bool,
     iterates: bool,
+    /// The angles for which the plan iterates.
+    iterated_angles: BTreeSet<u32>,
 }
 
 /// w of all coordinates at a configuration. It is 0 for coordinates that turn no gradient, and for angles unless the group
@@ -63,8 +65,8 @@ struct Found {
 pub(super) fn turns(graph: &mut Graph, tree: &Block, set: &ConstraintSet) -> GradientTurns {
     let (mut found, coordinates) = (Found::default(), &set.coordinates);
     of_block(graph, tree, coordinates, &mut found);
-    let Found { mut squares, by_time, by_coordinate, iterates } = found;
-    let closeness = add_turns(graph, &set.rows, &mut squares);
+    let Found { mut squares, by_time, by_coordinate, iterates, iterated_angles } = found;
+    let closeness = add_turns(graph, set, &iterated_angles, &mut squares);
     let zero = graph.zero();
     let of = |(k, _): (u32, &Coordinate)| squares.get(&k).map_or(zero, |&square| graph.call(Function::Sqrt, square));
     let by_coordinates = if squares.is_empty() { Vec::new() } else { (0..).zip(coordinates).map(of).collect() };
@@ -91,6 +93,10 @@ fn of_block(graph: &mut Graph, block: &Block, coordinates: &[Coordinate], found:
 }
 
 fn of_core(graph: &mut Graph, core: &Core, coordinates: &[Coordinate], found: &mut Found) {
+    if let SolutionMethod::Newton { .. } = core.method {
+        let is_angle = |k: &u32| unit(*k, &coordinates[*k as usize]) == UnitOfUnknown::Angle;
+        found.iterated_angles.extend(core.coordinates.iter().copied().filter(is_angle));
+    }
     let Some(TurningRows { residuals, known: with_known, curves }) = rows(graph, core, coordinates) else { return };
     let (residuals, is_closed) = (&residuals, !matches!(core.method, SolutionMethod::Newton { .. }));
     let jets = total_derivatives(graph, residuals);
