@@ -213,13 +213,18 @@ impl<'s> ClosureEquations<'s> {
         with_time: bool,
         only_possible: bool,
     ) -> Result<Option<EvaluatedEquations>, Uncertified> {
-        self.over(u, Subset { phi_t: with_time, ..Subset::POSITION })?;
-        let Values { phi, phi_q, phi_t } = &self.values;
-        let f = self.f();
-        let known = self.determined.iter().map(|(_, row, _)| phi[*row]);
-        if only_possible && known.chain(f.iter().copied()).any(Interval::excludes_zero) {
+        let evaluated = self.over(u, Subset { phi_t: with_time, ..Subset::POSITION });
+        // Where derivatives have no bound, as around points that coincide, the values may have one.
+        if let (Err(error), true) = (&evaluated, only_possible) {
+            let is_open = self.over(u, Subset::PHI).is_ok() && self.excludes_zero();
+            return if is_open { Ok(None) } else { Err(error.clone()) };
+        }
+        evaluated?;
+        if only_possible && self.excludes_zero() {
             return Ok(None);
         }
+        let f = self.f();
+        let Values { phi_q, phi_t, .. } = &self.values;
         let derivative = |i: usize, k: usize| self.reduced.derivative(phi_q, i, k);
         let rates = if with_time { self.rates() } else { Vec::new() };
         let by_t = |i: usize| self.with_known(phi_t[i], &self.reduced.gradient(phi_q, i), &rates);
@@ -237,6 +242,12 @@ impl<'s> ClosureEquations<'s> {
             f_t.extend(with_time.then(|| dot(*slope, *by_t)));
         }
         Ok(Some(EvaluatedEquations { f, f_u, f_t, constant_parts }))
+    }
+
+    /// True if an equation, those of known coordinates included, has no zero over the box that was evaluated last.
+    fn excludes_zero(&self) -> bool {
+        let known = self.determined.iter().map(|(_, row, _)| self.values.phi[*row]);
+        known.chain(self.f()).any(Interval::excludes_zero)
     }
 
     /// Whether the equations are the same after a whole turn, for each of the coordinates u: false for lengths, and for

@@ -243,3 +243,23 @@ fn open_degrees_of_freedom_have_no_list_of_closures() {
         "nothing is proven at t = 0: a degree of freedom is open, so that no solution is isolated"
     );
 }
+
+/// A cabin and its counterweight on one rope, each below a pulley.
+#[mechanism]
+#[body(cabin, x = 0, phi = 0)]
+#[body(weight, x = 1, phi = 0)]
+#[rope(rope: cabin @ (0, 0), ground @ (0, 10), ground @ (1, 10), weight @ (0, 0), length = 12)]
+#[driver(drive: cabin.y = 1 + t)]
+#[guess(weight.y = 5)]
+struct Hanging;
+
+/// The weight hangs as far below its pulley as it could stand above it; at the pulley itself the row has a value, and no
+/// derivative.
+#[test]
+fn weights_below_pulleys_have_two_closures() {
+    let all = Hanging.solver().assemblies(&Instant::at(2.0)).expect("rows of position level");
+    assert!(all.is_complete(), "{all}");
+    let mut heights: Vec<f64> = all.found.iter().map(|found| found.q[1]).collect();
+    heights.sort_by(f64::total_cmp);
+    assert!(heights.len() == 2 && (heights[0] - 6.0).abs() + (heights[1] - 14.0).abs() < 1e-12, "{heights:?}");
+}

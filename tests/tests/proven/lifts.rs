@@ -67,3 +67,26 @@ fn a_closed_arc_from_a_dead_centre_lists_it_once() {
     // Stretched and folded.
     assert!(found.is_closed() && found.places.len() == 2, "{found}");
 }
+
+/// A scissor jack: a screw draws its knees together. At t = −5 all four arms lie flat, and the screw can turn no further
+/// back; there branches cross, too, as either pair of arms could tilt.
+#[mechanism]
+#[body(ll, x = -20, y = 0)]
+#[body(lr, x = 20, y = 0)]
+#[bodies(ul, ur)]
+#[body(top, x = 0, phi = 0)]
+#[revolute(kl: ll @ (150, 0), ul @ (0, 0))]
+#[revolute(kr: lr @ (150, 0), ur @ (0, 0))]
+#[revolute(tl: ul @ (150, 0), top @ (-20, 0))]
+#[revolute(tr: ur @ (150, 0), top @ (20, 0))]
+#[constraint(thread: distance(ll @ (150, 0), lr @ (150, 0)) = 300 - 8 * t)]
+#[guess(ll.phi = 2.6, lr.phi = 0.5, ul.phi = 0.5, ur.phi = 2.6, top.y = 150)]
+struct Jack;
+
+#[test]
+fn an_arc_reports_a_dead_centre_at_which_branches_cross() {
+    let swept = Jack.solver().sweep_along_arc(0.0, None, 40).expect("an arc");
+    let places = &swept.arc.as_ref().expect("it went along the arc").places;
+    let turning: Vec<_> = places.iter().filter(|place| place.kind == ArcPlaceKind::DeadCentre).collect();
+    assert!(turning.len() == 1 && (turning[0].t + 5.0).abs() < 1e-6, "{places:?}");
+}
