@@ -67,6 +67,10 @@ pub(super) fn run(args: &LimitsArgs, engine: &mut dyn Engine, session: &mut Sess
         let [from, to] = [within.lower(), within.upper()].map(rounded);
         session.note(&format!("note: closures are searched with {coordinate} between {from} and {to} only"));
     }
+    if let (Form::Json, [], ranges) = (output.form, &all.limits[..], &all.ranges[..]) {
+        let what = if ranges.is_empty() { "it closes nowhere" } else { "no range has a limit" };
+        session.note(&format!("note: {what} from t = {} to t = {}", rounded(from), rounded(to)));
+    }
     session.deliver(&output, &text)?;
     match all.limits.iter().find(|limit| !limit.proven) {
         None => Ok(()),

@@ -219,7 +219,7 @@ pub(super) fn analysis(engine: &dyn Engine, error: &SolveError) -> Failure {
             "the equations have no value there: other parameters (--set) or guesses (--guess) may have"
         }
         SolveError::ModeNotAssembled { .. } => {
-            "`info` has the modes that the guesses lead to; other dimensions (--set) or other signs (--mode) may close"
+            "`modes` finds all closures; other dimensions (--set), signs (--mode) or guesses (--guess) may close"
         }
         _ => return Failure::Analysis(named(engine, error)),
     };

@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use super::{failed, good, json};
+use super::{failed, good, json, kin};
 
 /// The numbers of a CSV with one row, with their names.
 fn row(line: &str) -> Vec<(String, f64)> {
@@ -111,4 +111,17 @@ fn a_quantity_without_derivatives_is_refused() {
     );
     // Nothing is determined along the redundant direction.
     failed("arm sensitivities upper.phi --least-norm", 1, &["at t = 0"]);
+}
+
+/// The list of limits is empty for what turns all the way and for what closes nowhere.
+#[test]
+fn an_empty_list_of_limits_is_explained() {
+    let turns = kin("fourbar limits --format json");
+    assert!(turns.out.trim() == "[]" && turns.err.contains("note: no range has a limit from t = 0"), "{}", turns.err);
+    let nowhere = kin("infeasible limits --format json");
+    assert!(
+        nowhere.out.trim() == "[]" && nowhere.err.contains("note: it closes nowhere from t = 0"),
+        "{}",
+        nowhere.err
+    );
 }
