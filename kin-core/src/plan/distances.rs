@@ -7,9 +7,9 @@
 //! wₖ² = Σ |∂v/∂xₖ|²/|v|²
 //! ```
 //!
-//! The sum comprises all distances in the rows. If one point moves straight through another, the unit
-//! vector does not turn but jumps; nevertheless w grows without bounds towards that place, so that steps of a motion end
-//! there. The sum Σ 1/|v|² of every row shows which row it is.
+//! The sum comprises all distances in the rows. If one point moves straight through another, the unit vector does not turn
+//! but jumps; nevertheless w grows without bounds towards that place, so that steps of a motion end there. The sum
+//! Σ 1/|v|² of every row shows which row it is.
 
 use super::sizes::sum_of_squares;
 use crate::constraint::{ConstraintRow, ConstraintSet};
