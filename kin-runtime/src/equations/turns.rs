@@ -47,6 +47,6 @@ impl Equations<'_> {
         }
         let mut closeness = vec![0.0; self.model.rows.len()];
         self.system.closeness(&self.instant(), q, &mut closeness).ok()?;
-        row_with_coincident_points(&closeness, q)
+        row_with_coincident_points(self.model, &closeness, q)
     }
 }

@@ -35,6 +35,17 @@ struct Turning {
     beside: f64,
 }
 
+/// The driver ends at t = 8, where the cabin is 0.02 below its pulley and a wheel has turned by 8000 rad.
+#[mechanism]
+#[body(cabin, x = 0, phi = 0)]
+#[body(weight, x = 1, phi = 0)]
+#[body(wheel, x = 0, y = 0)]
+#[rope(rope: cabin @ (0, 0), ground @ (0, 10), ground @ (1, 10), weight @ (0, 0), length = 12)]
+#[driver(drive: cabin.y = 9.98 - sqrt(8 - t))]
+#[driver(spin: wheel.phi = 1000 * t)]
+#[guess(weight.y = 5)]
+struct Wound;
+
 const GRIDS: [&[f64]; 5] = [
     &[0.0, 18.0],
     &[8.0, 8.4, 8.8, 9.2, 9.6, 10.0],
@@ -95,5 +106,17 @@ fn points_of_a_rope_pass_one_another_at_a_small_distance() {
         passes(&Lift { beside });
         passes(&Formula { beside });
         passes(&Turning { beside });
+    }
+}
+
+/// Another end of a motion is not taken for coinciding points because an angle is large.
+#[test]
+fn points_that_are_near_do_not_coincide_where_bodies_have_turned_often() {
+    for use_plan in [true, false] {
+        let solver = Wound.solver().with_options(Options { use_plan, ..Options::default() });
+        let error = solver.sweep(&[7.9, 8.1]).expect_err("the driver ends").source;
+        let is_named =
+            matches!(error, SolveError::StepRefused { t, reason: Refusal::Undefined, .. } if (t - 8.0).abs() < 1e-9);
+        assert!(is_named, "{use_plan}: {error}");
     }
 }
