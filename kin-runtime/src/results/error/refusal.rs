@@ -36,7 +36,7 @@ impl fmt::Display for Refusal {
             Self::TooManySteps => "too many internal steps",
             Self::Rounded => "rounding errors dominate the rates there, because the slopes of rows change too fast",
             Self::Undefined => "a row is not defined beyond it",
-            Self::Coincident => "two points of the row coincide there, so that their distance has no direction",
+            Self::Coincident => "two points of the row coincide, so that their distance has no direction",
             Self::Discontinuous => "a row or an input jumps there",
             Self::TimeTooCoarse => {
                 "t is too large: neighbouring floating-point numbers are too far apart there for a step of the motion"
