@@ -8,6 +8,7 @@
 
 mod iteration;
 mod pole;
+mod spot;
 
 use super::error::PlanError;
 use super::follower::{PlanFollower, PlanSolution, Rejection};
@@ -20,24 +21,14 @@ use crate::model::Model;
 use crate::plan::{Depth, Plan, Solved, StepKind};
 use crate::signal::{Instant, Signal};
 use crate::workspace::Array;
-
-/// The first step of the search for a limit, relative to the length of the course, large enough not to be lost in
-/// rounding.
-const LITTLE: f64 = 1e-6;
+use spot::{NO_MARGIN, Spot};
 
 /// Largest margin that counts as zero at a crossing, where the margin touches 0: its rounding error.
 const TOUCHES: f64 = 1e-9;
 
-/// Rounding error of a margin that is zero.
-const NO_MARGIN: f64 = 1e-13;
-
 /// If the margin is below minus this at the place where its sign changes, it is discontinuous there, and so is the
 /// motion.
 const JUMP: f64 = 1e-6;
-
-/// Numbers of bisections, and of golden sections in the search for a minimum, that suffice for all digits of a number.
-const HALVINGS: usize = 80;
-const SECTIONS: usize = 90;
 
 impl<M: Mechanism> PlanFollower<M> {
     /// The error if the instant or a parameter is not finite.
@@ -198,51 +189,9 @@ impl<M: Mechanism> PlanFollower<M> {
 
     /// The place beyond the last place reached at which the margin of this index is zero or has its minimum.
     fn locate(&mut self, mechanism: &M, course: &dyn Course, margin: usize, blocked: &Blocked<M>) -> Spot {
-        Spot::beyond(blocked.interval, course.ends(), &mut |s| self.margin_at(mechanism, course, s, margin, blocked))
-    }
-}
-
-/// A place at which a margin is zero or has its minimum.
-struct Spot {
-    s: f64,
-    /// The margin at that place.
-    margin: f64,
-    /// The smallest margin found.
-    least: f64,
-}
-
-impl Spot {
-    /// The first place beyond `from` at which the margin is zero or has its minimum. `refused` is the next place, which
-    /// could not be reached; `start` and `end` are the ends of the course.
-    fn beyond([from, refused]: [f64; 2], [start, end]: [f64; 2], margin: &mut dyn FnMut(f64) -> f64) -> Self {
-        // The limit may lie beyond the end of the course; it is searched up to a course length beyond.
-        let end = end + (end - start);
-        // Moves away from the last place reached in growing steps, until the margin is not positive or grows again.
-        let direction = if end < start { -1.0 } else { 1.0 };
-        let least = LITTLE * (end - from).abs();
-        let mut stride = (refused - from).abs().max(least).max(4.0 * f64::EPSILON * from.abs());
-        let (mut a, mut b, mut at_b) = (from, from, margin(from));
-        let mut c = b;
-        for _ in 0..HALVINGS {
-            c = b + direction * stride;
-            let beyond = if direction > 0.0 { c >= end } else { c <= end };
-            if beyond {
-                c = end;
-            }
-            let at_c = margin(c);
-            if at_c <= 0.0 {
-                let (s, margin) = root(margin, b, c);
-                return Self { s, margin, least: at_c };
-            }
-            if at_c > at_b || beyond {
-                break;
-            }
-            (a, b, at_b) = (b, c, at_c);
-            stride *= 2.0;
-        }
-        let (lowest, least) = minimum(margin, a, c);
-        let (s, margin) = if least < 0.0 { root(margin, a, lowest) } else { (lowest, least) };
-        Self { s, margin, least }
+        Spot::beyond(blocked.interval, (course.ends(), M::INPUTS == 0), &mut |s| {
+            self.margin_at(mechanism, course, s, margin, blocked)
+        })
     }
 }
 
@@ -315,44 +264,6 @@ fn of_kind(t: f64, limit: Limit) -> PlanError {
         StepKind::RedundantRows => PlanError::Contradiction { t, limit },
         _ => PlanError::Singular { t, limit },
     }
-}
-
-/// The place between `a`, where the function is positive, and `b`, where it is not, at which its sign changes; and its
-/// value there.
-fn root(f: &mut dyn FnMut(f64) -> f64, mut a: f64, mut b: f64) -> (f64, f64) {
-    let mut at_b = f(b);
-    for _ in 0..HALVINGS {
-        let middle = 0.5 * (a + b);
-        if middle == a || middle == b {
-            break;
-        }
-        let found = f(middle);
-        if found > 0.0 {
-            a = middle;
-        } else {
-            (b, at_b) = (middle, found);
-        }
-    }
-    (b, at_b)
-}
-
-/// The minimum of a function between two places by golden section search (Kiefer 1953), and its value there.
-fn minimum(f: &mut dyn FnMut(f64) -> f64, mut a: f64, mut b: f64) -> (f64, f64) {
-    const SHARE: f64 = 0.618_033_988_749_894_9;
-    let (mut c, mut d) = (b - SHARE * (b - a), a + SHARE * (b - a));
-    let (mut at_c, mut at_d) = (f(c), f(d));
-    for _ in 0..SECTIONS {
-        if at_c < at_d {
-            (b, d, at_d) = (d, c, at_c);
-            c = b - SHARE * (b - a);
-            at_c = f(c);
-        } else {
-            (a, c, at_c) = (c, d, at_d);
-            d = a + SHARE * (b - a);
-            at_d = f(d);
-        }
-    }
-    if at_c < at_d { (c, at_c) } else { (d, at_d) }
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! The end of a motion at which a linear step is singular: its solution goes to infinity, or two branches cross.
 
-use super::{NO_MARGIN, Spot};
+use super::spot::{NO_MARGIN, Spot};
 use crate::course::Course;
 use crate::mechanism::Mechanism;
 use crate::plan::Plan;
@@ -35,7 +35,7 @@ impl<M: Mechanism> PlanFollower<M> {
         (group, step): (usize, Step),
         blocked: &Blocked<M>,
     ) -> (PlanError, f64) {
-        let Spot { s, margin, .. } = Spot::beyond(blocked.interval, course.ends(), &mut |s| {
+        let Spot { s, margin, .. } = Spot::beyond(blocked.interval, (course.ends(), M::INPUTS == 0), &mut |s| {
             self.signed_margin(mechanism, course, s, group, blocked)
         });
         let kind = if self.goes_to_infinity(step, blocked) { LimitKind::Pole } else { LimitKind::BranchPoint };

@@ -1,34 +1,9 @@
-//! Tests of the search for roots and minima of margins, and of the order in which causes are reported.
+//! Tests of the order in which causes are reported.
 
 use super::*;
 use crate::Kinematics;
 use crate::fixture::PlannedFourBar;
 use crate::planned::lists::BranchValues;
-
-#[test]
-fn a_root_is_found_to_the_last_digit_from_either_side() {
-    for (a, b) in [(0.1, 0.7), (0.7, 0.1), (0.3, 0.7), (-1e3, 1e3)] {
-        let towards = f64::signum(b - a);
-        let mut f = |s: f64| (0.3 - s) * towards;
-        let (s, value) = root(&mut f, a, b);
-        assert!(value <= 0.0 && value == f(s), "{a} {b}: {value}");
-        assert!((s - 0.3).abs() <= f64::EPSILON, "{a} {b}: {s}");
-    }
-    // For a jump across 0 the result is the first place after it.
-    let (s, value) = root(&mut |s| if s < 0.3 { 1.0 } else { -5.0 }, 0.0, 1.0);
-    assert_eq!((0.3, -5.0), (s, value));
-}
-
-#[test]
-fn a_minimum_is_found_wherever_it_is() {
-    for least in [0.0, 0.01, 0.3, 0.5, 0.99, 1.0] {
-        for (a, b) in [(0.0, 1.0), (1.0, 0.0)] {
-            let (s, value) = minimum(&mut |s| 2.0 + (s - least).abs(), a, b);
-            assert!((s - least).abs() < 1e-12, "{least} from {a} to {b}: {s}");
-            assert_eq!(2.0 + (s - least).abs(), value);
-        }
-    }
-}
 
 /// Starts a follower of the four-bar at a configuration of its closed form, with a prescribed margin and an error in
 /// its plan.
