@@ -93,7 +93,7 @@ pub(crate) fn margins(equations: &mut Equations<'_>, modes: &[f64], q: &[f64]) -
 
 /// The first group that is at its limit or cannot close at the current instant, in the modes of q.
 pub(crate) fn limit(equations: &mut Equations<'_>, q: &[f64]) -> Option<Limit> {
-    if !equations.options.use_plan || !exists(equations) {
+    if !exists(equations) {
         return None;
     }
     let mut signs = Vec::new();
@@ -103,7 +103,7 @@ pub(crate) fn limit(equations: &mut Equations<'_>, q: &[f64]) -> Option<Limit> {
 
 /// [`limit`] in the modes given by the signs of these numbers; 0 counts as +.
 pub(crate) fn limit_in(equations: &mut Equations<'_>, modes: &[f64], q: &[f64]) -> Option<Limit> {
-    if !equations.options.use_plan || !exists(equations) {
+    if !exists(equations) {
         return None;
     }
     let modes = modes.iter().take(equations.model.plan.modes.len());

@@ -1,6 +1,7 @@
 //! Motions followed instant by instant: by trackers and plans, with inputs, in batches, and up to limits.
 
 mod batch;
+mod close_folds;
 mod coincident;
 mod controller;
 mod guesses;

@@ -85,6 +85,15 @@ fn ends_at<M: Kinematics + Sync>(mechanism: &M, pole: f64) {
                 assert_eq!(last, error.trajectory.states.len());
             }
         }
+        let newton = mechanism.solver().with_options(Options { use_plan: false, ..Options::default() });
+        let error = newton.sweep(&times).expect_err("a pole");
+        match (error.source.limit(), &error.source) {
+            // An instant just before the pole is singular by the condition of Φ_q.
+            (None, SolveError::Singular { t, .. }) => {
+                assert!(times.iter().any(|at| (*t..pole).contains(at)) && *t > 0.97 * pole, "{name}: {t} of {pole}");
+            }
+            (limit, source) => is(limit, &format!("full Newton in {count} steps: {source}")),
+        }
         let mut planned = solver.planned(&Instant::at(0.0)).expect("it closes");
         let mut tracker = solver.tracker(&Instant::at(0.0)).expect("it closes");
         for (k, &t) in times.iter().enumerate().skip(1).take(last) {

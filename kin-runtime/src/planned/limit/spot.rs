@@ -27,7 +27,8 @@ pub(super) struct Spot {
 impl Spot {
     /// The first place beyond `from` at which the margin is zero or has its minimum. `refused` is the next place, which
     /// could not be reached; `start` and `end` are the ends of the course. If `knows_past`, the motion before the course
-    /// is known. Where the margin only grows from the end of the course, its minimum lies before.
+    /// is known. Where the margin only grows from the end of the course, its minimum lies before. The last evaluations of
+    /// the margin are those beside the place found.
     pub(super) fn beyond(
         [from, refused]: [f64; 2],
         ([start, end], knows_past): ([f64; 2], bool),
@@ -39,8 +40,8 @@ impl Spot {
         // the margin, which is quadratic near a crossing, would be zero several times over.
         let slope = (margin(start) - at_from) / (from - start).abs();
         let ahead = if slope > 0.0 { FARTHEST * at_from / slope } else { 0.0 };
+        let least = LITTLE * (end + (end - start) - from).abs();
         let end = end + direction * (end - start).abs().max(ahead);
-        let least = LITTLE * (end - from).abs();
         let stride = direction * (refused - from).abs().max(least).max(4.0 * f64::EPSILON * from.abs());
         let mut descent = Descent::from(margin, (from, at_from), end, stride);
         // Where the margin only grows from the end of a course, the motion has passed the minimum.
@@ -52,8 +53,9 @@ impl Spot {
         }
         let Descent { a, b, c, at_c, stride } = descent;
         if at_c <= 0.0 {
-            let (s, at_s) = root(margin, b, c);
-            return Self { s, margin: at_s, least: depth(margin, (c, at_c), LITTLE * stride) };
+            let least = depth(margin, (c, at_c), LITTLE * stride);
+            let (s, margin) = root(margin, b, c);
+            return Self { s, margin, least };
         }
         let (lowest, least) = minimum(margin, a, c);
         let (s, margin) = if least < 0.0 { root(margin, a, lowest) } else { (lowest, least) };
@@ -219,6 +221,16 @@ mod tests {
                 let spot = Spot::beyond([end, end], ([start, end], start != 0.301), &mut noisy);
                 assert!((spot.s - 0.3).abs() < 1e-7 && spot.margin < least + 1e-14, "{least} {start}: {}", spot.s);
             }
+        }
+    }
+
+    /// The margin of a divisor has the same size on both sides of its zero, so that its slope says nothing.
+    #[test]
+    fn a_change_of_sign_is_found_at_its_place() {
+        for rounding in [0.0, 1e-15, -1e-15] {
+            let mut divisor = |s: f64| if s < 0.3 { 0.999 - rounding * s } else { -0.999 };
+            let spot = Spot::beyond([0.29, 0.299], ([0.2, 0.31], true), &mut divisor);
+            assert!((spot.s - 0.3).abs() < 1e-15 && spot.margin == -0.999, "{rounding}: {}", spot.s);
         }
     }
 

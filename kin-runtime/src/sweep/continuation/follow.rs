@@ -257,21 +257,24 @@ impl Continuation {
                 let limit = self.plan.as_ref().and_then(CheckedPlan::limit);
                 let jumps = self.plan.as_ref().is_some_and(CheckedPlan::found_a_jump);
                 let Self { node, here, next, q_dot, q_ddot, scratch, .. } = self;
-                let node = if moved { here } else { node };
-                complete_basis(equations, node)?;
-                let (node, Some(basis)) = (&*node, &node.basis) else { continue };
+                complete_basis(equations, if moved { &mut *here } else { &mut *node })?;
+                let last_instant = &node.state;
+                let node = if moved { &*here } else { &*node };
+                let Some(basis) = &node.basis else { continue };
                 let rates = if moved { [&node.state.q_dot, &node.state.q_ddot] } else { [&*q_dot, &*q_ddot] };
                 let start = StepStart { node, basis, s: from, q_dot: rates[0], q_ddot: rates[1] };
                 let is_pole = limit.and_then(|limit| limit.kind()) == Some(LimitKind::Pole);
                 if s == from || is_pole && !equations.model.plan.has_redundant_rows() {
                     // The step is shorter than the spacing of floating-point numbers, or the coordinates grow without
                     // bound, so that no step is short enough.
-                    return Err(refusal(equations, &start, [target; 2], Fault::Coarse(0.5), (limit, jumps)));
+                    let fault = Fault::Coarse(0.5);
+                    return Err(refusal(equations, (last_instant, &start), [target; 2], fault, (limit, jumps)));
                 }
                 // The iteration must also converge fully at a limit that the plan has found: two solutions may meet there.
                 match (self.step)(equations, scratch, start, next, s, s == aim) {
                     Ok(_) if s == aim && s != target && next.state.condition.is_some_and(|c| c > SINGULAR) => {
-                        return Err(refusal(equations, &start, [s, target], Fault::Coarse(0.5), (limit, jumps)));
+                        let fault = Fault::Coarse(0.5);
+                        return Err(refusal(equations, (last_instant, &start), [s, target], fault, (limit, jumps)));
                     }
                     Ok(growth) => {
                         iterations += self.next.state.iterations;
@@ -289,7 +292,7 @@ impl Continuation {
                         let factor = if let Fault::Coarse(factor) = fault { factor } else { 0.5 };
                         let shorter = factor * (s - from).abs();
                         if shorter < smallest {
-                            return Err(refusal(equations, &start, [s, target], fault, (limit, jumps)));
+                            return Err(refusal(equations, (last_instant, &start), [s, target], fault, (limit, jumps)));
                         }
                         (self.proposed, refused) = (shorter, s);
                         continue;

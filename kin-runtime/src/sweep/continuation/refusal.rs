@@ -9,6 +9,7 @@ use crate::equations::contact;
 use crate::error::{Refusal, SolveError};
 use crate::linear::{Factorization, null_space};
 use crate::planned::Limit;
+use crate::planned::follower::Control;
 use crate::planned::row_end::{RowEnd, RowsBeyond, row_end};
 use crate::state::State;
 use crate::workspace::{Instant, Subset};
@@ -28,11 +29,12 @@ const BESIDE: f64 = 1e-3;
 /// went on. Steps shrink with the distance from a dead centre, and motions end less than ten of them before it.
 const ELSEWHERE: f64 = 100.0;
 
-/// The error with the reason why the motion cannot go from `start` to the place `refused` on its way to `target`.
+/// The error with the reason why the motion cannot go from `start` to the place `refused` on its way from the last instant
+/// to `target`.
 /// `located` is the limit that the plan found, and `jumps` is true if the plan found that a row or an input jumps.
 pub(super) fn refusal(
     equations: &mut Equations<'_>,
-    start: &StepStart<'_>,
+    (last_instant, start): (&State, &StepStart<'_>),
     [refused, target]: [f64; 2],
     fault: Fault,
     (located, jumps): (Option<Limit>, bool),
@@ -40,6 +42,8 @@ pub(super) fn refusal(
     if let Some(error) = coincident_points(equations, start) {
         return error;
     }
+    // Without a plan that solves, the plan still knows where and why the motion ends.
+    let located = located.or_else(|| limit_by_plan(equations, last_instant, target));
     // The plan has looked for the end of a row before it located a limit.
     let ended = if located.is_none() { end_of_row(equations, start, target) } else { None };
     if let Some((row, reason)) = ended {
@@ -71,7 +75,8 @@ pub(super) fn refusal(
     };
     let (t_here, after_natural) = (equations.time_at(start.s), equations.time_at(start.s + natural));
     let step = (after_natural - t_here).abs();
-    let located = located.filter(|limit| limit.at().is_some_and(|at| !is_elsewhere(at, [t_here, t_refused], step)));
+    let is_here = |limit: &Limit| limit.at().is_some_and(|at| !is_elsewhere(at, [t_here, t_refused], step));
+    let located = located.filter(|limit| !equations.options.use_plan || is_here(limit));
     let limit = located.or_else(|| there(equations)).filter(|_| !jumps);
     let evaluated = equations.move_to(start.s).and_then(|()| equations.evaluate(Subset::VELOCITY, q, None));
     if let Err(error) = evaluated {
@@ -107,6 +112,21 @@ pub(super) fn refusal(
     let names = |row| (equations.row_name(row), equations.joint_name(row));
     let (row_name, joint) = row.map_or(("", ""), names);
     SolveError::StepRefused { t, t_refused, row_name, joint, reason, limit }
+}
+
+/// The limit at which the plan ends the motion from an instant to `target`, where full Newton solves although there is a
+/// plan.
+fn limit_by_plan(equations: &mut Equations<'_>, from: &State, target: f64) -> Option<Limit> {
+    if equations.options.use_plan || !by_plan::exists(equations) || equations.time_at(target) != target {
+        return None;
+    }
+    equations.system.follow_from(&from.instant(), &from.q).ok()?;
+    // A length may be negative at the target, although the motion ends before.
+    let _ = equations.move_to(target);
+    let (control, inputs) = (Control::of(&equations.options), equations.input_function());
+    let at = Instant { t: equations.t, inputs: &equations.inputs };
+    let mut state = from.clone();
+    equations.system.follow(&at, inputs, &control, &mut state).err()?.limit().copied()
 }
 
 /// The rows at a distance from a place of the course.

@@ -1,0 +1,107 @@
+//! Drivers that pass a dead centre, or stop short of it, by 1e-12 to 1e-8 of the length: two folds close to one another, or
+//! a near crossing of the branches. The limit that is told must be the right one on every grid.
+
+use kin_runtime::{Instant, Kinematics, Limit, LimitKind, Options, Planned, mechanism};
+use std::f64::consts::FRAC_PI_2;
+
+/// A slider that nearly stretches a crank and a bar, at t = π/2.
+#[mechanism]
+#[bodies(crank, bar)]
+#[body(slider, y = 0, phi = 0)]
+#[revolute(O: ground @ (0, 0), crank @ (0, 0))]
+#[revolute(A: crank @ (r, 0), bar @ (0, 0))]
+#[revolute(B: bar @ (l, 0), slider @ (0, 0))]
+#[driver(pull: slider.x = base + 0.05 * sin(t))]
+#[guess(crank.phi = 0.5, bar.phi = -0.5)]
+struct Stretched {
+    r: f64,
+    l: f64,
+    base: f64,
+}
+
+impl Stretched {
+    /// The driver passes the stretched position by the part `beyond` of the length.
+    fn new(r: f64, beyond: f64) -> Self {
+        Self { r, l: 1.0 - r, base: 1.0 + beyond - 0.05 }
+    }
+
+    /// How long before π/2 the mechanism is stretched.
+    fn before(&self) -> f64 {
+        (2.0 * (1.0 - (self.r + self.l - self.base) / 0.05)).sqrt()
+    }
+
+    /// The closed form, with the elbow up.
+    fn start(&self, t: f64) -> Vec<f64> {
+        let d = self.base + 0.05 * t.sin();
+        let a = ((d * d + self.r * self.r - self.l * self.l) / (2.0 * d * self.r)).acos();
+        let (x, y) = (self.r * a.cos(), self.r * a.sin());
+        vec![0.0, 0.0, a, x, y, (-y).atan2(d - x), d]
+    }
+}
+
+/// The instants from 0 to 3 in n steps, or back.
+fn times(n: u32, is_back: bool) -> Vec<f64> {
+    let forth = (0..=n).map(|k| 3.0 * f64::from(k) / f64::from(n));
+    if is_back { forth.map(|t| 3.0 - t).collect() } else { forth.collect() }
+}
+
+/// The limit at which a motion through these instants ends: by sweeps with the plan and without it, and by the plan alone.
+fn limits(mechanism: &Stretched, times: &[f64], says: &str) -> [Option<Limit>; 3] {
+    let start = mechanism.start(times[0]);
+    let [swept, newton] = [true, false].map(|use_plan| {
+        let solver = mechanism.solver().with_options(Options { use_plan, ..Options::default() });
+        let error = solver.sweep_from(&start, times).err()?;
+        let limit = error.source.limit().copied();
+        Some(limit.unwrap_or_else(|| panic!("{says}, plan {use_plan}: {error}")))
+    });
+    let mut planned = Planned::new(mechanism, &Instant::at(times[0]), &start).expect(says);
+    let refused = times.iter().find_map(|&t| planned.at(&Instant::at(t)).err());
+    let limit = refused.map(|error| *error.limit().unwrap_or_else(|| panic!("{says}: {error}")));
+    [swept, newton, limit]
+}
+
+#[test]
+fn the_first_of_two_close_dead_centres_is_told_on_every_grid() {
+    for beyond in [2e-12, 1e-11, 1e-10, 1e-9, 1e-8] {
+        for r in [0.3, 0.5, 0.6] {
+            let mechanism = Stretched::new(r, beyond);
+            for n in [7, 100, 157, 1000, 5000] {
+                for is_back in [false, true] {
+                    let fold = if is_back { FRAC_PI_2 + mechanism.before() } else { FRAC_PI_2 - mechanism.before() };
+                    let says = format!("{beyond} {r} {n} {is_back}");
+                    for limit in limits(&mechanism, &times(n, is_back), &says) {
+                        let limit = limit.unwrap_or_else(|| panic!("{says}: passed the dead centre"));
+                        let at = limit.at().unwrap_or_else(|| panic!("{says}: {limit}"));
+                        // The place is √(2 beyond/0.05) from π/2, so that it is known to ε over that.
+                        let known = 4.0 * f64::EPSILON / (0.05 * mechanism.before());
+                        assert!((at - fold).abs() < 1e-9_f64.max(known), "{says}: {limit:?}, not {fold}");
+                        assert_eq!(Some(LimitKind::DeadCentre), limit.kind(), "{says}");
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// Where the branches nearly cross, an instant beside the crossing has no accurate rates, and the motion ends there; what
+/// is told is the place at which the branches are nearest to one another.
+#[test]
+fn a_near_crossing_is_told_where_it_is() {
+    for short in [1e-11, 1e-10, 1e-9, 1e-8] {
+        for r in [0.342, 0.5, 0.639] {
+            let mechanism = Stretched::new(r, -short);
+            for n in [1, 10, 100, 300, 1000, 3000] {
+                let says = format!("{short} {r} {n}");
+                let [swept, newton, planned] = limits(&mechanism, &times(n, false), &says);
+                assert_eq!(swept.is_some(), planned.is_some(), "{says}");
+                if n <= 100 || short >= 1e-8 {
+                    assert!([swept, newton, planned].iter().all(Option::is_none), "{says}: {swept:?} {newton:?}");
+                }
+                for limit in [swept, newton, planned].into_iter().flatten() {
+                    let at = limit.at().unwrap_or_else(|| panic!("{says}: {limit}"));
+                    assert!((at - FRAC_PI_2).abs() < 2e-6, "{says}: {limit:?}");
+                }
+            }
+        }
+    }
+}
