@@ -11,6 +11,7 @@ pub mod modes;
 pub(crate) mod poses;
 pub(crate) mod position;
 pub(crate) mod refinement;
+pub(crate) mod rounding;
 pub(crate) mod singular;
 mod state;
 pub(crate) mod subsystem_residual;

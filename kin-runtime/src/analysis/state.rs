@@ -3,6 +3,7 @@
 use crate::analysis::acceleration::acceleration;
 use crate::analysis::poses::poses;
 use crate::analysis::position::Position;
+use crate::analysis::rounding::check_rates;
 use crate::analysis::velocity::velocity;
 use crate::equations::Equations;
 use crate::equations::scale::Scale;
@@ -17,6 +18,7 @@ pub(crate) fn state(equations: &mut Equations<'_>, position: Position) -> Result
     let (q_dot, factor) = velocity(equations, &q, None)?;
     let q_ddot = acceleration(equations, &q, &q_dot, &factor)?;
     equations.check_slopes([&q, &q_dot, &q_ddot])?;
+    check_rates(equations, [&q, &q_dot, &q_ddot], &factor)?;
     let mut state = State {
         model: equations.model,
         t: equations.t,

@@ -70,8 +70,8 @@ pub enum PlanError {
         /// The instant requested.
         t_refused: f64,
     },
-    /// Rounding errors dominate a coordinate or its rates, because the slopes of the rows that determine it change too
-    /// fast there.
+    /// Rounding errors dominate a coordinate or its rates, because the rows that determine it are nearly dependent there,
+    /// or their slopes change too fast.
     Rounded {
         /// Time.
         t: f64,
@@ -185,8 +185,8 @@ impl fmt::Display for PlanError {
             }
             Self::Rounded { t, coordinate } => write!(
                 f,
-                "at t = {t}, rounding errors dominate the rates of `{coordinate}`, because the slopes of its rows change \
-                 too fast there",
+                "at t = {t}, rounding errors dominate the rates of `{coordinate}`, because its rows are nearly dependent \
+                 there or their slopes change too fast",
                 t = rounded(*t)
             ),
             Self::Coincident { t, joint } => write!(

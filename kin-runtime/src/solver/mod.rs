@@ -76,7 +76,7 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     /// # Errors
     /// [`NotAssembled`](SolveError::NotAssembled) with the residual of the best attempt,
     /// [`GivenConflict`](SolveError::GivenConflict), [`UnknownCoordinate`](SolveError::UnknownCoordinate);
-    /// [`Rounded`](SolveError::Rounded) where the slopes of rows change so fast that rounding errors dominate;
+    /// [`Rounded`](SolveError::Rounded) where rounding errors dominate;
     /// [`UnknownMode`](SolveError::UnknownMode), [`ModeNotAssembled`](SolveError::ModeNotAssembled) and
     /// [`Plan`](SolveError::Plan) where a mode is requested; [`NonFinite`](SolveError::NonFinite) and
     /// [`Length`](SolveError::Length) for arguments and parameters, here and in every other analysis.
@@ -148,7 +148,9 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     /// Assembly from the guesses, then velocity and acceleration.
     ///
     /// # Errors
-    /// As [`assemble`](Self::assemble), [`velocity`](Self::velocity) and [`acceleration`](Self::acceleration).
+    /// As [`assemble`](Self::assemble), [`velocity`](Self::velocity) and [`acceleration`](Self::acceleration);
+    /// [`Plan`](SolveError::Plan) with the limit where a group is so near to a crossing of branches that rounding errors
+    /// dominate the rates.
     pub fn state(&self, at: &Instant<'_>) -> Result<State, SolveError> {
         if let Some(state) = self.state_by_plan(at, None) {
             return Ok(state);

@@ -87,7 +87,7 @@ fn where_the_branch_ends_the_dyad_is_named() {
         assert_eq!(limit.step.to_string(), "dyad RRR of A, B, D");
         assert!(limit.margin < 1e-9, "{}", limit.margin);
         assert!(error.to_string().contains("coupler and rocker of dyad RRR of A, B, D lock at t = 1.09468"), "{error}");
-        assert!(by_newton.source.limit().is_none());
+        assert_eq!(Some(limit), by_newton.source.limit());
     }
     // At an instant beyond the limit, and at the limit itself.
     let error = mechanism.state_at(&Instant::at(end + 0.1)).unwrap_err();

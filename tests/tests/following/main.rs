@@ -22,6 +22,7 @@ mod poles;
 mod ratios;
 mod redundant;
 mod row_ends;
+mod single_states;
 mod special_dimensions;
 mod steep_rows;
 mod tracker;

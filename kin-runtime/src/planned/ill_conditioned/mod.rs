@@ -27,7 +27,7 @@ const COINCIDING: f64 = 2e-4;
 
 /// Largest accepted rounding error of q̈ near a crossing of branches, relative to the square of the rate of the group's
 /// *drive*: the bodies placed by earlier steps of the plan.
-pub(super) const NOISE: f64 = 4e-6;
+pub(crate) const NOISE: f64 = 4e-6;
 
 /// The least rate of a group whose outer pins pass each other at a small distance, relative to its drive: it turns by half
 /// a turn on the way past.

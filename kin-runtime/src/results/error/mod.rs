@@ -84,8 +84,8 @@ pub enum SolveError {
         /// Rank of all rows.
         rank: usize,
     },
-    /// Rounding errors dominate a coordinate or its rates, because the slopes of the rows that determine it change too
-    /// fast there.
+    /// Rounding errors dominate a coordinate or its rates, because the rows that determine it are nearly dependent there,
+    /// or their slopes change too fast.
     Rounded {
         /// Time.
         t: f64,

@@ -15,7 +15,7 @@ pub enum Refusal {
     StepTooSmall,
     /// More internal steps than allowed.
     TooManySteps,
-    /// Rounding errors dominate the rates, because the slopes of rows change too fast.
+    /// Rounding errors dominate the rates, because rows are nearly dependent or their slopes change too fast.
     Rounded,
     /// A row is not defined beyond this place: a root, a logarithm or another function in it ends there.
     Undefined,
@@ -34,7 +34,10 @@ impl fmt::Display for Refusal {
             Self::NotAssembled => "the mechanism cannot be assembled beyond it",
             Self::StepTooSmall => "the internal step became too small",
             Self::TooManySteps => "too many internal steps",
-            Self::Rounded => "rounding errors dominate the rates there, because the slopes of rows change too fast",
+            Self::Rounded => {
+                "rounding errors dominate the rates there, because rows are nearly dependent or their slopes change too \
+                 fast"
+            }
             Self::Undefined => "a row is not defined beyond it",
             Self::Coincident => "two points of the row coincide, so that their distance has no direction",
             Self::Discontinuous => "a row or an input jumps there",

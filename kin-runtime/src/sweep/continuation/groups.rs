@@ -5,25 +5,19 @@
 //! closures meet, and its distance from there is about the predicted one. One sign for the whole mechanism would not
 //! suffice: if two groups change their branch in one step, the sign of the determinant of Φ_q stays the same.
 
-use crate::analysis::by_plan;
 use crate::equations::Equations;
 use crate::planned::branch::{OUT_OF_REACH, certainty_of, resolves};
 use crate::planned::gradient_turns::stays_in_bends;
-use crate::planned::ill_conditioned::ill_conditioned_group;
 use crate::planned::inputs::write_inputs_within;
 use crate::planned::interior::{LEAST, fractions, on_cubic, time_within};
 use crate::planned::parts::Span;
 use crate::planned::predict::weight;
-use crate::planned::rates::largest_angle;
 use crate::scalar::{Interval, Scalar};
 use crate::signal::Signal;
 use crate::workspace::Instant;
 
 /// Size of a branch value below which rounding no longer allows a group to be assigned to either closure.
 const SMALLEST: f64 = 1e-6;
-
-/// Condition number of the scaled Φ_q below which a configuration counts as far from every singular one.
-const REGULAR: f64 = 1e3;
 
 /// With redundant rows the motion may pass a limit of a group. `PASSING` is the largest deviation of the group's branch
 /// value from its prediction, relative to the larger of the two; `FLAT` is the size below which the deviation is not
@@ -123,32 +117,6 @@ pub(super) fn stay_between(equations: &Equations<'_>, [before, found]: [&[f64]; 
     let rotation = equations.options.max_rotation_per_step;
     let buffers = [&mut box_of_part[..], &mut turns[..]];
     stays_in_bends(span, rotation, buffers, &mut turns_over, &mut |s| Ok(stays_at(s))).unwrap_or(false)
-}
-
-/// True where the configuration is so near to a crossing of branches that its rates are dominated by rounding.
-/// `condition` is the condition number of Φ_q.
-pub(super) fn are_ill_conditioned(
-    equations: &mut Equations<'_>,
-    groups: &[f64],
-    [q, q_dot, q_ddot]: [&[f64]; 3],
-    condition: f64,
-) -> bool {
-    if groups.is_empty() || condition < REGULAR {
-        return false;
-    }
-    // A divisor of the plan may be small although the branches of its groups are far apart.
-    let margins = by_plan::margins(equations, groups, q);
-    let plan = &equations.model.plan;
-    let by_margin = |group: usize| plan.margin_of_group(group).map_or(1.0, |margin| margins[margin].max(0.0).sqrt());
-    let distance = |(group, w): (usize, &f64)| if w.is_nan() { 1.0 } else { w.abs().min(by_margin(group)) };
-    let distances: Vec<f64> = groups.iter().enumerate().map(distance).collect();
-    let turns = equations.turns(&equations.instant(), q);
-    let further = 1e-6 / largest_angle(equations.model, &turns, q_dot);
-    let ahead: Vec<f64> = q.iter().zip(q_dot).map(|(q, v)| q + further * v).collect();
-    let mut rates = Vec::new();
-    equations.write_branch_values(&ahead, &mut rates);
-    rates.iter_mut().zip(groups).for_each(|(then, now)| *then = (*then - now) / further);
-    ill_conditioned_group(equations.model, [groups, &rates], &distances, [q_dot, q_ddot], &turns).is_some()
 }
 
 /// The smallest size of a branch value, at most 1.

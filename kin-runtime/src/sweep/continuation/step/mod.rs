@@ -4,6 +4,7 @@ use super::groups;
 use super::hidden_motion::hides_nothing;
 use super::orientation::Orientation;
 use crate::analysis::acceleration::acceleration;
+use crate::analysis::rounding::{dominated_coordinate, ill_conditioned};
 use crate::analysis::velocity::{inconsistency, scaled};
 use crate::equations::Equations;
 use crate::equations::contact;
@@ -215,11 +216,13 @@ pub(super) fn settle(
         SolveError::InconsistentAcceleration { .. } if rank == state.q.len() => Fault::Jump(worst),
         error => Fault::Error(error),
     })?;
-    if last
-        && !is_redundant
-        && groups::are_ill_conditioned(equations, groups, [&state.q, &state.q_dot, &state.q_ddot], found.condition)
-    {
+    let solution = [&state.q[..], &state.q_dot, &state.q_ddot];
+    if last && !is_redundant && ill_conditioned(equations, groups, solution, found.condition).is_some() {
         return Err(Fault::Jump(worst));
+    }
+    let judged_by_groups = !groups.is_empty() && !is_redundant;
+    if last && !judged_by_groups && dominated_coordinate(equations, solution, &found)?.is_some() {
+        return Err(Fault::Rounded(worst));
     }
     if last && equations.check_slopes([&state.q, &state.q_dot, &state.q_ddot]).is_err() {
         return Err(Fault::Rounded(worst));

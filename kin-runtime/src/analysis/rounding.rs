@@ -1,0 +1,135 @@
+//! Configurations so near to a singular one that rounding errors dominate the rates.
+//!
+//! Where the groups of a plan have branch values, these show how near their closures are to one another, see
+//! [`ill_conditioned_group`]. Otherwise q is moved by what rounding errors of the rows may do to it, and the rates are
+//! computed again: with Φ_q δq = ε r, where the entries of r are ±1 on the common scale, the change of q̈ is the error to
+//! be expected.
+
+use crate::analysis::acceleration::acceleration;
+use crate::analysis::{by_plan, velocity};
+use crate::equations::Equations;
+use crate::equations::factorisation::Purpose;
+use crate::error::SolveError;
+use crate::linear::Factorization;
+use crate::planned::ill_conditioned::{NOISE, ill_conditioned_group};
+use crate::planned::rates::largest_angle;
+use crate::planned::{Limit, Located, PlanError, Step};
+use crate::random::Random;
+use crate::workspace::{Instant, Subset};
+use nalgebra::DVector;
+
+/// Condition number of the scaled Φ_q below which a configuration counts as far from every singular one.
+const REGULAR: f64 = 1e3;
+
+/// Number of trials with rounding errors of random signs, and the factor by which they are enlarged, so that the changes
+/// of the rates exceed the rounding of these rates themselves.
+const TRIALS: usize = 3;
+const ENLARGED: f64 = 64.0;
+
+/// The error if rounding dominates the rates of a solution q, q̇, q̈ of the current instant, found by full Newton; `factor` is
+/// the factorisation of Φ_q there.
+pub(crate) fn check_rates(
+    equations: &mut Equations<'_>,
+    solution: [&[f64]; 3],
+    factor: &Factorization,
+) -> Result<(), SolveError> {
+    if factor.condition < REGULAR {
+        return Ok(());
+    }
+    let mut groups = Vec::new();
+    if by_plan::exists(equations) && !equations.model.plan.has_redundant_rows() {
+        equations.write_branch_values(solution[0], &mut groups);
+    }
+    if groups.is_empty() {
+        let dominated = dominated_coordinate(equations, solution, factor)?;
+        return dominated.map_or(Ok(()), |k| {
+            Err(SolveError::Rounded { t: equations.t, coordinate: equations.model.coordinates[k].name })
+        });
+    }
+    match ill_conditioned(equations, &groups, solution, factor.condition) {
+        Some(group) => Err(SolveError::Plan(limit_of(equations, group, solution[0]))),
+        None => Ok(()),
+    }
+}
+
+/// The group of the plan that is so near to a crossing of branches that rounding dominates the rates; `groups` are the
+/// branch values at q, `condition` is the condition number of Φ_q.
+pub(crate) fn ill_conditioned(
+    equations: &mut Equations<'_>,
+    groups: &[f64],
+    [q, q_dot, q_ddot]: [&[f64]; 3],
+    condition: f64,
+) -> Option<usize> {
+    if groups.is_empty() || condition < REGULAR {
+        return None;
+    }
+    // A divisor of the plan may be small although the branches of its groups are far apart.
+    let margins = by_plan::margins(equations, groups, q);
+    let plan = &equations.model.plan;
+    let by_margin = |group: usize| plan.margin_of_group(group).map_or(1.0, |margin| margins[margin].max(0.0).sqrt());
+    let distance = |(group, w): (usize, &f64)| if w.is_nan() { 1.0 } else { w.abs().min(by_margin(group)) };
+    let distances: Vec<f64> = groups.iter().enumerate().map(distance).collect();
+    let turns = equations.turns(&equations.instant(), q);
+    let further = 1e-6 / largest_angle(equations.model, &turns, q_dot);
+    let ahead: Vec<f64> = q.iter().zip(q_dot).map(|(q, v)| q + further * v).collect();
+    let mut rates = Vec::new();
+    equations.write_branch_values(&ahead, &mut rates);
+    rates.iter_mut().zip(groups).for_each(|(then, now)| *then = (*then - now) / further);
+    ill_conditioned_group(equations.model, [groups, &rates], &distances, [q_dot, q_ddot], &turns)
+}
+
+/// The error of a group beside its limit, with the location of the limit where the plan finds it.
+fn limit_of(equations: &mut Equations<'_>, group: usize, q: &[f64]) -> PlanError {
+    let (t, inputs) = (equations.t, equations.inputs.clone());
+    let at = Instant { t, inputs: &inputs };
+    if let Err(error @ PlanError::Limit { .. }) = equations.system.follow_from(&at, q) {
+        return error;
+    }
+    let model = equations.model;
+    let step = model.plan.margin_of_group(group).and_then(|margin| Step::of_margin(model, margin));
+    match step {
+        Some(step) => {
+            let limit = Limit { step, margin: 0.0, located: Some(Located { at: t, kind: None }) };
+            PlanError::Limit { t, limit }
+        }
+        None => PlanError::Rounded { t, coordinate: "" },
+    }
+}
+
+/// The coordinate whose q̈ changes most with the rounding of the rows, if that is more than [`NOISE`] of the largest q̈ or
+/// q̇², on the common scale. `factor` is the factorisation of Φ_q at q, where it is evaluated again afterwards.
+pub(crate) fn dominated_coordinate(
+    equations: &mut Equations<'_>,
+    [q, q_dot, q_ddot]: [&[f64]; 3],
+    factor: &Factorization,
+) -> Result<Option<usize>, SolveError> {
+    if factor.condition < REGULAR {
+        return Ok(None);
+    }
+    let size = equations.scale.size(q_ddot).max(equations.scale.size(q_dot).powi(2));
+    let mut random = Random::new(0x0002_0d1e);
+    let mut found = None;
+    for _ in 0..TRIALS {
+        let rows = (0..equations.rows()).map(|_| ENLARGED * f64::EPSILON * random.symmetric().signum());
+        let moved = factor.solve(&DVector::from_iterator(equations.rows(), rows));
+        let beside: Vec<f64> = q.iter().zip(moved.iter()).map(|(q, moved)| q + moved).collect();
+        equations.evaluate(Subset::VELOCITY, &beside, None)?;
+        let there = equations.factorise(Purpose::Solutions, None);
+        let rates = velocity::solve(equations, &there)
+            .and_then(|q_dot| acceleration(equations, &beside, q_dot.as_slice(), &there));
+        // Where there are no rates beside q, those at q are not known either.
+        let changes: Vec<f64> = match rates {
+            Ok(rates) => rates.iter().zip(q_ddot).map(|(there, here)| (there - here) / ENLARGED).collect(),
+            Err(_) => vec![f64::INFINITY; q.len()],
+        };
+        // The comparison is written so that NaN counts as dominated.
+        let is_clear = equations.scale.size(&changes) <= NOISE * size;
+        if !is_clear {
+            let scaled = |k: &usize| (changes[*k] / equations.scale.columns[*k]).abs();
+            found = (0..q.len()).max_by(|a, b| scaled(a).total_cmp(&scaled(b)));
+            break;
+        }
+    }
+    equations.evaluate(Subset::VELOCITY, q, None)?;
+    Ok(found)
+}
