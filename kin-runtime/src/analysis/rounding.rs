@@ -41,7 +41,7 @@ pub(crate) fn check_rates(
         equations.write_branch_values(solution[0], &mut groups);
     }
     if groups.is_empty() {
-        let dominated = dominated_coordinate(equations, solution, factor)?;
+        let dominated = dominated_acceleration(equations, solution, factor)?;
         return dominated.map_or(Ok(()), |k| {
             Err(SolveError::Rounded { t: equations.t, coordinate: equations.model.coordinates[k].name })
         });
@@ -96,40 +96,67 @@ fn limit_of(equations: &mut Equations<'_>, group: usize, q: &[f64]) -> PlanError
     }
 }
 
-/// The coordinate whose q̈ changes most with the rounding of the rows, if that is more than [`NOISE`] of the largest q̈ or
-/// q̇², on the common scale. `factor` is the factorisation of Φ_q at q, where it is evaluated again afterwards.
-pub(crate) fn dominated_coordinate(
+/// The coordinate whose acceleration rounding dominates, if there is one. `factor` is the factorisation of Φ_q at q, where it
+/// is evaluated again afterwards.
+pub(crate) fn dominated_acceleration(
     equations: &mut Equations<'_>,
-    [q, q_dot, q_ddot]: [&[f64]; 3],
+    solution: [&[f64]; 3],
     factor: &Factorization,
 ) -> Result<Option<usize>, SolveError> {
     if factor.condition < REGULAR {
         return Ok(None);
     }
-    let size = equations.scale.size(q_ddot).max(equations.scale.size(q_dot).powi(2));
+    let mut again = |equations: &mut Equations<'_>, beside: Vec<f64>| {
+        equations.evaluate(Subset::VELOCITY, &beside, None)?;
+        let there = equations.factorise(Purpose::Solutions, None);
+        let q_dot = velocity::solve(equations, &there)?.as_slice().to_vec();
+        let q_ddot = acceleration(equations, &beside, &q_dot, &there)?;
+        Ok(vec![beside, q_dot, q_ddot])
+    };
+    let found = dominated_coordinate(equations, &solution.map(<[f64]>::to_vec), 2, factor, &mut again);
+    equations.evaluate(Subset::VELOCITY, solution[0], None)?;
+    Ok(found)
+}
+
+/// The coordinate whose derivative of an order from `first` on changes most with the rounding of the rows, if that is more than
+/// [`NOISE`] of the largest derivative of this order, or of the rate that all of them show to this power, on the common scale.
+/// `all` are q and its derivatives, `factor` is the factorisation of Φ_q there, and `again` computes them at another configuration.
+pub(crate) fn dominated_coordinate(
+    equations: &mut Equations<'_>,
+    all: &[Vec<f64>],
+    first: usize,
+    factor: &Factorization,
+    again: &mut dyn FnMut(&mut Equations<'_>, Vec<f64>) -> Result<Vec<Vec<f64>>, SolveError>,
+) -> Option<usize> {
+    let q = all.first()?;
+    // The rate of a motion with these derivatives: ρ with |q⁽ʲ⁾| ≤ ρʲ.
+    let rate = all
+        .iter()
+        .enumerate()
+        .skip(1)
+        .fold(0.0, |rate: f64, (j, derivative)| rate.max(equations.scale.size(derivative).powf(1.0 / j as f64)));
     let mut random = Random::new(0x0002_0d1e);
-    let mut found = None;
     for _ in 0..TRIALS {
         let rows = (0..equations.rows()).map(|_| ENLARGED * f64::EPSILON * random.symmetric().signum());
         let moved = factor.solve(&DVector::from_iterator(equations.rows(), rows));
-        let beside: Vec<f64> = q.iter().zip(moved.iter()).map(|(q, moved)| q + moved).collect();
-        equations.evaluate(Subset::VELOCITY, &beside, None)?;
-        let there = equations.factorise(Purpose::Solutions, None);
-        let rates = velocity::solve(equations, &there)
-            .and_then(|q_dot| acceleration(equations, &beside, q_dot.as_slice(), &there));
+        let beside = q.iter().zip(moved.iter()).map(|(q, moved)| q + moved).collect();
         // Where there are no rates beside q, those at q are not known either.
-        let changes: Vec<f64> = match rates {
-            Ok(rates) => rates.iter().zip(q_ddot).map(|(there, here)| (there - here) / ENLARGED).collect(),
-            Err(_) => vec![f64::INFINITY; q.len()],
-        };
-        // The comparison is written so that NaN counts as dominated.
-        let is_clear = equations.scale.size(&changes) <= NOISE * size;
-        if !is_clear {
-            let scaled = |k: &usize| (changes[*k] / equations.scale.columns[*k]).abs();
-            found = (0..q.len()).max_by(|a, b| scaled(a).total_cmp(&scaled(b)));
-            break;
+        let there = again(equations, beside).unwrap_or_default();
+        for (order, here) in all.iter().enumerate().skip(first) {
+            let there = there.get(order).map_or(&[][..], Vec::as_slice);
+            let change = |k: usize| {
+                let change = there.get(k).map_or(f64::NAN, |there| (there - here[k]) / ENLARGED).abs();
+                if change.is_nan() { f64::INFINITY } else { change }
+            };
+            let changes: Vec<f64> = (0..here.len()).map(change).collect();
+            let allowed = NOISE * equations.scale.size(here).max(rate.powf(order as f64));
+            // A size that is NaN allows nothing.
+            let is_clear = equations.scale.size(&changes) <= allowed;
+            if !is_clear {
+                let scaled = |k: usize| changes[k] / equations.scale.columns[k];
+                return (0..q.len()).max_by(|a, b| scaled(*a).total_cmp(&scaled(*b)));
+            }
         }
     }
-    equations.evaluate(Subset::VELOCITY, q, None)?;
-    Ok(found)
+    None
 }

@@ -12,9 +12,9 @@ use crate::workspace::{Array, Instant, Signal};
 /// about twenty values for each of them.
 const LARGEST: usize = 1500;
 
-/// Smallest power of a margin, with the order as exponent, for which rounding errors of all orders stay below 1e-10: the
-/// error of order k is about ε margin^(−k/2).
-const ACCURATE: f64 = 1e-12;
+/// Smallest power 2k − 1 of a margin for which rounding errors of order k stay below 1e-10: at a crossing of branches the
+/// error is about ε/w²ᵏ⁻¹, where w² is the margin.
+const ACCURATE: f64 = 5e-12;
 
 /// How far the plan's q, q̇ and q̈ may be from those of the state, relative to the largest number of each.
 const SAME: f64 = 1e-8;
@@ -84,10 +84,10 @@ fn write_constants<const N: usize>(to: &mut [Taylor<N>], numbers: &[f64]) {
     to.iter_mut().zip(numbers).for_each(|(to, number)| *to = Taylor::from_f64(*number));
 }
 
-/// Whether all margins are so large that derivatives up to this order are accurate: every order divides by the root of a
-/// margin once more.
+/// Whether all margins are so large that derivatives up to this order are accurate: every order divides by a margin once
+/// more.
 fn are_accurate<const N: usize>(margins: &[Taylor<N>], order: usize) -> bool {
-    let power = i32::try_from(order).unwrap_or(i32::MAX);
+    let power = i32::try_from(2 * order - 1).unwrap_or(i32::MAX);
     let is_accurate = |margin: f64| margin > 0.0 && margin.powi(power) >= ACCURATE;
     margins.iter().all(|margin| is_accurate(margin.coefficients()[0]))
 }

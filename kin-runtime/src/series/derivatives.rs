@@ -2,8 +2,10 @@
 
 use super::orders::{HigherOrders, Orders};
 use super::tape::Missing;
+use crate::analysis::acceleration::acceleration;
 use crate::analysis::by_plan;
-use crate::analysis::velocity::{factorize, inconsistency, scaled};
+use crate::analysis::rounding::dominated_coordinate;
+use crate::analysis::velocity::{self, factorize, inconsistency, scaled};
 use crate::equations::Equations;
 use crate::equations::scale::Scale;
 use crate::error::SolveError;
@@ -99,7 +101,9 @@ impl<M: Mechanism> Solver<'_, M> {
     /// supplied function is not known far enough, [`NotSmooth`](SolveError::NotSmooth) where a row has no such
     /// derivative, [`OutOfRange`](SolveError::OutOfRange) where it exceeds the range of `f64`, which is possible for
     /// all derivatives beyond order [`HigherOrders::MOST`],
-    /// [`InconsistentDerivative`](SolveError::InconsistentDerivative) where redundant rows disagree.
+    /// [`InconsistentDerivative`](SolveError::InconsistentDerivative) where redundant rows disagree, and
+    /// [`Rounded`](SolveError::Rounded) near a singular configuration, where rounding errors dominate: at a distance of δ
+    /// radians from a crossing of branches they are magnified by about 1/δ²ᵏ⁻¹ in order k.
     pub fn derivatives(&self, state: &State, order: usize) -> Result<Derivatives, SolveError> {
         self.derivatives_with(state, order, &[])
     }
@@ -164,22 +168,74 @@ fn derivatives(
         let may_use_plan = all_rows && equations.options.use_plan && by_plan::exists(equations);
         by_plan = may_use_plan && orders.factorise(&state.instant())?;
     }
-    let mut whole = None;
-    if order > 2 && !by_plan {
+    if order > 2 {
         equations.scale = Scale::around(equations, &state.q);
-        whole = Some(factorize(equations, &state.q, None)?);
+        let factor = factorize(equations, &state.q, None)?;
+        let whole = if by_plan { None } else { Some(&factor) };
+        add_orders(equations, orders, whole, order, &mut q)?;
+        check_rounding(equations, orders, (state, further), &factor, order)?;
     }
+    Ok(Derivatives::new(state, further, q, by_plan))
+}
+
+/// Adds the derivatives from the third to `order` to the known ones.
+fn add_orders(
+    equations: &Equations<'_>,
+    orders: &mut dyn Orders,
+    whole: Option<&Factorization>,
+    order: usize,
+    q: &mut Vec<Vec<f64>>,
+) -> Result<(), SolveError> {
     for k in 3..=order {
         if let Some(error) = undefined(equations, orders, k, &q[k - 1]) {
             return Err(error);
         }
-        let derivative = solve(equations, orders, whole.as_ref(), k)?;
+        let derivative = solve(equations, orders, whole, k)?;
         if k < order {
             orders.advance(&derivative)?;
         }
         q.push(derivative);
     }
-    Ok(Derivatives::new(state, further, q, by_plan))
+    Ok(())
+}
+
+/// Largest deviation of q̇ and q̈ from those at q, relative to the largest of each, for which they count as the rates there.
+/// Others are numbers of the caller's own, with no rounding errors of a solution.
+const OF_SOLUTION: f64 = 1e-3;
+
+/// The error if rounding dominates a derivative of the third order or above; `factor` is the factorisation of Φ_q at q.
+fn check_rounding(
+    equations: &mut Equations<'_>,
+    orders: &mut dyn Orders,
+    (state, further): (&State, &[&[f64]]),
+    factor: &Factorization,
+    order: usize,
+) -> Result<(), SolveError> {
+    let rates = |equations: &mut Equations<'_>, q: &[f64]| {
+        let factor = factorize(equations, q, Some(factor.rank))?;
+        let q_dot = velocity::solve(equations, &factor)?.as_slice().to_vec();
+        let q_ddot = acceleration(equations, q, &q_dot, &factor)?;
+        Ok::<_, SolveError>((factor, q_dot, q_ddot))
+    };
+    let is_near = |equations: &Equations<'_>, found: &[f64], known: &[f64]| {
+        let off: Vec<f64> = found.iter().zip(known).map(|(found, known)| found - known).collect();
+        equations.scale.size(&off) <= OF_SOLUTION * equations.scale.size(known)
+    };
+    let mut again = |equations: &mut Equations<'_>, beside: Vec<f64>| {
+        let (there, q_dot, q_ddot) = rates(equations, &beside)?;
+        orders.begin_with(&state.instant(), further, [&beside, &q_dot, &q_ddot])?;
+        let mut all = vec![beside, q_dot, q_ddot];
+        add_orders(equations, orders, Some(&there), order, &mut all)?;
+        Ok(all)
+    };
+    let Ok(all) = again(equations, state.q.clone()) else { return Ok(()) };
+    if !is_near(equations, &all[1], &state.q_dot) || !is_near(equations, &all[2], &state.q_ddot) {
+        return Ok(());
+    }
+    match dominated_coordinate(equations, &all, 3, factor, &mut again) {
+        Some(k) => Err(SolveError::Rounded { t: state.t, coordinate: equations.model.coordinates[k].name }),
+        None => Ok(()),
+    }
 }
 
 /// q⁽ᵏ⁾ with Φ_q q⁽ᵏ⁾ = b: by the blocks of the plan, unless Φ_q is factorised as a whole. Right-hand sides of

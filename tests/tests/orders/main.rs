@@ -5,6 +5,7 @@ mod closed_forms;
 mod functions;
 mod long;
 mod refusals;
+mod rounding;
 mod scaling;
 
 use kin_runtime::{Kinematics, Solver};

@@ -4,7 +4,7 @@ use super::groups;
 use super::hidden_motion::hides_nothing;
 use super::orientation::Orientation;
 use crate::analysis::acceleration::acceleration;
-use crate::analysis::rounding::{dominated_coordinate, ill_conditioned};
+use crate::analysis::rounding::{dominated_acceleration, ill_conditioned};
 use crate::analysis::velocity::{inconsistency, scaled};
 use crate::equations::Equations;
 use crate::equations::contact;
@@ -221,7 +221,7 @@ pub(super) fn settle(
         return Err(Fault::Jump(worst));
     }
     let judged_by_groups = !groups.is_empty() && !is_redundant;
-    if last && !judged_by_groups && dominated_coordinate(equations, solution, &found)?.is_some() {
+    if last && !judged_by_groups && dominated_acceleration(equations, solution, &found)?.is_some() {
         return Err(Fault::Rounded(worst));
     }
     if last && equations.check_slopes([&state.q, &state.q_dot, &state.q_ddot]).is_err() {
