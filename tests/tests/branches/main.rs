@@ -34,3 +34,4 @@ mod tappets;
 mod turning;
 mod twins;
 mod ways;
+mod without_groups;

@@ -19,6 +19,10 @@ use crate::workspace::Instant;
 /// Size of a branch value below which rounding no longer allows a group to be assigned to either closure.
 const SMALLEST: f64 = 1e-6;
 
+/// Largest difference between a prediction and the configuration found, relative to the distance of the nearest other
+/// solution.
+const CERTAIN: f64 = 0.5;
+
 /// With redundant rows the motion may pass a limit of a group. `PASSING` is the largest deviation of the group's branch
 /// value from its prediction, relative to the larger of the two; `FLAT` is the size below which the deviation is not
 /// checked.
@@ -73,6 +77,16 @@ pub(super) fn stay([before, predicted, found]: [&[f64]; 3], turn: f64, is_redund
             && (nearest >= OUT_OF_REACH * turn || resolves(nearest, turn) >= 0.0)
             && certainty_of(sign * found, sign * predicted) >= 0.0
     })
+}
+
+/// True if a step cannot have led to another solution, where branch values do not show that: with prescribed coordinates,
+/// without a plan, or where the plan divides by 0. `distance` is the smaller reciprocal of the condition of the scaled Φ_q at
+/// both ends, which is no larger than the angle between two solutions that meet where Φ_q is singular; `correction` is the
+/// difference between the prediction and the configuration found.
+///
+/// The sign of a determinant alone does not suffice: it stays where two pairs of solutions meet at once.
+pub(super) fn stay_apart(distance: f64, turn: f64, correction: f64) -> bool {
+    distance >= OUT_OF_REACH * turn || resolves(distance, turn) >= 0.0 && correction <= CERTAIN * distance
 }
 
 /// True if no group whose branch value must be looked at within a step comes much nearer to its limit there than at the

@@ -6,7 +6,38 @@
 
 use crate::equations::Equations;
 use crate::linear::{Factorization, independent_rows, null_space, positive_determinant};
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, Schur};
+
+/// Largest number of rounds of the QR algorithm for every eigenvalue; usually two or three suffice.
+const ROUNDS: usize = 30;
+
+/// True if every matrix on the straight line from an earlier Φ_q, factorised as `before`, to the Φ_q evaluated last is
+/// regular with certainty: all eigenvalues of Φ_q(before)⁻¹ Φ_q have positive real parts. Where two pairs of solutions meet
+/// at once, two eigenvalues change their signs, but the determinant does not.
+///
+/// With degrees of freedom left there is no inverse, and nothing is compared.
+pub(crate) fn stays_regular(equations: &Equations<'_>, before: &Factorization) -> bool {
+    let n = equations.coordinates();
+    if before.rank < n {
+        return true;
+    }
+    let all: Vec<usize> = (0..equations.rows()).collect();
+    let now = equations.scaled_rows(&all);
+    let mut ratio = DMatrix::zeros(n, n);
+    for (k, column) in now.column_iter().enumerate() {
+        ratio.set_column(k, &before.solve(&column.into_owned()));
+    }
+    let off = |i: usize, k: usize| if i == k { ratio[(i, k)] - 1.0 } else { ratio[(i, k)] };
+    let columns = &equations.scale.columns;
+    let row = |i: usize| (0..n).map(|k| (off(i, k) * columns[k] / columns[i]).abs()).sum::<f64>();
+    // By this norm no eigenvalue is farther from 1 than 1.
+    if (0..n).all(|i| row(i) < 1.0) {
+        return true;
+    }
+    let schur =
+        if ratio.iter().all(|x| x.is_finite()) { Schur::try_new(ratio, f64::EPSILON, ROUNDS * n) } else { None };
+    schur.is_some_and(|schur| schur.complex_eigenvalues().iter().all(|eigenvalue| eigenvalue.re > 0.0))
+}
 
 /// Smallest relative pivot of an LU factorisation at which the sign of the determinant is above rounding.
 const SIGN_TRUST: f64 = 1e-12;

@@ -2,7 +2,7 @@
 
 use super::groups;
 use super::hidden_motion::hides_nothing;
-use super::orientation::Orientation;
+use super::orientation::{Orientation, stays_regular};
 use crate::analysis::acceleration::acceleration;
 use crate::analysis::rounding::{dominated_acceleration, ill_conditioned};
 use crate::analysis::velocity::{inconsistency, scaled};
@@ -141,7 +141,7 @@ pub(super) fn settle(
     s: f64,
     last: bool,
 ) -> Result<(), Fault> {
-    let Corrected { iterations, worst, last_step, .. } = corrected;
+    let Corrected { iterations, worst, last_step, correction } = corrected;
     let StepBuffers { closing, groups: [predicted_groups, groups], predicted, motion, .. } = scratch;
     let state = &mut to.state;
     equations.evaluate(Subset { phi: true, ..Subset::VELOCITY }, &state.q, None)?;
@@ -194,6 +194,11 @@ pub(super) fn settle(
     if !groups::stay([before, predicted_groups, groups], turn, is_redundant) {
         return Err(Fault::Jump(worst));
     }
+    let are_known = !groups.is_empty() && !is_redundant && !groups.iter().any(|w| w.is_nan());
+    let distance = 1.0 / factor.condition.max(found.condition);
+    if !are_known && !(groups::stay_apart(distance, turn, correction) && stays_regular(equations, factor)) {
+        return Err(Fault::Coarse(0.5));
+    }
     let right = -scaled(equations, &equations.phi_t);
     let q_dot = found.solve(&right);
     if inconsistency(equations, &q_dot, &right, 0.0).is_some() {
@@ -220,8 +225,7 @@ pub(super) fn settle(
     if last && !is_redundant && ill_conditioned(equations, groups, solution, found.condition).is_some() {
         return Err(Fault::Jump(worst));
     }
-    let judged_by_groups = !groups.is_empty() && !is_redundant;
-    if last && !judged_by_groups && dominated_acceleration(equations, solution, &found)?.is_some() {
+    if last && !are_known && dominated_acceleration(equations, solution, &found)?.is_some() {
         return Err(Fault::Rounded(worst));
     }
     if last && equations.check_slopes([&state.q, &state.q_dot, &state.q_ddot]).is_err() {
