@@ -2,6 +2,7 @@
 //! freedom, and singular configurations.
 
 pub(crate) mod acceleration;
+mod across;
 mod assemble;
 pub(crate) mod by_plan;
 pub(crate) mod fit;

@@ -6,6 +6,7 @@
 //! be expected.
 
 use crate::analysis::acceleration::acceleration;
+use crate::analysis::across::smooth_rates;
 use crate::analysis::{by_plan, velocity};
 use crate::equations::Equations;
 use crate::equations::factorisation::Purpose;
@@ -26,30 +27,37 @@ const REGULAR: f64 = 1e3;
 const TRIALS: usize = 3;
 const ENLARGED: f64 = 64.0;
 
-/// The error if rounding dominates the rates of a solution q, q̇, q̈ of the current instant, found by full Newton; `factor` is
-/// the factorisation of Φ_q there.
-pub(crate) fn check_rates(
+/// Replaces the rates of a solution q, q̇, q̈ of the current instant, found by full Newton, where rounding dominates them, by those
+/// of the smooth motion through q; an error where there is none. `factor` is the factorisation of Φ_q there.
+pub(crate) fn settle_rates(
     equations: &mut Equations<'_>,
-    solution: [&[f64]; 3],
+    [q, q_dot, q_ddot]: [&mut Vec<f64>; 3],
     factor: &Factorization,
 ) -> Result<(), SolveError> {
     if factor.condition < REGULAR {
         return Ok(());
     }
+    let solution = [&q[..], &q_dot[..], &q_ddot[..]];
     let mut groups = Vec::new();
     if by_plan::exists(equations) && !equations.model.plan.has_redundant_rows() {
-        equations.write_branch_values(solution[0], &mut groups);
+        equations.write_branch_values(q, &mut groups);
     }
-    if groups.is_empty() {
-        let dominated = dominated_acceleration(equations, solution, factor)?;
-        return dominated.map_or(Ok(()), |k| {
-            Err(SolveError::Rounded { t: equations.t, coordinate: equations.model.coordinates[k].name })
-        });
+    let group = ill_conditioned(equations, &groups, solution, factor.condition);
+    let coordinate = if groups.is_empty() { dominated_acceleration(equations, solution, factor)? } else { None };
+    if group.is_none() && coordinate.is_none() {
+        return Ok(());
     }
-    match ill_conditioned(equations, &groups, solution, factor.condition) {
-        Some(group) => Err(SolveError::Plan(limit_of(equations, group, solution[0]))),
-        None => Ok(()),
+    if let Some(rates) = smooth_rates(equations, [q, q_dot], factor.condition) {
+        [*q_dot, *q_ddot] = rates;
+        return equations.evaluate(Subset::VELOCITY, q, None);
     }
+    Err(match (group, coordinate) {
+        (Some(group), _) => SolveError::Plan(limit_of(equations, group, q)),
+        (_, k) => {
+            let coordinate = k.map_or("", |k| equations.model.coordinates[k].name);
+            SolveError::Rounded { t: equations.t, coordinate }
+        }
+    })
 }
 
 /// The group of the plan that is so near to a crossing of branches that rounding dominates the rates; `groups` are the

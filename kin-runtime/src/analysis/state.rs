@@ -3,7 +3,7 @@
 use crate::analysis::acceleration::acceleration;
 use crate::analysis::poses::poses;
 use crate::analysis::position::Position;
-use crate::analysis::rounding::check_rates;
+use crate::analysis::rounding::settle_rates;
 use crate::analysis::velocity::velocity;
 use crate::equations::Equations;
 use crate::equations::scale::Scale;
@@ -13,12 +13,12 @@ use crate::state::State;
 
 /// The state at an assembled position, and the factorised Φ_q there.
 pub(crate) fn state(equations: &mut Equations<'_>, position: Position) -> Result<(State, Factorization), SolveError> {
-    let Position { q, iterations, residual } = position;
+    let Position { mut q, iterations, residual } = position;
     equations.scale = Scale::around(equations, &q);
-    let (q_dot, factor) = velocity(equations, &q, None)?;
-    let q_ddot = acceleration(equations, &q, &q_dot, &factor)?;
+    let (mut q_dot, factor) = velocity(equations, &q, None)?;
+    let mut q_ddot = acceleration(equations, &q, &q_dot, &factor)?;
     equations.check_slopes([&q, &q_dot, &q_ddot])?;
-    check_rates(equations, [&q, &q_dot, &q_ddot], &factor)?;
+    settle_rates(equations, [&mut q, &mut q_dot, &mut q_ddot], &factor)?;
     let mut state = State {
         model: equations.model,
         t: equations.t,

@@ -150,7 +150,7 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     /// # Errors
     /// As [`assemble`](Self::assemble), [`velocity`](Self::velocity) and [`acceleration`](Self::acceleration);
     /// [`Plan`](SolveError::Plan) with the limit where a group is so near to a crossing of branches that rounding errors
-    /// dominate the rates.
+    /// dominate the rates, and no smooth motion through the configuration gives them.
     pub fn state(&self, at: &Instant<'_>) -> Result<State, SolveError> {
         if let Some(state) = self.state_by_plan(at, None) {
             return Ok(state);

@@ -105,3 +105,69 @@ fn a_near_crossing_is_told_where_it_is() {
         }
     }
 }
+
+/// Two equal links whose outer pins meet at the instant `meets`.
+#[mechanism]
+#[bodies(left, right)]
+#[body(slider, y = 0, phi = 0)]
+#[revolute(A: ground @ (0, 0), left @ (0, 0))]
+#[revolute(C: slider @ (0, 0), right @ (0, 0))]
+#[revolute(K: left @ (l, 0), right @ (l, 0))]
+#[driver(push: slider.x = 0.7 * (t - meets))]
+struct Meeting {
+    l: f64,
+    meets: f64,
+}
+
+#[test]
+fn pins_that_meet_at_an_instant_of_the_grid_are_told_to_meet_there() {
+    for meets in [0.0, 1.0, 0.731_058_5] {
+        for (before, n) in [(0.01, 1_u32), (0.3, 2), (0.9, 30)] {
+            let mechanism = Meeting { l: 0.6, meets };
+            let times: Vec<f64> = (0..=n).map(|k| meets - before * f64::from(n - k) / f64::from(n)).collect();
+            let x = 0.7 * (times[0] - meets);
+            let angle = (x / 1.2).acos();
+            let start = [0.0, 0.0, angle, x, 0.0, std::f64::consts::PI - angle, x];
+            let error = mechanism.solver().sweep_from(&start, &times).expect_err("pins that meet").source;
+            let swept = error.limit().and_then(Limit::at);
+            let mut planned = Planned::new(&mechanism, &Instant::at(times[0]), &start).expect("apart");
+            let error = times.iter().find_map(|&t| planned.at(&Instant::at(t)).err()).expect("pins that meet");
+            for at in [swept, error.limit().and_then(Limit::at)] {
+                assert!(at.is_some_and(|at| (at - meets).abs() < 1e-12), "{meets} {before} {n}: {at:?} {error}");
+            }
+        }
+    }
+}
+
+/// A table on two parallel rods, which slides without turning.
+#[mechanism]
+#[bodies(table)]
+#[distance(p: ground @ (0, 0), table @ (0, 0), length = l)]
+#[distance(q: ground @ (b, 0), table @ (b, 0), length = l)]
+#[driver(pull: table.x = x0 + (l * (1 - gap) - x0) * sin(t))]
+struct Table {
+    b: f64,
+    l: f64,
+    x0: f64,
+    gap: f64,
+}
+
+#[test]
+fn rounding_errors_of_a_table_that_does_not_turn_end_no_motion() {
+    for k in 0..60 {
+        let (l, b) = (0.5 + 0.017 * f64::from(k), 0.2 + 0.006 * f64::from(k));
+        for gap in [4e-3, 1e-3, 3e-4] {
+            let x0 = 0.1 * l;
+            let mechanism = Table { b, l, x0, gap };
+            let start = [x0, (l * l - x0 * x0).sqrt(), 0.0];
+            let mut planned = Planned::new(&mechanism, &Instant::at(0.0), &start).expect("regular");
+            for n in 1..=200 {
+                let t = 0.015 * f64::from(n);
+                let x = x0 + (l * (1.0 - gap) - x0) * t.sin();
+                let state = planned.at(&Instant::at(t)).unwrap_or_else(|error| panic!("{l} {b} {gap}: {error}"));
+                let y = (l * l - x * x).sqrt();
+                assert!((state.q()[1] - y).abs() < 1e-9 && state.q()[2].abs() < 1e-9, "{l} {b} {gap} {t}");
+            }
+        }
+    }
+}

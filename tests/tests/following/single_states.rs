@@ -1,5 +1,5 @@
-//! States near a crossing of branches: where rounding errors dominate the rates, a single state is refused as a sweep and a
-//! plan refuse it, whether the plan solves, full Newton, or a prescribed coordinate moves the mechanism.
+//! States near a crossing of branches, where rounding errors dominate the rates that follow from q: a single state has those
+//! of the smooth motion through it, whether the plan solves, full Newton, or a prescribed coordinate moves the mechanism.
 
 use kin_runtime::{Instant, Kinematics, Options, Planned, Signal, SolveError, State, mechanism};
 
@@ -34,13 +34,15 @@ fn start(a: f64, angle: f64) -> [f64; 9] {
     [0.0, 0.0, angle, a * x, a * y, 0.0, 2.0, 0.0, angle * 1.001]
 }
 
-/// True for a state as accurate as q̈ of the rocker can be, to 4·10⁻⁶ of the square of the crank's rate.
-fn is_right(state: &State) -> bool {
-    (state.q_dot[8] - 1.0).abs() < 1e-8 && state.q_ddot[8].abs() < 1e-5
+/// True for a state whose q̈ is accurate to 4·10⁻⁶ of the square of the crank's rate, or, where that was not possible from q
+/// alone, much better.
+fn is_right(state: &State, angle: f64) -> bool {
+    let allowed = if angle < 1e-4 { 1e-9 } else { 1e-5 };
+    (state.q_dot[8] - 1.0).abs() < 1e-8 && state.q_ddot[8].abs() < allowed
 }
 
 #[test]
-fn what_rounding_dominates_is_refused_by_every_way() {
+fn rates_beside_a_crossing_are_right() {
     for a in [1.0, 0.7, 0.33] {
         for exponent in -160..=-10 {
             let angle = 1.37 * 10_f64.powf(0.05 * f64::from(exponent));
@@ -49,20 +51,17 @@ fn what_rounding_dominates_is_refused_by_every_way() {
             for use_plan in [true, false] {
                 let solver = mechanism.solver().with_options(Options { use_plan, ..Options::default() });
                 match solver.state_from(&Instant::at(angle), &start) {
-                    Ok(state) => assert!(is_right(&state), "{a} {angle} {use_plan}: {:?}", state.q_ddot),
+                    Ok(state) => assert!(is_right(&state, angle), "{a} {angle} {use_plan}: {:?}", state.q_ddot),
                     Err(SolveError::Singular { .. }) => assert!(!planned && angle < 1e-6, "{a} {angle}"),
-                    Err(error) => {
-                        assert!(matches!(error, SolveError::Plan(_)) && angle < 1e-3, "{a} {angle}: {error}");
-                        assert!(error.to_string().contains("A, B and D on one line"), "{error}");
-                    }
+                    Err(error) => panic!("{a} {angle}: {error}"),
                 }
             }
             let moved = Moved { a };
             let solver = moved.solver().with_given(2, Signal::new(angle, 1.0, 0.0));
             match solver.state_from(&Instant::at(0.0), &start) {
-                Ok(state) => assert!(is_right(&state), "{a} {angle}: {:?}", state.q_ddot),
+                Ok(state) => assert!(is_right(&state, angle), "{a} {angle}: {:?}", state.q_ddot),
                 Err(SolveError::Singular { .. }) => assert!(angle < 1e-6, "{a} {angle}"),
-                Err(error) => assert!(matches!(error, SolveError::Rounded { .. }) && angle < 1e-3, "{error}"),
+                Err(error) => panic!("{a} {angle}: {error}"),
             }
             // A sweep that ends there.
             let solver = moved.solver().with_given(2, Signal::new(1.0, -1.0, 0.0));

@@ -46,6 +46,9 @@ const LEAST_SHARE: f64 = 0.05;
 /// Ratio of the rates of a group and of its drive below which the group counts as standing still.
 const STILL: f64 = 1e-2;
 
+/// Ratio of the rates of a group and of the whole mechanism below which the group's rate is a rounding error.
+const TURNING: f64 = 1e-9;
+
 /// At a fold the product of a group's rate and its angle from the limit stays about as large as the rate of its drive,
 /// however near the fold is; at a crossing it goes to 0. If this product is below `SLOW` times the drive's rate, the
 /// limit is not a fold; above `FAST` times it is one.
@@ -174,11 +177,15 @@ pub(crate) fn ill_conditioned_group(
     if let Some(group) = (0..plan.modes.len()).find(meet) {
         return Some(group);
     }
+    let fastest = largest_angle(model, turns, q_dot);
     // The error of a linear system is only ε/w.
     let is_linear = |step: usize| plan.steps.get(step).is_some_and(PlanStep::is_linear);
     let mut near = groups_of(plan).enumerate().filter(|(group, step)| distances[*group] < NEAR && !is_linear(*step));
     near.find_map(|(group, step)| {
-        let (before, moves, acceleration) = (drive(step), own(step, q_dot), own(step, q_ddot));
+        let (before, mut moves, acceleration) = (drive(step), own(step, q_dot), own(step, q_ddot));
+        if moves <= TURNING * fastest {
+            moves = 0.0;
+        }
         let distance = distances[group];
         // Where pins nearly coincide, the margin does not measure the distance of the closures.
         if distance < PINS * groups[group].abs() && group < plan.modes.len() {

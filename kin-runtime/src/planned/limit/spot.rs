@@ -36,6 +36,12 @@ impl Spot {
     ) -> Self {
         let direction = if end < start { -1.0 } else { 1.0 };
         let at_from = margin(from);
+        // A margin may be zero at one place alone, as where the pins of two equal links coincide.
+        if refused != from && margin(refused) <= 0.0 {
+            let least = depth(margin, (refused, 0.0), LITTLE * (refused - from));
+            let (s, margin) = root(margin, from, refused);
+            return Self { s, margin, least };
+        }
         // The limit may lie beyond the end of the course; it is searched up to a course length beyond, or up to where
         // the margin, which is quadratic near a crossing, would be zero several times over.
         let slope = (margin(start) - at_from) / (from - start).abs();
@@ -231,6 +237,15 @@ mod tests {
             let mut divisor = |s: f64| if s < 0.3 { 0.999 - rounding * s } else { -0.999 };
             let spot = Spot::beyond([0.29, 0.299], ([0.2, 0.31], true), &mut divisor);
             assert!((spot.s - 0.3).abs() < 1e-15 && spot.margin == -0.999, "{rounding}: {}", spot.s);
+        }
+    }
+
+    #[test]
+    fn a_margin_that_is_zero_at_one_place_alone_is_found_there() {
+        for from in [0.3 - 1e-15, 0.3 - 1e-6, 0.3 + 1e-9] {
+            let mut alone = |s: f64| if s == 0.3 { 0.0 } else { 0.9 - s };
+            let spot = Spot::beyond([from, 0.3], ([0.2 * from, from], true), &mut alone);
+            assert_eq!([0.3, 0.0], [spot.s, spot.margin], "{from}");
         }
     }
 
