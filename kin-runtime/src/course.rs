@@ -9,6 +9,9 @@
 //! frozen    s = x:    u = u₀ + Δu x,    t constant, up to a few units in its last place
 //! ```
 //!
+//! Between two instants with inputs, s begins at 0, s = t − t₀: where t is large, its neighbouring numbers may be farther apart
+//! than the steps that a motion near a limit needs.
+//!
 //! with c₃, c₄, c₅ such that the quintic has the values, rates and accelerations of both ends. On a frozen path
 //! derivatives are with respect to s, and time does not contribute to them.
 
@@ -128,15 +131,27 @@ impl Course for Around<'_> {
     }
 }
 
+impl Between<'_> {
+    /// The time at s = 0.
+    fn origin(&self) -> f64 {
+        if self.to.inputs.is_empty() { 0.0 } else { self.from.t }
+    }
+
+    /// The times of both ends, from the origin on.
+    fn times(&self) -> [f64; 2] {
+        [self.from.t - self.origin(), self.to.t - self.origin()]
+    }
+}
+
 impl Course for Between<'_> {
     fn ends(&self) -> [f64; 2] {
-        ends(self.kind, [self.from.t, self.to.t])
+        ends(self.kind, self.times())
     }
 
     fn at(&self, s: f64, inputs: &mut [Signal]) -> f64 {
-        let t = [self.from.t, self.to.t];
+        let t = self.times();
         write(self.kind, t, [self.from.inputs, self.to.inputs], s, inputs);
-        time(self.kind, t, s)
+        if s == self.ends()[1] { self.to.t } else { self.origin() + time(self.kind, t, s) }
     }
 
     fn is_frozen(&self) -> bool {

@@ -138,7 +138,8 @@ impl<M: Mechanism> PlanFollower<M> {
             return Ok(inputs.all(|(before, now)| before.value == now.value));
         }
         let before = (self.state(), &self.branch.modes);
-        self.hides_nothing(mechanism, course.unwrap_or(&between), [self.t, at.t], before, control)
+        let course = course.unwrap_or(&between);
+        self.hides_nothing(mechanism, course, course.ends(), before, control)
     }
 
     /// True if a step from a state in its modes to the trial state hides no motion; `interval` has its ends on the course.

@@ -12,6 +12,7 @@ mod inputs;
 mod jumps;
 mod larger;
 mod late;
+mod late_inputs;
 mod limits;
 mod narrow;
 mod orientations;

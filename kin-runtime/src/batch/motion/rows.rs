@@ -69,7 +69,7 @@ impl<M: Mechanism> BlockMotion<M> {
         }
         let (here, tried) = (self.poses(), &self.poses[1 - self.good]);
         let ends = [here.q.as_ref(), here.q_dot.as_ref(), tried.q.as_ref(), tried.q_dot.as_ref()];
-        let stretch = CourseStep { course: &course, interval: [self.t, t], ends };
+        let stretch = CourseStep { course: &course, interval: course.ends(), ends };
         let (parameters, weights) = (self.parameters.as_ref(), self.weights.as_ref());
         let certainty_at = |fraction: f64| {
             let there = (stretch, fraction);
