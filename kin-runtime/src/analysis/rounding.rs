@@ -126,6 +126,9 @@ pub(crate) fn dominated_acceleration(
     Ok(found)
 }
 
+/// q and its derivatives at a configuration q of the current instant.
+type Again<'a> = &'a mut dyn FnMut(&mut Equations<'_>, Vec<f64>) -> Result<Vec<Vec<f64>>, SolveError>;
+
 /// The coordinate whose derivative of an order from `first` on changes most with the rounding of the rows, if that is more than
 /// [`NOISE`] of the largest derivative of this order, or of the rate that all of them show to this power, on the common scale.
 /// `all` are q and its derivatives, `factor` is the factorisation of Φ_q there, and `again` computes them at another configuration.
@@ -134,7 +137,7 @@ pub(crate) fn dominated_coordinate(
     all: &[Vec<f64>],
     first: usize,
     factor: &Factorization,
-    again: &mut dyn FnMut(&mut Equations<'_>, Vec<f64>) -> Result<Vec<Vec<f64>>, SolveError>,
+    again: Again<'_>,
 ) -> Option<usize> {
     let q = all.first()?;
     // The rate of a motion with these derivatives: ρ with |q⁽ʲ⁾| ≤ ρʲ.

@@ -196,7 +196,8 @@ pub(super) fn settle(
     }
     let are_known = !groups.is_empty() && !is_redundant && !groups.iter().any(|w| w.is_nan());
     let distance = 1.0 / factor.condition.max(found.condition);
-    if !are_known && !(groups::stay_apart(distance, turn, correction) && stays_regular(equations, factor)) {
+    let stays = are_known || groups::stay_apart(distance, turn, correction) && stays_regular(equations, factor);
+    if !stays {
         return Err(Fault::Coarse(0.5));
     }
     let right = -scaled(equations, &equations.phi_t);
