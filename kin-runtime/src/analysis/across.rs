@@ -1,5 +1,5 @@
-//! Rates beside a singular configuration that the motion passes: where rounding errors dominate q̇ and q̈, they follow from those
-//! at instants farther away.
+//! Rates beside a singular configuration that the motion passes: where rounding errors dominate q̇ and q̈, they follow from
+//! those at instants farther away.
 //!
 //! At a distance of δ radians from a crossing of branches, rounding errors are magnified by about 1/δ² in q̇ and 1/δ³ in q̈,
 //! but each branch is a smooth curve q(t) through the crossing. So the rates are those of the polynomial through the rates at
@@ -32,8 +32,8 @@ const SAME_BRANCH: f64 = 0.01;
 /// q, q̇ and q̈ at one instant.
 type Motion = [Vec<f64>; 3];
 
-/// q̇ and q̈ of the smooth motion through q at the current instant; `None` where there is none on both sides. `condition` is the
-/// condition number of Φ_q.
+/// q̇ and q̈ of the smooth motion through q at the current instant; `None` where there is none on both sides. `condition` is
+/// the condition number of Φ_q.
 pub(crate) fn smooth_rates(
     equations: &mut Equations<'_>,
     [q, q_dot]: [&[f64]; 2],

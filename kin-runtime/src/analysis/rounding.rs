@@ -27,8 +27,8 @@ const REGULAR: f64 = 1e3;
 const TRIALS: usize = 3;
 const ENLARGED: f64 = 64.0;
 
-/// Replaces the rates of a solution q, q̇, q̈ of the current instant, found by full Newton, where rounding dominates them, by those
-/// of the smooth motion through q; an error where there is none. `factor` is the factorisation of Φ_q there.
+/// Replaces the rates of a solution q, q̇, q̈ of the current instant, found by full Newton, where rounding dominates them, by
+/// those of the smooth motion through q; an error where there is none. `factor` is the factorisation of Φ_q there.
 pub(crate) fn settle_rates(
     equations: &mut Equations<'_>,
     [q, q_dot, q_ddot]: [&mut Vec<f64>; 3],
@@ -43,7 +43,9 @@ pub(crate) fn settle_rates(
         equations.write_branch_values(q, &mut groups);
     }
     let group = ill_conditioned(equations, &groups, solution, factor.condition);
-    let coordinate = if groups.is_empty() { dominated_acceleration(equations, solution, factor)? } else { None };
+    // Branch values are NaN where the plan divides by a dimension that is 0.
+    let are_known = !groups.is_empty() && !groups.iter().any(|w| w.is_nan());
+    let coordinate = if are_known { None } else { dominated_acceleration(equations, solution, factor)? };
     if group.is_none() && coordinate.is_none() {
         return Ok(());
     }
@@ -104,8 +106,8 @@ fn limit_of(equations: &mut Equations<'_>, group: usize, q: &[f64]) -> PlanError
     }
 }
 
-/// The coordinate whose acceleration rounding dominates, if there is one. `factor` is the factorisation of Φ_q at q, where it
-/// is evaluated again afterwards.
+/// The coordinate whose acceleration rounding dominates, if there is one. `factor` is the factorisation of Φ_q at q, where
+/// it is evaluated again afterwards.
 pub(crate) fn dominated_acceleration(
     equations: &mut Equations<'_>,
     solution: [&[f64]; 3],
@@ -129,9 +131,10 @@ pub(crate) fn dominated_acceleration(
 /// q and its derivatives at a configuration q of the current instant.
 type Again<'a> = &'a mut dyn FnMut(&mut Equations<'_>, Vec<f64>) -> Result<Vec<Vec<f64>>, SolveError>;
 
-/// The coordinate whose derivative of an order from `first` on changes most with the rounding of the rows, if that is more than
-/// [`NOISE`] of the largest derivative of this order, or of the rate that all of them show to this power, on the common scale.
-/// `all` are q and its derivatives, `factor` is the factorisation of Φ_q there, and `again` computes them at another configuration.
+/// The coordinate whose derivative of an order from `first` on changes most with the rounding of the rows, if that is more
+/// than [`NOISE`] of the largest derivative of this order, or of the rate that all of them show to this power, on the common
+/// scale. `all` are q and its derivatives, `factor` is the factorisation of Φ_q there, and `again` computes them at another
+/// configuration.
 pub(crate) fn dominated_coordinate(
     equations: &mut Equations<'_>,
     all: &[Vec<f64>],
