@@ -9,7 +9,8 @@
 //! and corrected by full Newton steps. A step is accepted only if the motion in it is short, the correction is small
 //! compared with the predicted motion and converges fast, the velocity is near its prediction, the rank of Φ_q and the
 //! orientation of the branch (the sign of the determinant) are unchanged, and every group of the plan is on its own
-//! branch; otherwise the step is halved. A motion is thus followed to its end or to a crossing with another branch, and
+//! branch (or, where there are no groups, no other solution is as near as the prediction, and no eigenvalue of
+//! Φ_q(before)⁻¹ Φ_q changes its sign); otherwise the step is halved. A motion is thus followed to its end or to a crossing with another branch, and
 //! never jumps: where it cannot be followed, the error names the time and the joint.
 //!
 //! Where the mechanism has a plan, it is tried first by the follower that [`Planned`](crate::Planned) uses, which
