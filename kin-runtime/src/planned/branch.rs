@@ -81,7 +81,7 @@ const fn may_dip(before: f64, after: f64) -> bool {
 }
 
 /// [`may_dip`] for any group.
-pub(super) fn may_have_touched_limit(before: &[f64], after: &[f64]) -> bool {
+pub(crate) fn may_have_touched_limit(before: &[f64], after: &[f64]) -> bool {
     before.iter().zip(after).any(|(before, after)| may_dip(*before, *after))
 }
 
@@ -93,7 +93,7 @@ const WITHIN: f64 = 0.25;
 /// it. The arguments are w at both ends, and as predicted in the middle; between them w is the parabola through the
 /// three, so that a w that touches 0 is found at any place of the step. Groups whose mode has changed do not count: with
 /// redundant rows a motion may pass limits of the rows that the plan uses, and w changes its sign within the step.
-pub(super) fn first_dip(
+pub(crate) fn first_dip(
     [before, after]: [&[f64]; 2],
     middle: &[f64],
     [modes, modes_before]: [&[f64]; 2],

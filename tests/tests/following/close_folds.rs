@@ -171,3 +171,41 @@ fn rounding_errors_of_a_table_that_does_not_turn_end_no_motion() {
         }
     }
 }
+
+/// A slider that passes the stretched position flatly: as the fourth power of time.
+#[mechanism]
+#[bodies(crank, bar)]
+#[body(slider, y = 0, phi = 0)]
+#[revolute(O: ground @ (0, 0), crank @ (0, 0))]
+#[revolute(A: crank @ (r, 0), bar @ (0, 0))]
+#[revolute(B: bar @ (l, 0), slider @ (0, 0))]
+#[driver(pull: slider.x = top - c * pow(t - 1, 4))]
+#[guess(crank.phi = 0.5, bar.phi = -0.5)]
+struct Flat {
+    r: f64,
+    l: f64,
+    top: f64,
+    c: f64,
+}
+
+/// On coarse grids one step may lead across the gap in which the mechanism does not close.
+#[test]
+fn no_step_leads_across_a_dead_centre_and_back() {
+    for (r, l, c) in [(0.25, 0.75, 0.295), (0.5, 0.8, 0.256), (0.2, 0.9, 0.128)] {
+        for beyond in [1e-14, 1e-12, 1e-10, 1e-8, 1e-6] {
+            for n in [1_u32, 2, 3, 4, 6, 7, 11, 20] {
+                let mechanism = Flat { r, l, top: (r + l) * (1.0 + beyond), c };
+                let x = mechanism.top - c;
+                let angle = ((x * x + r * r - l * l) / (2.0 * x * r)).acos();
+                let (ax, ay) = (r * angle.cos(), r * angle.sin());
+                let start = [0.0, 0.0, angle, ax, ay, (-ay).atan2(x - ax), x];
+                let times: Vec<f64> = (0..=n).map(|k| 2.1 * f64::from(k) / f64::from(n)).collect();
+                for use_plan in [true, false] {
+                    let solver = mechanism.solver().with_options(Options { use_plan, ..Options::default() });
+                    let swept = solver.sweep_from(&start, &times);
+                    assert!(swept.is_err(), "{r} {beyond} {n} {use_plan}");
+                }
+            }
+        }
+    }
+}

@@ -6,7 +6,7 @@
 //! suffice: if two groups change their branch in one step, the sign of the determinant of Φ_q stays the same.
 
 use crate::equations::Equations;
-use crate::planned::branch::{OUT_OF_REACH, certainty_of, resolves};
+use crate::planned::branch::{OUT_OF_REACH, certainty_of, first_dip, may_have_touched_limit, resolves};
 use crate::planned::gradient_turns::stays_in_bends;
 use crate::planned::inputs::write_inputs_within;
 use crate::planned::interior::{LEAST, fractions, on_cubic, time_within};
@@ -87,6 +87,26 @@ pub(super) fn stay([before, predicted, found]: [&[f64]; 3], turn: f64, is_redund
 /// The sign of a determinant alone does not suffice: it stays where two pairs of solutions meet at once.
 pub(super) fn stay_apart(distance: f64, turn: f64, correction: f64) -> bool {
     distance >= OUT_OF_REACH * turn || resolves(distance, turn) >= 0.0 && correction <= CERTAIN * distance
+}
+
+/// True if a group comes much nearer to its limit within a step than at its ends, at which the branch values are `before` and
+/// `found`: it may have reached the limit and returned.
+pub(super) fn dip_between(equations: &Equations<'_>, [before, found]: [&[f64]; 2], span: Span<'_>) -> bool {
+    let distances = [before, found].map(|values| values.iter().map(|w| w.abs()).collect::<Vec<f64>>());
+    if !may_have_touched_limit(&distances[0], &distances[1]) {
+        return false;
+    }
+    let (mut q, mut middle) = (vec![0.0; equations.coordinates()], vec![0.0; before.len()]);
+    let at = equations.instant();
+    on_cubic(&mut q, span.ends, span.h, 0.5);
+    let mut inputs = vec![Signal::constant(0.0); at.inputs.len()];
+    write_inputs_within(&mut inputs, [span.inputs, at.inputs], 0.5, f64::from);
+    let there = Instant { t: time_within(at.t, span.h, 0.5), inputs: &inputs };
+    if equations.system.branches(&there, &q, &mut middle).is_err() {
+        return true;
+    }
+    let modes: Vec<f64> = before.iter().map(|w| w.signum()).collect();
+    first_dip([before, found], &middle, [&modes; 2]).is_some()
 }
 
 /// True if no group whose branch value must be looked at within a step comes much nearer to its limit there than at the

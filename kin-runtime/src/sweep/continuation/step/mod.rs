@@ -208,7 +208,9 @@ pub(super) fn settle(
     equations.check("q_dot", q_dot.as_slice())?;
     let ends = [&*from.node.state.q, from.q_dot, &*state.q, q_dot.as_slice()];
     let span = Span { ends, inputs: &from.node.state.inputs, h };
-    if !is_redundant && !groups::stay_between(equations, [before, groups], span) {
+    let values: [&[f64]; 2] = [before, groups];
+    if !is_redundant && (!groups::stay_between(equations, values, span) || groups::dip_between(equations, values, span))
+    {
         return Err(Fault::Coarse(0.5));
     }
     fill(motion, from.q_dot.iter().zip(from.q_ddot).map(|(v, a)| h * (v + 0.5 * h * a)));
