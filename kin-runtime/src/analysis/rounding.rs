@@ -14,7 +14,7 @@ use crate::error::SolveError;
 use crate::linear::Factorization;
 use crate::planned::ill_conditioned::{NOISE, ill_conditioned_group};
 use crate::planned::rates::largest_angle;
-use crate::planned::{Limit, Located, PlanError, Step};
+use crate::planned::{Limit, PlanError, Step};
 use crate::random::Random;
 use crate::workspace::{Instant, Subset};
 use nalgebra::DVector;
@@ -53,13 +53,11 @@ pub(crate) fn settle_rates(
         [*q_dot, *q_ddot] = rates;
         return equations.evaluate(Subset::VELOCITY, q, None);
     }
-    Err(match (group, coordinate) {
-        (Some(group), _) => SolveError::Plan(limit_of(equations, group, q)),
-        (_, k) => {
-            let coordinate = k.map_or("", |k| equations.model.coordinates[k].name);
-            SolveError::Rounded { t: equations.t, coordinate }
-        }
-    })
+    if let Some(group) = group {
+        return Err(limit_of(equations, &groups, group, q));
+    }
+    let rounded = |k: usize| SolveError::Rounded { t: equations.t, coordinate: equations.model.coordinates[k].name };
+    coordinate.map_or(Ok(()), |k| Err(rounded(k)))
 }
 
 /// The group of the plan that is so near to a crossing of branches that rounding dominates the rates; `groups` are the
@@ -88,21 +86,21 @@ pub(crate) fn ill_conditioned(
     ill_conditioned_group(equations.model, [groups, &rates], &distances, [q_dot, q_ddot], &turns)
 }
 
-/// The error of a group beside its limit, with the location of the limit where the plan finds it.
-fn limit_of(equations: &mut Equations<'_>, group: usize, q: &[f64]) -> PlanError {
+/// The error of a group beside its limit, with the location of the limit where the plan finds it; `groups` are the branch
+/// values at q.
+fn limit_of(equations: &mut Equations<'_>, groups: &[f64], group: usize, q: &[f64]) -> SolveError {
     let (t, inputs) = (equations.t, equations.inputs.clone());
-    let at = Instant { t, inputs: &inputs };
-    if let Err(error @ PlanError::Limit { .. }) = equations.system.follow_from(&at, q) {
-        return error;
+    let located = equations.system.follow_from(&Instant { t, inputs: &inputs }, q).err();
+    if let Some(error @ PlanError::Limit { .. }) = located {
+        return SolveError::Plan(error);
     }
     let model = equations.model;
-    let step = model.plan.margin_of_group(group).and_then(|margin| Step::of_margin(model, margin));
+    let margins = by_plan::margins(equations, groups, q);
+    let step =
+        model.plan.margin_of_group(group).and_then(|margin| Step::of_margin(model, margin).zip(margins.get(margin)));
     match step {
-        Some(step) => {
-            let limit = Limit { step, margin: 0.0, located: Some(Located { at: t, kind: None }) };
-            PlanError::Limit { t, limit }
-        }
-        None => PlanError::Rounded { t, coordinate: "" },
+        Some((step, margin)) => SolveError::Plan(PlanError::Limit { t, limit: Limit::new(step, *margin) }),
+        None => SolveError::Rounded { t, coordinate: model.coordinates.first().map_or("", |first| first.name) },
     }
 }
 

@@ -42,7 +42,7 @@ pub(super) fn refusal(
     if let Some(error) = coincident_points(equations, start) {
         return error;
     }
-    // Without a plan that solves, the plan still knows where and why the motion ends.
+    // Where full Newton solves although there is a plan, the plan still knows where and why the motion ends.
     let located = located.or_else(|| limit_by_plan(equations, last_instant, target));
     // The plan has looked for the end of a row before it located a limit.
     let ended = if located.is_none() { end_of_row(equations, start, target) } else { None };
@@ -76,6 +76,7 @@ pub(super) fn refusal(
     let (t_here, after_natural) = (equations.time_at(start.s), equations.time_at(start.s + natural));
     let step = (after_natural - t_here).abs();
     let is_here = |limit: &Limit| limit.at().is_some_and(|at| !is_elsewhere(at, [t_here, t_refused], step));
+    // A limit that was looked for on the way from the last instant is the first one, however early full Newton ends.
     let located = located.filter(|limit| !equations.options.use_plan || is_here(limit));
     let limit = located.or_else(|| there(equations)).filter(|_| !jumps);
     let evaluated = equations.move_to(start.s).and_then(|()| equations.evaluate(Subset::VELOCITY, q, None));
