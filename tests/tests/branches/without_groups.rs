@@ -21,6 +21,22 @@ struct Twins {
     l2: f64,
 }
 
+/// The same beside a pendulum that nothing drives, so that a degree of freedom is left.
+#[mechanism]
+#[bodies(a, b, c, d, pendulum)]
+#[body(slider, y = 0, phi = 0)]
+#[revolute(O: ground @ (0, 0), a @ (0, 0))]
+#[revolute(A: a @ (r, 0), b @ (0, 0))]
+#[revolute(B: b @ (l, 0), slider @ (0, 0))]
+#[revolute(P: ground @ (0, 0), c @ (0, 0))]
+#[revolute(C: c @ (r, 0), d @ (0, 0))]
+#[revolute(D: d @ (l, 0), slider @ (0, 0))]
+#[revolute(S: ground @ (0, 1), pendulum @ (0, 0))]
+struct BesidePendulum {
+    r: f64,
+    l: f64,
+}
+
 /// A lift of two stages.
 #[mechanism]
 #[bodies(a1, b1, a2, b2)]
@@ -111,6 +127,16 @@ fn prescribed_motions_of_twins_keep_their_branch() {
         prescribed(&Twins { r, l, r2, l2 }, (12, 2), reach, &both);
         prescribed(&Twins { r, l, r2, l2 }, (12, 8), reach, &both);
     }
+}
+
+#[test]
+fn prescribed_motions_keep_their_branch_beside_an_open_degree_of_freedom() {
+    let (r, l) = (0.5, 0.8);
+    let all = |x: f64| {
+        let one = slider_crank(r, l, x);
+        [&one[..], &one, &[0.0, 1.0, 0.3, x]].concat()
+    };
+    prescribed(&BesidePendulum { r, l }, (15, 2), r + l, &all);
 }
 
 #[test]

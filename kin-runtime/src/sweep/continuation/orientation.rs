@@ -6,36 +6,49 @@
 
 use crate::equations::Equations;
 use crate::linear::{Factorization, independent_rows, null_space, positive_determinant};
-use nalgebra::{DMatrix, Schur};
+use nalgebra::{DMatrix, DVector, SVD, Schur};
 
-/// Largest number of rounds of the QR algorithm for every eigenvalue; usually two or three suffice.
+/// Largest number of rounds of the QR algorithm for every eigenvalue or singular value; usually two or three suffice.
 const ROUNDS: usize = 30;
 
-/// True if every matrix on the straight line from an earlier Φ_q, factorised as `before`, to the Φ_q evaluated last is
-/// regular with certainty: all eigenvalues of Φ_q(before)⁻¹ Φ_q have positive real parts. Where two pairs of solutions meet
-/// at once, two eigenvalues change their signs, but the determinant does not.
-///
-/// With degrees of freedom left there is no inverse, and nothing is compared.
+/// True if Φ_q certainly keeps its rank on the straight line from an earlier one, factorised as `before`, to the one evaluated
+/// last: all eigenvalues of Φ_q(before)⁺ Φ_q have positive real parts on the row space of Φ_q(before). Where two pairs of
+/// solutions meet at once, two eigenvalues change their signs, but the determinant does not.
 pub(crate) fn stays_regular(equations: &Equations<'_>, before: &Factorization) -> bool {
-    let n = equations.coordinates();
-    if before.rank < n {
-        return true;
-    }
-    let all: Vec<usize> = (0..equations.rows()).collect();
-    let now = equations.scaled_rows(&all);
-    let mut ratio = DMatrix::zeros(n, n);
-    for (k, column) in now.column_iter().enumerate() {
-        ratio.set_column(k, &before.solve(&column.into_owned()));
-    }
-    let off = |i: usize, k: usize| if i == k { ratio[(i, k)] - 1.0 } else { ratio[(i, k)] };
+    let (s, n, rank) = (equations.rows(), equations.coordinates(), before.rank);
     let columns = &equations.scale.columns;
-    let row = |i: usize| (0..n).map(|k| (off(i, k) * columns[k] / columns[i]).abs()).sum::<f64>();
+    let all: Vec<usize> = (0..s).collect();
+    let now = equations.scaled(&all);
+    // Φ_q(before)⁺ of a matrix, on the common scale.
+    let solved = |right: &DMatrix<f64>| {
+        let mut solution = DMatrix::zeros(n, right.ncols());
+        for (k, column) in right.column_iter().enumerate() {
+            let found = before.solve(&column.into_owned());
+            solution.set_column(k, &DVector::from_iterator(n, found.iter().zip(columns).map(|(x, d)| x / d)));
+        }
+        solution
+    };
+    let mut ratio = solved(&now);
+    if rank < n {
+        // The columns of Φ_q(before)⁺ span the row space.
+        let Some(space) =
+            SVD::try_new(solved(&DMatrix::identity(s, s)), true, false, f64::EPSILON, ROUNDS * n).and_then(|svd| svd.u)
+        else {
+            return false;
+        };
+        let basis = space.columns(0, rank.min(space.ncols())).into_owned();
+        ratio = basis.transpose() * ratio * &basis;
+    }
+    if !ratio.iter().all(|x| x.is_finite()) {
+        return false;
+    }
+    let size = ratio.nrows();
     // By this norm no eigenvalue is farther from 1 than 1.
-    if (0..n).all(|i| row(i) < 1.0) {
+    let off = DMatrix::identity(size, size) - &ratio;
+    if off.row_iter().all(|row| row.iter().map(|x| x.abs()).sum::<f64>() < 1.0) {
         return true;
     }
-    let schur =
-        if ratio.iter().all(|x| x.is_finite()) { Schur::try_new(ratio, f64::EPSILON, ROUNDS * n) } else { None };
+    let schur = Schur::try_new(ratio, f64::EPSILON, ROUNDS * size);
     schur.is_some_and(|schur| schur.complex_eigenvalues().iter().all(|eigenvalue| eigenvalue.re > 0.0))
 }
 
