@@ -24,10 +24,14 @@ pub fn works<M: Kinematics>(mechanism: &M) {
 
 /// The modes of a configuration, a sign ±1 for each.
 pub fn modes<M: Mechanism>(mechanism: &M, at: &Instant<'_>, q: &[f64]) -> Vec<f64> {
-    let plan = &M::model().plan;
-    let mut branches = vec![f64::NAN; plan.signs()];
+    signs(&branch_values(mechanism, at, q)[..M::model().plan.modes.len()])
+}
+
+/// The branch values of a configuration, whose signs are those of its groups.
+pub fn branch_values<M: Mechanism>(mechanism: &M, at: &Instant<'_>, q: &[f64]) -> Vec<f64> {
+    let mut branches = vec![f64::NAN; M::model().plan.signs()];
     mechanism.branches_with(mechanism.parameters::<f64>().as_ref(), at, q, &mut branches).unwrap();
-    signs(&branches[..plan.modes.len()])
+    branches
 }
 
 fn signs(branches: &[f64]) -> Vec<f64> {

@@ -55,6 +55,9 @@ pub trait Subject {
     /// The modes of a configuration, a sign ±1 for each.
     fn modes(&self, at: &Instant<'_>, q: &[f64]) -> Vec<f64>;
 
+    /// The branch values of a configuration, whose signs are those of its groups.
+    fn branch_values(&self, at: &Instant<'_>, q: &[f64]) -> Vec<f64>;
+
     /// [`Kinematics::cross_check`].
     fn cross_check(&self) -> Result<CrossCheck, SolveError>;
 
@@ -299,6 +302,10 @@ impl<M: Kinematics + Default + 'static> Subject for M {
 
     fn modes(&self, at: &Instant<'_>, q: &[f64]) -> Vec<f64> {
         crate::modes(self, at, q)
+    }
+
+    fn branch_values(&self, at: &Instant<'_>, q: &[f64]) -> Vec<f64> {
+        crate::branch_values(self, at, q)
     }
 
     fn cross_check(&self) -> Result<CrossCheck, SolveError> {

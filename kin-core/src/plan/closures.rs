@@ -4,7 +4,7 @@
 //! A margin is about 1 far from a singular configuration, 0 where both solutions coincide, and negative where there is
 //! no solution. It also goes to 0 where a divisor of the solution is a small difference of large terms.
 
-use super::sizes::{squared_size, squared_terms_anywhere, sum_of_squared_terms};
+use super::sizes::{LEAST, squared_size, squared_terms_anywhere, sum_of_squared_terms};
 use crate::expr::{ExprId, Graph, Symbol};
 use crate::vocabulary::Function;
 
@@ -16,10 +16,6 @@ pub(super) const TERM_WEIGHT: f64 = 1e-6;
 /// digits that small ones cost are the same everywhere: a lever that is a million times shorter than the rod at its end
 /// still leaves ten of them.
 const DIMENSION_WEIGHT: f64 = 1e-12;
-
-/// Added to denominators, so that 0/0 becomes 0; smaller than the square of any length. In f32 this number is itself 0;
-/// a margin 0/0 is then NaN, which counts as no solution.
-pub(super) const LEAST: f64 = 1e-300;
 
 /// What the square of a divisor is compared with: the sum of this square, the squares of `others` (the other
 /// coefficients of its rows) and `TERM_WEIGHT` times the squared terms of `parts`, which the divisor is made of. The

@@ -1,8 +1,8 @@
 //! Small linear systems M x = b as expressions: Cramer's rule, which has no pivots that could be 0, as long as it
 //! takes few products (see [`minors`]), and elimination in a fixed order otherwise.
 
-use super::closures::LEAST;
 use super::minors::{self, Minors};
+use super::sizes::LEAST;
 use crate::constraint::Coordinate;
 use crate::expr::{ExprId, Graph};
 use crate::vocabulary::Function;

@@ -25,9 +25,28 @@ pub(super) struct FirstStages {
     pub(super) acceleration: usize,
 }
 
+/// Expressions for the solution x of Φ_q x = b at a given q.
+pub(super) struct LinearSolution {
+    /// The entries of x.
+    pub(super) solution: Vec<(Slot, ExprId)>,
+    /// Values that are 0 where a divisor is 0.
+    pub(super) regular: Vec<ExprId>,
+    /// The margins of cores, by their first row.
+    pub(super) margins: BTreeMap<usize, ExprId>,
+    /// The values whose signs are the orientations of cores, by their first row; see
+    /// [`dense::DenseSolution::orientation`].
+    pub(super) orientations: BTreeMap<usize, ExprId>,
+}
+
 impl Build<'_> {
-    /// Writes all stages of q, q̇ and q̈ and the margins of the redundant rows.
-    pub(super) fn write_levels(&mut self, tree: &Block, left_out: &[usize], paired: &[PairedRows]) -> FirstStages {
+    /// Writes all stages of q, q̇ and q̈ and the margins of the redundant rows. `linear` is the solution of Φ_q x = b at a
+    /// given q.
+    pub(super) fn write_levels(
+        &mut self,
+        tree: &Block,
+        (left_out, paired): (&[usize], &[PairedRows]),
+        linear: &LinearSolution,
+    ) -> FirstStages {
         self.block(tree);
         self.divisor_margins();
         self.add_redundant_rows(left_out, paired);
@@ -40,7 +59,7 @@ impl Build<'_> {
             let right = if order == 0 { right.into_iter().map(|e| self.graph.neg(e)).collect() } else { right };
             let (solution, margins) = self.rates(tree, right.clone());
             if order == 0 {
-                self.iteration_margins(&margins);
+                self.iteration_margins([&margins, &linear.margins]);
                 self.check_positions();
             }
             *start = self.stages.len();
@@ -276,19 +295,17 @@ impl Build<'_> {
         self.iterated.push((core.rows[0], step, place));
     }
 
-    /// Expressions for the solution x of Φ_q x = b at a given q, where the entries of b are symbols; the values that
-    /// are 0 where a divisor is 0; and for every iteration, in order, the value whose sign is its orientation
-    /// ([`dense::DenseSolution::orientation`]).
-    pub(super) fn linear_solution(&mut self, tree: &Block) -> (Vec<(Slot, ExprId)>, Vec<ExprId>, Vec<ExprId>) {
+    /// The solution x of Φ_q x = b at a given q, where the entries of b are symbols.
+    pub(super) fn linear_solution(&mut self, tree: &Block) -> LinearSolution {
         let right = (0..self.system.equations.len()).map(|row| self.graph.symbol(Symbol::Right(row as u32))).collect();
         let entries = self.system.equations.iter().map(|equation| equation.phi_q.iter().copied().collect()).collect();
         let mut rates = Rates::new(&mut self.graph, entries, right, &self.system.set.coordinates, FastMap::default());
         rates.block(tree);
         let zero = rates.graph.zero();
         let solution = rates.solution.iter().enumerate().map(|(k, value)| (Slot::Entry(k), value.unwrap_or(zero)));
-        let (solution, regular, orientations) = (solution.collect(), rates.regular, rates.orientations);
-        let of_iteration = |(row, ..): &(usize, StepId, usize)| orientations.get(row).copied().unwrap_or(zero);
-        (solution, regular, self.iterated.iter().map(of_iteration).collect())
+        let solution = solution.collect();
+        let Rates { regular, margins, orientations, .. } = rates;
+        LinearSolution { solution, regular, margins, orientations }
     }
 }
 

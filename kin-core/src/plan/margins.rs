@@ -1,6 +1,7 @@
 //! Margins of divisors and iterations, and the numbering of all margins.
 
 use super::closures;
+use super::sizes::smaller;
 use super::state::{Build, Divisor, SignedStep, Stage};
 use super::step::StepId;
 use crate::constraint::CoordinateKind;
@@ -54,31 +55,45 @@ impl Build<'_> {
                 others = entries.map(|(_, entry)| *entry).collect();
             }
             let known: Vec<ExprId> = others.iter().map(|&entry| self.known_value(entry)).collect();
-            let whole = match (closures::whole_of_divisor(&mut self.graph, square, &known, &parts), signed, &parts[..])
-            {
-                (Some(whole), ..) => whole,
-                // A divisor with a sign that has nothing else to be compared with is compared with its own size.
-                (None, Some(_), &[part]) => closures::whole_of_varying(&mut self.graph, square, part),
-                (None, ..) => continue,
+            // The sign of a divisor is that of the divisor relative to its size at a given q.
+            let of_sign = signed.map(|divisor| {
+                let square = self.graph.square(divisor);
+                let whole = closures::whole_of_divisor(&mut self.graph, square, &others, &[divisor])
+                    .unwrap_or_else(|| closures::whole_of_varying(&mut self.graph, square, divisor));
+                (divisor, square, whole)
+            });
+            let margin = match (closures::whole_of_divisor(&mut self.graph, square, &known, &parts), of_sign) {
+                (Some(whole), _) => self.graph.div(square, whole),
+                // A divisor that has nothing else to be compared with is compared with its own size.
+                (None, Some((_, given, whole))) => {
+                    let given = self.graph.div(given, whole);
+                    let given = self.known_value(given);
+                    let whole = closures::whole_of_varying(&mut self.graph, square, parts[0]);
+                    let known = self.graph.div(square, whole);
+                    smaller(&mut self.graph, known, given)
+                }
+                (None, None) => continue,
             };
-            let margin = self.graph.div(square, whole);
             let margin = self.write_margin(step, margin);
-            let Some(divisor) = signed else { continue };
-            let square = self.graph.square(divisor);
-            let whole = closures::whole_of_divisor(&mut self.graph, square, &others, &[divisor])
-                .unwrap_or_else(|| closures::whole_of_varying(&mut self.graph, square, divisor));
-            let root = self.graph.call(Function::Sqrt, whole);
-            let value = self.graph.div(divisor, root);
-            self.signed.push(SignedStep { value, step, margin });
+            if let Some((divisor, _, whole)) = of_sign {
+                let root = self.graph.call(Function::Sqrt, whole);
+                let value = self.graph.div(divisor, root);
+                self.signed.push(SignedStep { value, step, margin });
+            }
         }
     }
 
-    /// Writes the margins of iterations. A margin is 0 unless the iteration has converged and its block of Φ_q is
-    /// regular.
-    pub(super) fn iteration_margins(&mut self, margins: &BTreeMap<usize, ExprId>) {
+    /// Writes the margins of iterations: those of their blocks of Φ_q, by first row, with known coordinates and at a given
+    /// q, whichever are smaller. A margin is 0 unless the iteration has converged and its block is regular.
+    ///
+    /// An entry is small if it is much smaller than its terms. At a given q the terms are rotated vectors, which have a
+    /// length; of known coordinates they are products of cosines and sines, which all vanish where bars lie along an axis.
+    pub(super) fn iteration_margins(&mut self, [known, given]: [&BTreeMap<usize, ExprId>; 2]) {
         for (row, place, converged) in std::mem::take(&mut self.pending) {
             let mut margin = self.graph.symbol(Symbol::Saved(converged));
-            if let Some(&regular) = margins.get(&row) {
+            if let (Some(&known), Some(&given)) = (known.get(&row), given.get(&row)) {
+                let given = self.known_value(given);
+                let regular = smaller(&mut self.graph, known, given);
                 margin = self.graph.mul(margin, regular);
             }
             self.write(Slot::Margin(place), margin);

@@ -5,18 +5,14 @@
 //! which x_k is missing; back substitution then gives x_k = (p b₁ + q b₂)/(p² + q²). Cores are small dense systems.
 //! Expressions that depend on Φ_q alone are the same for every b, so all levels share them.
 
-use super::closures::LEAST;
 use super::dense;
-use super::sizes::{squared_size, squared_size_anywhere};
+use super::sizes::{LEAST, larger, squared_size, squared_size_anywhere};
 use super::tree::{Block, BlockPart, Core, Pair, PairValue, SolutionMethod};
 use crate::constraint::Coordinate;
 use crate::expr::{ExprId, Graph};
 use crate::hash::FastMap;
 use crate::vocabulary::Function;
 use std::collections::BTreeMap;
-
-/// Slightly more than ½, so that a/max(a, b) does not exceed 1 after rounding.
-const HALF_ROUNDED_UP: f64 = 0.5 + 4.0 * f64::EPSILON;
 
 /// Depth to which the terms of a divisor are examined.
 const DEPTH: usize = 8;
@@ -163,23 +159,13 @@ impl<'g> Rates<'g> {
             if let (true, Some(&first)) = (iterates, core.rows.first()) {
                 // For a single unknown the sign of its coefficient is the orientation.
                 let size = squared_size_anywhere(self.graph, row[0], DEPTH);
-                let size = self.maximum(size, square);
+                let size = larger(self.graph, size, square);
                 let (margin, root) = (self.graph.div(square, size), self.graph.call(Function::Sqrt, size));
                 let orientation = self.graph.div(row[0], root);
                 self.margins.insert(first, margin);
                 self.orientations.insert(first, orientation);
             }
         }
-    }
-
-    /// The maximum of two non-negative numbers plus a tiny positive number, without a conditional.
-    fn maximum(&mut self, a: ExprId, b: ExprId) -> ExprId {
-        let graph = &mut *self.graph;
-        let (difference, half, least) = (graph.sub(a, b), graph.number(HALF_ROUNDED_UP), graph.number(LEAST));
-        let (apart, sum) = (graph.call(Function::Abs, difference), graph.add(a, b));
-        let twice = graph.add(sum, apart);
-        let larger = graph.mul(half, twice);
-        graph.add(larger, least)
     }
 
     /// A dimensionless measure of the cancellation in the rows of a matrix, 0 where a row vanishes: the harmonic mean over
@@ -192,7 +178,7 @@ impl<'g> Rates<'g> {
             for &entry in row {
                 if !self.graph.is_zero(entry) {
                     let (square, size) = (self.graph.square(entry), squared_size_anywhere(self.graph, entry, DEPTH));
-                    let size = self.maximum(size, square);
+                    let size = larger(self.graph, size, square);
                     let share = self.graph.div(square, size);
                     sum = self.graph.add(sum, share);
                     count += 1.0;

@@ -4,6 +4,31 @@
 use crate::expr::{ExprId, Graph, Node, Symbol};
 use crate::vocabulary::Function;
 
+/// Added to denominators, so that 0/0 becomes 0; smaller than the square of any length. In f32 this number is itself 0;
+/// a margin 0/0 is then NaN, which counts as no solution.
+pub(super) const LEAST: f64 = 1e-300;
+
+/// Slightly more than ½, so that a/max(a, b) does not exceed 1 after rounding.
+const HALF_ROUNDED_UP: f64 = 0.5 + 4.0 * f64::EPSILON;
+
+/// The larger of two non-negative numbers plus a tiny positive number, without a conditional.
+pub(super) fn larger(graph: &mut Graph, a: ExprId, b: ExprId) -> ExprId {
+    let (difference, half, least) = (graph.sub(a, b), graph.number(HALF_ROUNDED_UP), graph.number(LEAST));
+    let (apart, sum) = (graph.call(Function::Abs, difference), graph.add(a, b));
+    let twice = graph.add(sum, apart);
+    let larger = graph.mul(half, twice);
+    graph.add(larger, least)
+}
+
+/// The smaller of two non-negative numbers, with the relative accuracy of each: a b/max(a, b).
+pub(super) fn smaller(graph: &mut Graph, a: ExprId, b: ExprId) -> ExprId {
+    if a == b {
+        return a;
+    }
+    let (product, larger) = (graph.mul(a, b), larger(graph, a, b));
+    graph.div(product, larger)
+}
+
 /// Σ |e|². Over boxes, the square of an absolute value is never negative, while the product e·e of an interval around 0 is.
 pub(super) fn sum_of_squares(graph: &mut Graph, entries: &[ExprId]) -> ExprId {
     let zero = graph.zero();
@@ -156,11 +181,21 @@ fn is_sum_of_products(graph: &Graph, id: ExprId) -> bool {
     }
 }
 
-/// True for the factors of a uniform motion v (t − t₀), which counts with its own square: neither v t nor v t₀ is a length
-/// of the mechanism, however large both are.
+/// True for the factors of a uniform or uniformly accelerated motion, v (t − t₀) or a (t − t₀)², which counts with its own
+/// square: neither v t nor v t₀ is a length of the mechanism, however large both are.
 fn is_uniform(graph: &Graph, factors: [ExprId; 2]) -> bool {
     let is_constant = |id: ExprId| graph.depends(id).is_static();
-    factors.iter().any(|&factor| is_constant(factor)) && factors.iter().any(|&factor| is_clock(graph, factor))
+    factors.iter().all(|&factor| is_constant(factor) || is_power_of_clock(graph, factor))
+        && !factors.iter().all(|&factor| is_constant(factor))
+}
+
+/// True for a sum of t and constants, and for products of such sums and constants.
+fn is_power_of_clock(graph: &Graph, id: ExprId) -> bool {
+    match graph.node(id) {
+        Node::Neg(a) | Node::Opaque(a) => is_power_of_clock(graph, a),
+        Node::Mul(a, b) => is_uniform(graph, [a, b]),
+        _ => is_clock(graph, id),
+    }
 }
 
 /// True for a sum of t and constants.

@@ -18,9 +18,9 @@
 //! coordinates that other steps of the plan give have such a factor, too: a cam that is driven turns the gradient of its
 //! contact, and a carriage that of a link. If a coordinate occurs in several groups, their squares are added.
 
-use super::closures::LEAST;
 use super::curves::has_curves;
 use super::distances::add_turns;
+use super::sizes::LEAST;
 use super::sizes::sum_of_squares;
 use super::tree::{Block, BlockPart, Core, SolutionMethod};
 use crate::constraint::{ConstraintSet, Coordinate, CoordinateKind};

@@ -36,8 +36,10 @@ pub(crate) struct Peak {
     pub(crate) at: f64,
     /// The value.
     pub(crate) value: f64,
-    /// False where the function has a kink.
+    /// False where the function has a kink, or is not resolved.
     pub(crate) smooth: bool,
+    /// False where the search ended because values were missing: the greatest of those that were found.
+    pub(crate) resolved: bool,
 }
 
 /// The greatest value between `a` and `b`, which are in a range of this length. `sample` gives the values at places in
@@ -48,6 +50,7 @@ pub(crate) fn peak(
     range: f64,
 ) -> Option<Peak> {
     let (mut best, mut rough): (Option<Peak>, bool) = (None, false);
+    let unresolved = |best: Option<Peak>| best.map(|best| Peak { resolved: false, ..best });
     for round in 0..ROUNDS {
         let (middle, half) = (0.5 * (a + b), 0.5 * (b - a));
         let place = |j: usize| match j {
@@ -56,13 +59,15 @@ pub(crate) fn peak(
             _ => middle - half * (core::f64::consts::PI * j as f64 / DEGREE as f64).cos(),
         };
         let places: Vec<f64> = (0..=DEGREE).map(place).collect();
-        let Some(values) = sample(&places).filter(|values| values.len() == places.len()) else { return best };
+        let Some(values) = sample(&places).filter(|values| values.len() == places.len()) else {
+            return unresolved(best);
+        };
         if !values.iter().all(|value| value.is_finite()) {
-            return best;
+            return unresolved(best);
         }
         let top = (0..=DEGREE).fold(0, |top, j| if values[j] > values[top] { j } else { top });
         if best.is_none_or(|best| values[top] > best.value) {
-            best = Some(Peak { at: places[top], value: values[top], smooth: false });
+            best = Some(Peak { at: places[top], value: values[top], smooth: false, resolved: true });
         }
         let coefficients = interpolate(&values);
         let tail = coefficients[DEGREE - 2..].iter().fold(0.0_f64, |tail, c| tail.max(c.abs()));
@@ -82,7 +87,7 @@ pub(crate) fn peak(
             } else {
                 middle + half * x
             };
-            return Some(Peak { at, value: evaluate(&coefficients, x), smooth: true });
+            return Some(Peak { at, value: evaluate(&coefficients, x), smooth: true, resolved: true });
         }
         if shows {
             rough = tail > ROUGH * variation;
@@ -187,5 +192,15 @@ mod tests {
     fn what_has_no_value_ends_the_search() {
         assert_eq!(peak(|_| None, [0.0, 1.0], 1.0), None);
         assert_eq!(peak(|places| Some(vec![f64::NAN; places.len()]), [0.0, 1.0], 1.0), None);
+        let of = |narrowest: f64| {
+            let sample = |places: &[f64]| {
+                let is_known = places[places.len() - 1] - places[0] > narrowest;
+                is_known.then(|| places.iter().map(|x| 1.0 / (1e-6 + (x - 0.3) * (x - 0.3))).collect())
+            };
+            peak(sample, [0.0, 1.0], 1.0).expect("a peak")
+        };
+        let [known, unknown] = [of(0.0), of(0.01)];
+        assert!(known.smooth && known.resolved && (known.value - 1e6).abs() < 1e-5, "{known:?}");
+        assert!(!unknown.smooth && !unknown.resolved && unknown.value < 1e6, "{unknown:?}");
     }
 }

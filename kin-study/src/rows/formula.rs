@@ -1,14 +1,17 @@
 //! SQL expressions over the columns of a study: derived parameters and conditions.
 
 use crate::error::StudyError;
-use datafusion::arrow::array::{Array, ArrayRef, BooleanArray};
-use datafusion::arrow::compute::{cast, filter_record_batch, prep_null_mask_filter};
+use datafusion::arrow::array::{Array, ArrayRef, BooleanArray, new_null_array};
+use datafusion::arrow::compute::{cast, concat, filter_record_batch, prep_null_mask_filter};
 use datafusion::arrow::datatypes::{DataType, Schema};
 use datafusion::arrow::record_batch::RecordBatch;
 use datafusion::common::DFSchema;
+use datafusion::common::tree_node::{TreeNode, TreeNodeRecursion};
+use datafusion::error::DataFusionError;
 use datafusion::execution::context::SessionContext;
+use datafusion::logical_expr::Volatility;
 use datafusion::physical_expr::PhysicalExpr;
-use datafusion::prelude::SessionConfig;
+use datafusion::prelude::{Expr, SessionConfig};
 use std::sync::Arc;
 
 /// Number of rows of a piece, which are solved together, and of a batch of the engine.
@@ -41,13 +44,18 @@ impl Formula {
     }
 
     fn new(context: &SessionContext, text: &str, schema: &Schema, to: DataType) -> Result<Self, StudyError> {
-        let wrong = |error: datafusion::error::DataFusionError| {
-            StudyError::description(format!("`{text}`: {}", error.strip_backtrace()))
-        };
+        let wrong = |error: DataFusionError| StudyError::description(format!("`{text}`: {}", error.strip_backtrace()));
         let table = DFSchema::try_from(schema.clone()).map_err(wrong)?;
         let expression = context.parse_sql_expr(text, &table).map_err(wrong)?;
+        if let Some(function) = first_that_varies(&expression) {
+            let why =
+                format!("`{text}`: `{function}` gives another value in every run; rows must be the same in all runs");
+            return Err(StudyError::description(why));
+        }
         let expression = context.create_physical_expr(expression, &table).map_err(wrong)?;
         let found = expression.data_type(schema).map_err(wrong)?;
+        // What fails without any row fails in all rows.
+        expression.evaluate(&RecordBatch::new_empty(Arc::new(schema.clone()))).map_err(wrong)?;
         let fits = if to == DataType::Boolean { found == to } else { found.is_numeric() };
         match fits {
             true => Ok(Self { expression, to }),
@@ -58,14 +66,41 @@ impl Formula {
         }
     }
 
-    /// Its value in every row.
+    /// Its value in every row; null where it has none, as the root of a negative number.
     pub(crate) fn values(&self, batch: &RecordBatch) -> Result<ArrayRef, StudyError> {
-        let values = self.expression.evaluate(batch)?.into_array(batch.num_rows())?;
-        if values.data_type() == &self.to {
-            return Ok(values);
+        match (self.evaluate(batch), batch.num_rows()) {
+            (Ok(values), _) => Ok(values),
+            (Err(error), 0) => Err(StudyError::Engine(Box::new(error))),
+            (Err(_), 1) => Ok(new_null_array(&self.to, 1)),
+            // A function that fails in one row fails for all that it is given.
+            (Err(_), count) => {
+                let half = count / 2;
+                let [first, second] =
+                    [batch.slice(0, half), batch.slice(half, count - half)].map(|part| self.values(&part));
+                let both = concat(&[first?.as_ref(), second?.as_ref()]);
+                both.map_err(|error| StudyError::Engine(Box::new(error.into())))
+            }
         }
-        cast(&values, &self.to).map_err(|error| StudyError::Engine(Box::new(error.into())))
     }
+
+    fn evaluate(&self, batch: &RecordBatch) -> Result<ArrayRef, DataFusionError> {
+        let values = self.expression.evaluate(batch)?.into_array(batch.num_rows())?;
+        if values.data_type() == &self.to { Ok(values) } else { Ok(cast(&values, &self.to)?) }
+    }
+}
+
+/// The name of the first function whose value does not only depend on its arguments.
+fn first_that_varies(expression: &Expr) -> Option<String> {
+    let mut found = None;
+    let visited = expression.apply(|part| match part {
+        Expr::ScalarFunction(call) if call.func.signature().volatility != Volatility::Immutable => {
+            found = Some(format!("{}()", call.func.name()));
+            Ok(TreeNodeRecursion::Stop)
+        }
+        _ => Ok(TreeNodeRecursion::Continue),
+    });
+    debug_assert!(visited.is_ok(), "the visit of an expression does not fail");
+    found
 }
 
 /// The rows that meet all conditions; a condition that is null is not met.

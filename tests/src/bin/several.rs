@@ -150,6 +150,21 @@ struct Spindle {
     lead: f64,
 }
 
+/// A four-bar that is a parallelogram but for a billionth, and passes the place at which it lies flat so closely that rates
+/// are rounding errors there.
+#[mechanism]
+#[bodies(crank, coupler, rocker)]
+#[revolute(O: ground @ (0, 0), crank @ (0, 0))]
+#[revolute(A: crank @ (0.2, 0), coupler @ (0, 0))]
+#[revolute(B: coupler @ (0.5, 0), rocker @ (0.2 + more, 0))]
+#[revolute(D: rocker @ (0, 0), ground @ (0.5, 0))]
+#[driver(drive: crank.phi = t)]
+#[guess(coupler.phi = 0, rocker.phi = -1)]
+struct Nearly {
+    #[param(1e-9)]
+    more: f64,
+}
+
 /// A slider-crank with units, driven by a measured angle.
 #[mechanism]
 #[bodies(crank, rod)]
@@ -189,6 +204,7 @@ fn main() -> ExitCode {
         Some("infeasible") => run("InfeasibleFourbar", args),
         Some("limits") => run("StrokeLimits", args),
         Some("loaded") => run_from::<Loaded>(args),
+        Some("nearly") => run_from::<Nearly>(args),
         Some("press") => run_from::<Press>(args),
         Some("redundant") => run("RedundantParallelogram", args),
         Some("robot") => run("Robot3rrr", args),
@@ -199,7 +215,7 @@ fn main() -> ExitCode {
         Some("with_units") => run_from::<WithUnits>(args),
         _ => {
             eprintln!(
-                "error: the first argument is arm, balanced, cam, chain, wrong_cam, dead_centre, eccentric, excavator, fourbar, ends, faster, infeasible, leg, lever, limits, loaded, press, redundant, robot, singular, spindle, teeth, underdriven or with_units"
+                "error: the first argument is arm, balanced, cam, chain, wrong_cam, dead_centre, eccentric, excavator, fourbar, ends, faster, infeasible, leg, lever, limits, loaded, nearly, press, redundant, robot, singular, spindle, teeth, underdriven or with_units"
             );
             ExitCode::from(2)
         }

@@ -18,6 +18,7 @@ mod corners;
 mod crossings;
 mod cylinders;
 mod draw;
+mod flat;
 mod iterated;
 mod jet;
 mod lengths;

@@ -98,6 +98,17 @@ fn extremes_of_what_is_driven_are_found_where_nothing_else_changes() {
     assert!(!good("fourbar extremes").contains("\n  crank.phi"));
 }
 
+/// Beside a crossing of branches that the motion passes closely, instants are refused whose rates are rounding errors.
+#[test]
+fn an_extreme_that_cannot_be_resolved_says_so() {
+    let ran = kin("nearly extremes rocker.phi_ddot --from -1 --to 1");
+    assert!(ran.status == Some(0) && ran.out.contains("unresolved"), "{}", ran.out);
+    assert!(ran.err.starts_with("note: the motion cannot be solved everywhere: within "), "{}", ran.err);
+    // Farther from the crossing it is found.
+    let resolved = good("nearly extremes rocker.phi_ddot --from -1 --to 1 --set more=1e-5");
+    assert!(!resolved.contains("unresolved") && !resolved.contains("kink"), "{resolved}");
+}
+
 /// An empty table would hide that there is nothing to differentiate.
 #[test]
 fn a_quantity_without_derivatives_is_refused() {

@@ -2,9 +2,10 @@
 
 use crate::When;
 use crate::motion::{grid, swept};
-use kin_runtime::Options;
+use kin_runtime::plan::StepKind;
+use kin_runtime::{Instant, Options};
 use kin_tests::compare::{Differences, largest};
-use kin_tests::subject::{Analyses, Subject};
+use kin_tests::subject::{Analyses, PlanAnswer, Subject};
 
 /// A solver by full Newton, without the plan.
 pub(crate) fn newton(mechanism: &dyn Subject) -> Box<dyn Analyses + '_> {
@@ -26,6 +27,7 @@ pub(crate) fn plans_equal_newton(mechanism: &dyn Subject, from: f64, to: f64) {
         let found = mechanism.by_plan(&state.instant(), &modes, &start);
         let margin = found.margins.iter().copied().fold(1.0, f64::min);
         assert!(!margin.is_nan(), "{:?}", found.margins);
+        margins_are_distances(mechanism, &state.instant(), &found);
         if margin < 1e-4 {
             continue;
         }
@@ -57,6 +59,20 @@ pub(crate) fn plans_equal_newton(mechanism: &dyn Subject, from: f64, to: f64) {
     }
     assert!(compared > 0, "singular everywhere");
     differences.finish();
+}
+
+/// The margin of a group that closes in two ways, or is solved by iteration, is no larger than the square of its branch
+/// value: what is far from its limit by its margin has not changed its sign. (Signs of linear steps are looked at in every
+/// step of a motion.)
+fn margins_are_distances(mechanism: &dyn Subject, at: &Instant<'_>, found: &PlanAnswer) {
+    let (plan, name) = (&mechanism.model().plan, mechanism.model().name);
+    let branch_values = mechanism.branch_values(at, &found.q);
+    let groups = plan.modes.iter().chain(plan.orientations).zip(&branch_values);
+    let is_seen = |step: usize| matches!(plan.steps[step].kind, StepKind::Closure | StepKind::Newton(_));
+    for (group, w) in groups.filter(|(group, _)| is_seen(group.step)) {
+        let (margin, square) = (found.margins[group.margin], w * w);
+        assert!(margin <= square + 1e-9, "{name} at t = {}: {}, margin {margin} and w² = {square}", at.t, group.name);
+    }
 }
 
 /// A sweep by the plan gives the same results as one by full Newton, and needs no fallback to Newton away from limits.

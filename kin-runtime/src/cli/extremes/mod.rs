@@ -6,6 +6,7 @@ mod search;
 mod written;
 
 use record::{MotionRecord, QuantityRange};
+use refine::RefinedMotion;
 use search::SearchedMotion;
 use written::{csv, text};
 
@@ -22,6 +23,7 @@ use crate::cli::task::{MotionArgs, MotionTask};
 use crate::cli::vary::VaryArgs;
 use crate::measure::Measure;
 use crate::present::json::record;
+use crate::present::number::rounded;
 use crate::present::record::Parameters;
 use crate::present::text::count;
 use crate::present::units::ResultUnits;
@@ -69,8 +71,9 @@ what stays constant. If nothing else changes, it takes what is driven.
 The instants of the motion (--steps) show roughly where an extreme is. Between them the mechanism is
 solved at three further instants, and at more where a quantity is not nearly straight between its
 neighbours; around an extreme, until the value is exact to rounding. A spike that is much shorter
-than a quarter of a step may still be missed. The last column says if an extreme
-is at the beginning or the end of the motion, at a limit, or at a kink of the quantity. Rates may
+than a quarter of a step may still be missed. The last column says if an extreme is at the beginning
+or the end of the motion, at a limit, or at a kink of the quantity, or if it is unresolved: then the
+motion cannot be solved everywhere around it, and the quantity may exceed it there. Rates may
 grow without bounds towards a limit: then the value is that of the last instant before it.",
 };
 
@@ -147,7 +150,14 @@ fn one(
         session.note(&format!("the motion ended early: extremes of {states} of {instants}"));
     }
     let (from, to) = (states.first().map(|state| state.t), states.last().map(|state| state.t));
-    let (states, columns) = refine::refined(&walk, &instants, (states, &columns), first);
+    let RefinedMotion { states, columns, unsolved } = refine::refined(&walk, &instants, (states, &columns), first);
+    if let [.., [first, end]] = unsolved.as_slice() {
+        let (count, first, end) = (count(unsolved.len(), "interval"), rounded(*first), rounded(*end));
+        session.note(&format!(
+            "note: the motion cannot be solved everywhere: within {count} of time, the last one between t = {first} and \
+             t = {end}, quantities may exceed these extremes"
+        ));
+    }
     let search = SearchedMotion { walk, states: &states, columns: &columns, first, instants: &instants };
     let units = ResultUnits::of(model).in_degrees(args.motion.angles.degrees);
     let range = |place: usize| QuantityRange {

@@ -26,13 +26,23 @@ struct Sampled {
     open: bool,
 }
 
+/// A motion with further instants.
+pub(super) struct RefinedMotion {
+    pub(super) states: Vec<State>,
+    /// The columns of the states.
+    pub(super) columns: Vec<Vec<f64>>,
+    /// The intervals of time, in order, within which the motion could not be solved.
+    pub(super) unsolved: Vec<[f64; 2]>,
+}
+
 /// The states and columns of a motion with further instants; those from `first` on are the quantities.
 pub(super) fn refined(
     walk: &FollowedMotion<'_>,
     instants: &Instants,
     (states, columns): (&[State], &[Vec<f64>]),
     first: usize,
-) -> (Vec<State>, Vec<Vec<f64>>) {
+) -> RefinedMotion {
+    let mut unsolved: Vec<[f64; 2]> = Vec::new();
     let values = |k: usize| columns.iter().map(|column| column[k]).collect();
     let given = states.iter().enumerate();
     let mut all: Vec<Sampled> =
@@ -46,7 +56,11 @@ pub(super) fn refined(
         while let Some(mut here) = rest.next() {
             let within = match rest.peek() {
                 Some(next) if here.open && count + places.len() <= MOST => {
-                    between(walk, instants, [&here, next], places)
+                    let within = between(walk, instants, [&here, next], places);
+                    if within.is_none() {
+                        unsolved.push([here.state.t, next.state.t]);
+                    }
+                    within.unwrap_or_default()
                 }
                 _ => Vec::new(),
             };
@@ -64,7 +78,8 @@ pub(super) fn refined(
         }
     }
     let columns = (0..columns.len()).map(|k| all.iter().map(|sampled| sampled.values[k]).collect()).collect();
-    (all.into_iter().map(|sampled| sampled.state).collect(), columns)
+    unsolved.sort_by(|a, b| a[0].total_cmp(&b[0]));
+    RefinedMotion { states: all.into_iter().map(|sampled| sampled.state).collect(), columns, unsolved }
 }
 
 /// The range of every quantity.
@@ -78,20 +93,25 @@ fn ranges(all: &[Sampled], first: usize) -> Vec<f64> {
     (first..count).map(range).collect()
 }
 
-/// Instants between two others; none where the motion cannot be solved there.
-fn between(walk: &FollowedMotion<'_>, instants: &Instants, [a, b]: [&Sampled; 2], places: &[f64]) -> Vec<Sampled> {
+/// Instants between two others, none beside what has no rates; `None` where the motion cannot be solved between others.
+fn between(
+    walk: &FollowedMotion<'_>,
+    instants: &Instants,
+    [a, b]: [&Sampled; 2],
+    places: &[f64],
+) -> Option<Vec<Sampled>> {
     let is_solved = |sampled: &Sampled| sampled.state.q_dot.iter().all(|rate| rate.is_finite());
     let (from, h) = (a.state.t, b.state.t - a.state.t);
     if !is_solved(a) || !is_solved(b) || h == 0.0 {
-        return Vec::new();
+        return Some(Vec::new());
     }
     let times: Vec<f64> = places.iter().map(|place| from + place * h).collect();
-    let states = solve(walk, instants, &a.state, &times).unwrap_or_default();
+    let states = solve(walk, instants, &a.state, &times)?;
     let sampled = |state: State| {
         let values = walk.values_of(&state, walk.measures).ok()?;
         Some(Sampled { state, values, open: true })
     };
-    states.into_iter().map(sampled).collect::<Option<Vec<_>>>().unwrap_or_default()
+    Some(states.into_iter().map(sampled).collect::<Option<Vec<_>>>().unwrap_or_default())
 }
 
 /// True if all quantities are near the straight line between both ends.

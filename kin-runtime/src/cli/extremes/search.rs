@@ -14,6 +14,9 @@ const REFINED: usize = 8;
 /// it is computed, is constant.
 const CONSTANT: f64 = 1e-12;
 
+/// The place of an extreme around which the motion cannot be solved everywhere, so that it may be exceeded there.
+const UNRESOLVED: &str = "unresolved";
+
 /// The least or the greatest of a quantity.
 #[derive(Clone, Debug, Serialize)]
 pub(super) struct Extreme {
@@ -103,7 +106,7 @@ impl SearchedMotion<'_> {
     }
 
     /// The extreme around an instant; its place is `end` if it is at an end of the interval around it that can be
-    /// solved.
+    /// solved, and `unresolved` if the motion cannot be solved everywhere around it.
     fn refined(&self, place: usize, sign: f64, k: usize) -> Option<Extreme> {
         let last = self.states.len() - 1;
         // Neither a limit nor what is beyond it can be solved.
@@ -122,11 +125,14 @@ impl SearchedMotion<'_> {
                 |state: &State| self.walk.values_of(state, std::slice::from_ref(measure)).ok()?.first().copied();
             states.iter().map(|state| Some(sign * value(state)?)).collect()
         };
-        let found = peak(sample, [a, b], range)?;
+        let Some(found) = peak(sample, [a, b], range) else {
+            return Some(Extreme { place: UNRESOLVED, ..self.at_instant(place, k) });
+        };
         let state = solve(&self.walk, self.instants, from, &[found.at])?.pop()?;
         let of = |places: std::ops::Range<usize>| self.walk.values_of(&state, &self.walk.measures[places]).ok();
         let drivers = self.walk.measures[1..self.first].iter().map(|measure| measure.name().to_owned());
         let told = match found.smooth {
+            _ if !found.resolved => UNRESOLVED,
             _ if found.at == a || found.at == b => "end",
             true => "between instants",
             false => "kink",

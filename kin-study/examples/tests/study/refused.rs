@@ -19,6 +19,12 @@ fn a_study_that_makes_no_sense_says_where_and_what_would() {
         (&format!("{ranges}l2 = 1\nl3 = {{ from = 2, to = 1 }}"), "line 6: from = 2 must be less than to = 1"),
         (&format!("{ranges}l2 = nan"), "line 5: a finite number is expected here, not nan"),
         (&format!("{ranges}[derived]\nl2 = \"lx + 1\""), "line 6: `lx + 1`: "),
+        (
+            &format!("{ranges}[derived]\nl2 = \"0.4 + 0.1 * random()\""),
+            "line 6: `0.4 + 0.1 * random()`: `random()` gives",
+        ),
+        (&format!("{ranges}[conditions]\nafter = [\"random() > 0.5\"]"), "line 6: `random() > 0.5`: `random()` gives"),
+        (&format!("{ranges}[conditions]\nbefore = [\"l1 > 'a'\"]"), "line 6: `l1 > 'a'`: "),
         (&format!("{ranges}[scores]\nrow = {{ least = \"tip.x\" }}"), "line 6: there is a column `row` already"),
         (
             &format!("{ranges}[scores]\na = {{ least = \"tip.z\" }}"),

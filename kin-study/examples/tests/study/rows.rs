@@ -190,6 +190,28 @@ fn all_modes_are_rows_of_their_own() {
 }
 
 #[test]
+fn rows_in_which_a_formula_has_no_value_are_rows_like_others() {
+    let without = || study(300).derived("root", "sqrt(l2 - 0.4)").derived("log", "ln(l2 - 0.4)");
+    let target = directory();
+    run::<FourBar>(&without(), target.path(), limits(2), &Watch::default()).expect("it runs");
+    let negative = count(target.path(), "select count(*) from study where l2 < 0.4");
+    assert!((1..300).contains(&negative), "{negative}");
+    let neither = "root is null and log is null and l2 < 0.4";
+    assert_eq!(count(target.path(), &format!("select count(*) from study where {neither}")), negative);
+    assert_eq!(count(target.path(), "select count(*) from study where root is null"), negative);
+    assert_eq!(
+        count(target.path(), "select count(*) from study where abs(root * root - (l2 - 0.4)) < 1e-15"),
+        300 - negative
+    );
+    let kept = count(target.path(), "select count(*) from study where root > 0.1");
+    for conditioned in [without().condition("sqrt(l2 - 0.4) > 0.1"), without().keep_where("sqrt(l2 - 0.4) > 0.1")] {
+        let target = directory();
+        run::<FourBar>(&conditioned, target.path(), limits(2), &Watch::default()).expect("it runs");
+        assert_eq!(count(target.path(), "select count(*) from study"), kept);
+    }
+}
+
+#[test]
 fn a_design_without_a_score_is_never_the_best() {
     // Many couplers are no number, and with many others the crank cannot turn all the way.
     let study = Study::new()
