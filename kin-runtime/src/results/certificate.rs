@@ -57,6 +57,9 @@ impl fmt::Display for Certificate {
     }
 }
 
+/// With an inverse condition number from this on, Φ_q is not what prevents a certificate.
+const REGULAR: f64 = 1e-4;
+
 /// Why a state has no certificate.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
@@ -76,7 +79,8 @@ pub enum Uncertified {
         /// The row.
         row: &'static str,
     },
-    /// Φ_q is singular or nearly so: solutions that coincide or nearly coincide cannot be separated.
+    /// Φ_q is singular or nearly so, or rounding errors are large, as those of an angle of a million radians: solutions that
+    /// coincide or nearly coincide cannot be separated.
     Singular {
         /// 1 / κ of Φ_q, with rows scaled to size 1 and lengths to the size of the mechanism, κ in the maximum norm: 0
         /// if Φ_q is singular. A certificate needs more than about the square root of the rounding errors.
@@ -125,9 +129,14 @@ impl fmt::Display for Uncertified {
                 "row {row} has no enclosure: it uses a supplied function, or is not continuous around the configuration"
             ),
             Self::Singular { nearness } if *nearness == 0.0 => f.write_str("Φ_q is singular"),
-            Self::Singular { nearness } => {
+            Self::Singular { nearness } if *nearness < REGULAR => {
                 write!(f, "Φ_q is nearly singular: its inverse condition number is {nearness:.1e}")
             }
+            Self::Singular { nearness } => write!(
+                f,
+                "rounding errors, as those of large angles, are too large beside the inverse condition number of Φ_q, \
+                 {nearness:.1e}"
+            ),
             Self::NotASolution { what, coordinate, by } => {
                 write!(f, "{what} is no solution: {coordinate} is off by ")?;
                 number(f, by)

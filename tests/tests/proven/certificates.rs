@@ -245,3 +245,14 @@ fn open_degrees_of_freedom_have_no_certificate_until_they_are_given() {
         certificate.q[5].contains(0.3) && certificate.q_dot[5].contains(1.0) && certificate.q_ddot[5].contains(0.5)
     );
 }
+
+/// At a large angle the rounding of the angle is the reason, far from every singular configuration.
+#[test]
+fn rounding_is_not_called_singular() {
+    let turns = FourBar { omega: 1.0, ..FourBar::default() };
+    let solver = turns.solver();
+    let at = |t: f64| solver.certify(&solver.state(&Instant::at(t)).expect("it closes"));
+    assert!(at(1.0).is_ok());
+    let said = at(1e9).expect_err("an angle of 10⁹ radians is rounded by 10⁻⁷").to_string();
+    assert!(said.starts_with("rounding errors, as those of large angles, are too large"), "{said}");
+}
