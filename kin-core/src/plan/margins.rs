@@ -64,7 +64,8 @@ impl Build<'_> {
             });
             let margin = match (closures::whole_of_divisor(&mut self.graph, square, &known, &parts), of_sign) {
                 (Some(whole), _) => self.graph.div(square, whole),
-                // A divisor that has nothing else to be compared with is compared with its own size.
+                // A divisor that has nothing else to be compared with is compared with its own size, as entries of
+                // iterations are (see `iteration_margins`).
                 (None, Some((_, given, whole))) => {
                     let given = self.graph.div(given, whole);
                     let given = self.known_value(given);

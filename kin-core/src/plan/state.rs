@@ -34,7 +34,7 @@ pub(super) struct SignedStep {
     /// Its branch value, whose sign changes where it is singular.
     pub(super) value: ExprId,
     pub(super) step: StepId,
-    /// The index of its margin, which is the square of the branch value.
+    /// The index of its margin, which is 0 where the branch value is 0.
     pub(super) margin: usize,
 }
 

@@ -10,7 +10,8 @@
 //! distance = √margin ≤ about |w|
 //! ```
 //!
-//! (The two differ only where a divisor of the group is small, for example where its outer pins coincide.)
+//! (The two differ where a divisor of the group is small, for example where its outer pins coincide, and for iterations,
+//! whose margin is the smaller of two measures.)
 //!
 //! Along a smooth motion w is smooth, and it changes no faster than bodies turn. A step has stayed on its branch if
 //! every group is too far from its limit to have reached it within the step ([`OUT_OF_REACH`]), or if w at its end

@@ -3,7 +3,7 @@
 use super::contraction::Preconditioner;
 use super::enclosures::Enclosures;
 use super::located::{NearSolution, SolutionBox};
-use crate::certificate::{Certificate, Uncertified};
+use crate::certificate::{Certificate, SINGULAR, Uncertified};
 use crate::mechanism::LengthError;
 use crate::model::{CoordinateInfo, JointKind, Level, Model};
 use crate::scalar::Interval;
@@ -15,8 +15,6 @@ use std::borrow::Cow;
 const BOXES: [f64; 4] = [1e-6, 1e-8, 1e-10, 1e-12];
 /// A state with an error above this, relative to a radian or to the size of the mechanism, is not a solution.
 const WRONG: f64 = 1e-6;
-/// With an inverse condition number below this, a large correction is reported as a singular configuration.
-const SINGULAR: f64 = 1e-6;
 const ONE: Interval = Interval::new(1.0, 1.0);
 
 /// What becomes of a number without an enclosure.

@@ -228,7 +228,7 @@ fn check_rounding(
         add_orders(equations, orders, Some(&there), order, &mut all)?;
         Ok(all)
     };
-    // Where there are no rates at q, those of the state are numbers of the caller's own, too.
+    // Without rates at q there is nothing with which those of the state, which the caller may have set, can be compared.
     let Ok(all) = again(equations, state.q.clone()) else { return Ok(()) };
     if !is_near(equations, &all[1], &state.q_dot) || !is_near(equations, &all[2], &state.q_ddot) {
         return Ok(());
