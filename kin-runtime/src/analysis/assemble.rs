@@ -32,7 +32,7 @@ fn attempts(equations: &mut Equations<'_>, guesses: &[Option<f64>]) -> Result<Po
     let start: Vec<f64> = guesses.iter().map(|g| g.unwrap_or(0.0)).collect();
     equations.check("guess", &start)?;
     let (q, _) = propagate(equations, guesses, &start);
-    equations.scale = Scale::around(equations, &q);
+    equations.scale = Scale::before_assembly(equations, &q);
     let unguessed: Vec<usize> = (0..guesses.len()).filter(|&k| guesses[k].is_none()).collect();
 
     let mut best: Option<(Vec<f64>, Iteration)> = None;

@@ -34,7 +34,7 @@ pub(crate) fn fit_inputs(
     indices: &[usize],
 ) -> Result<bool, SolveError> {
     let q = propagated(equations, guesses);
-    equations.scale = Scale::around(equations, &q);
+    equations.scale = Scale::before_assembly(equations, &q);
     let size = equations.scale.columns.iter().fold(1.0, |size: f64, &column| size.max(column));
     let (t, given) = (equations.t, equations.inputs.clone());
     for start in [None, Some(size)] {

@@ -15,6 +15,13 @@ use crate::text::numbers;
 use crate::workspace::Subset;
 use core::fmt;
 
+/// Largest residual, on the scale of the start, from which rows of small distances are closed again. Newton's iteration
+/// may not find the last digits of these on that scale, because their part of Φ_q is within its rounding errors.
+const NEARLY_CLOSED: f64 = 1e-6;
+
+/// Ratio of the scales of a row after and before the assembly from which on it is closed again.
+const SMALL_DISTANCE: f64 = 10.0;
+
 /// An assembled position.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
@@ -30,7 +37,7 @@ pub struct Position {
 /// The assembled configuration near `start`.
 pub(crate) fn position(equations: &mut Equations<'_>, start: &[f64]) -> Result<Position, SolveError> {
     equations.check("q", start)?;
-    equations.scale = Scale::around(equations, start);
+    equations.scale = Scale::before_assembly(equations, start);
     let mut q = start.to_vec();
     let mut outcome = close_all(equations, &mut q);
     let origins = origins(equations);
@@ -60,8 +67,28 @@ pub(crate) fn close_all(equations: &mut Equations<'_>, q: &mut [f64]) -> Iterati
     close(equations, &rows, &columns, q)
 }
 
+/// Closes all rows again with the scale of the (nearly) assembled configuration q, where some rows count much more on that
+/// scale: those of distances that are small compared with the rest of the mechanism.
+fn close_small_distances(equations: &mut Equations<'_>, q: &mut [f64], outcome: Iteration) -> Iteration {
+    let here = Scale::around(equations, q);
+    let counts_more = |(here, before): (&f64, &f64)| *here > SMALL_DISTANCE * before;
+    if !here.rows.iter().zip(&equations.scale.rows).any(counts_more) {
+        return outcome;
+    }
+    equations.scale = here;
+    let again = close_all(equations, q);
+    Iteration { iterations: outcome.iterations + again.iterations, ..again }
+}
+
 /// The outcome as a result: residuals in the rows' own units, or a typed error.
-pub(crate) fn finish(equations: &mut Equations<'_>, q: Vec<f64>, outcome: Iteration) -> Result<Position, SolveError> {
+pub(crate) fn finish(
+    equations: &mut Equations<'_>,
+    mut q: Vec<f64>,
+    mut outcome: Iteration,
+) -> Result<Position, SolveError> {
+    if outcome.gap <= NEARLY_CLOSED && equations.keeps_lengths() {
+        outcome = close_small_distances(equations, &mut q, outcome);
+    }
     // This evaluation fails with an error if a number is not finite at the best configuration found.
     equations.evaluate(Subset::POSITION, &q, None)?;
     if outcome.converged {

@@ -12,10 +12,11 @@ use crate::equations::Equations;
 use crate::equations::factorisation::Purpose;
 use crate::error::SolveError;
 use crate::linear::Factorization;
-use crate::planned::ill_conditioned::{NOISE, ill_conditioned_group};
+use crate::planned::ill_conditioned::{LITTLE, NOISE, ill_conditioned_group};
 use crate::planned::rates::largest_angle;
 use crate::planned::{Limit, PlanError, Step};
 use crate::random::Random;
+use crate::signal::Signal;
 use crate::workspace::{Instant, Subset};
 use nalgebra::DVector;
 
@@ -72,18 +73,34 @@ pub(crate) fn ill_conditioned(
         return None;
     }
     // A divisor of the plan may be small although the branches of its groups are far apart.
+    let distances = distances(equations, groups, q);
+    let turns = equations.turns(&equations.instant(), q);
+    let further = LITTLE / largest_angle(equations.model, &turns, q_dot);
+    let ahead: Vec<f64> = q.iter().zip(q_dot).map(|(q, v)| q + further * v).collect();
+    let slopes = |then: Vec<f64>, now: &[f64], width: f64| -> Vec<f64> {
+        then.iter().zip(now).map(|(then, now)| (then - now) / width).collect()
+    };
+    let mut then = Vec::new();
+    equations.write_branch_values(&ahead, &mut then);
+    let rates = slopes(then, groups, further);
+    let (t, inputs) = (equations.t, equations.inputs.clone());
+    let later: Vec<Signal> = inputs.iter().map(|input| input.after(further)).collect();
+    equations.set_checked_instant(&Instant { t: t + further, inputs: &later });
+    let then = self::distances(equations, groups, &ahead);
+    equations.set_checked_instant(&Instant { t, inputs: &inputs });
+    let approaches = slopes(then, &distances, t + further - t);
+    ill_conditioned_group(equations.model, [groups, &rates], [&distances, &approaches], [q_dot, q_ddot], &turns)
+}
+
+/// The distance of every group from its limit at the current instant in the modes of `groups`: √margin of a solution from q,
+/// or the branch value where that is smaller.
+fn distances(equations: &mut Equations<'_>, groups: &[f64], q: &[f64]) -> Vec<f64> {
+    // A divisor of the plan may be small although the branches of its groups are far apart.
     let margins = by_plan::margins(equations, groups, q);
     let plan = &equations.model.plan;
     let by_margin = |group: usize| plan.margin_of_group(group).map_or(1.0, |margin| margins[margin].max(0.0).sqrt());
     let distance = |(group, w): (usize, &f64)| if w.is_nan() { 1.0 } else { w.abs().min(by_margin(group)) };
-    let distances: Vec<f64> = groups.iter().enumerate().map(distance).collect();
-    let turns = equations.turns(&equations.instant(), q);
-    let further = 1e-6 / largest_angle(equations.model, &turns, q_dot);
-    let ahead: Vec<f64> = q.iter().zip(q_dot).map(|(q, v)| q + further * v).collect();
-    let mut rates = Vec::new();
-    equations.write_branch_values(&ahead, &mut rates);
-    rates.iter_mut().zip(groups).for_each(|(then, now)| *then = (*then - now) / further);
-    ill_conditioned_group(equations.model, [groups, &rates], &distances, [q_dot, q_ddot], &turns)
+    groups.iter().enumerate().map(distance).collect()
 }
 
 /// The error of a group beside its limit, with the location of the limit where the plan finds it; `groups` are the branch

@@ -2,14 +2,18 @@
 //! silently keep the positive distance instead.
 
 use crate::error::{Degeneracy, SolveError};
-use crate::model::{JointInfo, Model, Role};
+use crate::model::{JointInfo, JointKind, Model, Role};
 
 /// A distance that a joint keeps.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct KeptLength {
     joint: &'static str,
+    /// Index of its row.
+    pub(super) row: usize,
     /// Index of the distance in the list of geometry.
-    offset: usize,
+    pub(super) offset: usize,
+    /// True if the row is d² − e², with the distance d of two points and its prescribed value e.
+    pub(super) is_squared: bool,
     /// True when t or an input may change the distance.
     pub(super) moves: bool,
 }
@@ -18,8 +22,10 @@ pub(super) struct KeptLength {
 pub(super) fn kept_lengths(model: &'static Model) -> Vec<KeptLength> {
     let kept = |joint: &'static JointInfo| {
         let value = joint.geometry.iter().find(|geometry| geometry.role == Role::Value)?;
-        let moves = model.rows.get(joint.first_row).is_some_and(|row| row.rheonomic);
-        Some(KeptLength { joint: joint.name, offset: value.offset, moves })
+        let row = joint.first_row;
+        let moves = model.rows.get(row).is_some_and(|row| row.rheonomic);
+        let is_squared = joint.kind != JointKind::Rope;
+        Some(KeptLength { joint: joint.name, row, offset: value.offset, is_squared, moves })
     };
     model.joints.iter().filter(|joint| joint.keeps_distance()).filter_map(kept).collect()
 }

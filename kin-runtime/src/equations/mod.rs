@@ -166,6 +166,11 @@ impl<'a> Equations<'a> {
         Ok(())
     }
 
+    /// True if joints keep distances.
+    pub(crate) fn keeps_lengths(&self) -> bool {
+        !self.lengths.is_empty()
+    }
+
     /// As [`set_instant`](Self::set_instant), for an instant that was checked.
     pub(crate) fn set_checked_instant(&mut self, at: &Instant<'_>) {
         self.set_time(at.t);

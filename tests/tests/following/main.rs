@@ -24,6 +24,7 @@ mod ratios;
 mod redundant;
 mod row_ends;
 mod single_states;
+mod small;
 mod special_dimensions;
 mod steep_rows;
 mod tracker;

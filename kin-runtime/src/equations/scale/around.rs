@@ -18,8 +18,21 @@ const SWEEPS: usize = 6;
 const SMALLEST_ANGLE_COLUMN: f64 = 1e-3;
 
 impl Scale {
-    /// The scales at the current instant, from configurations around `q`.
+    /// The scales at the current instant, from configurations around `q`, an assembled configuration.
     pub(crate) fn around(equations: &mut Equations<'_>, q: &[f64]) -> Self {
+        let kept = kept_distances(equations);
+        Self::from_samples(equations, q, &kept)
+    }
+
+    /// The scales at the current instant, from configurations around `q` in which distances may be far from those that
+    /// joints keep. Rows of small distances have the scale of large ones, so that they do not dominate a residual.
+    pub(crate) fn before_assembly(equations: &mut Equations<'_>, q: &[f64]) -> Self {
+        Self::from_samples(equations, q, &[])
+    }
+
+    /// The scales from samples around `q`. The rows `kept` are d² − e² with a constant e: their entries are as large as d,
+    /// which is e in every solution, but larger in most samples where e is small compared with the rest of the mechanism.
+    fn from_samples(equations: &mut Equations<'_>, q: &[f64], kept: &[(usize, f64)]) -> Self {
         let (s, n) = (equations.rows(), equations.coordinates());
         let length = typical_length(equations);
         let spread: Vec<f64> = (0..n).map(|k| spread(equations, k, q[k], length)).collect();
@@ -27,9 +40,14 @@ impl Scale {
         let entries = equations.model.constraint_pattern.entries;
         let mut sizes = vec![[0.0; SAMPLES]; entries.len()];
         let mut sample = q.to_vec();
+        let mut shares = vec![1.0; s];
         for k in 0..SAMPLES {
-            if equations.evaluate(Subset::JACOBIAN, &sample, None).is_ok() {
-                sizes.iter_mut().zip(&equations.phi_q).for_each(|(size, entry)| size[k] = entry.abs());
+            if equations.evaluate(Subset::POSITION, &sample, None).is_ok() {
+                for &(row, e) in kept {
+                    shares[row] = (e / (equations.phi[row] + e * e).max(0.0).sqrt()).min(1.0);
+                }
+                let typical = sizes.iter_mut().zip(entries).zip(&equations.phi_q);
+                typical.for_each(|((size, &(row, _)), entry)| size[k] = entry.abs() * shares[row]);
             }
             for ((x, &centre), &width) in sample.iter_mut().zip(q).zip(&spread) {
                 *x = centre + width * random.symmetric();
@@ -152,6 +170,17 @@ fn typical_length(equations: &Equations<'_>) -> f64 {
     }
     let found = lengths.map(|mut lengths| median_of_nonzero(&mut lengths));
     found.into_iter().find(|&l| l > 0.0 && l.is_finite()).unwrap_or(1.0)
+}
+
+/// The rows d² − e² of a distance d with a constant e, and e.
+fn kept_distances(equations: &Equations<'_>) -> Vec<(usize, f64)> {
+    if equations.lengths.is_empty() {
+        return Vec::new();
+    }
+    let numbers = equations.system.geometry(&equations.instant()).unwrap_or_default();
+    let constant = equations.lengths.iter().filter(|length| length.is_squared && !length.moves);
+    let known = constant.filter_map(|length| Some((length.row, *numbers.get(length.offset)?)));
+    known.filter(|(_, e)| *e > 0.0).collect()
 }
 
 /// The distance from its value within which a coordinate is sampled.

@@ -1,17 +1,18 @@
 //! Detection of states so near to a crossing of branches that rounding errors dominate their rates.
 
 use super::error::PlanError;
-use super::follower::PlanFollower;
+use super::follower::{PlanFollower, PlanSolution};
 use super::group_limit::{Limit, LimitKind, Located};
-use super::lists::BranchValues;
+use super::lists::{BranchValues, Distances};
 use super::rates::{is_angle, largest_angle, largest_of};
 use super::step::Step;
 use super::substeps::Blocked;
 use crate::course::Around;
 use crate::mechanism::Mechanism;
 use crate::model::Model;
-use crate::plan::{Plan, PlanStep};
-use crate::signal::Instant;
+use crate::plan::{Depth, Plan, PlanStep, Solved};
+use crate::signal::{Instant, Signal};
+use crate::workspace::Array;
 
 /// Distances √margin below which the accuracy of the rates is checked.
 pub(super) const NEAR: f64 = 0.1;
@@ -37,8 +38,9 @@ const FAST_PASSAGE: f64 = 30.0;
 /// larger: the group turns fast there, and its rates have almost as many digits as its angles.
 const NOISE_OF_PINS: f64 = 2.2e-4;
 
-/// Angle (rad) of the difference quotient that gives ẇ: so small that the motion over it is straight.
-const LITTLE: f64 = 1e-6;
+/// Angle (rad) of the difference quotients that give ẇ and the rates of √margin: so small that the motion over it is
+/// straight.
+pub(crate) const LITTLE: f64 = 1e-6;
 
 /// Lower bound of the ratio of the rate of the drive to the rate of the group; below it the drive is about to reverse.
 const LEAST_SHARE: f64 = 0.05;
@@ -80,8 +82,27 @@ impl<M: Mechanism> PlanFollower<M> {
         let of = |q: &[f64]| BranchValues::<M>::at(mechanism, self.parameters.as_ref(), at, q).ok();
         let (now, mut rates) = (of(q)?, of(ahead.as_ref())?);
         write_slopes(rates.as_mut(), now.as_ref(), further);
+        let mut approaches = self.distances_after(mechanism, at, further, ahead.as_ref())?;
+        write_slopes(approaches.as_mut(), self.distances.as_ref(), at.t + further - at.t);
         let groups = [now.as_ref(), rates.as_ref()];
-        ill_conditioned_group(M::model(), groups, self.distances.as_ref(), [q_dot, tried.q_ddot.as_ref()], turns)
+        let distances = [self.distances.as_ref(), approaches.as_ref()];
+        ill_conditioned_group(M::model(), groups, distances, [q_dot, tried.q_ddot.as_ref()], turns)
+    }
+
+    /// √margin of all groups a time `dt` after the instant, solved from a configuration.
+    fn distances_after(&self, mechanism: &M, at: &Instant<'_>, dt: f64, start: &[f64]) -> Option<Distances<M>> {
+        let mut inputs = M::Inputs::<f64>::filled(Signal::constant(0.0));
+        inputs.as_mut().iter_mut().zip(at.inputs).for_each(|(then, now)| *then = now.after(dt));
+        let later = Instant { t: at.t + dt, inputs: inputs.as_ref() };
+        let mut found = *self.trial();
+        let PlanSolution { q, q_dot, q_ddot, margins } = &mut found;
+        let solved =
+            Solved { q: q.as_mut(), q_dot: q_dot.as_mut(), q_ddot: q_ddot.as_mut(), margins: margins.as_mut() };
+        let modes = self.branch.modes.of_closures();
+        mechanism.solve_with(self.parameters.as_ref(), &later, modes, start, Depth::Position, solved).ok()?;
+        let mut distances = Distances::filled(1.0);
+        found.margins.write_distances(&mut distances);
+        Some(distances)
     }
 
     /// The error for a trial state whose rates are dominated by rounding.
@@ -132,18 +153,20 @@ fn groups_of(plan: &Plan) -> impl Iterator<Item = usize> {
 }
 
 /// The group that is so near to a crossing of branches that rounding errors dominate the rates. The arguments are w and
-/// ẇ of every group, √margin of every group (`distances`), q̇ and q̈, and the angles by which the gradients of iterated
-/// rows turn per unit of every coordinate (`turns`, which may be empty): a body that slides without turning moves its
-/// group, too.
+/// ẇ of every group, √margin of every group (`distances`) and its rate (`approaches`), q̇ and q̈, and the angles by which the
+/// gradients of iterated rows turn per unit of every coordinate (`turns`, which may be empty): a body that slides without
+/// turning moves its group, too.
 ///
 /// With x = q̇ w/ẇ, the angle between the group and the crossing, the rounding of w² causes an error of about ε/(w x²)
 /// in q̈/q̇². Where √margin is much smaller than |w|, the closures are apart and the outer pins of the group nearly coincide.
 /// With δ, their distance relative to the terms of which it is the difference, the error of q̈ is about ε/δ³ times the
-/// square of the rate of the drive.
+/// square of the rate of the drive. Where the pins do not meet before the drive has turned by a radian at their present
+/// rate, |δ̇| ≤ δ times the rate of the drive, the group is small, and the error of q̈ is only about ε/δ of the larger one of
+/// q̈ and q̇².
 pub(crate) fn ill_conditioned_group(
     model: &Model,
     [groups, rates_of_groups]: [&[f64]; 2],
-    distances: &[f64],
+    [distances, approaches]: [&[f64]; 2],
     [q_dot, q_ddot]: [&[f64]; 2],
     turns: &[f64],
 ) -> Option<usize> {
@@ -171,8 +194,9 @@ pub(crate) fn ill_conditioned_group(
         let largest = own(step, q_ddot).max(moves * moves).max(before * before);
         // The comparisons are written so that NaN counts as not clear. A drive that turns nothing has no rate to compare
         // with.
-        let is_fast = before > 0.0 && moves >= FAST_PASSAGE * before;
-        !(distance >= COINCIDING && is_fast && noise <= NOISE_OF_PINS * largest)
+        let passes = before > 0.0 && moves >= FAST_PASSAGE * before && noise <= NOISE_OF_PINS * largest;
+        let keeps_apart = approaches[*group].abs() <= before * distance && (before > 0.0 || moves == 0.0);
+        !(distance >= COINCIDING && (passes || keeps_apart))
     };
     if let Some(group) = (0..plan.modes.len()).find(meet) {
         return Some(group);

@@ -3,12 +3,14 @@
 use super::*;
 use crate::fixture::{FourBarLoop, PlannedFourBar};
 
-/// A state of the group of the four-bar: w, ẇ, √margin, the rates of the crank and of the group, its acceleration.
+/// A state of the group of the four-bar: w, ẇ, √margin and its rate, the rates of the crank and of the group, its
+/// acceleration.
 #[derive(Clone, Copy)]
 struct Beside {
     w: f64,
     w_dot: f64,
     distance: f64,
+    approach: f64,
     crank: f64,
     group: f64,
     acceleration: f64,
@@ -17,7 +19,7 @@ struct Beside {
 impl Beside {
     /// A crossing at which w is proportional to the angle.
     fn crossing(w: f64) -> Self {
-        Self { w, w_dot: 1.0, distance: w.abs(), crank: 1.0, group: 1.0, acceleration: 0.0 }
+        Self { w, w_dot: 1.0, distance: w.abs(), approach: 1.0, crank: 1.0, group: 1.0, acceleration: 0.0 }
     }
 
     fn is_ill_conditioned(self) -> bool {
@@ -28,7 +30,7 @@ impl Beside {
         let found = ill_conditioned_group(
             PlannedFourBar::model(),
             [&[self.w], &[self.w_dot]],
-            &[self.distance],
+            [&[self.distance], &[self.approach]],
             [&q_dot, &q_ddot],
             &[],
         );
@@ -145,6 +147,21 @@ fn pins_that_pass_each_other_have_rates() {
     let without =
         Beside { distance: 0.05, crank: 0.0, w_dot: 1e-9, group: 31.0, acceleration: 1e9, ..Beside::crossing(0.9) };
     assert!(without.is_ill_conditioned());
+}
+
+/// Pins that keep their distance belong to a small group, which is not near its limit.
+#[test]
+fn small_groups_have_rates() {
+    let at = |distance: f64, approach: f64, crank: f64, group: f64| {
+        Beside { distance, approach, w_dot: 1e-9, crank, group, ..Beside::crossing(0.9) }.is_ill_conditioned()
+    };
+    for side in [1.0, -1.0] {
+        assert!(!at(0.05, side * 0.049, 1.0, 1.0) && at(0.05, side * 0.051, 1.0, 1.0), "{side}");
+        assert!(!at(0.05, side * 0.099, -2.0, 1.0) && at(0.05, side * 0.101, -2.0, 1.0), "{side}");
+    }
+    // Its angles still need digits.
+    assert!(at(1.9e-4, 0.0, 1.0, 1.0) && !at(2.1e-4, 0.0, 1.0, 1.0));
+    assert!(!at(0.05, 0.0, 0.0, 0.0) && at(0.05, 0.0, 0.0, 1.0) && at(0.05, f64::NAN, 1.0, 1.0));
 }
 
 #[test]
