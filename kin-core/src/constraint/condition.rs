@@ -5,11 +5,15 @@
 //! ```
 //! The condition is satisfied while g > 0. g is an observable with ġ = g_q q̇ + g_t and g̈ = g_q q̈ − γ_g, in the unit
 //! of the two sides; it is not a row of Φ (lecture, slides 27–34: bilateral and unilateral constraints).
+//!
+//! Where g contains |u|, it has a corner at u = 0. Every such u is an observable, too, so that corners are located like zeros
+//! of g, and g is watched between them, where it is smooth.
 
 use super::assembly::Assembly;
 use super::layout::indexed;
 use super::set::{ConditionInstance, ConstraintSet, ObservableKind};
-use crate::mechanism::Relation;
+use crate::expr::{ExprId, Node};
+use crate::mechanism::{Function, Relation};
 
 impl Assembly<'_> {
     /// Writes all conditions, one for every index of a range.
@@ -33,15 +37,29 @@ impl Assembly<'_> {
                     self.error_once(condition.keyword, message);
                 }
                 let observable = self.observe(set, ObservableKind::Condition(set.conditions.len()), value);
+                let corners = self.corners(value);
+                for corner in &corners {
+                    self.observe(set, ObservableKind::Condition(set.conditions.len()), *corner);
+                }
                 set.conditions.push(ConditionInstance {
                     name,
                     family: (family, index),
                     text: condition.text.clone(),
                     observable,
+                    corners: corners.len(),
                     rheonomic: self.graph.depends(value).is_rheonomic(),
                     origin: condition.origin,
                 });
             }
         }
+    }
+
+    /// The arguments of the absolute values in an expression that a motion changes; those inside of others come first.
+    fn corners(&self, value: ExprId) -> Vec<ExprId> {
+        let inside = self.graph.reachable([value]).into_iter().filter_map(|id| match self.graph.node(id) {
+            Node::Call(Function::Abs, inside) => Some(inside),
+            _ => None,
+        });
+        inside.filter(|inside| !self.graph.depends(*inside).is_static()).collect()
     }
 }

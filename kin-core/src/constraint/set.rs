@@ -188,6 +188,8 @@ pub struct ConditionInstance {
     pub text: String,
     /// The observable g: the side that is to be larger minus the other one.
     pub observable: usize,
+    /// The number of observables that follow it: expressions at whose zeros g has a corner.
+    pub corners: usize,
     /// True if the condition contains t or an input.
     pub rheonomic: bool,
     /// The token that declares it.

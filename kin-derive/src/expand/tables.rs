@@ -59,9 +59,11 @@ pub(crate) fn model(tables: &Tables<'_>) -> TokenStream {
     let observables = observables(tables.system, writer);
     let conditions = set.conditions.iter().map(|condition| {
         let (name, text, rheonomic) = (&condition.name, &condition.text, condition.rheonomic);
-        let observable = condition.observable;
+        let (observable, corners) = (condition.observable, condition.corners);
         quote! {
-            __kin::ConditionInfo { name: #name, text: #text, observable: #observable, rheonomic: #rheonomic }
+            __kin::ConditionInfo {
+                name: #name, text: #text, observable: #observable, corners: #corners, rheonomic: #rheonomic,
+            }
         }
     });
     let constraint_pattern = pattern(&tables.kernels.constraint_pattern, writer);

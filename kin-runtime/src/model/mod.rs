@@ -172,6 +172,10 @@ pub struct ConditionInfo {
     /// Its observable in [`Model::observables`].
     #[doc(hidden)]
     pub observable: usize,
+    /// The number of observables that follow it: expressions at whose zeros g has a corner, because it contains their
+    /// absolute values. Those inside of others come first.
+    #[doc(hidden)]
+    pub corners: usize,
     /// Rheonomic (t or an input appears) or scleronomic; it is holonomic and unilateral.
     pub rheonomic: bool,
 }

@@ -64,7 +64,8 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     }
 
     /// Whether a sweep ends at its first event: its trajectory then has the states before the event and the one at it,
-    /// and [`Trajectory::stopped`](crate::Trajectory::stopped) is true.
+    /// and [`Trajectory::stopped`](crate::Trajectory::stopped) is true. A sweep that begins at the last state
+    /// ([`sweep_from`](Self::sweep_from)) does not meet this event again, and goes on to the next one.
     #[must_use]
     pub fn stop_at_events(mut self, stop: bool) -> Self {
         self.settings.options.stop_at_events = stop;

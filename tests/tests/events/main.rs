@@ -1,9 +1,11 @@
 //! Unilateral conditions: the events agree with closed forms, in either direction of time, and the motion is not
 //! changed.
 
+mod corners;
 mod fast;
 mod one_step;
 mod pulses;
+mod starts;
 mod surroundings;
 mod touches;
 

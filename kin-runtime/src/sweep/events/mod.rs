@@ -11,10 +11,14 @@
 //! extremum is located first, so that a crossing and its return within one step are both found. Values between two
 //! configurations always come from the mechanism itself, solved on the branch, never from an interpolation.
 //!
+//! A condition that contains an absolute value has corners, where the samples of one side say nothing of the other: its step
+//! is searched from corner to corner, which are located like crossings.
+//!
 //! `EventWatch` does not depend on how a sweep takes steps or computes states in between: the sweep passes every accepted
 //! state to it, together with a function that computes states since the previous one.
 
 mod sample;
+mod search;
 mod shape;
 mod watch;
 

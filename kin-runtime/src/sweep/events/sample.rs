@@ -12,6 +12,9 @@ const WORST_CONDITION: f64 = 1e4;
 /// The condition number assumed where none was computed: that of a mechanism far from singular configurations.
 const USUAL_CONDITION: f64 = 100.0;
 
+/// Factor of the width to which events are located: several of them may belong to one instant.
+const AT_EVENT: f64 = 2.0;
+
 /// g at an instant with its derivatives and an estimate of its rounding error.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Sample {
@@ -41,6 +44,18 @@ impl Sample {
         if rate == 0.0 || turns { acceleration > 0.0 } else { rate > 0.0 }
     }
 
+    /// Counts g as zero at the start of a sweep that begins at an event of an earlier one, located to `dt`, so that it does not
+    /// meet the same event again. An extremum that was located has passed.
+    pub(super) fn start_at_event(&mut self, dt: f64) {
+        if self.value.abs() <= AT_EVENT * dt * self.rate.abs() {
+            self.noise = self.noise.max(self.value.abs());
+        }
+        if self.touches(AT_EVENT * dt) && self.rate.abs() <= AT_EVENT * dt * self.acceleration.abs() {
+            self.noise = self.noise.max(self.value.abs());
+            self.rate = 0.0;
+        }
+    }
+
     /// True if an extremum of g is zero within rounding, where this sample is the best known approximation of the
     /// extremum.
     ///
@@ -63,7 +78,7 @@ impl Sample {
     }
 }
 
-/// The samples of all conditions at a state.
+/// The samples of all conditions at a state, and after them those of the expressions at whose zeros these have corners.
 ///
 /// # Errors
 /// [`NonFinite`](SolveError::NonFinite) where a condition has no value.
@@ -78,9 +93,12 @@ pub(crate) fn samples(equations: &mut Equations<'_>, state: &State) -> Result<Ve
     let columns = &equations.scale.columns;
     let largest = |v: &[f64]| v.iter().zip(columns).fold(0.0, |m: f64, (v, d)| m.max((v / d).abs()));
     let (velocity, acceleration_size) = (largest(&state.q_dot), largest(&state.q_ddot));
+    let conditions = model.conditions.iter().enumerate();
+    let corners = conditions.clone().flat_map(|(k, c)| (1..=c.corners).map(move |corner| (k, c.observable + corner)));
+    let rows = conditions.map(|(k, condition)| (k, condition.observable)).chain(corners);
     let mut all = Vec::with_capacity(model.conditions.len());
-    for (index, condition) in model.conditions.iter().enumerate() {
-        let row = condition.observable;
+    for (index, row) in rows {
+        let condition = &model.conditions[index];
         let pattern = &model.observable_pattern;
         let Signal { value, rate, acceleration } = parts.rates(pattern, row, &state.q_dot, &state.q_ddot);
         finite("conditions", index, condition.name, value).map_err(|error| error.at(state.t))?;
