@@ -1,7 +1,7 @@
 //! The steps along the solution curve, in both directions from a start.
 
 use super::bordered::{ArcNode, Bordered};
-use super::places::{between, cusps, singular_place, turning};
+use super::places::{between, cusps, singular_place, turnings};
 use super::rows;
 use crate::arc::{ArcEnd, ArcFault, ArcPlace, ArcPlaceKind, SolutionArc};
 use crate::equations::scale::Scale;
@@ -205,12 +205,11 @@ impl ArcFollower<'_> {
         origin: Option<&ArcNode>,
     ) -> Option<ArcEnd> {
         let here = leg.nodes[leg.nodes.len() - 1].clone();
-        let turn = turning(equations, self.bordered, &here, &next, ENCLOSED);
         let mut pieces = Vec::new();
-        if let Some((node, within)) = turn {
-            let beyond = 1e-6 * self.bordered.columns[here.q().len()] * here.t_rate().signum();
+        for ([before, node], within) in turnings(equations, self.bordered, &here, &next, ENCLOSED) {
+            let beyond = 1e-6 * self.bordered.columns[here.q().len()] * before.t_rate().signum();
             let kind = ArcPlaceKind::DeadCentre;
-            let place = singular_place(equations, kind, &here, &node, (beyond, within));
+            let place = singular_place(equations, kind, &before, &node, (beyond, within));
             pieces.push((node, Some(place)));
         }
         pieces.push((next, None));

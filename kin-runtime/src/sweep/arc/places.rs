@@ -8,6 +8,14 @@ use crate::linear::null_space;
 use crate::nonlinear::root::{Value, bracket};
 use crate::workspace::{Instant, Subset};
 
+/// Largest number of places between two that are looked at in the search for the least rate of t.
+const TRIALS: usize = 60;
+/// If the least rate of t between two places may be below this fraction of the rates at both, it is looked for.
+const MUCH_SMALLER: f64 = 0.5;
+/// Ratio of the rates at two places below which the places between them are looked at.
+const UNEVEN: f64 = 0.2;
+/// Rate of t, on the common scale, below which t stands still.
+const STANDING: f64 = 1e-9;
 /// How far a place between two others may be from the cubic through them, relative to their distance.
 const NEAR: f64 = 0.1;
 /// Relative pivot below which rows of Φ_q count as dependent.
@@ -44,8 +52,69 @@ pub(super) fn between(
     Some(bordered.node(equations, &z, &direction, NEAR * h.abs())?.at(s))
 }
 
+/// The places at which t turns back: one where its rate has different signs at both ends, and two where it has the same sign
+/// at both, and another in between. Each with a place before it, and the width to which it was enclosed.
+pub(super) fn turnings(
+    equations: &mut Equations<'_>,
+    bordered: &Bordered,
+    a: &ArcNode,
+    b: &ArcNode,
+    within: f64,
+) -> Vec<([ArcNode; 2], f64)> {
+    let mut ends = vec![a.clone(), b.clone()];
+    if let Some(low) = reversal(equations, bordered, a, b, &mut { TRIALS }) {
+        ends.insert(1, low);
+    }
+    let turning = |pair: &[ArcNode]| {
+        let (node, width) = turning(equations, bordered, &pair[0], &pair[1], within)?;
+        Some(([pair[0].clone(), node], width))
+    };
+    ends.windows(2).filter_map(turning).collect()
+}
+
+/// A place between two at which t runs in the other direction, if it runs in the same one at both. It is looked for where the
+/// cubic through both suggests that the rate is much smaller in between, and where the rates at both differ so much that this
+/// cubic tells little.
+fn reversal(
+    equations: &mut Equations<'_>,
+    bordered: &Bordered,
+    a: &ArcNode,
+    b: &ArcNode,
+    trials: &mut usize,
+) -> Option<ArcNode> {
+    let sign = a.t_rate().signum();
+    let [first, last] = [a, b].map(|node| sign * node.t_rate());
+    let (low, high) = (first.min(last), first.max(last));
+    // The comparison is written so that NaN counts as standing still.
+    let is_moving = low > 0.0 && high > STANDING * bordered.columns[a.q().len()];
+    let place = match least_rate(sign, a, b) {
+        _ if !is_moving => return None,
+        Some((place, least)) if least <= MUCH_SMALLER * low => place,
+        _ if low < UNEVEN * high => 0.5 * (a.s + b.s),
+        _ => return None,
+    };
+    *trials = trials.checked_sub(1)?;
+    let middle = between(equations, bordered, a, b, place)?;
+    if sign * middle.t_rate() <= 0.0 {
+        return Some(middle);
+    }
+    let first = reversal(equations, bordered, a, &middle, trials);
+    first.or_else(|| reversal(equations, bordered, &middle, b, trials))
+}
+
+/// The place between two, and the value, of the least rate of t, times a sign, on the cubic through both; `None` where it is
+/// at one of the ends.
+fn least_rate(sign: f64, a: &ArcNode, b: &ArcNode) -> Option<(f64, f64)> {
+    let h = b.s - a.s;
+    let [mean, first, last] = [(b.t() - a.t()) / h, a.t_rate(), b.t_rate()].map(|rate| sign * rate);
+    // The rate is first + x (linear + x square).
+    let (linear, square) = (6.0 * mean - 4.0 * first - 2.0 * last, 3.0 * (first + last - 2.0 * mean));
+    let x = -0.5 * linear / square;
+    (square > 0.0 && x > 0.0 && x < 1.0).then_some((a.s + h * x, first + 0.5 * linear * x))
+}
+
 /// The place at which t turns back, with the width to which it was enclosed.
-pub(super) fn turning(
+fn turning(
     equations: &mut Equations<'_>,
     bordered: &Bordered,
     a: &ArcNode,
