@@ -5,7 +5,7 @@
 
 use crate::equations::Equations;
 use crate::error::{Degeneracy, SolveError};
-use crate::model::{JointInfo, Role};
+use crate::model::{Geometry, JointInfo, Role};
 use crate::workspace::Instant;
 
 /// Replaces the error of an evaluation by an error that names the joint whose axis has no direction, if that is the
@@ -41,6 +41,22 @@ pub(crate) fn without_direction(equations: &Equations<'_>) -> Option<SolveError>
         let (t, joint, fault) = (equations.t, joint.name, Degeneracy::Axis);
         axes.any(|axis| !is_unit(axis.offset)).then_some(SolveError::DegenerateGeometry { t, joint, fault })
     })
+}
+
+/// An error if the geometry of a joint is not a number, as the root of a negative difference of dimensions. No configuration
+/// satisfies its rows then, which is no statement about the mechanism.
+pub(crate) fn check(equations: &Equations<'_>) -> Result<(), SolveError> {
+    let at = Instant { t: equations.t, inputs: &equations.inputs };
+    let all = equations.system.geometry(&at)?;
+    let is_known = |geometry: &Geometry| {
+        let is_vector = matches!(geometry.role, Role::P | Role::Q | Role::Axis);
+        all.iter().skip(geometry.offset).take(1 + usize::from(is_vector)).all(|number| number.is_finite())
+    };
+    let Some(joint) = equations.model.joints.iter().find(|joint| !joint.geometry.iter().all(is_known)) else {
+        return Ok(());
+    };
+    let (index, t) = (joint.first_row, Some(equations.t));
+    Err(SolveError::NonFinite { what: "Φ", index, name: equations.row_name(index), t })
 }
 
 /// The first joint that keeps a distance of zero, on the common scale.

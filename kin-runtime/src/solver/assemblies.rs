@@ -7,6 +7,7 @@ use crate::analysis::position::position;
 use crate::analysis::velocity::velocity;
 use crate::assembly::{Assemblies, Assembly, Undecided};
 use crate::certificate::{Certificate, Uncertified};
+use crate::equations::geometry;
 use crate::equations::scale::Scale;
 use crate::error::SolveError;
 use crate::mechanism::Mechanism;
@@ -84,8 +85,12 @@ impl dyn AnySolver + '_ {
             let mut margins = zeros(model.plan.margins);
             let close = &mut |signs: &[f64]| self.close(at, signs, &guess, &mut margins, &mut prove);
             let (found, undecided) = combinations(model, close);
+            if found.is_empty() {
+                geometry::check(&self.equations_at(at)?)?;
+            }
             return Ok(Assemblies { found, undecided, searched: half_turns(model, &bounded, &guess) });
         }
+        geometry::check(&self.equations_at(at)?)?;
         let region = region(model, &guess, length);
         let mut boxes = self.boxes(at);
         let prove = &mut |q: &[f64]| {

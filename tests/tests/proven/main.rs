@@ -14,3 +14,4 @@ mod residues;
 mod searched_ranges;
 mod stephenson;
 mod three_loops;
+mod unknown_geometry;

@@ -7,6 +7,7 @@ use super::Solver;
 use super::any_solver::AnySolver;
 use super::assemblies::half_turns;
 use crate::certificate::Uncertified;
+use crate::equations::geometry;
 use crate::error::SolveError;
 use crate::mechanism::Mechanism;
 use crate::model::Model;
@@ -67,7 +68,7 @@ impl dyn AnySolver + '_ {
     fn ranges_to(&self, from: &Instant<'_>, to: f64) -> Result<Ranges, SolveError> {
         let guess = self.start()?;
         self.equations_at(&Instant { t: to, inputs: from.inputs })?;
-        self.equations_at(from)?;
+        geometry::check(&self.equations_at(from)?)?;
         if let Some(why) = self.unproven() {
             return Err(SolveError::NotCertified { t: from.t, why });
         }
