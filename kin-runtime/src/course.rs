@@ -9,11 +9,11 @@
 //! frozen    s = x:    u = u₀ + Δu x,    t constant, up to a few units in its last place
 //! ```
 //!
-//! Between two instants with inputs, s begins at 0, s = t − t₀: where t is large, its neighbouring numbers may be farther apart
-//! than the steps that a motion near a limit needs.
-//!
 //! with c₃, c₄, c₅ such that the quintic has the values, rates and accelerations of both ends. On a frozen path
 //! derivatives are with respect to s, and time does not contribute to them.
+//!
+//! On smooth and straight paths of inputs [`Between`] counts s from the first instant, s = t − t₀ instead of t: where t is
+//! large, neighbouring numbers may be farther apart than the steps that a motion near a limit needs.
 
 use crate::workspace::{Instant, Signal};
 

@@ -36,15 +36,15 @@ pub(super) struct Chosen {
 /// Chooses the rows and the tree for a system of full column rank.
 pub(super) fn choose(system: &KinematicSystem, graph: &mut Graph) -> Option<Chosen> {
     let set = &system.set;
-    let mut search = UnknownsSearch { system, graph, memory: ReaderCache::new(set.coordinates.len()) };
+    let mut search = TreeSearch { system, graph, memory: ReaderCache::new(set.coordinates.len()) };
     if set.rows.len() == set.coordinates.len() {
-        return search.of(Vec::new());
+        return search.best_without(Vec::new());
     }
     let removable = RemovableRows::new(system);
     let (mut best, mut named) = (None, Vec::new());
     for places in [removable.declared(), removable.walked()] {
         let found = removable.rows(&places, &[]);
-        let next = search.of(found.iter().map(|found| found.row).collect());
+        let next = search.best_without(found.iter().map(|found| found.row).collect());
         if best.is_none() || cost(&next) < cost(&best) {
             (best, named) = (next, vec![(places, found)]);
         }
@@ -64,7 +64,8 @@ pub(super) fn choose(system: &KinematicSystem, graph: &mut Graph) -> Option<Chos
                 tries -= 1;
                 let kept = best.iter().flat_map(|best| &best.left_out).copied().filter(|&other| other != found.row);
                 let preferred: Vec<usize> = kept.chain([row]).collect();
-                let next = search.of(removable.rows(&places, &preferred).iter().map(|found| found.row).collect());
+                let next =
+                    search.best_without(removable.rows(&places, &preferred).iter().map(|found| found.row).collect());
                 if cost(&next) < cost(&best) {
                     best = next;
                 }
@@ -74,16 +75,17 @@ pub(super) fn choose(system: &KinematicSystem, graph: &mut Graph) -> Option<Chos
     best
 }
 
-struct UnknownsSearch<'a> {
+/// The search for the best tree of steps without given rows.
+struct TreeSearch<'a> {
     system: &'a KinematicSystem,
     graph: &'a mut Graph,
     memory: ReaderCache,
 }
 
-impl UnknownsSearch<'_> {
+impl TreeSearch<'_> {
     /// The better of two trees without the given rows: one that uses left-out rows together with kept rows of the same
     /// joint, and one that does not.
-    fn of(&mut self, mut left_out: Vec<usize>) -> Option<Chosen> {
+    fn best_without(&mut self, mut left_out: Vec<usize>) -> Option<Chosen> {
         left_out.sort_unstable();
         let rows = &self.system.set.rows;
         if rows.len() != self.system.set.coordinates.len() + left_out.len() {

@@ -8,7 +8,7 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 /// A field with the indices of its parameters.
-struct Span<'a> {
+struct ParameterField<'a> {
     ident: &'a proc_macro2::Ident,
     /// The type with the user's span, where the compiler reports a type that is not a number.
     ty: &'a syn::Type,
@@ -19,7 +19,7 @@ struct Span<'a> {
     scalar: Option<&'a proc_macro2::Ident>,
 }
 
-fn fields(lowered: &Lowered) -> Vec<Span<'_>> {
+fn fields(lowered: &Lowered) -> Vec<ParameterField<'_>> {
     let mut first = 0;
     (lowered.fields.iter())
         .filter_map(|field| match field.role {
@@ -27,7 +27,7 @@ fn fields(lowered: &Lowered) -> Vec<Span<'_>> {
             FieldRole::Function(_) => None,
         })
         .map(|(field, parameter)| {
-            let span = Span {
+            let of_parameter = ParameterField {
                 ident: &field.ident,
                 ty: &field.ty,
                 len: parameter.len,
@@ -36,7 +36,7 @@ fn fields(lowered: &Lowered) -> Vec<Span<'_>> {
                 scalar: field.scalar.as_ref(),
             };
             first += parameter.len.unwrap_or(1);
-            span
+            of_parameter
         })
         .collect()
 }

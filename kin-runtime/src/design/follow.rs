@@ -161,7 +161,7 @@ fn by_sweep(
     needs: Needs,
     see: &mut See<'_>,
 ) -> Result<(), SolveError> {
-    let trajectory = swept(solver, times).map_err(|error| error.source)?;
+    let trajectory = swept(solver, times, None, None).map_err(|error| error.source)?;
     for (k, state) in trajectory.states.iter().enumerate() {
         let mut first = 0;
         vary_state(solver, variation, state, varying, &mut |variation, indices, varied| {

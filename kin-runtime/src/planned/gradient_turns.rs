@@ -14,7 +14,7 @@
 //! they are also looked at in the usual places.
 
 use super::inputs::write_inputs_within;
-use super::interior::{certainty_between, fractions, on_cubic, time_within};
+use super::interior::{certainty_between, even_fractions, on_cubic, time_within};
 use super::lists::{BranchValues, Modes};
 use super::parts::{MOST_PARTS, Span, halve, hull};
 use crate::mechanism::{LengthError, Mechanism};
@@ -64,7 +64,7 @@ pub(crate) fn stays_in_bends(
     if is_small(0.0, 1.0)? == Some(true) {
         return Ok(true);
     }
-    for s in core::iter::once(0.5).chain(fractions()) {
+    for s in core::iter::once(0.5).chain(even_fractions()) {
         if !stays_at(s)? {
             return Ok(false);
         }

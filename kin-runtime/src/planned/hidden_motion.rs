@@ -8,7 +8,7 @@
 
 use super::follower::{Control, NEGLIGIBLE, PlanFollower, PlanSolution};
 use super::inputs::spread_inputs;
-use super::interior::{FRACTIONS, on_cubic};
+use super::interior::{IRREGULAR_FRACTIONS, on_cubic};
 use super::lists::{Margins, Modes};
 use super::narrow_curves::narrow_curves_are_followed;
 use super::parts::Span;
@@ -170,7 +170,7 @@ impl<M: Mechanism> PlanFollower<M> {
         let after = &self.branch.modes;
         let have_changed = after.as_ref() != before.as_ref();
         let mut is_near = |fraction: f64| Ok(is_near(fraction, after)? || have_changed && is_near(fraction, before)?);
-        for fraction in FRACTIONS {
+        for fraction in IRREGULAR_FRACTIONS {
             if !is_near(fraction)? {
                 return Ok(false);
             }

@@ -35,10 +35,10 @@ const ROUNDING: f64 = 1e-10;
 /// Instants within a step at which a motion is looked at, as fractions of its length. They are irregularly spaced: of a
 /// function that repeats itself up to 200 times within the step, at least three of them are more than a tenth of a half
 /// period away from its zeros. A random number from each seventh of the step was drawn until they had this property.
-pub(crate) const FRACTIONS: [f64; 7] = [0.091, 0.2175, 0.3422, 0.4602, 0.5892, 0.7423, 0.9181];
+pub(crate) const IRREGULAR_FRACTIONS: [f64; 7] = [0.091, 0.2175, 0.3422, 0.4602, 0.5892, 0.7423, 0.9181];
 
-/// The instants of these evaluations, as fractions of the step.
-pub(crate) fn fractions() -> impl Iterator<Item = f64> {
+/// The instants at which branch values are evaluated, as fractions of the step, evenly spaced.
+pub(crate) fn even_fractions() -> impl Iterator<Item = f64> {
     (1..=SAMPLES).map(|sample| f64::from(sample) / f64::from(SAMPLES + 1))
 }
 
@@ -91,7 +91,7 @@ pub(crate) fn certainty_at_samples<M: Mechanism, V: Compare>(
     let (first, last) = (of(0.0, ends[0])?, of(1.0, ends[2])?);
     let mut certainty = V::from_f64(1.0);
     let mut q = M::Coordinates::<V>::filled(V::from_f64(0.0));
-    for s in fractions() {
+    for s in even_fractions() {
         on_cubic(q.as_mut(), ends, h, s);
         let between = of(s, q.as_ref())?;
         let branch_values = [first.as_ref(), between.as_ref(), last.as_ref()];
@@ -175,7 +175,7 @@ fn of_coordinate<V: Compare>(kind: CoordinateKind, [first, v0, last, v1]: [V; 4]
 
 #[cfg(test)]
 mod tests {
-    use super::{FRACTIONS, certainty_between, certainty_of_rates, fractions, of_coordinate, on_cubic};
+    use super::{IRREGULAR_FRACTIONS, certainty_between, certainty_of_rates, even_fractions, of_coordinate, on_cubic};
     use crate::model::{Component, CoordinateKind};
 
     #[test]
@@ -183,23 +183,23 @@ mod tests {
         let at = |t: f64| 0.3 + t * (0.5 - t * (0.7 + 0.2 * t));
         let rate = |t: f64| 0.5 - t * (1.4 + 0.6 * t);
         for h in [0.4, -1.5] {
-            for s in fractions().chain([0.0, 1.0]) {
+            for s in even_fractions().chain([0.0, 1.0]) {
                 let mut q = [f64::NAN];
                 on_cubic(&mut q, [&[at(0.1)], &[rate(0.1)], &[at(0.1 + h)], &[rate(0.1 + h)]], h, s);
                 assert!((q[0] - at(0.1 + s * h)).abs() < 1e-14, "{h} {s}");
             }
         }
-        let all: Vec<f64> = fractions().collect();
+        let all: Vec<f64> = even_fractions().collect();
         assert!(all.len() == 7 && all[0] == 0.125 && all[6] == 0.875);
     }
 
     #[test]
     fn fractions_leave_no_wide_gap_and_have_no_common_period() {
-        let all: Vec<f64> = [0.0].into_iter().chain(FRACTIONS).chain([1.0]).collect();
+        let all: Vec<f64> = [0.0].into_iter().chain(IRREGULAR_FRACTIONS).chain([1.0]).collect();
         assert!(all.windows(2).all(|pair| (0.06..0.18).contains(&(pair[1] - pair[0]))), "{all:?}");
         // The zeros of a function that has n half periods in the step are at the multiples of 1/n.
         for n in 1..=400 {
-            let phases = FRACTIONS.map(|fraction| (f64::from(n) * fraction).fract());
+            let phases = IRREGULAR_FRACTIONS.map(|fraction| (f64::from(n) * fraction).fract());
             let far = phases.iter().filter(|phase| (0.1..0.9).contains(*phase)).count();
             assert!(far >= 3, "{n}: {phases:?}");
         }

@@ -13,7 +13,7 @@
 //! ([`ScalarFunction::enclose`](crate::ScalarFunction::enclose)), or not at all.
 
 use super::inputs::write_inputs_within;
-use super::interior::{FRACTIONS, on_cubic};
+use super::interior::{IRREGULAR_FRACTIONS, on_cubic};
 use super::parts::{Span, halve, hull};
 use crate::mechanism::{LengthError, Mechanism};
 use crate::scalar::{Interval, Scalar};
@@ -31,7 +31,7 @@ const NEGLIGIBLE: f64 = 1e-9;
 const SHORTEST: f64 = 1e-6;
 
 /// Where the range is measured: at the ends of the step and at the middle one of the places at which it is looked into.
-const MEASURED: [f64; 3] = [0.0, FRACTIONS[3], 1.0];
+const MEASURED: [f64; 3] = [0.0, IRREGULAR_FRACTIONS[3], 1.0];
 
 /// True if `is_near` is true wherever known functions may have a narrow feature within a step, whose first and last
 /// instants are given.

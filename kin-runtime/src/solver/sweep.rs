@@ -11,7 +11,7 @@ use crate::mechanism::Mechanism;
 use crate::modes::assemble_in;
 use crate::observer::Observed;
 use crate::state::State;
-use crate::sweep::continuation::{kinematic, kinematic_each};
+use crate::sweep::continuation::{Visit, kinematic};
 use crate::trajectory::Trajectory;
 use crate::workspace::{Instant, Signal};
 use core::ops::ControlFlow;
@@ -31,7 +31,7 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     /// As [`state`](Self::state) for the first instant; then [`Singular`](SolveError::Singular) or
     /// [`StepRefused`](SolveError::StepRefused) where the branch ends, with the states before it.
     pub fn sweep(&self, times: &[f64]) -> Result<Trajectory, SweepError> {
-        swept(self, times)
+        swept(self, times, None, None)
     }
 
     /// As [`sweep`](Self::sweep), but states are passed to `visit` one by one and not kept: the memory of a state is
@@ -71,7 +71,7 @@ impl<'m, M: Mechanism> Solver<'m, M> {
         times: &[f64],
         mut visit: impl FnMut(&State) -> ControlFlow<()>,
     ) -> Result<Trajectory, SweepError> {
-        each(self, times, &mut visit)
+        swept(self, times, None, Some(&mut visit))
     }
 
     /// [`sweep`](Self::sweep) from a complete start, n numbers.
@@ -79,70 +79,47 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     /// # Errors
     /// As [`sweep`](Self::sweep).
     pub fn sweep_from(&self, start: &[f64], times: &[f64]) -> Result<Trajectory, SweepError> {
-        follow(self, times, Some(start), &mut kinematic)
+        swept(self, times, Some(start), None)
     }
 }
 
-/// As [`Solver::sweep`].
-pub(crate) fn swept(solver: &dyn AnySolver, times: &[f64]) -> Result<Trajectory, SweepError> {
-    follow(solver, times, None, &mut kinematic)
-}
-
-/// As [`Solver::sweep_each`].
-fn each(
-    solver: &dyn AnySolver,
-    times: &[f64],
-    visit: &mut dyn FnMut(&State) -> ControlFlow<()>,
-) -> Result<Trajectory, SweepError> {
-    follow(solver, times, None, &mut |equations, first, times| kinematic_each(equations, first, times, visit))
-}
-
-/// A sweep from a complete start or from the guesses; `onwards` continues from the first state.
-fn follow(
+/// A sweep from a complete start or from the guesses; its states are passed to `visit`, or kept without it.
+pub(crate) fn swept(
     solver: &dyn AnySolver,
     times: &[f64],
     start: Option<&[f64]>,
-    onwards: &mut Onwards<'_>,
+    visit: Option<&mut Visit<'_>>,
 ) -> Result<Trajectory, SweepError> {
-    match started(solver, times, start) {
-        Ok(None) => Ok(Trajectory::new(solver.model())),
-        Ok(Some((mut equations, first))) => onwards(&mut equations, first, times),
+    let Some(&t) = times.first() else { return Ok(Trajectory::new(solver.model())) };
+    match started(solver, t, start) {
+        Ok((mut equations, first)) => {
+            equations.observed = Observed::new(solver.settings().observer, times.len());
+            kinematic(&mut equations, first, times, visit)
+        }
         Err(source) => Err(SweepError { trajectory: Box::new(Trajectory::new(solver.model())), source }),
     }
 }
 
-/// The equations of a sweep and its first state, found by the plan or, where it has no solution, by position analysis;
-/// `None` without instants.
+/// The equations of a sweep and its first state, found by the plan or, where it has no solution, by position analysis, with
+/// the factorisation of Φ_q if it was evaluated there last.
 fn started<'s>(
     solver: &'s dyn AnySolver,
-    times: &[f64],
+    t: f64,
     start: Option<&[f64]>,
-) -> Result<Option<(Equations<'s>, First)>, SolveError> {
-    let Some(&t) = times.first() else { return Ok(None) };
-    let settings = solver.settings();
-    let inputs = inputs_at(settings.inputs, t, solver.model().inputs.len());
+) -> Result<(Equations<'s>, (State, Option<Factorization>)), SolveError> {
+    let inputs = inputs_at(solver.settings().inputs, t, solver.model().inputs.len());
     let at = Instant { t, inputs: &inputs };
     let mut equations = solver.equations_at(&at)?;
-    let first = match solver.planned_state(&at, start) {
-        Some(state) => (state, None),
-        None => {
-            let position = match start {
-                Some(start) => position(&mut equations, start)?,
-                None => assemble_in(&mut equations, &solver.wanted_assembly()?)?,
-            };
-            let (state, factor) = analysis::state(&mut equations, position)?;
-            (state, Some(factor))
-        }
+    if let Some(state) = solver.planned_state(&at, start) {
+        return Ok((equations, (state, None)));
+    }
+    let position = match start {
+        Some(start) => position(&mut equations, start)?,
+        None => assemble_in(&mut equations, &solver.wanted_assembly()?)?,
     };
-    equations.observed = Observed::new(settings.observer, times.len());
-    Ok(Some((equations, first)))
+    let (state, factor) = analysis::state(&mut equations, position)?;
+    Ok((equations, (state, Some(factor))))
 }
-
-/// The first state of a sweep, with the factorisation of Φ_q if it was evaluated there last.
-type First = (State, Option<Factorization>);
-
-/// Continues from the first state of a sweep.
-type Onwards<'o> = dyn FnMut(&mut Equations<'_>, First, &[f64]) -> Result<Trajectory, SweepError> + 'o;
 
 /// The inputs at an instant; empty where they are not functions of time.
 pub(super) fn inputs_at(function: InputFunction<'_>, t: f64, count: usize) -> Vec<Signal> {

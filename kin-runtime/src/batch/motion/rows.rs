@@ -6,7 +6,7 @@ use crate::mechanism::Mechanism;
 use crate::planned::follower::Control;
 use crate::planned::hidden_motion::{CourseStep, certainty_within, curves_are_followed};
 use crate::planned::inputs::write_lane_of_inputs;
-use crate::planned::interior::FRACTIONS;
+use crate::planned::interior::IRREGULAR_FRACTIONS;
 use crate::planned::predict::largest_turn;
 use crate::planned::steep_rows::certainty_of_slopes;
 use crate::planned::turning_rows::TrialStep;
@@ -79,7 +79,7 @@ impl<M: Mechanism> BlockMotion<M> {
             certainty.unwrap_or_else(|_| Octet::from_f64(-1.0))
         };
         let mut least = Octet::from_f64(1.0);
-        for fraction in FRACTIONS {
+        for fraction in IRREGULAR_FRACTIONS {
             least = least_or_nan(least, certainty_at(fraction));
         }
         for lane in 0..Octet::LANES {

@@ -178,16 +178,16 @@ impl<M: Mechanism> PlanFollower<M> {
         }
         let inputs = self.inputs;
         let from = Instant { t: self.t, inputs: inputs.as_ref() };
-        let mut way = Between { kind: kind(&from, at), from, to: *at };
-        if way.kind == PathShape::Smooth {
-            let swung = self.walk_and_keep(mechanism, &way, at, control);
-            if swung.is_ok() || M::INPUTS == 0 {
-                return swung;
+        let mut path = Between { kind: kind(&from, at), from, to: *at };
+        if path.kind == PathShape::Smooth {
+            let smooth = self.walk_and_keep(mechanism, &path, at, control);
+            if smooth.is_ok() || M::INPUTS == 0 {
+                return smooth;
             }
             // The quintic course of the inputs may leave the mechanism's range although the straight one does not.
-            way.kind = PathShape::Straight;
+            path.kind = PathShape::Straight;
         }
-        self.walk_and_keep(mechanism, &way, at, control)
+        self.walk_and_keep(mechanism, &path, at, control)
     }
 
     fn walk_and_keep(

@@ -9,7 +9,7 @@ use crate::equations::Equations;
 use crate::planned::branch::{OUT_OF_REACH, certainty_of, first_dip, may_have_touched_limit, resolves};
 use crate::planned::gradient_turns::stays_in_bends;
 use crate::planned::inputs::write_inputs_within;
-use crate::planned::interior::{LEAST, fractions, on_cubic, time_within};
+use crate::planned::interior::{LEAST, even_fractions, on_cubic, time_within};
 use crate::planned::parts::Span;
 use crate::planned::predict::weight;
 use crate::scalar::{Interval, Scalar};
@@ -134,7 +134,7 @@ pub(super) fn stay_between(equations: &Equations<'_>, [before, found]: [&[f64]; 
         })
     };
     let is_curved = equations.system.iterates_on_curves();
-    if (!is_curved || equations.system.closed_rows_turn()) && !fractions().all(&mut stays_at) {
+    if (!is_curved || equations.system.closed_rows_turn()) && !even_fractions().all(&mut stays_at) {
         return false;
     }
     if !is_curved {

@@ -4,7 +4,7 @@ use crate::analysis::velocity::scaled;
 use crate::equations::Equations;
 use crate::error::SolveError;
 use crate::linear::Factorization;
-use crate::planned::interior::{FRACTIONS, on_cubic};
+use crate::planned::interior::{IRREGULAR_FRACTIONS, on_cubic};
 use crate::planned::parts::Span;
 use crate::workspace::{Instant, Subset};
 
@@ -32,7 +32,7 @@ pub(super) fn hides_nothing(
             equations.scale.size(step.as_slice()) <= allowed
         })
     };
-    let mut hides_nothing = FRACTIONS.into_iter().all(|fraction| is_near(equations, fraction));
+    let mut hides_nothing = IRREGULAR_FRACTIONS.into_iter().all(|fraction| is_near(equations, fraction));
     if hides_nothing {
         let places = places_of_narrow_curves(equations, [from, s], ends)?;
         hides_nothing = places.into_iter().all(|place| is_near(equations, place));

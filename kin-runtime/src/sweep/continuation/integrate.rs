@@ -15,7 +15,7 @@
 //! as in [`step`](super::step), so that no singular configuration is passed.
 //!
 //! The estimated error only knows the stages: a velocity that rises and falls between them would be missed. Therefore v is
-//! also compared with the slope of the cubic through both ends at the [`FRACTIONS`] of a step, and wherever a formula in it
+//! also compared with the slope of the cubic through both ends at the [`IRREGULAR_FRACTIONS`] of a step, and wherever a formula in it
 //! may have a narrow peak (see [`planned::narrow_curves`](crate::planned::narrow_curves)).
 
 use super::hidden_motion::places_of_narrow_curves;
@@ -24,7 +24,7 @@ use crate::analysis::velocity::scaled;
 use crate::equations::Equations;
 use crate::equations::factorisation::Purpose;
 use crate::nonlinear::dormand_prince::{StepResult, runge_kutta_step};
-use crate::planned::interior::{FRACTIONS, on_cubic, slope_of_cubic};
+use crate::planned::interior::{IRREGULAR_FRACTIONS, on_cubic, slope_of_cubic};
 use crate::workspace::Subset;
 
 /// Safety factor of the step length that the error estimate allows.
@@ -85,7 +85,7 @@ fn follows_cubic(
         let off = of_kinds(equations, &|k| (h * (slope[k] - found[k])).abs());
         Ok(!off.iter().zip(&allowed).any(|(off, allowed)| off > allowed) && !found.iter().any(|v| v.is_nan()))
     };
-    for fraction in FRACTIONS {
+    for fraction in IRREGULAR_FRACTIONS {
         if !is_near(equations, fraction)? {
             return Ok(false);
         }

@@ -13,43 +13,32 @@ use core::ops::ControlFlow;
 /// A function that is called with every state of a sweep and says whether to continue.
 pub(crate) type Visit<'v> = dyn FnMut(&State) -> ControlFlow<()> + 'v;
 
-/// The states at `times` on the branch of `first`, the state at the first of these times. The factorisation of Φ_q is
-/// given if it was evaluated at that state last.
+/// The motion at `times` on the branch of `first`, the state at the first of these times. The factorisation of Φ_q is given if
+/// it was evaluated at that state last. States are passed to `visit`; without it, they are kept in the trajectory.
 pub(crate) fn kinematic(
     equations: &mut Equations<'_>,
     first: (State, Option<Factorization>),
     times: &[f64],
-) -> Result<Trajectory, SweepError> {
-    let mut states = Vec::with_capacity(times.len());
-    let mut keep = |state: &State| {
-        states.push(state.clone());
-        ControlFlow::Continue(())
-    };
-    match kinematic_each(equations, first, times, &mut keep) {
-        Ok(trajectory) => Ok(Trajectory { states, ..trajectory }),
-        Err(mut error) => {
-            error.trajectory.states = states;
-            Err(error)
-        }
-    }
-}
-
-/// As [`kinematic`], but states are passed to `visit` and not stored.
-pub(crate) fn kinematic_each(
-    equations: &mut Equations<'_>,
-    first: (State, Option<Factorization>),
-    times: &[f64],
-    visit: &mut Visit<'_>,
+    visit: Option<&mut Visit<'_>>,
 ) -> Result<Trajectory, SweepError> {
     let mut trajectory = Trajectory::new(equations.model);
-    match visit_instants(equations, first, times, visit, &mut trajectory) {
-        Ok(()) => Ok(trajectory),
-        Err(source) => {
-            let is_located = source.limit().is_some_and(|limit| limit.at().is_some());
-            trajectory.q_at_limit = equations.system.q_at_limit().filter(|_| is_located).map(<[f64]>::to_vec);
-            Err(SweepError { trajectory: Box::new(trajectory), source })
+    let visited = match visit {
+        Some(visit) => visit_instants(equations, first, times, visit, &mut trajectory),
+        None => {
+            let mut states = Vec::with_capacity(times.len());
+            let mut keep = |state: &State| {
+                states.push(state.clone());
+                ControlFlow::Continue(())
+            };
+            let visited = visit_instants(equations, first, times, &mut keep, &mut trajectory);
+            trajectory.states = states;
+            visited
         }
-    }
+    };
+    let Err(source) = visited else { return Ok(trajectory) };
+    let is_located = source.limit().is_some_and(|limit| limit.at().is_some());
+    trajectory.q_at_limit = equations.system.q_at_limit().filter(|_| is_located).map(<[f64]>::to_vec);
+    Err(SweepError { trajectory: Box::new(trajectory), source })
 }
 
 /// Passes one state per instant to `visit` until one fails or the sweep stops at an event.

@@ -6,12 +6,17 @@
 //! q(t + h) ≈ q + h q̇ + ½ h² q̈,
 //! ```
 //!
-//! and corrected by full Newton steps. A step is accepted only if the motion in it is short, the correction is small
-//! compared with the predicted motion and converges fast, the velocity is near its prediction, the rank of Φ_q and the
-//! orientation of the branch (the sign of the determinant) are unchanged, and every group of the plan is on its own
-//! branch (or, where there are no groups, no other solution is as near as the prediction, and no eigenvalue of
-//! Φ_q(before)⁻¹ Φ_q changes its sign); otherwise the step is halved. A motion is thus followed to its end or to a crossing with another branch, and
-//! never jumps: where it cannot be followed, the error names the time and the joint.
+//! and corrected by full Newton steps. A step is accepted only if all of this is true:
+//!
+//! - the motion in it is short;
+//! - the correction is small compared with the predicted motion and converges fast;
+//! - the velocity is near its prediction;
+//! - the rank of Φ_q and the orientation of the branch (the sign of the determinant) are unchanged;
+//! - every group of the plan is on its own branch; where there are no groups, no other solution is as near as the
+//!   prediction, and no eigenvalue of Φ_q(before)⁻¹ Φ_q changes its sign.
+//!
+//! Otherwise a shorter step is tried. A motion is thus followed to its end or to a crossing with another branch, and never
+//! jumps: where it cannot be followed, the error names the time and the joint.
 //!
 //! Where the mechanism has a plan, it is tried first by the follower that [`Planned`](crate::Planned) uses, which
 //! checks its branch itself. Its q, q̇ and q̈ are checked with all rows at every instant. Where the plan has no
@@ -42,4 +47,4 @@ mod refusal;
 mod step;
 
 pub(crate) use follow::Continuation;
-pub(crate) use kinematic::{kinematic, kinematic_each};
+pub(crate) use kinematic::{Visit, kinematic};
