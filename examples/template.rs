@@ -15,7 +15,7 @@ use std::process::ExitCode;
 #[mechanism(cross_check)]
 // What moves. Every body has a frame of its own; `ground` is there already.
 #[bodies(crank, rod, slider)]
-// How it hangs together: points are written `body @ (x, y)`, in the frame of that body.
+// How the bodies are connected: points are written `body @ (x, y)`, in the frame of that body.
 #[revolute(O: ground @ (0, 0), crank @ (0, 0))]
 #[revolute(A: crank @ (r, 0), rod @ (0, 0))]
 #[revolute(B: rod @ (l, 0), slider @ (0, 0))]
@@ -28,7 +28,7 @@ use std::process::ExitCode;
 // Where it is at first, roughly: the links can be assembled in two ways, and the nearer one is taken.
 #[guess(crank.phi = 0.1, rod.phi = -0.1, slider.x = r + l)]
 pub struct SliderCrank {
-    // The numbers that may change, each with a default; units are for people.
+    // The numbers that may change, each with a default; units are checked and printed.
     /// Crank radius
     #[param(0.2, unit = "m")]
     pub r: f64,

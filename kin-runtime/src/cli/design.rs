@@ -88,7 +88,10 @@ pub(super) const HELP: Help = Help {
         let sweep = format!("sweep {} --to {to} --steps 6 --out points.csv", columns.join(" "));
         vec![
             names.analysis(&sweep, "a file of places"),
-            names.analysis(&format!("design --path {wanted} --free {parameter} --starts 4"), "the way back"),
+            names.analysis(
+                &format!("design --path {wanted} --free {parameter} --starts 4"),
+                "find the dimensions from the places",
+            ),
         ]
     },
     details: "\

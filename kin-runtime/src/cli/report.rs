@@ -104,5 +104,9 @@ pub(super) fn run(args: &ReportArgs, engine: &mut dyn Engine, session: &mut Sess
         ),
     };
     session.deliver(&output, &text)?;
-    if findings.passed() { Ok(()) } else { Err(Failure::Analysis("the checks fail; `check` says more".to_owned())) }
+    if findings.passed() {
+        Ok(())
+    } else {
+        Err(Failure::Analysis("the checks fail; run `check` to see them".to_owned()))
+    }
 }
