@@ -83,12 +83,16 @@ pub(crate) fn ill_conditioned(
     let mut then = Vec::new();
     equations.write_branch_values(&ahead, &mut then);
     let rates = slopes(then, groups, further);
-    let (t, inputs) = (equations.t, equations.inputs.clone());
-    let later: Vec<Signal> = inputs.iter().map(|input| input.after(further)).collect();
-    equations.set_checked_instant(&Instant { t: t + further, inputs: &later });
-    let then = self::distances(equations, groups, &ahead);
-    equations.set_checked_instant(&Instant { t, inputs: &inputs });
-    let approaches = slopes(then, &distances, t + further - t);
+    let mut approaches = vec![0.0; distances.len()];
+    // Where nothing turns, nothing approaches anything.
+    if further.is_finite() {
+        let (t, inputs) = (equations.t, equations.inputs.clone());
+        let later: Vec<Signal> = inputs.iter().map(|input| input.after(further)).collect();
+        equations.set_checked_instant(&Instant { t: t + further, inputs: &later });
+        let then = self::distances(equations, groups, &ahead);
+        equations.set_checked_instant(&Instant { t, inputs: &inputs });
+        approaches = slopes(then, &distances, t + further - t);
+    }
     ill_conditioned_group(equations.model, [groups, &rates], [&distances, &approaches], [q_dot, q_ddot], &turns)
 }
 

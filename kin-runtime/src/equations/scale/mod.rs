@@ -3,10 +3,12 @@
 //! With row scales S and column scales D, the matrix S Φ_q D has entries of size one at typical configurations, and D
 //! is one for angles: scaled displacements D⁻¹ δq are radians, or the displacement that a radian causes. The scales
 //! come from the *typical* size of every entry over several configurations, never from the current configuration alone,
-//! because a row or column that vanishes there must show up in the rank. An entry that depends on inputs or time alone
-//! is the same in all these configurations. Therefore the columns of angles have a lower bound: radians need no scale,
-//! so that a column of φ that is tiny compared with the lengths of its rows is nearly singular, or rounding noise, and
-//! is not scaled to size one.
+//! because a row or column that vanishes there must show up in the rank. These configurations are not closed; once the
+//! mechanism is assembled, a row that keeps a constant distance is scaled as if its points were that far apart.
+//!
+//! An entry that depends on inputs or time alone is the same in all these configurations. Therefore the columns of
+//! angles have a lower bound: radians need no scale, so that a column of φ that is tiny compared with the lengths of its
+//! rows is nearly singular, or rounding noise, and is not scaled to size one.
 
 mod around;
 

@@ -82,8 +82,12 @@ impl<M: Mechanism> PlanFollower<M> {
         let of = |q: &[f64]| BranchValues::<M>::at(mechanism, self.parameters.as_ref(), at, q).ok();
         let (now, mut rates) = (of(q)?, of(ahead.as_ref())?);
         write_slopes(rates.as_mut(), now.as_ref(), further);
-        let mut approaches = self.distances_after(mechanism, at, further, ahead.as_ref())?;
-        write_slopes(approaches.as_mut(), self.distances.as_ref(), at.t + further - at.t);
+        let mut approaches = Distances::<M>::filled(0.0);
+        // Where nothing turns, nothing approaches anything.
+        if further.is_finite() {
+            approaches = self.distances_after(mechanism, at, further, ahead.as_ref())?;
+            write_slopes(approaches.as_mut(), self.distances.as_ref(), at.t + further - at.t);
+        }
         let groups = [now.as_ref(), rates.as_ref()];
         let distances = [self.distances.as_ref(), approaches.as_ref()];
         ill_conditioned_group(M::model(), groups, distances, [q_dot, tried.q_ddot.as_ref()], turns)
