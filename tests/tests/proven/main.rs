@@ -9,6 +9,7 @@ mod classes;
 mod complex_closures;
 mod elimination;
 mod lifts;
+mod neighbouring_places;
 mod ranges;
 mod residues;
 mod searched_ranges;
