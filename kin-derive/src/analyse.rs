@@ -47,14 +47,17 @@ pub(crate) fn analyse(args: TokenStream, item: TokenStream) -> (Option<ItemStruc
 
 /// Applies the rules. Parts with errors are missing in the model; then only the rules that examine a single part apply.
 fn check_model(lowered: &Lowered, report: &Report) {
-    let rules = if report.count() == 0 { check } else { check_parts };
-    for error in rules(&lowered.mechanism) {
-        report.error(lowered.span(error.origin), error.message);
+    let mechanism = &lowered.mechanism;
+    let is_complete = report.count() == 0;
+    let mut errors = if is_complete { check(mechanism) } else { check_parts(mechanism) };
+    if errors.is_empty() && is_complete && kin_core::units::are_written(mechanism) {
+        errors = kin_core::units::check(mechanism);
+    } else if errors.is_empty() && !is_complete {
+        // A statement that is degenerate, such as a length that is computed as 0, is so whatever is missing.
+        errors = kin_core::assemble(mechanism).err().unwrap_or_default();
     }
-    if report.count() == 0 && kin_core::units::are_written(&lowered.mechanism) {
-        for error in kin_core::units::check(&lowered.mechanism) {
-            report.error(lowered.span(error.origin), error.message);
-        }
+    for error in errors {
+        report.error(lowered.span(error.origin), error.message);
     }
 }
 

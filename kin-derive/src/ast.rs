@@ -350,6 +350,8 @@ pub(crate) struct FieldDecl {
     pub(crate) is_function: bool,
     /// The number of elements of an array field.
     pub(crate) len: Option<usize>,
+    /// True if the length of an array has an error, which is reported.
+    pub(crate) is_len_unknown: bool,
     /// The type parameter that is the type of the field's numbers.
     pub(crate) scalar: Option<Ident>,
     /// The default value of every element.

@@ -7,8 +7,8 @@ pub use crate::mechanism::{LengthError, Mechanism, Observations, Workspace};
 pub use crate::model::{
     Body, BodyInfo, Component, ConditionInfo, Coordinate, CoordinateInfo, CoordinateKind, DefineInfo, EffortInfo,
     EquationText, ForceModel, ForceUnits, Frame, GenericRedundancy, Geometry, Input, JointInfo, JointKind, Level,
-    LineText, LoadInfo, Model, Observable, OperationCount, OriginKind, ParameterInfo, Pattern, Point, PointInfo,
-    Quantity, ReactionInfo, Role, RowInfo, SpringInfo, StepText, Structure, Units,
+    LineText, LoadInfo, MassInfo, Model, Observable, OperationCount, OriginKind, ParameterInfo, Pattern, Point,
+    PointInfo, Quantity, ReactionInfo, Role, RowInfo, SpringInfo, StepText, Structure, Units,
 };
 pub use crate::plan::{Depth, ModeInfo, Plan, PlanStep, Solved, StepKind, coarseness, iterate};
 pub use crate::scalar::{Interval, Scalar};

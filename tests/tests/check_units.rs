@@ -31,6 +31,49 @@ struct FourBar {
     alpha: f64,
 }
 
+/// Every factor as a hint names it.
+#[mechanism(check_units)]
+#[body(handle, x = 0, y = 0)]
+#[bodies(jaw)]
+#[coordinates(u[6])]
+#[translational(guide: ground @ (0, 0), jaw @ (0, 0), axis = (1, 0))]
+#[screw(spindle: ground @ (0, 0), jaw @ (0, 0), axis = (1, 0), lead = lead, nut = handle)]
+#[driver(turns: handle.phi = slope*pi/180 + n*2*pi/60*t)]
+#[define(degrees = handle.phi*180/pi, unit = "deg")]
+#[define(travel = l + lead*360*pi/180, unit = "mm")]
+#[constraint(slow: u[0] = fast + feed/(60*1000))]
+#[constraint(road: u[1] = fast + road*1000/3600)]
+#[constraint(length: u[2] = l + inch*25.4)]
+#[constraint(area: u[3] = l*l + inch*foot*25.4*12*25.4)]
+#[constraint(speed: u[4] = n + omega*60/(2*pi))]
+#[constraint(twist: u[5] = k + per_degree*180/pi)]
+struct Factors {
+    #[param(1, unit = "mm")]
+    l: f64,
+    #[param(1, unit = "in")]
+    inch: f64,
+    #[param(1, unit = "ft")]
+    foot: f64,
+    #[param(4, unit = "mm/rev")]
+    lead: f64,
+    #[param(1, unit = "m/s")]
+    fast: f64,
+    #[param(6000, unit = "mm/min")]
+    feed: f64,
+    #[param(3.6, unit = "km/h")]
+    road: f64,
+    #[param(60, unit = "rpm")]
+    n: f64,
+    #[param(1, unit = "rad/s")]
+    omega: f64,
+    #[param(30, unit = "deg")]
+    slope: f64,
+    #[param(1, unit = "N*mm/rad")]
+    k: f64,
+    #[param(1, unit = "N*mm/deg")]
+    per_degree: f64,
+}
+
 /// Millimetres, revolutions per minute, degrees and numbers of teeth; literal numbers as quantities.
 #[mechanism(check_units)]
 #[bodies(motor, wheel, rack)]
@@ -98,6 +141,7 @@ fn units_that_agree_are_no_errors() {
     works(&FourBar::default());
     works(&Machine::default());
     works(&Feet::default());
+    works(&Factors::default());
     let signal = [Signal { value: 1.0, rate: 0.0, acceleration: 0.0 }];
     let state = Skate::default().state_at(&kin_runtime::Instant { t: 0.0, inputs: &signal }).unwrap();
     assert!((state.q[3] - 1.0).abs() < 1e-12);

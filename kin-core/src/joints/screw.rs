@@ -28,7 +28,7 @@ joint! {
         /// The direction v in body i.
         axis: Axis = OperandSlot::option("axis", OperandType::Axis),
         /// The lead p, the stroke per turn.
-        lead: Value = OperandSlot::option("lead", OperandType::Signal),
+        lead: Value = OperandSlot::option("lead", OperandType::Signal).measured_in(Dimension::LengthPerTurn),
         /// The rotating body b.
         nut: BodyRef = OperandSlot::option("nut", OperandType::Body),
         /// The offset e.

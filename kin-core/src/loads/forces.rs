@@ -27,6 +27,15 @@ pub struct SpringForce {
     pub numbers: [ExprId; 5],
 }
 
+/// A mass and its moment of inertia, which must not be negative.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MassValues {
+    /// Its body.
+    pub on: Frame,
+    /// The index of its first number among the results.
+    pub place: usize,
+}
+
 /// The force or couple of gravity, an applied load or a spring on a body.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LoadForce {
@@ -44,7 +53,7 @@ pub struct LoadForce {
 ///
 /// The order of the results is: the shaking force and its moment about the origin, the same of the inertia forces
 /// alone; the energies (kinetic, of gravity, of springs); the powers of drivers, of applied loads and of dampers; the
-/// rate of the total energy; λ; efforts, reactions, springs.
+/// rate of the total energy; λ; efforts, reactions, springs; masses with their moments of inertia.
 #[derive(Clone, Debug)]
 pub struct Forces {
     /// r = Q − M q̈, one number for each coordinate, for a numerical solution of Φ_qᵀ λ = r.
@@ -62,6 +71,8 @@ pub struct Forces {
     pub reactions: Vec<ReactionForce>,
     /// Springs.
     pub springs: Vec<SpringForce>,
+    /// Masses.
+    pub masses: Vec<MassValues>,
     /// The forces and couples of loads on bodies, for pictures.
     pub exerted: Program,
     /// The meaning of the numbers of `exerted`.
@@ -97,7 +108,7 @@ pub fn forces(mechanism: &Mechanism, system: &KinematicSystem, linear: Option<Li
         ReactionWriter { bodies: &mut bodies, system, equilibrium: &equilibrium, multipliers: Vec::new(), zero_test };
     let lambda = solved.unwrap_or_else(|| given.clone());
     let of_multipliers = is_solved.then(|| writer.results(&given, &acting, &mut springs.clone()).list);
-    let Results { list: results, efforts, reactions } = writer.results(&lambda, &acting, &mut springs);
+    let Results { list: results, efforts, reactions, masses } = writer.results(&lambda, &acting, &mut springs);
     let graph = &bodies.a.graph;
     let program = |list: &[ExprId]| {
         lower(graph, &list.iter().enumerate().map(|(k, id)| (Slot::Entry(k), *id)).collect::<Vec<_>>())
@@ -110,6 +121,7 @@ pub fn forces(mechanism: &Mechanism, system: &KinematicSystem, linear: Option<Li
         efforts,
         reactions,
         springs,
+        masses,
         exerted: program(&exerted),
         loads,
     })
@@ -129,11 +141,12 @@ fn on_bodies(acting: &[Acting]) -> (Vec<LoadForce>, Vec<ExprId>) {
     (loads, numbers)
 }
 
-/// All results, and the efforts and reactions among them.
+/// All results, and the efforts, reactions and masses among them.
 struct Results {
     list: Vec<ExprId>,
     efforts: Vec<Effort>,
     reactions: Vec<ReactionForce>,
+    masses: Vec<MassValues>,
 }
 
 impl ReactionWriter<'_, '_> {
@@ -160,7 +173,12 @@ impl ReactionWriter<'_, '_> {
             spring.place = list.len();
             list.extend(spring.numbers);
         }
-        Results { list, efforts, reactions }
+        let mut masses = Vec::new();
+        for (on, numbers) in acting.iter().filter_map(|acting| acting.mass) {
+            masses.push(MassValues { on, place: list.len() });
+            list.extend(numbers);
+        }
+        Results { list, efforts, reactions, masses }
     }
 }
 

@@ -58,6 +58,8 @@ pub(super) struct Acting {
     /// Of a spring: length or angle, its rate, tension or torque, energy, power of the damper.
     pub(super) spring: Option<[ExprId; 5]>,
     pub(super) exerted: Vec<Exerted>,
+    /// Of a mass: its body, the mass and the moment of inertia.
+    pub(super) mass: Option<(Frame, [ExprId; 2])>,
 }
 
 impl Acting {
@@ -75,6 +77,7 @@ impl Acting {
             damper_power: zero,
             spring: None,
             exerted: Vec::new(),
+            mass: None,
         }
     }
 }

@@ -32,6 +32,7 @@ impl LoadType for Mass {
         let field = bodies.field;
         let graph = &mut bodies.a.graph;
         let mut acting = Acting::nothing(graph.zero());
+        acting.mass = Some((posed.frame, [mass, inertia]));
         acting.inertial = vec![(posed.r[0], mass), (posed.r[1], mass), (posed.angle, inertia)];
         let (a, v) = ([x.acceleration, y.acceleration], [x.rate, y.rate]);
         let mut inertial = [mass, mass, inertia];

@@ -26,7 +26,7 @@ mod transpose;
 
 pub use dynamics::{PrintedDynamics, dynamics};
 pub use force::Force;
-pub use forces::{Forces, LoadForce, SpringForce, forces};
+pub use forces::{Forces, LoadForce, MassValues, SpringForce, forces};
 pub use gravity::Gravity;
 pub use kinds::forms;
 pub use mass::Mass;

@@ -89,6 +89,8 @@ pub enum Dimension {
     Length,
     /// An angle.
     Angle,
+    /// A length that is covered in one turn: a length, or a length divided by revolutions.
+    LengthPerTurn,
     /// A length divided by a time.
     Speed,
     /// A product of powers of mass, length and time; the exponents are in this order.

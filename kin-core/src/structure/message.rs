@@ -93,7 +93,8 @@ fn message(
         );
     }
     let rows = rows(set, &own, redundant);
-    let said = if plural { "repeat or contradict" } else { "repeats or contradicts" };
+    let several_rows = rows.starts_with("rows");
+    let said = if plural || several_rows { "repeat or contradict" } else { "repeats or contradicts" };
     let already = match others.len() {
         0 => "itself".to_owned(),
         1 => format!("what joint {with} already prescribes"),

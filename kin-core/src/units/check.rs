@@ -68,6 +68,7 @@ impl Checker<'_> {
         for (slot, operand) in joint.operands.iter() {
             let wanted = match slot.dimension {
                 Dimension::Length => Some(self.length),
+                Dimension::LengthPerTurn => Some(self.per_turn(operand)),
                 Dimension::Angle => Some(Unit::NUMBER),
                 Dimension::Speed => Some(self.length.times(self.time.power(-1.0))),
                 Dimension::Derived([mass, length, time]) => {
@@ -136,6 +137,23 @@ impl Checker<'_> {
         if let Some(unit) = wanted {
             self.expect(&value.value, unit, value.origin);
         }
+    }
+
+    /// The unit of a length that is covered in one turn. Written per revolution it is a length by 2π radians; written per
+    /// radian it is a mistake, and per degree, too.
+    fn per_turn(&mut self, operand: &Operand) -> Unit {
+        let Operand::Value(value) = operand else { return self.length };
+        if self.angle(&value.value) != -1.0 {
+            return self.length;
+        }
+        let turn = Unit { scale: Some(0.5 * core::f64::consts::FRAC_1_PI), ..Unit::NUMBER };
+        let Of(found) = self.quantity(&value.value) else { return self.length };
+        if found.agrees(self.length.times(turn)) || !found.is_like(self.length) {
+            return self.length.times(turn);
+        }
+        let message = "this is a length per turn: its unit is a length or a length per `rev`, as `mm` or `mm/rev`";
+        self.errors.push(ModelError::new(first_origin(&value.value).unwrap_or(value.origin), message));
+        found
     }
 
     /// Checks that a radius is a length or a number of teeth, and not an angle.

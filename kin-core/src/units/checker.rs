@@ -29,7 +29,7 @@ pub(super) struct Checker<'m> {
     pub(super) met: [Vec<Met>; 2],
     /// The unit of positions.
     pub(super) length: Unit,
-    /// The first name whose unit contains that unit.
+    /// The first name whose unit contains that unit, in words: ``the unit of `l1` ``.
     pub(super) first_length: Option<String>,
     /// The unit of t.
     pub(super) time: Unit,
@@ -85,6 +85,8 @@ pub(super) struct BaseUnit<'m> {
     pub(super) name: &'m str,
     pub(super) scale: f64,
     pub(super) symbol: &'m str,
+    /// True if the unit of that name is this unit alone, as `mm` and not `N/mm`.
+    pub(super) alone: bool,
 }
 
 /// The unit of length (0), time (1) or mass (2) that most of the written units contain, the first of these if several
@@ -97,13 +99,13 @@ pub(super) fn base(mechanism: &Mechanism, kind: usize) -> Option<BaseUnit<'_>> {
 }
 
 /// The first unit of length, time or mass in a unit such as `mm/s`.
-fn base_in<'m>(name: &'m str, unit: &'m str, kind: usize) -> Option<BaseUnit<'m>> {
-    let symbols = unit.split(|c: char| !c.is_alphabetic());
+fn base_in<'m>(name: &'m str, text: &'m str, kind: usize) -> Option<BaseUnit<'m>> {
+    let symbols = text.split(|c: char| !c.is_alphabetic());
     let mut bases = symbols
         .filter_map(|symbol| parse(symbol).ok().map(|unit| (unit, symbol)))
         .filter(|(unit, _)| near(unit.powers[kind], 1.0));
     let (unit, symbol) = bases.find(|(unit, _)| unit.powers.iter().sum::<f64>() == 1.0)?;
-    unit.scale.map(|scale| BaseUnit { name, scale, symbol })
+    unit.scale.map(|scale| BaseUnit { name, scale, symbol, alone: symbol == text.trim() })
 }
 
 impl<'m> Checker<'m> {
@@ -124,7 +126,10 @@ impl<'m> Checker<'m> {
             ],
             met: [vec![Met::Nothing; m.scalars.len()], vec![Met::Nothing; m.inputs.len()]],
             length: Unit { powers: [1.0, 0.0, 0.0], scale: length.map(|base| base.scale) },
-            first_length: length.map(|base| base.name.to_owned()),
+            first_length: length.map(|base| {
+                let what = if base.alone { "the unit" } else { "the length in the unit" };
+                format!("{what} of `{}`", base.name)
+            }),
             time: Unit { powers: [0.0, 1.0, 0.0], scale: Some(time.map_or(1.0, |base| base.scale)) },
             mass: Unit { powers: [0.0, 0.0, 1.0], scale: mass.map(|base| base.scale) },
             defines: vec![None; m.defines.len()],

@@ -18,6 +18,8 @@ mod check;
 #[cfg(feature = "compiler")]
 mod checker;
 #[cfg(feature = "compiler")]
+mod conversion;
+#[cfg(feature = "compiler")]
 mod derived;
 #[cfg(feature = "compiler")]
 mod forces;

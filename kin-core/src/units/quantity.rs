@@ -5,10 +5,10 @@ use super::checker::{
     QuantityUnit::{self, Any, Clock, Of, Plain},
     WrittenUnit,
 };
-use super::unit::{Unit, near};
+use super::conversion::{conversion, converts};
+use super::unit::Unit;
 use crate::error::{ModelError, Origin};
 use crate::mechanism::{Component, CurveVariable, Formula, Function, Place};
-use core::f64::consts::PI;
 
 /// What a unit measures, in words.
 fn kind(unit: Unit) -> String {
@@ -43,11 +43,11 @@ impl Checker<'_> {
         if !found.agrees(unit) {
             let wanted = match unit.scale {
                 None => kind(unit),
-                Some(_) if unit.is_number() => "an angle in rad".to_owned(),
+                Some(_) if unit == Unit::NUMBER => "an angle in rad".to_owned(),
                 Some(_) => unit.to_string(),
             };
             let like = match &self.first_length {
-                Some(name) if unit == self.length && found.is_like(unit) => format!(", the unit of `{name}`,"),
+                Some(of) if unit == self.length && found.is_like(unit) => format!(", {of},"),
                 _ => String::new(),
             };
             let hint = conversion(found, unit);
@@ -242,45 +242,6 @@ fn has_pi(formula: &Formula) -> bool {
         Formula::Pi => true,
         Formula::Neg(a) | Formula::Pow(a, _) => has_pi(a),
         Formula::Mul(a, b) | Formula::Div(a, b, _) => has_pi(a) || has_pi(b),
-        _ => false,
-    }
-}
-
-/// A hint how to convert one unit to the other, if the factor is a well-known number.
-fn conversion(from: Unit, to: Unit) -> String {
-    let (Some(a), Some(b)) = (from.scale, to.scale) else { return String::new() };
-    if !from.is_like(to) {
-        return String::new();
-    }
-    let factor = a / b;
-    let round = |x: f64| x < 1e10 && near(x, x.round());
-    let how = if near(factor, PI / 180.0) {
-        "times pi/180".to_owned()
-    } else if near(factor, PI / 30.0) {
-        "times 2*pi/60".to_owned()
-    } else if near(factor, 2.0 * PI) {
-        "times 2*pi".to_owned()
-    } else if round(factor) {
-        format!("times {}", factor.round())
-    } else if round(1.0 / factor) {
-        format!("divided by {}", (1.0 / factor).round())
-    } else {
-        return String::new();
-    };
-    format!("; {how} it is {}", if to.is_number() { "rad".to_owned() } else { to.to_string() })
-}
-
-/// True for a number that contains a typical factor of conversions.
-fn converts(formula: &Formula) -> bool {
-    const FACTORS: [f64; 8] = [12.0, 25.4, 2.54, 30.0, 60.0, 180.0, 360.0, 3600.0];
-    match formula {
-        Formula::Number(v) => {
-            let large = if *v < 1.0 { 1.0 / v } else { *v };
-            let is_ten = large > 1.5 && near(large.log10(), large.log10().round());
-            is_ten || FACTORS.iter().any(|factor| near(*factor, large)) || near(0.3048, *v)
-        }
-        Formula::Neg(a) | Formula::Pow(a, _) => converts(a),
-        Formula::Mul(a, b) | Formula::Div(a, b, _) => converts(a) || converts(b),
         _ => false,
     }
 }

@@ -19,7 +19,7 @@ pub(super) fn forces(
     system: &KinematicSystem,
 ) -> TokenStream {
     let (Some(forces), Some(count)) = (forces, kernels.force_operations) else { return TokenStream::new() };
-    let Forces { count: numbers, of_multipliers, efforts, reactions, springs, loads, .. } = forces;
+    let Forces { count: numbers, of_multipliers, efforts, reactions, springs, masses, loads, .. } = forces;
     let solved = of_multipliers.is_some();
     let operations = operations(count);
     let efforts = efforts.iter().map(|effort| {
@@ -44,6 +44,10 @@ pub(super) fn forces(
         let (name, turns, place) = (&spring.name, spring.turns, spring.place);
         quote! { __kin::SpringInfo { name: #name, turns: #turns, place: #place } }
     });
+    let masses = masses.iter().map(|mass| {
+        let (on, place) = (frame(mass.on), mass.place);
+        quote! { __kin::MassInfo { on: #on, place: #place } }
+    });
     let loads = loads.iter().map(|load| {
         let (name, on, place, is_force) = (&load.name, frame(load.on), load.place, load.is_force);
         quote! { __kin::LoadInfo { name: #name, on: #on, place: #place, is_force: #is_force } }
@@ -63,6 +67,7 @@ pub(super) fn forces(
             efforts: &[#(#efforts),*],
             reactions: &[#(#reactions),*],
             springs: &[#(#springs),*],
+            masses: &[#(#masses),*],
             loads: &[#(#loads),*],
             units: __kin::ForceUnits { force: #force, moment: #moment, energy: #energy, power: #power },
             mass_matrix: &[#(#mass_matrix),*],

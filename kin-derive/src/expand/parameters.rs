@@ -95,7 +95,7 @@ pub(crate) fn own(lowered: &Lowered, scalar: &proc_macro2::Ident) -> TokenStream
 /// The method `set_parameter`. It also mentions all names, because it is rarely called and uses the fields.
 pub(crate) fn write(lowered: &Lowered) -> TokenStream {
     let mentions = mentions(lowered);
-    let arms = fields(lowered).into_iter().map(|field| {
+    let arms = fields(lowered).into_iter().filter(|field| field.len != Some(0)).map(|field| {
         let (ident, first) = (field.ident, field.first);
         let last = first + field.len.unwrap_or(1);
         let ty = field.ty;

@@ -5,7 +5,7 @@ use super::mention::MentionKind;
 use super::names::{Declared, Names, Shape, Symbol};
 use super::range::IndexRange;
 use super::{body, place};
-use crate::ast::{Bracket, Description, FunctionDecl, Item, NewName, RangeDecl, text};
+use crate::ast::{Bracket, Description, FieldDecl, FunctionDecl, Item, NewName, RangeDecl, text};
 use crate::suggest::did_you_mean;
 use kin_core::error::Origin;
 use kin_core::mechanism::{Body, Define, Formula, Input, Mechanism, NamedPoint, Parameter, Scalar, SuppliedFunction};
@@ -95,10 +95,7 @@ impl Lowerer<'_> {
         let field = description.fields.iter().find(|field| text(&field.ident) == name);
         let symbol = Symbol::Function(mechanism.functions.len());
         let len = field.and_then(|field| field.len);
-        let shape = match field {
-            Some(_) => len.map_or(Shape::Single, |len| Shape::Family(0..i64::try_from(len).unwrap_or(0))),
-            None => Shape::Unknown,
-        };
+        let shape = field.map_or(Shape::Unknown, shape_of);
         if field.is_some() {
             self.mention(MentionKind::Function, ident);
         } else {
@@ -118,7 +115,7 @@ impl Lowerer<'_> {
         for field in description.fields.iter().filter(|field| !field.is_function) {
             let name = text(&field.ident);
             let symbol = Symbol::Parameter(mechanism.parameters.len());
-            let shape = field.len.map_or(Shape::Single, |len| Shape::Family(0..i64::try_from(len).unwrap_or(0)));
+            let shape = shape_of(field);
             names.insert(Declared { name: name.clone(), symbol, shape });
             let origin = self.origin(field.ident.span());
             mechanism.parameters.push(Parameter {
@@ -171,6 +168,14 @@ impl Lowerer<'_> {
             }
             Some(Bracket::Hole(words)) => (Shape::Unknown, IndexRange::Unknown(words.clone())),
         }
+    }
+}
+
+fn shape_of(field: &FieldDecl) -> Shape {
+    match field.len {
+        _ if field.is_len_unknown => Shape::Unknown,
+        Some(len) => Shape::Family(0..i64::try_from(len).unwrap_or(0)),
+        None => Shape::Single,
     }
 }
 

@@ -3,8 +3,8 @@
 use super::fold::constant;
 use super::reject::{RADIANS, is_angle_word};
 use crate::ast::{Expr, ExprKind, NameUse, text};
-use crate::function::other_function;
-use crate::suggest::{did_you_mean, is_rate};
+use crate::function::{function_of_places, other_function};
+use crate::suggest::{did_you_mean, is_rate, nearest};
 use kin_core::check::is_reserved;
 use kin_core::mechanism::Function;
 use proc_macro2::Span;
@@ -51,6 +51,16 @@ pub(super) fn is_function(name: &Ident) -> Result<()> {
         }
         _ => Ok(()),
     }
+}
+
+/// The error for a function of points that is meant as `distance`, if `name` is one.
+pub(super) fn of_points(name: &Ident) -> Option<Error> {
+    let word = text(name);
+    let message = function_of_places(&word).or_else(|| {
+        let meant = nearest(&word, ["distance"])?;
+        Some(format!("there is no function `{word}`; did you mean `{meant}`?"))
+    });
+    message.map(|message| Error::new(name.span(), message))
 }
 
 /// An error if `name` is a function whose argument follows without parentheses.

@@ -166,7 +166,11 @@ fn function(name: Ident, input: ParseStream, depth: usize) -> Result<Expr> {
         return distance(&name, &content, depth);
     }
     call::is_function(&name)?;
-    call::function(name, arguments(&content, depth)?, span)
+    let arguments = arguments(&content, depth).map_err(|error| {
+        let ends_at_point = content.peek(Token![@]);
+        ends_at_point.then(|| call::of_points(&name)).flatten().unwrap_or(error)
+    });
+    call::function(name, arguments?, span)
 }
 
 /// Parses `name[i](…)`, a member of an array of supplied functions, from the parenthesis on.

@@ -96,10 +96,12 @@ pub(super) fn field(
     let ident = field.ident.clone()?;
     report.ok(letters(&ident));
     if is_function {
-        let len = report.ok(function_len(&field.ty)).flatten();
+        let len = report.ok(function_len(&field.ty));
         let doc = first_paragraph(&field.attrs);
         let ty = field.ty.clone();
-        return Some(FieldDecl { ident, ty, is_function, len, scalar: None, default: None, unit: None, doc });
+        let (is_len_unknown, len) = (len.is_none() && is_array(&ty), len.flatten());
+        let (scalar, default, unit) = (None, None, None);
+        return Some(FieldDecl { ident, ty, is_function, len, is_len_unknown, scalar, default, unit, doc });
     }
     let len = report.ok(array_len(&field.ty, types));
     let scalar = len.and_then(|_| report.ok(scalar_parameter(&field.ty, types))).flatten();
@@ -109,7 +111,9 @@ pub(super) fn field(
         _ => None,
     };
     let doc = first_paragraph(&field.attrs);
-    Some(FieldDecl { ident, ty: field.ty.clone(), is_function, len: len.flatten(), scalar, default, unit, doc })
+    let (is_len_unknown, len) = (len.is_none() && is_array(&field.ty), len.flatten());
+    let ty = field.ty.clone();
+    Some(FieldDecl { ident, ty, is_function, len, is_len_unknown, scalar, default, unit, doc })
 }
 
 /// True for `#[cfg_attr(…, param(…))]`.
@@ -227,6 +231,14 @@ fn no_number(ty: &Type) -> Error {
     };
     let message = format!("a parameter is a number such as `f64` or an array of numbers such as `[f64; 10]`{function}");
     Error::new_spanned(ty, message)
+}
+
+fn is_array(ty: &Type) -> bool {
+    match ty {
+        Type::Group(group) => is_array(&group.elem),
+        Type::Paren(paren) => is_array(&paren.elem),
+        ty => matches!(ty, Type::Array(_)),
+    }
 }
 
 /// The length of an array of functions; `None` for a single function of any type.

@@ -147,14 +147,14 @@ fn range(content: ParseStream, span: Span) -> Result<RangeDecl> {
     if start < 0 {
         return Err(Error::new(start_span, "a range begins at 0 or later"));
     }
+    if end > MAX_MEMBERS as i64 {
+        return Err(Error::new(end_span, format!("a range ends at {MAX_MEMBERS} at the latest")));
+    }
     if start >= end {
         return Err(Error::new(
             end_span,
             format!("the range {start}..{end} is empty; its second bound is not included"),
         ));
-    }
-    if end > MAX_MEMBERS as i64 {
-        return Err(Error::new(end_span, format!("a range ends at {MAX_MEMBERS} at the latest")));
     }
     Ok(RangeDecl { variable, start, end, span })
 }

@@ -78,6 +78,13 @@ fn parse_struct(item: TokenStream) -> Result<ItemStruct> {
         syn::Item::Enum(item) => Err(Error::new(item.enum_token.span, wrong)),
         syn::Item::Union(item) => Err(Error::new(item.union_token.span, wrong)),
         syn::Item::Fn(item) => Err(Error::new(item.sig.fn_token.span, wrong)),
+        // The span of other items begins at their attributes.
+        syn::Item::Mod(item) => Err(Error::new(item.mod_token.span, wrong)),
+        syn::Item::Trait(item) => Err(Error::new(item.trait_token.span, wrong)),
+        syn::Item::Impl(item) => Err(Error::new(item.impl_token.span, wrong)),
+        syn::Item::Type(item) => Err(Error::new(item.type_token.span, wrong)),
+        syn::Item::Const(item) => Err(Error::new(item.const_token.span, wrong)),
+        syn::Item::Static(item) => Err(Error::new(item.static_token.span, wrong)),
         other => Err(Error::new(other.span(), wrong)),
     }
 }

@@ -292,7 +292,15 @@ fn wishes(args: &DesignArgs, engine: &dyn Engine) -> Result<Vec<Wish>, Failure> 
         };
         let joint = joint.trim().trim_end_matches(".transmission");
         let measured = Measured { name: joint, unit: Some("rad"), ..Measured::default() };
-        let least = ledger.take(values::number(OPTION, least.trim(), measured));
+        let least = ledger.take(values::number(OPTION, least.trim(), measured)).filter(|least| {
+            let is_acute = (0.0..=core::f64::consts::FRAC_PI_2).contains(least);
+            if !is_acute {
+                let what =
+                    format!("`{text}` asks for {least} rad; a transmission angle is at most 90deg, as 'JOINT>40deg'");
+                ledger.fault(OPTION, what);
+            }
+            is_acute
+        });
         all.extend(least.map(|least| Wish::Transmission(joint.to_owned(), least)));
     }
     for text in &args.range {

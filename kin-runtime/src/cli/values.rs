@@ -81,8 +81,10 @@ pub(super) fn of_file(option: &str, file: &str) -> Result<[Vec<String>; 2], Fail
     let found: serde_json::Value = serde_json::from_str(&text).map_err(|error| cannot(error.to_string()))?;
     let object = |key: &str| found.get(key).and_then(serde_json::Value::as_object);
     let parameters = object("parameters").ok_or_else(|| cannot("it has no `parameters`".to_owned()))?;
-    let parameters = parameters.iter().map(|(name, value)| value.as_f64().map(|value| format!("{name}={value:?}")));
-    let parameters = parameters.collect::<Option<_>>().ok_or_else(|| cannot("a parameter is no number".to_owned()))?;
+    let number = |name: &str| cannot(format!("the parameter `{name}` is no number"));
+    let parameters = (parameters.iter())
+        .map(|(name, value)| value.as_f64().map(|value| format!("{name}={value:?}")).ok_or_else(|| number(name)));
+    let parameters = parameters.collect::<Result<_, _>>()?;
     let modes = object("modes").into_iter().flatten();
     let modes = modes.map(|(name, sign)| sign.as_str().map(|sign| format!("{name}={sign}")));
     let modes = modes.collect::<Option<_>>().ok_or_else(|| cannot("a mode is neither \"+\" nor \"-\"".to_owned()))?;

@@ -13,7 +13,7 @@ pub(crate) const TOTALS: usize = ForceModel::MULTIPLIERS;
 /// The numbers are, in this order: the shaking force and moment, the parts of these that inertia causes; kinetic
 /// energy, energy of gravity and of springs; power of drivers, of applied loads and of dampers; the rate of the total
 /// energy; the multipliers λ of all rows; then two numbers per driver ([`EffortInfo`]), those of each joint
-/// ([`ReactionInfo`]), and five per spring ([`SpringInfo`]).
+/// ([`ReactionInfo`]), five per spring ([`SpringInfo`]), and every mass with its moment of inertia.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ForceModel {
     /// The number of all entries.
@@ -28,6 +28,9 @@ pub struct ForceModel {
     pub reactions: &'static [ReactionInfo],
     /// Springs.
     pub springs: &'static [SpringInfo],
+    /// Masses.
+    #[doc(hidden)]
+    pub masses: &'static [MassInfo],
     /// What gravity, applied loads and springs exert on bodies.
     #[doc(hidden)]
     pub loads: &'static [LoadInfo],
@@ -160,6 +163,16 @@ pub struct ReactionInfo {
     pub has_normal: bool,
     /// Its bodies roll on one another, and the force has a tangential component.
     pub has_tangential: bool,
+}
+
+/// A mass and its moment of inertia: two numbers from `place` on.
+#[doc(hidden)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MassInfo {
+    /// Its body.
+    pub on: Frame,
+    /// The first of its numbers.
+    pub place: usize,
 }
 
 /// What a load exerts on a body: a point and a force there (four numbers), or a couple, from `place` on among the

@@ -15,10 +15,10 @@ mod units;
 #[doc(hidden)]
 pub use derivation::{EquationText, LineText, StepText};
 #[doc(hidden)]
-pub use forces::LoadInfo;
-#[doc(hidden)]
 pub use forces::{EffortInfo, ReactionInfo, SpringInfo};
 pub use forces::{ForceModel, ForceUnits};
+#[doc(hidden)]
+pub use forces::{LoadInfo, MassInfo};
 pub use handles::{Body, Coordinate, Input, Point, Quantity};
 #[doc(hidden)]
 pub use joint::Role;

@@ -203,7 +203,8 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     /// that redundant rows leave undetermined have no number.
     ///
     /// # Errors
-    /// [`NoLoads`](SolveError::NoLoads) for a mechanism without masses and loads, [`NotHeld`](SolveError::NotHeld)
+    /// [`NoLoads`](SolveError::NoLoads) for a mechanism without masses and loads,
+    /// [`NegativeMass`](SolveError::NegativeMass), [`NotHeld`](SolveError::NotHeld)
     /// where degrees of freedom are left that loads act along, [`UnboundedForces`](SolveError::UnboundedForces) in a
     /// singular configuration; [`NonFinite`](SolveError::NonFinite) and [`Length`](SolveError::Length).
     pub fn forces(&self, state: &State) -> Result<Forces, SolveError> {

@@ -3,7 +3,7 @@
 
 use crate::machines::*;
 use kin_runtime::model::Frame;
-use kin_runtime::{Forces, Instant, Kinematics, Mechanism, Signal, SolveError, State};
+use kin_runtime::{Forces, Instant, Kinematics, Mechanism, Signal, SolveError, State, mechanism};
 use kin_tests::mechanisms::loaded;
 
 /// Tolerance relative to the largest of the powers, or of the forces.
@@ -237,4 +237,33 @@ fn a_mechanism_without_loads_has_no_forces() {
     let state = four_bar.state_at(&Instant::at(0.0)).unwrap();
     assert!(matches!(four_bar.solver().forces(&state), Err(SolveError::NoLoads { .. })));
     assert!(kin_tests::mechanisms::FourbarLectureMid::model().forces.is_none());
+}
+
+/// A mass that pushes up and gains speed from nothing is a slip of a sign, or of a search.
+#[mechanism]
+#[bodies(arm)]
+#[revolute(O: ground @ (0, 0), arm @ (0, 0))]
+#[driver(drive: arm.phi = t)]
+#[gravity(0, -9.81)]
+#[mass(arm @ (1, 0), mass = m, inertia = j - m)]
+struct Arm {
+    #[param(1)]
+    m: f64,
+    #[param(3)]
+    j: f64,
+}
+
+#[test]
+fn negative_masses_are_refused() {
+    let forces = |m: f64, j: f64| {
+        let arm = Arm { m, j };
+        arm.solver().forces(&arm.state_at(&Instant::at(0.0)).unwrap())
+    };
+    assert!(forces(1.0, 3.0).is_ok() && forces(0.0, 0.0).is_ok() && forces(1.0, 1.0).is_ok());
+    for (m, j, expected) in [
+        (-3.0, 3.0, "a mass of `arm` is -3; neither masses nor moments of inertia are negative"),
+        (1.0, 0.5, "a moment of inertia of `arm` is -0.5; neither masses nor moments of inertia are negative"),
+    ] {
+        assert_eq!(expected, forces(m, j).unwrap_err().to_string());
+    }
 }

@@ -17,7 +17,7 @@ use crate::forces::{Effort, Forces, Load};
 use crate::linear::Factorization;
 use crate::mobility::mobility;
 use crate::model::forces::TOTALS;
-use crate::model::{ForceModel, LoadInfo, Model};
+use crate::model::{ForceModel, Frame, LoadInfo, Model};
 use crate::state::State;
 use crate::workspace::Subset;
 pub(crate) use collected::collected;
@@ -79,13 +79,26 @@ pub(crate) fn numbers(
     for (what, list) in [("q", &state.q), ("q_dot", &state.q_dot), ("q_ddot", &state.q_ddot)] {
         equations.check(what, list)?;
     }
-    match by_plan(equations, info, state)? {
+    let numbers = match by_plan(equations, info, state)? {
         Some(values) => {
             let determined = vec![true; values.len()];
-            Ok(Numbers { values, determined, given: Vec::new(), sharing, by_plan: true })
+            Numbers { values, determined, given: Vec::new(), sharing, by_plan: true }
         }
-        None => by_elimination(equations, info, state, sharing),
+        None => by_elimination(equations, info, state, sharing)?,
+    };
+    masses_are_not_negative(equations.model, info, &numbers.values)?;
+    Ok(numbers)
+}
+
+fn masses_are_not_negative(model: &Model, info: &ForceModel, values: &[f64]) -> Result<(), SolveError> {
+    for mass in info.masses {
+        let Frame::Body(body) = mass.on else { continue };
+        let numbers = values.iter().skip(mass.place).take(2);
+        if let Some((k, value)) = numbers.enumerate().find(|(_, value)| **value < 0.0) {
+            return Err(SolveError::NegativeMass { body: model.bodies[body].name, is_inertia: k == 1, value: *value });
+        }
     }
+    Ok(())
 }
 
 /// The numbers by the closed forms; none without closed forms, and if they give no solution.

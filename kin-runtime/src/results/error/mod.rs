@@ -178,6 +178,15 @@ pub enum SolveError {
         /// Its name.
         mechanism: &'static str,
     },
+    /// Forces were requested, and a mass or a moment of inertia is negative.
+    NegativeMass {
+        /// Its body.
+        body: &'static str,
+        /// Whether it is the moment of inertia.
+        is_inertia: bool,
+        /// Its value.
+        value: f64,
+    },
     /// Loads or inertia act along degrees of freedom that no constraint or driver holds.
     NotHeld {
         /// Time.

@@ -115,6 +115,10 @@ impl fmt::Display for SolveError {
                 "{mechanism} has neither masses nor loads: forces follow from `mass`, `gravity`, `force`, `torque`, \
                  `spring` and `torsion_spring`"
             ),
+            Self::NegativeMass { body, is_inertia, value } => {
+                let what = if *is_inertia { "moment of inertia" } else { "mass" };
+                write!(f, "a {what} of `{body}` is {value}; neither masses nor moments of inertia are negative")
+            }
             Self::NotDetermined { t, open: 0, .. } => write!(
                 f,
                 "at t = {t} parameters do not determine the position: with nonholonomic rows it depends on the \
