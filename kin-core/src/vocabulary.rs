@@ -349,6 +349,28 @@ words! {
     Acceleration "q, q̇ and q̈",
 }
 
+words! {
+    /// A kind of unknown of an iteration, which determines what its corrections are compared with.
+    UnknownKind,
+    /// In words.
+    word:
+    /// The angle of a body, in radians.
+    Angle "angle",
+    /// A length, or a scalar that scales as lengths do. Its corrections are compared with the size of all lengths
+    /// together, so that a mechanism of micrometres is solved to the same number of digits in metres.
+    Length "length",
+    /// A scalar of another kind, such as the parameter of a curve, in any unit. Its corrections are compared with its own
+    /// size, too.
+    Scalar "scalar",
+}
+
+/// True for a length.
+impl From<bool> for UnknownKind {
+    fn from(is_length: bool) -> Self {
+        if is_length { Self::Length } else { Self::Angle }
+    }
+}
+
 /// The operations of a program, for example of one combined evaluation of Φ, Φ_q, Φ_t and γ.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct OperationCount {

@@ -17,6 +17,7 @@ pub use crate::workspace::{Evaluation, Instant, Signal, Subset};
 pub use core::default::Default;
 pub use core::option::Option::{self, None, Some};
 pub use core::result::Result::{self, Err, Ok};
+pub use kin_core::vocabulary::UnknownKind;
 #[cfg(feature = "equations")]
 pub use kin_derive::documentation;
 

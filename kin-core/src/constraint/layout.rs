@@ -48,6 +48,7 @@ impl<'m> Assembly<'m> {
                         set.coordinates.push(Coordinate {
                             name: format!("{name}.{component}"),
                             kind: CoordinateKind::Pose(place, component),
+                            scales_with_length: component != Component::Phi,
                         });
                         set.coordinates.len() as u32 - 1
                     })
@@ -69,7 +70,8 @@ impl<'m> Assembly<'m> {
             first_scalar.push(set.coordinates.len() as u32);
             for index in 0..scalar.len.unwrap_or(1) {
                 let name = indexed(&scalar.name, scalar.len.is_some(), index);
-                set.coordinates.push(Coordinate { name, kind: CoordinateKind::Scalar });
+                // Scalars are looked at when the rows are known.
+                set.coordinates.push(Coordinate { name, kind: CoordinateKind::Scalar, scales_with_length: false });
             }
         }
         let poses = vec![Pose::Unknown; coordinates_of.len()];

@@ -3,7 +3,7 @@
 use crate::error::Origin;
 use crate::expr::{ExprId, Graph, Names, Symbol};
 use crate::mechanism::Component;
-use crate::vocabulary::{Frame, JointKind, Role};
+use crate::vocabulary::{Frame, JointKind, Role, UnknownKind};
 use core::fmt;
 use std::collections::BTreeSet;
 
@@ -30,6 +30,21 @@ pub struct Coordinate {
     pub name: String,
     /// The kind of the coordinate.
     pub kind: CoordinateKind,
+    /// True for coordinates of bodies that are lengths, and for scalars of which the rows contain no sine, cosine,
+    /// exponential, logarithm or supplied function: powers and roots alone, as of lengths. Columns of Φ_q for such
+    /// coordinates have a common scale of their own, which depends on the unit.
+    pub scales_with_length: bool,
+}
+
+impl Coordinate {
+    /// What kind of unknown of an iteration it is.
+    pub fn unknown_kind(&self) -> UnknownKind {
+        match self.kind {
+            _ if self.scales_with_length => UnknownKind::Length,
+            CoordinateKind::Pose(..) => UnknownKind::Angle,
+            CoordinateKind::Scalar => UnknownKind::Scalar,
+        }
+    }
 }
 
 /// A body and its pose.

@@ -5,7 +5,7 @@ use super::list::{Given, List};
 use crate::plan::{Section, SolutionPlan};
 use crate::program::Slot;
 use crate::system::KinematicSystem;
-use crate::vocabulary::Depth;
+use crate::vocabulary::{Depth, UnknownKind};
 
 /// Maximum number of instructions of a plan that is inlined into one function (a dyad has about two hundred). Within
 /// one function, the values that a part saves for later parts stay in registers.
@@ -40,8 +40,8 @@ pub struct SolutionPart {
 pub struct Iteration {
     /// The unknowns, as indices of q.
     pub unknowns: Vec<usize>,
-    /// Whether each unknown is a length.
-    pub lengths: Vec<bool>,
+    /// The kind of each unknown.
+    pub kinds: Vec<UnknownKind>,
     /// The index of the saved value that shows whether the iteration has converged.
     pub converged: usize,
 }
@@ -67,9 +67,9 @@ pub(super) fn of_plan(system: &KinematicSystem, plan: &SolutionPlan) -> Option<S
             Section::Closed(program) => (Kernel::new(name, program, &arrays), None),
             Section::Newton { unknowns, correction, converged } => {
                 let unknowns: Vec<usize> = unknowns.iter().map(|k| *k as usize).collect();
-                let lengths = unknowns.iter().map(|&k| coordinates[k].kind.is_length()).collect();
+                let kinds = unknowns.iter().map(|&k| coordinates[k].unknown_kind()).collect();
                 let kernel = Kernel::new(name, correction, &[(Slot::Entry(0), unknowns.len())]);
-                (kernel, Some(Iteration { unknowns, lengths, converged: *converged as usize }))
+                (kernel, Some(Iteration { unknowns, kinds, converged: *converged as usize }))
             }
         };
         SolutionPart { depth: *depth, kernel: Kernel { inlined: instructions <= SHORT, saved, ..kernel }, iteration }

@@ -2,10 +2,11 @@
 //! takes few products (see [`minors`]), and elimination in a fixed order otherwise.
 
 use super::minors::{self, Minors};
+use super::scales::squared_scales;
 use super::sizes::LEAST;
 use crate::constraint::Coordinate;
 use crate::expr::{ExprId, Graph};
-use crate::vocabulary::Function;
+use crate::vocabulary::{Function, UnknownKind};
 
 /// The result of [`solve`].
 pub(super) struct DenseSolution {
@@ -25,14 +26,13 @@ pub(super) struct DenseSolution {
 /// to its row of M: the harmonic mean of sᵢ², which is of the order of the smallest sᵢ² for any n. A single unknown has
 /// no margin.
 ///
-/// `lengths` says which unknowns are lengths. If the matrix has columns of lengths and others (of angles or scalars),
-/// the columns of lengths are scaled by a length taken from the rows that contain both kinds, so that the margin does
-/// not depend on the unit of length.
+/// Columns of lengths and of scalars are scaled (see [`scales`](super::scales)), so that the margin does not depend on
+/// their units.
 pub(super) fn solve(
     graph: &mut Graph,
     matrix: &[Vec<ExprId>],
     rights: &[Vec<ExprId>],
-    lengths: &[bool],
+    kinds: &[UnknownKind],
 ) -> DenseSolution {
     match matrix.len() {
         0 => alone(rights.iter().map(|_| Vec::new()).collect()),
@@ -42,20 +42,25 @@ pub(super) fn solve(
             let inverse = graph.opaque(inverse);
             alone(rights.iter().map(|b| vec![graph.mul(b[0], inverse)]).collect())
         }
-        2 | 3 => cramer(graph, matrix, rights, lengths),
-        _ if has_few_minors(graph, matrix) => invert(graph, matrix, rights, lengths),
-        _ => eliminate(graph, matrix, rights, lengths),
+        2 | 3 => cramer(graph, matrix, rights, kinds),
+        _ if has_few_minors(graph, matrix) => invert(graph, matrix, rights, kinds),
+        _ => eliminate(graph, matrix, rights, kinds),
     }
 }
 
 /// [`solve`] without a margin: the product of the adjugate and one right-hand side takes more operations than Cramer's
 /// rule.
-pub(super) fn solution(graph: &mut Graph, matrix: &[Vec<ExprId>], right: &[ExprId], lengths: &[bool]) -> Vec<ExprId> {
+pub(super) fn solution(
+    graph: &mut Graph,
+    matrix: &[Vec<ExprId>],
+    right: &[ExprId],
+    kinds: &[UnknownKind],
+) -> Vec<ExprId> {
     if matrix.len() < 4 || !has_few_minors(graph, matrix) {
-        return solve(graph, matrix, &[right.to_vec()], lengths).solutions.into_iter().flatten().collect();
+        return solve(graph, matrix, &[right.to_vec()], kinds).solutions.into_iter().flatten().collect();
     }
-    let unit = squared_length(graph, matrix, lengths);
-    let Scaled { rows, factors, .. } = scaled_rows(graph, matrix, lengths, unit);
+    let scales = squared_scales(graph, matrix, kinds);
+    let Scaled { rows, factors, .. } = scaled_rows(graph, matrix, &scales);
     let right: Vec<ExprId> = right.iter().zip(&factors).map(|(&b, &factor)| graph.mul(factor, b)).collect();
     let mut minors = Minors::new(&rows, graph);
     let (det, one) = (minors.determinant(graph), graph.number(1.0));
@@ -74,11 +79,11 @@ struct Scaled {
 
 /// The rows of a matrix divided by their norms, so that minors do not leave the range of small floating-point numbers.
 /// Rows of numbers stay as they are.
-fn scaled_rows(graph: &mut Graph, matrix: &[Vec<ExprId>], lengths: &[bool], unit: Option<ExprId>) -> Scaled {
+fn scaled_rows(graph: &mut Graph, matrix: &[Vec<ExprId>], scales: &[Option<ExprId>]) -> Scaled {
     let (one, least) = (graph.number(1.0), graph.number(LEAST));
     let mut scaled = Scaled { rows: Vec::new(), factors: Vec::new(), norms: Vec::new() };
     for row in matrix {
-        let norm = squared_norm(graph, row, lengths, unit);
+        let norm = squared_norm(graph, row, scales);
         let (factor, norm) = if row.iter().all(|&entry| graph.literal(entry).is_some()) {
             (one, norm)
         } else {
@@ -94,13 +99,13 @@ fn scaled_rows(graph: &mut Graph, matrix: &[Vec<ExprId>], lengths: &[bool], unit
     scaled
 }
 
-/// The squared norm of a row, in which the columns of lengths are scaled.
-fn squared_norm(graph: &mut Graph, row: &[ExprId], lengths: &[bool], unit: Option<ExprId>) -> ExprId {
+/// The squared norm of a row, in which columns are scaled.
+fn squared_norm(graph: &mut Graph, row: &[ExprId], scales: &[Option<ExprId>]) -> ExprId {
     let mut norm = graph.zero();
-    for (&entry, is_length) in row.iter().zip(lengths) {
+    for (&entry, scale) in row.iter().zip(scales) {
         let mut square = graph.square(entry);
-        if let (Some(unit), true) = (unit, is_length) {
-            square = graph.mul(unit, square);
+        if let Some(scale) = scale {
+            square = graph.mul(*scale, square);
         }
         norm = graph.add(norm, square);
     }
@@ -108,9 +113,9 @@ fn squared_norm(graph: &mut Graph, row: &[ExprId], lengths: &[bool], unit: Optio
 }
 
 /// Solves by the adjugate, from which the margin is computed, too.
-fn invert(graph: &mut Graph, matrix: &[Vec<ExprId>], rights: &[Vec<ExprId>], lengths: &[bool]) -> DenseSolution {
-    let unit = squared_length(graph, matrix, lengths);
-    let Scaled { rows, factors, norms } = scaled_rows(graph, matrix, lengths, unit);
+fn invert(graph: &mut Graph, matrix: &[Vec<ExprId>], rights: &[Vec<ExprId>], kinds: &[UnknownKind]) -> DenseSolution {
+    let scales = squared_scales(graph, matrix, kinds);
+    let Scaled { rows, factors, norms } = scaled_rows(graph, matrix, &scales);
     let mut minors = Minors::new(&rows, graph);
     let (det, adjugate) = (minors.determinant(graph), minors.adjugate(graph));
     let one = graph.number(1.0);
@@ -128,17 +133,17 @@ fn invert(graph: &mut Graph, matrix: &[Vec<ExprId>], rights: &[Vec<ExprId>], len
     let margin = if graph.depends(det).is_static() {
         margin_of_constants(graph, &rows, det)
     } else {
-        // The squared norms of the columns of adj M; in those of M⁻¹ the rows of lengths are divided by the unit.
+        // The squared norms of the columns of adj M; in those of M⁻¹ rows are divided by the scales of the unknowns.
         let mut norms_of_columns = graph.number(LEAST);
-        for (row, is_length) in adjugate.iter().zip(lengths) {
+        for (row, scale) in adjugate.iter().zip(&scales) {
             let mut squares = graph.zero();
             for (&entry, &norm) in row.iter().zip(&norms) {
                 let square = graph.square(entry);
                 let square = graph.mul(norm, square);
                 squares = graph.add(squares, square);
             }
-            if let (Some(unit), true) = (unit, is_length) {
-                squares = graph.div(squares, unit);
+            if let Some(scale) = scale {
+                squares = graph.div(squares, *scale);
             }
             norms_of_columns = graph.add(norms_of_columns, squares);
         }
@@ -157,9 +162,9 @@ fn has_few_minors(graph: &Graph, matrix: &[Vec<ExprId>]) -> bool {
     minors::are_few(&filled.collect::<Vec<_>>())
 }
 
-/// For each of the given coordinates, whether it is a length.
-pub(super) fn lengths(coordinates: &[Coordinate], indices: &[u32]) -> Vec<bool> {
-    indices.iter().map(|&k| coordinates[k as usize].kind.is_length()).collect()
+/// The kinds of the given coordinates.
+pub(super) fn kinds(coordinates: &[Coordinate], indices: &[u32]) -> Vec<UnknownKind> {
+    indices.iter().map(|&k| coordinates[k as usize].unknown_kind()).collect()
 }
 
 /// A result without margin and orientation, for at most one unknown.
@@ -167,33 +172,8 @@ fn alone(solutions: Vec<Vec<ExprId>>) -> DenseSolution {
     DenseSolution { solutions, margin: None, orientation: None }
 }
 
-/// The square of the factor for columns of lengths: over the rows that contain both kinds, the sum of the squared
-/// entries in the other columns divided by that in the columns of lengths. `None` if no row contains both kinds; then
-/// no scaling is needed.
-fn squared_length(graph: &mut Graph, matrix: &[Vec<ExprId>], lengths: &[bool]) -> Option<ExprId> {
-    let mut sums = [graph.zero(); 2];
-    for row in matrix {
-        let kinds: [Vec<ExprId>; 2] = [false, true].map(|kind| {
-            let entries = row.iter().zip(lengths).filter(|(_, is_length)| **is_length == kind);
-            entries.map(|(&entry, _)| entry).filter(|&entry| !graph.is_zero(entry)).collect()
-        });
-        if kinds.iter().all(|entries| !entries.is_empty()) {
-            for (total, entries) in sums.iter_mut().zip(kinds) {
-                let squares = sum(graph, entries.into_iter().map(|entry| (entry, entry)));
-                *total = graph.add(*total, squares);
-            }
-        }
-    }
-    let [angles, lengths] = sums;
-    if graph.is_zero(angles) {
-        return None;
-    }
-    let square = graph.div(angles, lengths);
-    Some(graph.opaque(square))
-}
-
 /// Solves for two or three unknowns by Cramer's rule.
-fn cramer(graph: &mut Graph, matrix: &[Vec<ExprId>], rights: &[Vec<ExprId>], lengths: &[bool]) -> DenseSolution {
+fn cramer(graph: &mut Graph, matrix: &[Vec<ExprId>], rights: &[Vec<ExprId>], kinds: &[UnknownKind]) -> DenseSolution {
     let mut minors = Minors::new(matrix, graph);
     let det = minors.determinant(graph);
     let one = graph.number(1.0);
@@ -210,15 +190,17 @@ fn cramer(graph: &mut Graph, matrix: &[Vec<ExprId>], rights: &[Vec<ExprId>], len
         return DenseSolution { solutions, margin: Some(margin), orientation };
     }
     let mut product = one;
-    let unit = squared_length(graph, matrix, lengths);
+    let scales = squared_scales(graph, matrix, kinds);
     for row in matrix {
-        let norm = squared_norm(graph, row, lengths, unit);
+        let norm = squared_norm(graph, row, &scales);
         product = graph.mul(product, norm);
     }
     let mut square = graph.square(det);
-    if let Some(unit) = unit {
-        let count = lengths.iter().filter(|is_length| **is_length).count();
-        let all = graph.powi(unit, i32::try_from(count).unwrap_or(0));
+    for (column, scale) in scales.iter().enumerate() {
+        // All columns of lengths have one scale, which is taken to their number.
+        let Some(squared) = scale.filter(|_| !scales[..column].contains(scale)) else { continue };
+        let count = scales.iter().filter(|other| *other == scale).count();
+        let all = graph.powi(squared, i32::try_from(count).unwrap_or(0));
         square = graph.mul(all, square);
     }
     let margin = graph.div(square, product);
@@ -257,13 +239,19 @@ fn sum(graph: &mut Graph, products: impl Iterator<Item = (ExprId, ExprId)>) -> E
 
 /// Gaussian elimination. Numeric entries are preferred as pivots, then the entry with the least fill-in (Markowitz
 /// 1957).
-fn eliminate(graph: &mut Graph, matrix: &[Vec<ExprId>], rights: &[Vec<ExprId>], lengths: &[bool]) -> DenseSolution {
-    let unit = squared_length(graph, matrix, lengths).map(|square| graph.call(Function::Sqrt, square));
+fn eliminate(
+    graph: &mut Graph,
+    matrix: &[Vec<ExprId>],
+    rights: &[Vec<ExprId>],
+    kinds: &[UnknownKind],
+) -> DenseSolution {
+    let scales = squared_scales(graph, matrix, kinds);
+    let scales: Vec<_> = scales.iter().map(|scale| scale.map(|square| graph.call(Function::Sqrt, square))).collect();
     let magnitude = |graph: &mut Graph, entry: ExprId, column: usize| {
         let magnitude = graph.call(Function::Abs, entry);
-        match unit {
-            Some(unit) if lengths[column] => graph.mul(unit, magnitude),
-            _ => magnitude,
+        match scales[column] {
+            Some(scale) => graph.mul(scale, magnitude),
+            None => magnitude,
         }
     };
     let n = matrix.len();

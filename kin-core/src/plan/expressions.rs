@@ -201,9 +201,9 @@ impl Build<'_> {
                     given.iter().map(|row| row.iter().map(|&e| self.known_value(e)).collect()).collect();
                 let right: Vec<ExprId> = constant.iter().map(|&e| self.known_value(e)).collect();
                 let right = right.into_iter().map(|e| self.graph.neg(e)).collect();
-                let lengths = dense::lengths(&self.system.set.coordinates, &core.coordinates);
+                let kinds = dense::kinds(&self.system.set.coordinates, &core.coordinates);
                 let dense::DenseSolution { solutions, margin, .. } =
-                    dense::solve(&mut self.graph, &matrix, &[right], &lengths);
+                    dense::solve(&mut self.graph, &matrix, &[right], &kinds);
                 match (matrix.as_slice(), margin) {
                     ([row], _) => {
                         let rows = self.listed.step(step).rows.iter().copied().collect();
@@ -212,7 +212,7 @@ impl Build<'_> {
                     }
                     (_, Some(margin)) => {
                         let margin = self.write_margin(step, margin);
-                        let orientation = dense::solve(&mut self.graph, given, &[], &lengths).orientation;
+                        let orientation = dense::solve(&mut self.graph, given, &[], &kinds).orientation;
                         if let Some(value) = orientation.filter(|&value| !self.graph.depends(value).is_static()) {
                             self.signed.push(SignedStep { value, step, margin });
                         }
@@ -284,8 +284,8 @@ impl Build<'_> {
             let row: Vec<ExprId> = core.coordinates.iter().map(|&k| entry(k)).collect();
             matrix.push(row.into_iter().map(|e| self.known_value(e)).collect::<Vec<_>>());
         }
-        let lengths = dense::lengths(&self.system.set.coordinates, &core.coordinates);
-        let corrections = dense::solution(&mut self.graph, &matrix, &right, &lengths);
+        let kinds = dense::kinds(&self.system.set.coordinates, &core.coordinates);
+        let corrections = dense::solution(&mut self.graph, &matrix, &right, &kinds);
         let (unknowns, converged) = (core.coordinates.clone(), self.iterations);
         self.stages.push(Stage::Newton { unknowns, corrections, converged });
         self.stages.push(Stage::Closed(written));

@@ -40,6 +40,7 @@ mod recognise;
 mod reduce;
 mod redundant_rows;
 mod rewrite;
+mod scales;
 mod sections;
 mod sizes;
 mod state;

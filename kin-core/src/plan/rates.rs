@@ -133,9 +133,9 @@ impl<'g> Rates<'g> {
         let matrix: Vec<Vec<ExprId>> =
             core.rows.iter().map(|&row| core.coordinates.iter().map(|&k| entry(row, k)).collect()).collect();
         let right: Vec<ExprId> = core.rows.iter().map(|&row| self.right[row]).collect();
-        let lengths = dense::lengths(self.coordinates, &core.coordinates);
+        let kinds = dense::kinds(self.coordinates, &core.coordinates);
         let dense::DenseSolution { solutions, margin, orientation } =
-            dense::solve(self.graph, &matrix, &[right], &lengths);
+            dense::solve(self.graph, &matrix, &[right], &kinds);
         for (&k, value) in core.coordinates.iter().zip(solutions.into_iter().flatten()) {
             self.solution[k as usize] = Some(self.graph.opaque(value));
         }

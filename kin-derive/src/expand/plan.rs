@@ -52,10 +52,11 @@ fn solve(lowered: &Lowered, solution: &SolutionKernels, n: usize, margins: usize
         items.extend(printed.item);
         statements.extend(match &part.iteration {
             None => call,
-            Some(Iteration { unknowns, lengths, converged }) => {
+            Some(Iteration { unknowns, kinds, converged }) => {
                 let count = unknowns.len();
+                let kinds = kinds.iter().map(|kind| variant("UnknownKind", kind.variant()));
                 quote! {
-                    let value = __kin::iterate(unknowns, [#(#unknowns),*], [#(#lengths),*], |unknowns| {
+                    let value = __kin::iterate(unknowns, [#(#unknowns),*], [#(#kinds),*], |unknowns| {
                         let mut correction = [<__T as __kin::Scalar>::from_f64(0.0); #count];
                         let out = &mut correction;
                         #call

@@ -7,6 +7,7 @@
 //! [`Mechanism::solve_with`]: crate::Mechanism::solve_with
 
 use crate::scalar::Scalar;
+use kin_core::vocabulary::UnknownKind;
 
 mod text;
 
@@ -176,37 +177,45 @@ pub const fn coarseness<T: Scalar>() -> f64 {
     coarse * coarse
 }
 
-/// Newton's iteration over the unknowns `places` of `x`: `correction` gives, for the current values, the numbers to be
-/// subtracted. If it does not converge, `x` is left unchanged. `lengths` says which unknowns are lengths: these are
-/// compared with the size of all of them together, so that a mechanism of micrometres is solved to the same number of
-/// digits in metres. Returns 1 if it has converged, otherwise 0.
+/// Largest last correction of a scalar, relative to its size. The one after it is about k times its square, where 1/k is
+/// the unit in which the scalar is of the order of 1.
+const LAST_OF_SCALAR: f64 = 3e-7;
+
+/// Newton's iteration over the unknowns `places` of `x`, of these `kinds`: `correction` gives, for the current values, the
+/// numbers to be subtracted. If it does not converge, `x` is left unchanged. Returns 1 if it has converged, otherwise 0.
 #[doc(hidden)]
 #[inline(always)]
-pub fn iterate<T: Scalar, const N: usize, const M: usize>(
+pub fn iterate<T: Scalar, K: Into<UnknownKind> + Copy, const N: usize, const M: usize>(
     x: &mut [T; N],
     places: [usize; M],
-    lengths: [bool; M],
+    kinds: [K; M],
     mut correction: impl FnMut(&[T; N]) -> [T; M],
 ) -> T {
     let [last_step, rounding_step] = const { last_and_rounding(T::EPSILON) };
+    let kinds: [UnknownKind; M] = kinds.map(Into::into);
     let (mut rounding, start) = (false, *x);
     for _ in 0..T::CORRECTIONS {
         let steps = correction(x);
         // Never 0, so that the iteration also converges if all lengths are 0.
         let mut length = T::from_f64(f64::from(f32::MIN_POSITIVE));
-        for ((index, step), is_length) in places.into_iter().zip(steps).zip(lengths) {
+        for ((index, step), kind) in places.into_iter().zip(steps).zip(kinds) {
             x[index] = x[index] - step;
-            if is_length {
+            if kind == UnknownKind::Length {
                 length = length + x[index].abs();
             }
         }
         let mut last = true;
         rounding = true;
-        for ((index, step), is_length) in places.into_iter().zip(steps).zip(lengths) {
-            let relative = step / (T::from_f64(1.0) + x[index].abs());
-            last &= match is_length {
-                true => relative.is_within(last_step) && (step / length).is_within(last_step),
-                false => (step * relative).is_within(last_step * last_step),
+        for ((index, step), kind) in places.into_iter().zip(steps).zip(kinds) {
+            let size = x[index].abs();
+            let relative = step / (T::from_f64(1.0) + size);
+            last &= match kind {
+                UnknownKind::Length => relative.is_within(last_step) && (step / length).is_within(last_step),
+                UnknownKind::Angle => (step * relative).is_within(last_step * last_step),
+                UnknownKind::Scalar => {
+                    let allowed = T::from_f64(LAST_OF_SCALAR * last_step / LAST) * size + T::from_f64(rounding_step);
+                    (step * relative).is_within(last_step * last_step) && (step / allowed).is_within(1.0)
+                }
             };
             rounding &= relative.is_within(rounding_step);
         }

@@ -25,7 +25,8 @@ pub struct Limit {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Located {
-    /// The time, accurate to rounding.
+    /// The time, accurate to rounding; of a group that is solved by iteration, to the smallest step
+    /// ([`Options::min_step`](crate::Options::min_step)).
     pub at: f64,
     /// The kind of limit, where it is known.
     pub kind: Option<LimitKind>,

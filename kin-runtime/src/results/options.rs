@@ -40,7 +40,8 @@ pub struct Options {
     /// Largest correction of the predicted position, relative to the predicted motion, that a step of a sweep accepts.
     pub prediction_tolerance: f64,
     /// Smallest internal step of a sweep, relative to the distance to the next instant or to the step that
-    /// `max_rotation_per_step` allows, whichever is shorter; at least four units in the last place of t.
+    /// `max_rotation_per_step` allows, whichever is shorter; at least four units in the last place of t. Limits of groups
+    /// that are solved by iteration are located to about this fraction of a step, others to rounding.
     pub min_step: f64,
     /// Largest estimated error of one internal step in a coordinate, if a sweep must integrate rows of velocity level:
     /// absolute on the common scale for coordinates up to one, relative for larger ones. In a typical sweep the total

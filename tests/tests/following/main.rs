@@ -23,6 +23,7 @@ mod poles;
 mod ratios;
 mod redundant;
 mod row_ends;
+mod scalar_units;
 mod single_states;
 mod small;
 mod special_dimensions;

@@ -3,7 +3,7 @@
 
 use kin_runtime::plan::{Plan, StepKind};
 use kin_runtime::series::HigherOrders;
-use kin_runtime::{Instant, Kinematics, Options, PlanError, Planned, Trajectory, cli, mechanism};
+use kin_runtime::{Instant, Kinematics, Options, PlanError, Planned, SolveError, Trajectory, cli, mechanism};
 use kin_tests::mechanisms::RedundantParallelogram;
 
 /// A platform on three parallel cranks whose fixed pins are not collinear.
@@ -339,5 +339,43 @@ fn rates_are_accurate_beside_a_limit_of_the_plan_alone() {
             let [first, second] = [off(&state.q_dot, speed), off(&state.q_ddot, 0.0) / (speed * speed)];
             assert!(first < 1e-11 && second < 1e-10, "{way}, {before:e} before: {first:e}, {second:e}");
         }
+    }
+}
+
+/// A table on three equal cranks, which stays level, is pushed by a cylinder and pulls a slider.
+#[mechanism(allow_redundant)]
+#[bodies(table, k1, rod, s, k2, k3)]
+#[revolute(A: ground @ (0, 0), k1 @ (0, 0))]
+#[revolute(B: k1 @ (0.485, 0), table @ (0, 0))]
+#[revolute(R: table @ (0.308, 0.016), rod @ (0, 0))]
+#[revolute(S: rod @ (1.053, 0), s @ (0, 0))]
+#[translational(G: ground @ (0, 0.113), s @ (0, 0), axis = (1, 0.2))]
+#[driver(cyl: distance(ground @ (-0.434, -0.525), table @ (0.1, 0.05)) = 0.981 + 0.103*t)]
+#[revolute(A2: ground @ (0.6, 0), k2 @ (0, 0))]
+#[revolute(B2: k2 @ (0.485, 0), table @ (0.6, 0))]
+#[revolute(A3: ground @ (0.3, 0.4), k3 @ (0, 0))]
+#[revolute(B3: k3 @ (0.485, 0), table @ (0.3, 0.4))]
+#[angle(level: table = 0)]
+#[guess(k1.phi = -0.6, k2.phi = -0.6, k3.phi = -0.6, table.x = 0.4, table.y = -0.28)]
+struct LevelTable;
+
+/// Where the plan's own rows have a branch point, redundant rows lead on. Full Newton passes it, too, and the motion ends
+/// at the dead centre that comes later within the same interval.
+#[test]
+fn a_branch_point_that_redundant_rows_lead_through_is_not_the_end() {
+    let start = LevelTable.state_at(&Instant::at(0.0)).expect("it closes").q;
+    for times in [vec![0.0, 4.0], vec![0.0, 1.0, 4.0], (0..=40).map(|k| 0.1 * f64::from(k)).collect::<Vec<_>>()] {
+        let ends: Vec<f64> = [true, false]
+            .into_iter()
+            .map(|use_plan| {
+                let options = Options { use_plan, ..Options::default() };
+                let error = LevelTable.solver().with_options(options).sweep_from(&start, &times).unwrap_err();
+                match error.source {
+                    SolveError::Singular { t, .. } => t,
+                    other => panic!("{other}"),
+                }
+            })
+            .collect();
+        assert!((ends[0] - ends[1]).abs() < 1e-5, "{times:?}: {ends:?}");
     }
 }

@@ -76,8 +76,14 @@ pub(super) fn refusal(
     let (t_here, after_natural) = (equations.time_at(start.s), equations.time_at(start.s + natural));
     let step = (after_natural - t_here).abs();
     let is_here = |limit: &Limit| limit.at().is_some_and(|at| !is_elsewhere(at, [t_here, t_refused], step));
-    // A limit that was looked for on the way from the last instant is the first one, however early full Newton ends.
-    let located = located.filter(|limit| !equations.options.use_plan || is_here(limit));
+    // A limit that was looked for on the way from the last instant is the first one, however early full Newton ends, but
+    // not one that full Newton has passed: redundant rows lead through branch points of the rows that the plan solves.
+    let ahead = (t_refused - t_here).signum();
+    let is_passed = |at: f64| step.is_finite() && (t_here - at) * ahead > ELSEWHERE * step;
+    let located = located.filter(|limit| match equations.options.use_plan {
+        true => is_here(limit),
+        false => !limit.at().is_some_and(is_passed),
+    });
     let limit = located.or_else(|| there(equations)).filter(|_| !jumps);
     let evaluated = equations.move_to(start.s).and_then(|()| equations.evaluate(Subset::VELOCITY, q, None));
     if let Err(error) = evaluated {
