@@ -2,7 +2,7 @@
 
 use super::sweep::inputs_at;
 use super::{AnySolver, Solver};
-use crate::error::SolveError;
+use crate::error::{Degeneracy, SolveError};
 use crate::mechanism::Mechanism;
 use crate::observer::Observed;
 use crate::sweep::arc::{Window, solution_arc};
@@ -63,7 +63,11 @@ fn along_arc(solver: &dyn AnySolver, window: Window, steps: usize) -> Result<Tra
     let inputs = inputs_at(settings.inputs, from, solver.model().inputs.len());
     let at = Instant { t: from, inputs: &inputs };
     if let Some(t) = to {
-        solver.equations_at(&Instant { t, inputs: &inputs })?;
+        match solver.equations_at(&Instant { t, inputs: &inputs }).map(|_| ()) {
+            // The curve may turn back before a length becomes negative.
+            Err(SolveError::DegenerateGeometry { fault: Degeneracy::NegativeLength { .. }, .. }) => {}
+            other => other?,
+        }
     }
     let q = solver.assembled(&at)?;
     let mut equations = solver.equations_at(&at)?;

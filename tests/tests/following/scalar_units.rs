@@ -5,7 +5,7 @@ use kin_tests::random::Random;
 
 /// A platform on three cylinders by the global method; its coordinates x and y are lengths in any unit.
 #[mechanism]
-#[coordinates(x, y, u)]
+#[coordinates(x, u, y)]
 #[constraint(c1: pow(x - y1*sin(u), 2) + pow(y + y1*cos(u), 2) = pow(l1 + v1*t, 2))]
 #[constraint(c2: pow(x + x2*cos(u) - w, 2) + pow(y + x2*sin(u), 2) = pow(l2 + v2*t, 2))]
 #[constraint(c3: pow(x + x3*cos(u) - y3*sin(u) - w/2, 2) + pow(y + x3*sin(u) + y3*cos(u) - w, 2) = pow(l3 + v3*t, 2))]
@@ -118,14 +118,15 @@ fn lengths_of_the_global_method_may_have_any_unit() {
     });
     let one = Platform { y1: 0.1, x2: 0.3, x3: 0.1, y3: 0.25, l1, l2, l3, v1: 0.1, v2: -0.06, v3: 0.08, w: 1.0 };
     let times = grid(10.0, 100);
-    let expected = ends(&one, &pose, &[1.0; 3], &times);
+    let start = [pose[0], pose[2], pose[1]];
+    let expected = ends(&one, &start, &[1.0; 3], &times);
     assert!(matches!(&expected[0], End::Limit(Some(t), _) if (t - 4.475_670_461_046_9).abs() < 1e-9), "{expected:?}");
     for size in [1e-4, 1e-3, 0.1, 10.0, 1e3, 1e4, 1e5] {
         let mut scaled = one.clone();
         for index in 0..11 {
             assert!(scaled.set_parameter(index, one.parameters::<f64>()[index] * size));
         }
-        let found = ends(&scaled, &pose, &[1.0 / size, 1.0 / size, 1.0], &times);
+        let found = ends(&scaled, &start, &[1.0 / size, 1.0, 1.0 / size], &times);
         found.iter().zip(&expected).for_each(|(found, expected)| same(expected, found, 1e-9, &format!("{size:e}")));
     }
 }

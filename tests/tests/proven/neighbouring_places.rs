@@ -30,3 +30,22 @@ fn places_near_each_other_are_all_listed() {
         }
     }
 }
+
+/// An arm of length 1 on a cylinder that is shortest, 0.5, at t = 7/3.
+#[mechanism]
+#[bodies(arm)]
+#[revolute(O: ground @ (0, 0), arm @ (0, 0))]
+#[driver(cylinder: distance(ground @ (1.5, 0), arm @ (1, 0)) = 1.2 - 0.3*t)]
+#[guess(arm.phi = 0.8)]
+struct Arm;
+
+#[test]
+fn an_interval_may_end_where_a_length_would_be_negative() {
+    for (to, steps) in [(3.0, 10), (6.0, 10), (6.0, 57), (40.0, 100)] {
+        let swept = Arm.solver().sweep_along_arc(0.0, Some(to), steps).unwrap_or_else(|error| panic!("{to}: {error}"));
+        let places = &swept.arc.as_ref().expect("an arc").places;
+        assert_eq!(1, places.len(), "{to}");
+        assert!((places[0].t - 7.0 / 3.0).abs() < 1e-9 && places[0].q[2].abs() < 1e-6, "{to}: {:?}", places[0]);
+        assert!(swept.states.last().is_some_and(|state| state.q[2] < -0.5), "{to}: it turns back to the other side");
+    }
+}
