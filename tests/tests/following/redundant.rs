@@ -370,10 +370,10 @@ fn a_branch_point_that_redundant_rows_lead_through_is_not_the_end() {
             .map(|use_plan| {
                 let options = Options { use_plan, ..Options::default() };
                 let error = LevelTable.solver().with_options(options).sweep_from(&start, &times).unwrap_err();
-                match error.source {
-                    SolveError::Singular { t, .. } => t,
-                    other => panic!("{other}"),
-                }
+                let SolveError::Singular { t, limit, .. } = error.source else { panic!("{error}") };
+                let told = limit.and_then(|limit| limit.at());
+                assert!(told.is_none_or(|told| (told - t).abs() < 1e-5), "{times:?}: {told:?} and {t}");
+                t
             })
             .collect();
         assert!((ends[0] - ends[1]).abs() < 1e-5, "{times:?}: {ends:?}");
