@@ -1,6 +1,10 @@
 //! Terms that all crates share: kinds of joints and loads, roles of their geometry, frames, components of poses,
 //! functions of formulas, kinds of steps of a solution plan, depths of solutions, and operation counts.
 
+mod operations;
+
+pub use operations::OperationCount;
+
 use core::fmt;
 
 /// An enum with a word for every variant.
@@ -368,45 +372,5 @@ words! {
 impl From<bool> for UnknownKind {
     fn from(is_length: bool) -> Self {
         if is_length { Self::Length } else { Self::Angle }
-    }
-}
-
-/// The operations of a program, for example of one combined evaluation of Φ, Φ_q, Φ_t and γ.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct OperationCount {
-    /// Additions and subtractions.
-    pub add: usize,
-    /// Multiplications.
-    pub mul: usize,
-    /// Negations.
-    pub neg: usize,
-    /// Divisions.
-    pub div: usize,
-    /// Square roots.
-    pub sqrt: usize,
-    /// Sine and cosine pairs.
-    pub sincos: usize,
-    /// Every other function (tan, atan2, exp, powers with an exponent that is not a small integer, …).
-    pub function: usize,
-}
-
-impl OperationCount {
-    /// Additions, multiplications, negations and divisions.
-    pub const fn flops(&self) -> usize {
-        self.add + self.mul + self.neg + self.div
-    }
-}
-
-/// `50: 19 mul, 24 add, 4 neg, 3 sincos`; operations that do not occur are left out.
-impl fmt::Display for OperationCount {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { add, mul, neg, div, sqrt, sincos, function } = *self;
-        let names = ["mul", "add", "neg", "div", "sqrt", "sincos", "function"];
-        let counts = [mul, add, neg, div, sqrt, sincos, function];
-        write!(f, "{}", counts.iter().sum::<usize>())?;
-        let there = counts.iter().zip(names).filter(|(count, _)| **count > 0);
-        there
-            .enumerate()
-            .try_for_each(|(k, (count, what))| write!(f, "{} {count} {what}", if k == 0 { ":" } else { "," }))
     }
 }
