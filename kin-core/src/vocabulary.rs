@@ -367,10 +367,3 @@ words! {
     /// size, too.
     Scalar "scalar",
 }
-
-/// True for a length.
-impl From<bool> for UnknownKind {
-    fn from(is_length: bool) -> Self {
-        if is_length { Self::Length } else { Self::Angle }
-    }
-}

@@ -13,6 +13,7 @@ mod layout;
 mod placed;
 mod pose;
 mod rows;
+mod scalars;
 mod set;
 mod variables;
 
@@ -21,6 +22,7 @@ pub(crate) use assembly::Assembly;
 pub(crate) use layout::indexed;
 pub(crate) use pose::{PlacedAxis, PlacedPoint, Pose};
 pub(crate) use rows::JointRows;
+pub(crate) use scalars::mark_scalars;
 pub use set::{
     BodyInstance, ConditionInstance, ConstraintRow, ConstraintSet, Coordinate, CoordinateKind, CurveInstance,
     DefineInstance, Family, Geometry, JointInstance, Observable, ObservableKind, PointInstance, Quantity, RowMeaning,

@@ -2,13 +2,12 @@
 
 use super::kinds::rows_of;
 use crate::constraint::{
-    Assembly, ConstraintRow, ConstraintSet, CoordinateKind, CurveInstance, Family, Geometry, JointInstance, JointRows,
-    ObservableKind, Quantity, RowMeaning, indexed,
+    Assembly, ConstraintRow, ConstraintSet, CurveInstance, Family, Geometry, JointInstance, JointRows, ObservableKind,
+    Quantity, RowMeaning, indexed, mark_scalars,
 };
 use crate::error::ModelError;
-use crate::expr::{ExprId, IdMap, Node, Symbol};
 use crate::mechanism::{Mechanism, Operands, Statement, contains_signal};
-use crate::vocabulary::{Function, StatementKind};
+use crate::vocabulary::StatementKind;
 use core::ops::Range;
 
 /// Assembles Φ and everything that is reported.
@@ -29,42 +28,6 @@ pub fn assemble(mechanism: &Mechanism) -> Result<ConstraintSet, Vec<ModelError>>
     (set.graph, set.distances) = (assembly.graph, assembly.distances);
     mark_scalars(&mut set);
     if assembly.errors.is_empty() { Ok(set) } else { Err(assembly.errors) }
-}
-
-/// Marks the scalars that scale as lengths do: those that no function of the rows has in its argument, and no rotation.
-fn mark_scalars(set: &mut ConstraintSet) {
-    let graph = &set.graph;
-    let mut is_argument = vec![false; set.coordinates.len()];
-    // True for expressions inside of an argument; an expression may be visited first outside of one, then inside.
-    let mut visited: IdMap<bool> = IdMap::default();
-    let mut open: Vec<(ExprId, bool)> = set.rows.iter().map(|row| (row.phi, false)).collect();
-    while let Some((id, inside)) = open.pop() {
-        if visited.get(id).is_some_and(|before| *before || !inside) {
-            continue;
-        }
-        visited.insert(id, inside);
-        let node = graph.node(id);
-        let angle = match node {
-            Node::RotX(rotation) | Node::RotY(rotation) => Some(rotation.angle),
-            Node::Dot(turning) | Node::Cross(turning) => Some(turning.angle),
-            _ => None,
-        };
-        let is_function = match node {
-            Node::Symbol(Symbol::Coordinate(k)) => {
-                if let Some(is_argument) = is_argument.get_mut(k as usize) {
-                    *is_argument |= inside;
-                }
-                false
-            }
-            Node::Call(function, _) => !matches!(function, Function::Sqrt | Function::Abs),
-            Node::Supplied(..) => true,
-            _ => false,
-        };
-        node.for_each_operand(|operand| open.push((operand, inside || is_function || angle == Some(operand))));
-    }
-    for (coordinate, is_argument) in set.coordinates.iter_mut().zip(is_argument) {
-        coordinate.scales_with_length |= coordinate.kind == CoordinateKind::Scalar && !is_argument;
-    }
 }
 
 fn joints(a: &mut Assembly<'_>, set: &mut ConstraintSet) {

@@ -296,7 +296,7 @@ fn wishes(args: &DesignArgs, engine: &dyn Engine) -> Result<Vec<Wish>, Failure> 
             let is_acute = (0.0..=core::f64::consts::FRAC_PI_2).contains(least);
             if !is_acute {
                 let what =
-                    format!("`{text}` asks for {least} rad; a transmission angle is at most 90deg, as 'JOINT>40deg'");
+                    format!("`{text}` asks for {least} rad; a transmission angle is 0 to 90deg, as 'JOINT>40deg'");
                 ledger.fault(OPTION, what);
             }
             is_acute

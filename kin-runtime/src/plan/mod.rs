@@ -185,14 +185,13 @@ const LAST_OF_SCALAR: f64 = 3e-7;
 /// numbers to be subtracted. If it does not converge, `x` is left unchanged. Returns 1 if it has converged, otherwise 0.
 #[doc(hidden)]
 #[inline(always)]
-pub fn iterate<T: Scalar, K: Into<UnknownKind> + Copy, const N: usize, const M: usize>(
+pub fn iterate<T: Scalar, const N: usize, const M: usize>(
     x: &mut [T; N],
     places: [usize; M],
-    kinds: [K; M],
+    kinds: [UnknownKind; M],
     mut correction: impl FnMut(&[T; N]) -> [T; M],
 ) -> T {
     let [last_step, rounding_step] = const { last_and_rounding(T::EPSILON) };
-    let kinds: [UnknownKind; M] = kinds.map(Into::into);
     let (mut rounding, start) = (false, *x);
     for _ in 0..T::CORRECTIONS {
         let steps = correction(x);

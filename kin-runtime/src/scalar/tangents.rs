@@ -205,6 +205,7 @@ impl<const W: usize> fmt::Display for Tangents<W> {
 #[cfg(all(test, feature = "std"))]
 mod tests {
     use super::*;
+    use kin_core::vocabulary::UnknownKind;
 
     type Number = Tangents<2>;
 
@@ -279,7 +280,7 @@ mod tests {
         let square = Number::variable(4.0, 0);
         let mut x = [Number::from_f64(2.0)];
         let two = Number::from_f64(2.0);
-        let good = crate::plan::iterate(&mut x, [0], [true], |[x]| [(*x * *x - square) / (two * *x)]);
+        let good = crate::plan::iterate(&mut x, [0], [UnknownKind::Length], |[x]| [(*x * *x - square) / (two * *x)]);
         assert_eq!((1.0, 2.0, [0.25, 0.0]), (good.value(), x[0].value(), x[0].by()));
     }
 }

@@ -138,6 +138,12 @@ fn wrong_options_are_told_all_at_once() {
     failed("fourbar solve --set x --guess y", 2, &["write --set l1=0.12\n", "write --guess crank.x=0.9\n"]);
     failed("fourbar solve --mode D=+", 2, &["no mode named `D`; did you mean `A-B-D`?"]);
     failed("fourbar check --configurations 1e3", 2, &["--configurations: `1e3` is no number of configurations"]);
+    let no_angle = "`A>40` asks for 40 rad; a transmission angle is 0 to 90deg, as 'JOINT>40deg'";
+    failed("fourbar design --free l1 --transmission A>40", 2, &[no_angle]);
+    let file = std::env::temp_dir().join(format!("kin-parameters-{}.json", std::process::id()));
+    std::fs::write(&file, r#"{"parameters": {"l1": 0.1, "l2": "long"}}"#).unwrap();
+    failed(&format!("fourbar solve --set @{}", file.display()), 2, &["the parameter `l2` is no number"]);
+    std::fs::remove_file(&file).unwrap();
     failed("fourbar solve 0.5", 2, &["An instant is written --at 0.5\n"]);
     failed("fourbar solve -at 0.5", 2, &["Options have two dashes: --at 0.5\n"]);
     let ran = kin("fourbar equations A X Y");

@@ -24,6 +24,26 @@ struct Platform {
     w: f64,
 }
 
+/// A platform on two cylinders with a bar at its middle, which two rods hold: four equations that are solved together.
+#[mechanism]
+#[coordinates(x, u, v, y)]
+#[constraint(c1: x*x + y*y = pow(l1 + v1*t, 2))]
+#[constraint(c2: pow(x + a*cos(u) - w, 2) + pow(y + a*sin(u), 2) = pow(l2 + v2*t, 2))]
+#[constraint(c3: pow(x + a*cos(u)/2 + b*cos(v) - w/2, 2) + pow(y + a*sin(u)/2 + b*sin(v) - w, 2) = l3*l3)]
+#[constraint(c4: pow(x + a*cos(u)/2 + b*cos(v)/2 - w, 2) + pow(y + a*sin(u)/2 + b*sin(v)/2 - w, 2) = l4*l4)]
+#[derive(Clone, Debug)]
+struct PlatformWithBar {
+    a: f64,
+    b: f64,
+    l1: f64,
+    l2: f64,
+    l3: f64,
+    l4: f64,
+    v1: f64,
+    v2: f64,
+    w: f64,
+}
+
 /// A crank that an elliptic cam turns backwards: the parameter of the curve is an angle in any unit.
 #[mechanism]
 #[bodies(cam, rocker)]
@@ -57,7 +77,8 @@ struct FiveBar {
     k: f64,
 }
 
-/// How a motion ends: at a limit, whose kind may not be known, or at the last instant with q, q̇ and q̈ of the scalars in their first unit.
+/// How a motion ends: at a limit, whose kind may not be known, or at the last instant, with q, q̇ and q̈ in the units of the
+/// first mechanism.
 #[derive(Debug)]
 enum End {
     Limit(Option<f64>, Option<LimitKind>),
@@ -129,6 +150,33 @@ fn lengths_of_the_global_method_may_have_any_unit() {
         let found = ends(&scaled, &start, &[1.0 / size, 1.0, 1.0 / size], &times);
         found.iter().zip(&expected).for_each(|(found, expected)| same(expected, found, 1e-9, &format!("{size:e}")));
     }
+}
+
+#[test]
+fn larger_groups_may_have_any_unit_of_length() {
+    let ([x, y], [u, v], [a, b]) = ([0.3_f64, 0.35], [0.3_f64, 1.2], [0.4, 0.3]);
+    let middle = [x + 0.5 * a * u.cos(), y + 0.5 * a * u.sin()];
+    let along = |share: f64| [middle[0] + share * b * v.cos(), middle[1] + share * b * v.sin()];
+    let apart = |p: [f64; 2], q: [f64; 2]| f64::hypot(p[0] - q[0], p[1] - q[1]);
+    let [l1, l2] = [x.hypot(y), apart([x + a * u.cos(), y + a * u.sin()], [1.0, 0.0])];
+    let [l3, l4] = [apart(along(1.0), [0.5, 1.0]), apart(along(0.5), [1.0, 1.0])];
+    let mut limits = 0;
+    for speeds in [[0.05, 0.03], [-0.04, 0.05], [0.06, -0.05], [-0.05, -0.04]] {
+        let one = PlatformWithBar { a, b, l1, l2, l3, l4, v1: speeds[0], v2: speeds[1], w: 1.0 };
+        let (start, times) = ([x, u, v, y], grid(8.0, 80));
+        let expected = ends(&one, &start, &[1.0; 4], &times);
+        limits += usize::from(matches!(expected[0], End::Limit(..)));
+        for size in [1e-3, 10.0, 1e3, 1e4] {
+            let mut scaled = one.clone();
+            for index in 0..9 {
+                assert!(scaled.set_parameter(index, one.parameters::<f64>()[index] * size));
+            }
+            let found = ends(&scaled, &start, &[1.0 / size, 1.0, 1.0, 1.0 / size], &times);
+            let what = format!("{speeds:?}, {size:e}");
+            found.iter().zip(&expected).for_each(|(found, expected)| same(expected, found, 1e-8, &what));
+        }
+    }
+    assert!(limits > 0, "some motions end at a limit");
 }
 
 #[test]

@@ -1,4 +1,5 @@
 use super::*;
+use kin_core::vocabulary::UnknownKind;
 
 /// For every function, the series of f(x(τ)) at τ = h agrees with the value of f there.
 #[test]
@@ -64,7 +65,7 @@ fn iterations_find_every_coefficient() {
         let square = Taylor::<N>::variable(4.0);
         let mut x = [Taylor::from_f64(2.0)];
         let two = Taylor::from_f64(2.0);
-        let good = crate::plan::iterate(&mut x, [0], [true], |[x]| [(*x * *x - square) / (two * *x)]);
+        let good = crate::plan::iterate(&mut x, [0], [UnknownKind::Length], |[x]| [(*x * *x - square) / (two * *x)]);
         let expected = square.sqrt().coefficients();
         assert_eq!(1.0, good.value());
         let pairs = x[0].coefficients().into_iter().zip(expected);
