@@ -102,7 +102,7 @@ macro_rules! operators {
     ($($Operator:ident $operator:ident),*) => { $(
         impl $Operator for Lanes {
             type Output = Self;
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             fn $operator(self, other: Self) -> Self {
                 Self($Operator::$operator(self.0, other.0))
             }
@@ -114,7 +114,7 @@ operators!(Add add, Sub sub, Mul mul, Div div);
 
 impl Neg for Lanes {
     type Output = Self;
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn neg(self) -> Self {
         Self(-self.0)
     }
@@ -136,7 +136,7 @@ impl Scalar for Lanes {
         value.into()
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn sin_cos(self) -> (Self, Self) {
         let [(sin, cos)] = trig::sin_cos_lanes([self.0]);
         (Self(sin), Self(cos))
@@ -192,7 +192,7 @@ impl Scalar for Lanes {
         self.atan2(1.0.into())
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn atan2(self, x: Self) -> Self {
         Self(arctangent::atan2(self.0, x.0))
     }
@@ -213,7 +213,7 @@ impl Scalar for Lanes {
         out
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn nearest(self, reference: Self) -> Self {
         // Adding and subtracting 1.5·2⁵² rounds to an integer.
         let round = Self::from(1.5 / f64::EPSILON);
@@ -221,24 +221,24 @@ impl Scalar for Lanes {
         self + turns * Self::from(TAU)
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn is_within(self, bound: f64) -> bool {
         self.0.abs().simd_le(f64x4::splat(bound)).all()
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn sqrt(self) -> Self {
         Self(self.0.sqrt())
     }
 
     one_by_one!(exp ln);
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn abs(self) -> Self {
         Self(self.0.abs())
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn signum(self) -> Self {
         let one = (self.0 & f64x4::splat(-0.0)) | f64x4::splat(1.0);
         Self(self.0.is_nan().select(self.0, one))

@@ -64,6 +64,18 @@ pub(super) fn angle<V: Compared>(y: V, x: V) -> (V, bool) {
     ((constant + (z + small)) ^ (y & k(-0.0)), long)
 }
 
+macro_rules! of_vectors {
+    ($($of_vector:ident $Vector:ty),*) => { $(
+        /// [`angle`] of a vector of this width, inlined where the caller is optimised (see [`cody_waite`](super::cody_waite)).
+        #[cfg_attr(not(debug_assertions), inline(always))]
+        fn $of_vector(y: $Vector, x: $Vector) -> ($Vector, bool) {
+            angle(y, x)
+        }
+    )* };
+}
+
+of_vectors!(angle_of_two f64x2, angle_of_four f64x4, angle_of_eight Group<2>);
+
 /// P(z) by Estrin's scheme, whose chain of dependent operations is a third as long as in Horner's scheme.
 #[inline(always)]
 fn polynomial<V: Vector>(z: V) -> V {
@@ -77,14 +89,14 @@ fn polynomial<V: Vector>(z: V) -> V {
 /// atan2(y, x) of the lanes, in [−π, π].
 #[inline(always)]
 pub(crate) fn atan2(y: f64x4, x: f64x4) -> f64x4 {
-    let (angle, long) = angle(y, x);
+    let (angle, long) = angle_of_four(y, x);
     if long { of_long(y, x, angle) } else { angle }
 }
 
 /// The angles of two vectors of lanes, computed in an interleaved way, which hides the latency of the operations.
 #[inline(always)]
 pub(crate) fn atan2_of_two(y: [f64x4; 2], x: [f64x4; 2]) -> [f64x4; 2] {
-    let (Group(mut angles), long) = angle(Group(y), Group(x));
+    let (Group(mut angles), long) = angle_of_eight(Group(y), Group(x));
     if long {
         for k in 0..2 {
             angles[k] = of_long(y[k], x[k], angles[k]);
@@ -105,12 +117,12 @@ pub(crate) fn atan2_all<const N: usize>(vectors: [(f64, f64); N]) -> [f64; N] {
         let x = |k: usize| if first + k < N { vectors[first + k].1 } else { 1.0 };
         if N - first > 2 {
             let vectors = [f64x4::new([y(0), y(1), y(2), y(3)]), f64x4::new([x(0), x(1), x(2), x(3)])];
-            let (angles, long) = angle(vectors[0], vectors[1]);
+            let (angles, long) = angle_of_four(vectors[0], vectors[1]);
             copy(&mut out, first, angles.to_array());
             beyond |= long;
             first += 4;
         } else {
-            let (angles, long) = angle(f64x2::new([y(0), y(1)]), f64x2::new([x(0), x(1)]));
+            let (angles, long) = angle_of_two(f64x2::new([y(0), y(1)]), f64x2::new([x(0), x(1)]));
             copy(&mut out, first, angles.to_array());
             beyond |= long;
             first += 2;

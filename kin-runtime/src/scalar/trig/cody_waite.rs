@@ -12,7 +12,8 @@
 //! ulp of the standard library's, also near the zeros of either function, for |x| up to [`RANGE`]. The coefficients are
 //! from the Remez exchange: the relative error of sin r is 6e-18, that of cos r 2e-19.
 
-use super::vector::Vector;
+use super::vector::{Group, Vector};
+use wide::{f64x2, f64x4};
 
 /// The largest |x|: up to there n has at most 20 bits, and the product of n and a number of 33 bits is exact.
 pub(super) const RANGE: f64 = 1_647_099.0;
@@ -63,6 +64,19 @@ pub(super) fn sin_cos<V: Vector>(x: V) -> (V, V) {
 
     V::turned(quadrant, signed, sin, cos)
 }
+
+macro_rules! of_vectors {
+    ($($of_vector:ident $Vector:ty),*) => { $(
+        /// [`sin_cos`] of a vector of this width. It is inlined where the caller is optimised. With debug assertions
+        /// callers are usually not optimised; a call of code that is compiled once, in this crate, is faster there.
+        #[cfg_attr(not(debug_assertions), inline(always))]
+        pub(super) fn $of_vector(x: $Vector) -> ($Vector, $Vector) {
+            sin_cos(x)
+        }
+    )* };
+}
+
+of_vectors!(sin_cos_of_two f64x2, sin_cos_of_four f64x4, sin_cos_of_eight Group<2>);
 
 /// Σ cₖ zᵏ by Estrin's scheme, whose chain of dependent operations is half as long as in Horner's scheme.
 #[inline(always)]

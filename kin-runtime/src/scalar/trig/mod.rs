@@ -18,7 +18,7 @@ pub(crate) use arctangent::atan2_all;
 pub(crate) use eights::{atan2_eights, by_processor, sin_cos_eights};
 
 use crate::scalar::standard;
-use cody_waite::{RANGE, sin_cos};
+use cody_waite::{RANGE, sin_cos_of_eight, sin_cos_of_four, sin_cos_of_two};
 use vector::Group;
 use wide::{f64x2, f64x4};
 
@@ -53,10 +53,10 @@ fn of_this_build<const N: usize>(x: &[f64x4; N]) -> ([(f64x4, f64x4); N], bool) 
         far |= x[k].abs().simd_gt(f64x4::splat(RANGE));
         if N - k > 1 {
             far |= x[k + 1].abs().simd_gt(f64x4::splat(RANGE));
-            let (Group(sin), Group(cos)) = sin_cos(Group([x[k], x[k + 1]]));
+            let (Group(sin), Group(cos)) = sin_cos_of_eight(Group([x[k], x[k + 1]]));
             (out[k], out[k + 1]) = ((sin[0], cos[0]), (sin[1], cos[1]));
         } else {
-            out[k] = sin_cos(x[k]);
+            out[k] = sin_cos_of_four(x[k]);
         }
         k += 2;
     }
@@ -90,7 +90,7 @@ pub(crate) fn sin_cos_one(angle: f64) -> (f64, f64) {
     if angle.abs() > RANGE {
         return one_beyond(angle);
     }
-    let (sin, cos) = sin_cos(f64x2::splat(angle));
+    let (sin, cos) = sin_cos_of_two(f64x2::splat(angle));
     (sin.to_array()[0], cos.to_array()[0])
 }
 
@@ -132,12 +132,12 @@ pub(crate) fn sin_cos_all<const N: usize>(angles: [f64; N]) -> [(f64, f64); N] {
     if const { N > 2 } {
         let x = f64x4::new([lane(0), lane(1), lane(2), lane(3)]);
         beyond = x.abs().simd_gt(f64x4::splat(RANGE)).any();
-        let (sin, cos) = sin_cos(x);
+        let (sin, cos) = sin_cos_of_four(x);
         put(&mut out, &pairs(sin.to_array(), cos.to_array()));
     } else {
         let x = f64x2::new([lane(0), lane(1)]);
         beyond = x.abs().simd_gt(f64x2::splat(RANGE)).any();
-        let (sin, cos) = sin_cos(x);
+        let (sin, cos) = sin_cos_of_two(x);
         let ([s, t], [c, d]) = (sin.to_array(), cos.to_array());
         put(&mut out, &[(s, c), (t, d)]);
     }
@@ -189,7 +189,7 @@ fn of_four(a: f64, b: f64, c: f64, d: f64) -> [(f64, f64); 4] {
     if x.abs().simd_gt(f64x4::splat(RANGE)).any() {
         return four_beyond(a, b, c, d);
     }
-    let (sin, cos) = sin_cos(x);
+    let (sin, cos) = sin_cos_of_four(x);
     pairs(sin.to_array(), cos.to_array())
 }
 
