@@ -207,6 +207,36 @@ fn arrows_of_forces_follow_the_time_and_can_be_switched_off() {
     );
 }
 
+/// The page with another number in every column of the first run at an instant.
+fn with_number(page: &Path, place: usize, number: &Value) {
+    let text = fs::read_to_string(page).expect("the page");
+    let start = text.find("id=\"data\"").expect("the data");
+    let start = start + text[start..].find('>').expect("the end of its tag") + 1;
+    let end = start + text[start..].find("</script>").expect("its end");
+    let mut data: Value = serde_json::from_str(&text[start..end]).expect("JSON");
+    let columns = data["runs"][0]["columns"].as_array_mut().expect("columns");
+    columns.iter_mut().for_each(|column| column[place] = number.clone());
+    fs::write(page, format!("{}{data}{}", &text[..start], &text[end..])).expect("a file");
+}
+
+#[test]
+fn what_has_no_value_is_a_gap_in_a_plot() {
+    let Some(chromium) = chromium() else { return };
+    let scratch = Scratch::new("gap");
+    let page = written(&scratch);
+    with_number(&page, 9, &Value::Null);
+    let script = "const slider = document.getElementById('slider'), chart = document.querySelector('.chart');\n\
+         seen.parts = chart.querySelector('path.way').getAttribute('d').split('M').length - 1;\n\
+         seen.at = [9, 10].map((k) => { slider.value = k; slider.dispatchEvent(new Event('input'));\n\
+           return [chart.querySelector('.value').textContent.split(': ')[1] === 'no value',\n\
+             document.getElementById('drivers').textContent.endsWith('= no value'),\n\
+             chart.querySelector('circle.now').getAttribute('visibility')]; });";
+    let seen = tried_page(&chromium, &scratch, &page, "1200,800", script);
+    assert_eq!(seen["faults"], serde_json::json!([]));
+    assert_eq!(seen["parts"], 2);
+    assert_eq!(seen["at"], serde_json::json!([[true, true, "hidden"], [false, false, "visible"]]));
+}
+
 #[test]
 fn a_screenshot_shows_the_mechanism_on_a_desk_and_on_a_phone() {
     let Some(chromium) = chromium() else { return };

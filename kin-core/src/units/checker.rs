@@ -1,6 +1,6 @@
 //! The state of the check of units.
 
-use super::parse::{angles, parse};
+use super::parse::{angle_factor, parse};
 use super::unit::{Unit, near};
 use crate::error::{ModelError, Origin};
 use crate::mechanism::{Formula, Mechanism};
@@ -113,7 +113,7 @@ impl<'m> Checker<'m> {
         let m = mechanism;
         let written = |unit: &Option<String>| {
             let text = unit.as_deref()?;
-            Some(WrittenUnit { unit: parse(text).ok()?, angle: angles(text) })
+            Some(WrittenUnit { unit: parse(text).ok()?, angle: angle_factor(text).exponent })
         };
         let [length, time, mass] = [0, 1, 2].map(|kind| base(m, kind));
         Self {

@@ -35,5 +35,5 @@ pub use check::check;
 pub use derived::{Units, are_written, derive};
 #[cfg(feature = "compiler")]
 pub use forces::{ForceUnits, force_units};
-pub use parse::{UnknownUnit, parse};
+pub use parse::{AngleFactor, UnknownUnit, angle_factor, parse};
 pub use unit::Unit;

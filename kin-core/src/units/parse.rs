@@ -95,19 +95,43 @@ pub fn parse(text: &str) -> Result<Unit, UnknownUnit> {
     Ok(unit)
 }
 
-/// The exponent of angles in a valid unit: 1 for rad and deg/s, 0 for m and 1/s.
-#[cfg(feature = "compiler")]
-pub(super) fn angles(text: &str) -> f64 {
-    let mut angles = 0.0;
+/// The angle in a unit.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct AngleFactor {
+    /// Its exponent: 1 in rad and deg/s, −1 in mm/rev, 0 in m and 1/s.
+    pub exponent: f64,
+    /// True for degrees and turns, and for Hz, which may mean turns per second: a unit without an angle is not in
+    /// radians here.
+    pub is_counted: bool,
+}
+
+impl AngleFactor {
+    /// That of a product of units; `exponent` is that of the other one in it.
+    pub fn times(self, other: Self, exponent: f64) -> Self {
+        Self { exponent: self.exponent + exponent * other.exponent, is_counted: self.is_counted || other.is_counted }
+    }
+
+    /// True if a quantity with this angle in its unit can be converted to a unit with another one.
+    pub fn agrees(self, other: Self) -> bool {
+        self.exponent == other.exponent || !self.is_counted && !other.is_counted
+    }
+}
+
+/// The angle in a valid unit.
+pub fn angle_factor(text: &str) -> AngleFactor {
+    let mut angle = AngleFactor::default();
     for (k, quotient) in text.trim().split('/').enumerate() {
         for (n, factor) in quotient.trim().split(['*', '·', '⋅', '.', ' ']).enumerate() {
             let (name, power) = powered(factor).unwrap_or((factor, 0.0));
-            if matches!(name, "deg" | "°" | "rev" | "turn" | "turns" | "rpm") || name.ends_with("rad") {
-                angles += if k > 0 && n == 0 { -power } else { power };
-            }
+            let is_counted = matches!(name, "deg" | "°" | "rev" | "turn" | "turns" | "rpm");
+            let of_symbol = AngleFactor {
+                exponent: f64::from(u8::from(is_counted || name.ends_with("rad"))),
+                is_counted: is_counted || name.ends_with("Hz"),
+            };
+            angle = angle.times(of_symbol, if k > 0 && n == 0 { -power } else { power });
         }
     }
-    angles
+    angle
 }
 
 /// A symbol and its power.

@@ -6,7 +6,7 @@
 use crate::measure::Dimension;
 use crate::model::Model;
 use crate::present::units::ResultUnits;
-use kin_core::units::{Unit, UnknownUnit, parse};
+use kin_core::units::{AngleFactor, Unit, UnknownUnit, angle_factor, parse};
 
 /// The quantity that a number is a value of.
 #[derive(Clone, Copy, Debug, Default)]
@@ -39,10 +39,12 @@ impl<'a> Measured<'a> {
 }
 
 /// A number and the unit that is written after it.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Amount {
     pub(super) value: f64,
     pub(super) unit: Option<Unit>,
+    /// The angle in the unit.
+    pub(super) angle: AngleFactor,
 }
 
 /// Largest depth of brackets inside one another.
@@ -74,6 +76,11 @@ pub(super) fn converted(amount: Amount, of: Measured<'_>) -> Result<f64, String>
         (_, time) => format!(" by {0} twice", time.unwrap_or("s")),
     };
     match unit.scale.zip(own.scale) {
+        // A number of turns per second is not one of radians, nor is a travel per turn a travel.
+        Some(_) if unit.is_like(own) && !own.is_number() && !amount.angle.agrees(angle_factor(text)) => {
+            let has = if amount.angle.exponent == 0.0 { "no angle" } else { "an angle" };
+            Err(format!("{name} is in {text}{per}, and this has {has} in its unit; write it in {text}{per}"))
+        }
         Some((from, to)) if unit.is_like(own) => Ok(scaled(amount.value, from / to)),
         _ => Err(format!("{name} is in {text}{per}, and this is {unit}")),
     }
@@ -136,6 +143,7 @@ impl Reader<'_> {
                     (Some(a), Some(b)) => Some(a.times(b)),
                     (a, b) => a.or(b),
                 },
+                angle: left.angle.times(right.angle, if inverse && !fraction { -1.0 } else { 1.0 }),
             };
         }
     }
@@ -163,12 +171,12 @@ impl Reader<'_> {
             self.depth -= 1;
             inner
         } else if self.word("pi") || self.word("π") {
-            Amount { value: std::f64::consts::PI, unit: None }
+            Amount { value: std::f64::consts::PI, ..Amount::default() }
         } else {
             let value = self.literal().ok_or(None)?;
             // A number may be written directly before π: `2pi`.
             let times = if self.word("pi") || self.word("π") { std::f64::consts::PI } else { 1.0 };
-            Amount { value: value * times, unit: None }
+            Amount { value: value * times, ..Amount::default() }
         };
         self.unit(amount)
     }
@@ -185,7 +193,7 @@ impl Reader<'_> {
         })?;
         self.rest = rest;
         match amount.unit {
-            None => Ok(Amount { unit: Some(unit), ..amount }),
+            None => Ok(Amount { unit: Some(unit), angle: angle_factor(text), ..amount }),
             Some(_) => Err(None),
         }
     }
@@ -251,10 +259,13 @@ fn unit_end(text: &str) -> usize {
 
 fn add(a: Amount, b: Amount) -> Result<Amount, Option<String>> {
     match (a.unit, b.unit) {
-        (None, None) => Ok(Amount { value: a.value + b.value, unit: None }),
+        (None, None) => Ok(Amount { value: a.value + b.value, ..a }),
+        (Some(one), Some(_)) if !one.is_number() && !a.angle.agrees(b.angle) => {
+            Err(Some("a number with an angle in its unit cannot be added to one without".to_owned()))
+        }
         (Some(one), Some(other)) if one.is_like(other) => {
             let factor = other.scale.unwrap_or(1.0) / one.scale.unwrap_or(1.0);
-            Ok(Amount { value: a.value + scaled(b.value, factor), unit: a.unit })
+            Ok(Amount { value: a.value + scaled(b.value, factor), ..a })
         }
         (Some(one), Some(other)) => Err(Some(format!("{one} and {other} cannot be added"))),
         (Some(unit), None) | (None, Some(unit)) => {
@@ -314,6 +325,12 @@ mod tests {
             ("36 m²/pi", "m^2", 36.0 / PI),
             ("10mm*2mm", "mm²", 20.0),
             ("7", "mm", 7.0),
+            ("10mm/(2 rev)", "mm/rev", 5.0),
+            ("360deg/s", "rev/s", 1.0),
+            ("5N*m", "N*mm/rad", 5000.0),
+            ("2/(1s)", "rad/s", 2.0),
+            ("2Hz", "1/s", 2.0),
+            ("180deg", "1", PI),
         ] {
             let found = read(text, Some(unit)).unwrap_or_else(|what| panic!("{text}: {what}"));
             assert!((found - value).abs() <= 2e-16 * value.abs(), "{text}: {found}");
@@ -329,6 +346,20 @@ mod tests {
         assert!(bad("60dge", Some("rad")).starts_with("no unit `dge` is known; there are m, mm"));
         assert_eq!(bad("1/4s", Some("1/s")), "`r` is in 1/s, and this is s");
         assert_eq!(bad("1m + 2s", Some("m")), "m and s cannot be added");
+        let none = |unit: &str| format!("`r` is in {unit}, and this has no angle in its unit; write it in {unit}");
+        for (text, unit) in
+            [("4mm", "mm/rev"), ("1Hz", "rpm"), ("2Hz", "rad/s"), ("2/(1s)", "rev/s"), ("2/(1s)", "rpm")]
+        {
+            assert_eq!(bad(text, Some(unit)), none(unit), "{text}");
+        }
+        let some = |unit: &str| format!("`r` is in {unit}, and this has an angle in its unit; write it in {unit}");
+        for (text, unit) in [("4mm/rev", "mm"), ("60rpm", "Hz"), ("3deg/s", "1/s"), ("2turns*1mm", "mm")] {
+            assert_eq!(bad(text, Some(unit)), some(unit), "{text}");
+        }
+        assert_eq!(
+            bad("1mm + 1mm/rev", Some("mm")),
+            "a number with an angle in its unit cannot be added to one without"
+        );
         assert_eq!(bad("1m + 2", Some("m")), "a number without a unit cannot be added to one in m");
         assert_eq!(bad("(1 + 2", Some("m")), "a bracket is not closed");
         for none in ["", "x", "1 2", "1m m", "2**3", "pi2", "1..2", "--1"] {

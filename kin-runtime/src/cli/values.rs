@@ -50,7 +50,7 @@ fn written(option: &str, text: &str) -> Result<Amount, Failure> {
         return Err(Failure::option(option, "a number is missing"));
     }
     match text.parse::<f64>() {
-        Ok(value) if value.is_finite() => Ok(Amount { value, unit: None }),
+        Ok(value) if value.is_finite() => Ok(Amount { value, ..Amount::default() }),
         Ok(_) if text.bytes().any(|b| b.is_ascii_digit()) => {
             Err(Failure::option(option, format!("`{text}` is too large for a number")))
         }

@@ -3,9 +3,10 @@
 use super::contraction::Preconditioner;
 use super::enclosures::Enclosures;
 use super::located::{NearSolution, SolutionBox};
+use super::sizes::write_sizes;
 use crate::certificate::{Certificate, SINGULAR, Uncertified};
 use crate::mechanism::LengthError;
-use crate::model::{CoordinateInfo, JointKind, Level, Model};
+use crate::model::{JointKind, Level, Model};
 use crate::scalar::Interval;
 use crate::workspace::{Signal, Subset};
 use std::borrow::Cow;
@@ -186,16 +187,6 @@ impl Square {
         Uncertified::Unbounded { row: self.model.rows.get(row).map_or("", |row| row.name) }
     }
 
-    /// Writes the scale of every coordinate: a radian, or the size of the mechanism.
-    fn sizes(&self, q: &[f64], sizes: &mut Vec<f64>) {
-        let is_length = |coordinate: &CoordinateInfo| coordinate.kind.is_length();
-        let all = self.model.coordinates.iter();
-        let lengths = all.clone().zip(q).filter(|(coordinate, _)| is_length(coordinate));
-        let length = lengths.fold(0.0, |most: f64, (_, x)| most.max(x.abs()));
-        sizes.clear();
-        sizes.extend(all.map(|coordinate| if is_length(coordinate) && length > 0.0 { length } else { 1.0 }));
-    }
-
     /// Whether all corrections of the list `what` are proven to be small.
     ///
     /// # Errors
@@ -275,7 +266,7 @@ impl<'s> Prover<'s> {
         let at_point = system.evaluate(Subset::POSITION, point, still).map_err(malformed)?;
         square.phi(at_point.phi, point, rows, Unbounded::Refused)?;
         square.matrix(at_point.phi_q, matrix, Unbounded::Refused)?;
-        square.sizes(q, sizes);
+        write_sizes(square.model, (&square.entries, matrix), q, sizes);
         if !inverse.set(&square.entries, matrix.iter().map(|entry| entry.midpoint()), exchanges) {
             return Err(Uncertified::Singular { nearness: 0.0 });
         }

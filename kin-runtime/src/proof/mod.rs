@@ -27,6 +27,7 @@ mod reduced;
 mod scan;
 mod search;
 mod signs;
+mod sizes;
 mod smooth;
 mod winding;
 mod wrapped;

@@ -256,3 +256,26 @@ fn rounding_is_not_called_singular() {
     let said = at(1e9).expect_err("an angle of 10⁹ radians is rounded by 10⁻⁷").to_string();
     assert!(said.starts_with("rounding errors, as those of large angles, are too large"), "{said}");
 }
+
+/// A platform on three cylinders of equal lengths, with its centre at the origin.
+#[mechanism]
+#[bodies(platform)]
+#[driver(first: distance(ground @ (0, 1), platform @ (0, 0.4)) = sqrt(1.16 - 0.8*cos(0.5 + t)))]
+#[driver(second: distance(ground @ (-h, -0.5), platform @ (-0.4*h, -0.2)) = sqrt(1.16 - 0.8*cos(0.5 + t)))]
+#[driver(third: distance(ground @ (h, -0.5), platform @ (0.4*h, -0.2)) = sqrt(1.16 - 0.8*cos(0.5 + t)))]
+#[guess(platform.phi = 0.5)]
+#[define(h = 0.5*sqrt(3))]
+struct Platform;
+
+/// The coordinates of a body at the origin tell nothing about the size of the mechanism.
+#[test]
+fn a_body_at_the_origin_is_not_called_singular() {
+    let solver = Platform.solver();
+    for offset in [0.0, 1e-300, 1e-17, -3e-16] {
+        let mut state = solver.state(&Instant::at(0.0)).unwrap();
+        state.q.copy_from_slice(&[offset, -offset, 0.5]);
+        let certificate = solver.certify(&state).unwrap_or_else(|none| panic!("{offset}: {none}"));
+        assert!(certificate.radius() < 1e-14 && certificate.isolation() > 1e-9, "{offset}: {certificate}");
+        assert!(certificate.covers(&[0.0, 0.0, 0.5]), "{offset}: {certificate}");
+    }
+}

@@ -9,12 +9,16 @@
   let run = 0, place = 0, playing = false, before = null;
 
   const last = () => data.runs[run].t.length - 1;
-  /** A column between instants: everything reported is continuous, angles too. */
+  /** A column between instants: everything reported is continuous, angles too. null where a number does not exist, as a
+   * rate at a dead centre. */
   const between = (list, at) => {
     const k = Math.min(Math.floor(at), list.length - 2), part = at - k;
-    return list.length < 2 ? list[0] : list[k] + part * (list[k + 1] - list[k]);
+    if (list.length < 2) return list[0];
+    const [here, next] = [list[k], list[k + 1]];
+    if (part === 0 || part === 1) return part ? next : here;
+    return here === null || next === null ? null : here + part * (next - here);
   };
-  const text = (x) => (Math.abs(x) < 1e-12 ? "0" : Number(x.toPrecision(4)).toString());
+  const text = (x) => (x === null ? "no value" : Math.abs(x) < 1e-12 ? "0" : Number(x.toPrecision(4)).toString());
 
   function show() {
     const { t, tracks } = data.runs[run];
@@ -29,7 +33,8 @@
     slider.setAttribute("aria-valuetext", $("now").textContent);
     const driver = (column) => {
       const { name, unit } = data.columns[column];
-      return `${name} = ${text(between(data.runs[run].columns[column], place))}${unit ? " " + unit : ""}`;
+      const value = between(data.runs[run].columns[column], place);
+      return `${name} = ${text(value)}${unit && value !== null ? " " + unit : ""}`;
     };
     $("drivers").textContent = data.drivers.map(driver).join(" · ");
     charts.forEach((chart) => chart.mark());
@@ -123,7 +128,8 @@
     draw() {
       const info = data.columns[this.pick.value], { t, columns } = data.runs[run];
       const list = columns[this.pick.value];
-      let low = Math.min(...list), high = Math.max(...list);
+      const known = list.filter((value) => value !== null);
+      let [low, high] = known.length ? [Math.min(...known), Math.max(...known)] : [0, 0];
       const pad = 0.06 * (high - low) || Math.abs(high) * 0.1 || 1;
       if (high - low < 1e-9 * Math.max(1, Math.abs(high))) { low -= pad; high += pad; } else { low -= pad; high += pad; }
       const x = (time) => 56 + (354 * (time - t[0])) / (t[last()] - t[0] || 1);
@@ -139,8 +145,9 @@
       const unit = info.unit ? ` in ${info.unit}` : "";
       parts.push('<path d="M56,12V160H410" fill="none" stroke="#9ca3af"/>');
       parts.push(`<text x="410" y="187" text-anchor="end">${data.along}${data.time ? " in " + data.time : ""}</text>`);
-      const way = list.map((value, k) => `${x(t[k]).toFixed(1)},${y(value).toFixed(1)}`).join(" ");
-      parts.push(`<polyline points="${way}" fill="none" stroke="#0072b2" stroke-width="2" stroke-linejoin="round"/>`);
+      const step = (k) => (k > 0 && list[k - 1] !== null ? "L" : "M");
+      const point = (value, k) => (value === null ? "" : `${step(k)}${x(t[k]).toFixed(1)},${y(value).toFixed(1)}`);
+      parts.push(`<path class="way" d="${list.map(point).join("")}" fill="none" stroke="#0072b2" stroke-width="2" stroke-linejoin="round"/>`);
       parts.push('<path class="now" stroke="#d55e00" stroke-width="1.5"/><circle class="now" r="4" fill="#d55e00"/><text class="value" x="60" y="10"></text>');
       this.svg.innerHTML = parts.join("");
       this.svg.setAttribute("role", "img");
@@ -152,8 +159,9 @@
       const { t } = data.runs[run], value = between(this.list, place), x = this.x(between(t, place));
       this.svg.querySelector("path.now").setAttribute("d", `M${x},12V160`);
       const dot = this.svg.querySelector("circle.now");
+      dot.setAttribute("visibility", value === null ? "hidden" : "visible");
       dot.setAttribute("cx", x);
-      dot.setAttribute("cy", this.y(value));
+      dot.setAttribute("cy", this.y(value ?? 0));
       this.svg.querySelector(".value").textContent = `${this.label}: ${text(value)}`;
     }
   }
