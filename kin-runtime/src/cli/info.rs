@@ -14,7 +14,7 @@ use crate::present::condition;
 use crate::present::json::Record;
 use crate::present::plan;
 use crate::present::structure::{KnownConfiguration, drivers, structure};
-use crate::present::text::{self, Facts, coordinate_names};
+use crate::present::text::{self, Facts, coordinate_names, count};
 use crate::workspace::Instant;
 
 /// Counts, rows and their classes, degrees of freedom, the solution plan
@@ -103,7 +103,11 @@ pub(super) fn text(engine: &dyn Engine, known: Option<KnownConfiguration<'_>>) -
         let driven = if left == 0 { "fully driven".to_owned() } else { format!("{left} left open by the drivers") };
         facts
             .add("degrees of freedom", mobility.degrees_of_freedom, [driven])
-            .add("  Grübler's count", counted, [format!("{coordinates} coordinates − {of_joints} rows of joints")])
+            .add(
+                "  Grübler's count",
+                counted,
+                [format!("{} − {} of joints", count(coordinates, "coordinate"), count(of_joints, "row"))],
+            )
             .add("  independent", mobility.independent.len(), coordinate_names(model, &mobility.independent))
             .add("  dependent", mobility.dependent.len(), coordinate_names(model, &mobility.dependent));
         if mobility.velocity_level_rows > 0 {

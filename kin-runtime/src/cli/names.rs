@@ -151,7 +151,7 @@ fn search(option: &str, kind: NameKind, name: &str, names: &[&str], elsewhere: O
         // The whole list is printed, because no other output has it.
         let all = listed.iter().map(|name| (*name).to_owned());
         text.push_str(wrapped(&lead, all, ",", 96).trim_end());
-        text.push_str("\n  with their rates NAME_dot and accelerations NAME_ddot; paths of points and of bodies");
+        text.push_str("\n  with their rates NAME_dot and accelerations NAME_ddot; plots also take points and bodies, for their paths");
     }
     Err(Failure::option(option, text))
 }

@@ -137,8 +137,14 @@ pub(super) fn fully_driven(engine: &dyn Engine, mobility: &Mobility, t: f64) -> 
     }
     let names = text::coordinate_names(engine.model(), &mobility.could_be_given);
     let example = names.first().copied().unwrap_or("coordinate");
+    let special = match mobility.generic_rank == Some(mobility.coordinates) {
+        true => {
+            "\n  at general configurations the drivers determine the motion: this one is special; --guess leads to others"
+        }
+        false => "",
+    };
     Err(Failure::Analysis(format!(
-        "under-driven at t = {}: {} left open by the drivers\n{}\n  \
+        "under-driven at t = {}: {} left open by the drivers{special}\n{}\n  \
          give {left} of them: --given {example}=value (or {example}=value:rate:acceleration),\n  \
          or take the smallest change, q̇ and q̈: --least-norm",
         rounded(t),

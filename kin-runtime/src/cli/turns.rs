@@ -3,7 +3,11 @@
 use super::engine::Engine;
 use super::setup::Setup;
 use super::solved::driven_state;
+use crate::measure::Dimension;
+use crate::model::{CoordinateInfo, Model};
+use crate::present::units::ResultUnits;
 use crate::workspace::Instant;
+use kin_core::units::{Unit, parse};
 use std::f64::consts::TAU;
 
 /// The relative changes of a speed, also those within a turn, that count as none.
@@ -54,7 +58,7 @@ fn slowest(engine: &dyn Engine, setup: &Setup, from: f64, counts: &dyn Fn(&str) 
         model.joints.get(model.rows[row].joint).filter(|joint| counts(joint.name))?;
         let mut entries = pattern.entries.iter().enumerate().filter(|(_, (of, _))| *of == row);
         let (Some((entry, &(_, column))), None) = (entries.next(), entries.next()) else { return None };
-        if model.coordinates.get(column)?.kind.is_length() {
+        if !may_turn(model, model.coordinates.get(column)?) {
             return None;
         }
         let [speed, acceleration] = match &rates {
@@ -71,4 +75,13 @@ fn slowest(engine: &dyn Engine, setup: &Setup, from: f64, counts: &dyn Fn(&str) 
     let driving = model.rows.iter().enumerate().filter(|(_, row)| row.driving || row.rheonomic);
     let slowest = driving.filter_map(|(row, _)| speed(row)).fold(f64::INFINITY, f64::min);
     slowest.is_finite().then_some(slowest)
+}
+
+/// True for an angle, and for a scalar coordinate whose unit is not known.
+fn may_turn(model: &Model, coordinate: &CoordinateInfo) -> bool {
+    match ResultUnits::of(model).dimension(coordinate.name) {
+        Dimension::Length => false,
+        Dimension::In(unit) => parse(unit).is_ok_and(Unit::is_number),
+        Dimension::Angle | Dimension::Unknown => true,
+    }
 }

@@ -135,8 +135,8 @@ pub struct Forces {
     pub model: &'static crate::model::Model,
     /// Drivers.
     pub efforts: Vec<Effort>,
-    /// Inputs u: λᵀ Φ_u and u̇, so that the product is the power that enters with u. If a driver moves by `2*u`, its
-    /// effort counts twice. The powers of inputs are parts of the powers of drivers and not to be added to them.
+    /// Inputs u, with u̇: the product is the power that enters with u. If a driver or a held coordinate moves by `2*u`,
+    /// its effort counts twice. The powers of inputs are parts of the powers of drivers and not to be added to them.
     pub inputs: Vec<Effort>,
     /// Joints.
     pub reactions: Vec<Reaction>,

@@ -32,6 +32,10 @@ pub(crate) fn forces(
         let numbers =
             Numbers { values: values.iter().map(|value| value.by()[lane]).collect(), given: Vec::new(), ..at.clone() };
         let mut forces = collected(model, info, state, &numbers);
+        // Those of least norm also depend on how rows are scaled, which has no derivative.
+        let determined = numbers.determined.iter().skip(TOTALS);
+        let open = forces.multipliers.iter_mut().zip(determined).filter(|(_, determined)| !**determined);
+        open.for_each(|(multiplier, _)| *multiplier = f64::NAN);
         for (&(name, effort, rate, determined), (effort_by, rate_by)) in at.given.iter().zip(&given) {
             let (effort_by, rate_by) = (effort_by.by()[lane], rate_by.by()[lane]);
             let known = determined.then_some(effort_by);

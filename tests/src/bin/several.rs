@@ -45,6 +45,15 @@ struct Teeth {
 #[derive(Default)]
 struct Lever;
 
+/// A carriage whose coordinate is a length, driven at constant speed.
+#[mechanism]
+#[coordinates(s, unit = "m")]
+#[driver(feed: s = w * t)]
+struct Carriage {
+    #[param(0.1, unit = "m/s")]
+    w: f64,
+}
+
 /// A crank that becomes faster; at t = 0 it has no acceleration.
 #[mechanism]
 #[body(crank, x = 0, y = 0)]
@@ -190,6 +199,7 @@ fn main() -> ExitCode {
     match name.to_str() {
         Some("arm") => run_from::<Arm>(args),
         Some("balanced") => run_from::<Balanced>(args),
+        Some("carriage") => run_from::<Carriage>(args),
         Some("cam") => run("CamTable", args),
         Some("chain") => run("Chain10", args),
         Some("wrong_cam") => run_from::<WrongCam>(args),
@@ -215,7 +225,7 @@ fn main() -> ExitCode {
         Some("with_units") => run_from::<WithUnits>(args),
         _ => {
             eprintln!(
-                "error: the first argument is arm, balanced, cam, chain, wrong_cam, dead_centre, eccentric, excavator, fourbar, ends, faster, infeasible, leg, lever, limits, loaded, nearly, press, redundant, robot, singular, spindle, teeth, underdriven or with_units"
+                "error: the first argument is arm, balanced, cam, carriage, chain, wrong_cam, dead_centre, eccentric, excavator, fourbar, ends, faster, infeasible, leg, lever, limits, loaded, nearly, press, redundant, robot, singular, spindle, teeth, underdriven or with_units"
             );
             ExitCode::from(2)
         }

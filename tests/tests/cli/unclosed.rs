@@ -35,6 +35,9 @@ fn an_angle_says_when_only_if_the_speed_is_constant() {
     }
     // Without a turn the default range is one unit of time.
     assert!(good("lever sweep --steps 1 --format csv").lines().last().is_some_and(|last| last.starts_with("1,")));
+    // A length does not turn.
+    failed("carriage solve --at 60deg", 2, &["an angle says when only if a crank is driven at constant speed"]);
+    assert!(good("carriage sweep --steps 1 --format csv").lines().last().is_some_and(|last| last.starts_with("1,")));
 }
 
 /// The same dimensions: a motion up to a limit says what is proven at t = 0, and one between limits is that which exists.

@@ -104,3 +104,49 @@ fn an_input_bears_what_it_moves() {
     let power = measured[0] * 0.7;
     assert!((power - forces.energy_rate).abs() < 1e-12 * power.abs(), "{power}: {forces}");
 }
+
+/// A table that one input lifts and tilts, with an arm that two inputs turn; time moves the table aside.
+#[mechanism]
+#[input(u)]
+#[input(v)]
+#[body(table, x = 0.2*t, y = 2*u + 0.1*v*v, phi = 0.3*u)]
+#[body(arm, origin = table @ (0.1, 0.4))]
+#[body(top, origin = arm @ (0.3, 0), phi = 0.2 - 0.5*v)]
+#[driver(drive: arm.phi = 0.4 + v + u*t)]
+#[gravity(0.3, -9.81)]
+#[mass(table @ (0.05, 0), mass = 2, inertia = 0.2)]
+#[mass(arm @ (0.1, 0), mass = 1, inertia = 0.1)]
+#[mass(top @ (0, 0.2), mass = 0.5, inertia = 0.05)]
+struct Table;
+
+/// The same if every held coordinate is a coordinate with a driver.
+#[mechanism]
+#[input(u)]
+#[input(v)]
+#[bodies(table, arm, top)]
+#[x(aside: table @ (0, 0) = 0.2*t)]
+#[y(lift: table @ (0, 0) = 2*u + 0.1*v*v)]
+#[angle(tilt: table = 0.3*u)]
+#[revolute(A: table @ (0.1, 0.4), arm @ (0, 0))]
+#[revolute(B: arm @ (0.3, 0), top @ (0, 0))]
+#[angle(turn: top = 0.2 - 0.5*v)]
+#[driver(drive: arm.phi = 0.4 + v + u*t)]
+#[gravity(0.3, -9.81)]
+#[mass(table @ (0.05, 0), mass = 2, inertia = 0.2)]
+#[mass(arm @ (0.1, 0), mass = 1, inertia = 0.1)]
+#[mass(top @ (0, 0.2), mass = 0.5, inertia = 0.05)]
+struct FreeTable;
+
+/// An input bears the weight and the inertia of bodies whose coordinates it holds, also through those that they carry.
+#[test]
+fn an_input_bears_what_it_holds() {
+    let inputs = [Signal::new(0.3, 0.7, -1.2), Signal::new(-0.2, 0.4, 0.9)];
+    let at = Instant { t: 0.6, inputs: &inputs };
+    let held = Table.solver().forces(&Table.solver().state(&at).unwrap()).unwrap();
+    let free = FreeTable.solver().forces(&FreeTable.solver().state(&at).unwrap()).unwrap();
+    for (of_held, of_free) in held.inputs.iter().zip(&free.inputs) {
+        let [a, b] = [of_held, of_free].map(|input| input.effort.unwrap());
+        assert!((a - b).abs() < 1e-12 * b.abs() && b.abs() > 1.0, "{of_held} instead of {of_free}");
+    }
+    assert!((held.driver_power - free.driver_power).abs() < 1e-12 * free.driver_power.abs(), "{held}\n{free}");
+}

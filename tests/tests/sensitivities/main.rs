@@ -6,4 +6,5 @@ mod laws;
 mod machines;
 mod overflow;
 mod references;
+mod undetermined;
 mod varied;

@@ -84,9 +84,13 @@ impl FormulaWriter<'_> {
         let mut what = names.join(", ");
         match kind {
             StepKind::Explicit => what.push_str(": by formula"),
+            StepKind::Linear(1) if group.is_empty() => what.push_str(": a linear equation"),
             StepKind::Linear(n) if group.is_empty() => what.push_str(&format!(": {n} linear equations")),
             StepKind::Closure if group.is_empty() => what.push_str(": in closed form"),
-            StepKind::Newton(n) => what.push_str(&format!(": {n} unknowns by Newton's iteration, which brings g to 0")),
+            StepKind::Newton(n) => {
+                let unknowns = if *n == 1 { "unknown" } else { "unknowns" };
+                what.push_str(&format!(": {n} {unknowns} by Newton's iteration, which brings g to 0"));
+            }
             _ => what.push_str(&format!(": dyad {group}, in closed form")),
         }
         for index in modes.clone() {

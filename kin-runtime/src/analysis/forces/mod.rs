@@ -19,7 +19,7 @@ use crate::mobility::mobility;
 use crate::model::forces::TOTALS;
 use crate::model::{ForceModel, Frame, LoadInfo, Model};
 use crate::state::State;
-use crate::workspace::Subset;
+use crate::workspace::{Instant, Signal, Subset};
 pub(crate) use collected::collected;
 use nalgebra::{DMatrix, DVector};
 pub(crate) use numbers::{Numbers, Sharing};
@@ -34,22 +34,39 @@ pub(crate) fn forces(equations: &mut Equations<'_>, state: &State, sharing: Shar
         return Err(SolveError::NoLoads { mechanism: model.name });
     };
     let numbers = numbers(equations, info, state, sharing)?;
-    let inputs = inputs(equations, state, &numbers)?;
+    let inputs = inputs(equations, info, state, &numbers)?;
     Ok(Forces { inputs, ..collected(model, info, state, &numbers) })
 }
 
-/// λᵀ Φ_u of every input. Φ_u is in the range of Φ_q wherever the mechanism follows its inputs, so that it does not
-/// depend on how redundant rows share a load.
-fn inputs(equations: &mut Equations<'_>, state: &State, numbers: &Numbers) -> Result<Vec<Effort>, SolveError> {
+/// The effort of every input: the sum of the efforts of all drivers and of all held coordinates, each times the derivative
+/// of its rate by the rate of the input. The sum does not depend on how redundant rows share a load, because a mechanism
+/// that follows its inputs moves as each of these rows demands.
+fn inputs(
+    equations: &Equations<'_>,
+    info: &ForceModel,
+    state: &State,
+    numbers: &Numbers,
+) -> Result<Vec<Effort>, SolveError> {
     let model = equations.model;
-    let effort = |(k, name): (usize, &&'static str)| {
-        equations.along(Some(k), |equations| equations.evaluate(Subset::VELOCITY, &state.q, None))?;
-        let lambda = &numbers.values[TOTALS..TOTALS + model.rows.len()];
-        let effort = lambda.iter().zip(equations.phi_t.iter()).map(|(lambda, by_input)| lambda * by_input).sum();
-        let rate = state.inputs.get(k).map_or(0.0, |input| input.rate);
-        Ok(Effort { name, effort: Some(effort), rate, determined: true })
+    let lambda = &numbers.values[TOTALS..TOTALS + model.rows.len()];
+    let mut inputs: Vec<Signal> = state.inputs.iter().map(|input| Signal::constant(input.value)).collect();
+    let [mut still, mut moving] = [(); 2].map(|()| vec![0.0; info.count]);
+    let write = |inputs: &[Signal], values: &mut [f64]| {
+        equations.system.forces(&Instant { t: state.t, inputs }, state, lambda, values)
     };
-    model.inputs.iter().enumerate().map(effort).collect()
+    if !model.inputs.is_empty() {
+        write(&inputs, &mut still)?;
+    }
+    let mut efforts = Vec::with_capacity(model.inputs.len());
+    for (k, (&name, input)) in model.inputs.iter().zip(&state.inputs).enumerate() {
+        inputs[k].rate = 1.0;
+        write(&inputs, &mut moving)?;
+        inputs[k].rate = 0.0;
+        let by_input = |place: usize| moving[place + 1] - still[place + 1];
+        let effort = info.efforts.iter().map(|of| numbers.values[of.place] * by_input(of.place)).sum();
+        efforts.push(Effort { name, effort: Some(effort), rate: input.rate, determined: true });
+    }
+    Ok(efforts)
 }
 
 /// What loads exert on bodies at a state.
