@@ -48,6 +48,11 @@ pub(super) fn definition(
         }
         Instruction::Add(a, b) => binary(v(a), quote! { + }, v(b)),
         Instruction::Sub(a, b) => binary(v(a), quote! { - }, v(b)),
+        // The square of an interval has no negative numbers, as its product with another one may have.
+        Instruction::Mul(a, b) if a == b => {
+            let a = v(a);
+            quote! { __kin::Scalar::square(#a) }
+        }
         Instruction::Mul(a, b) => binary(v(a), quote! { * }, v(b)),
         Instruction::Div(a, b) => binary(v(a), quote! { / }, v(b)),
         Instruction::Call(f, a) => {

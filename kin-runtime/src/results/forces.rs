@@ -29,7 +29,8 @@ pub struct Effort {
 }
 
 /// What a joint exerts. The other body receives the opposite force at the same place and the opposite moment. If two
-/// discs roll on one another along a ψ that is driven, the first also receives the driver's torque.
+/// discs roll on one another along a ψ that is driven, the first also receives the driver's torque. Of a rope, this is the
+/// pull on the body of the last point; the bodies of other points receive its tension along both of its parts there.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Reaction {
     /// The joint; `b.x`, `b.y`, `b.phi` or `b.origin` for held coordinates and the carried origin of a body `b`.
@@ -136,7 +137,8 @@ pub struct Forces {
     /// Drivers.
     pub efforts: Vec<Effort>,
     /// Inputs u, with u̇: the product is the power that enters with u. If a driver or a held coordinate moves by `2*u`,
-    /// its effort counts twice. The powers of inputs are parts of the powers of drivers and not to be added to them.
+    /// its effort counts twice. An input that is a speed has the effort 0: its driver has the power. The powers of inputs
+    /// are parts of the powers of drivers and not to be added to them.
     pub inputs: Vec<Effort>,
     /// Joints.
     pub reactions: Vec<Reaction>,
@@ -154,7 +156,7 @@ pub struct Forces {
     pub elastic: f64,
     /// Power that drivers supply.
     pub driver_power: f64,
-    /// Power of applied forces and couples.
+    /// Power of applied forces and couples, and that which changes of a spring's stiffness and free length supply.
     pub applied_power: f64,
     /// Power of dampers, never positive.
     pub damper_power: f64,

@@ -96,6 +96,11 @@ pub trait Scalar:
     fn abs(self) -> Self;
     /// 1 with the sign of `self`: the derivative of [`abs`](Self::abs).
     fn signum(self) -> Self;
+    /// The square.
+    #[inline(always)]
+    fn square(self) -> Self {
+        self * self
+    }
     /// Integer power.
     fn powi(self, n: i32) -> Self;
     /// Real constant power.

@@ -16,3 +16,4 @@ mod searched_ranges;
 mod stephenson;
 mod three_loops;
 mod unknown_geometry;
+mod vanishing_lengths;

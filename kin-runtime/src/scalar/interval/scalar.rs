@@ -105,6 +105,11 @@ impl Scalar for Interval {
     }
 
     #[inline]
+    /// Never negative, which the product of an interval with itself may be.
+    fn square(self) -> Self {
+        elementary::powi(self, 2)
+    }
+
     fn powi(self, n: i32) -> Self {
         elementary::powi(self, n)
     }
