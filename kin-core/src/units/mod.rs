@@ -27,6 +27,8 @@ mod parse;
 #[cfg(feature = "compiler")]
 mod quantity;
 mod text;
+#[cfg(feature = "compiler")]
+mod turns;
 mod unit;
 
 #[cfg(feature = "compiler")]

@@ -119,19 +119,27 @@ impl AngleFactor {
 
 /// The angle in a valid unit.
 pub fn angle_factor(text: &str) -> AngleFactor {
-    let mut angle = AngleFactor::default();
-    for (k, quotient) in text.trim().split('/').enumerate() {
-        for (n, factor) in quotient.trim().split(['*', '·', '⋅', '.', ' ']).enumerate() {
+    factors(text).fold(AngleFactor::default(), |angle, (name, power)| {
+        let is_counted = matches!(name, "deg" | "°" | "rev" | "turn" | "turns" | "rpm");
+        let exponent = f64::from(u8::from(is_counted || name.ends_with("rad")));
+        angle.times(AngleFactor { exponent, is_counted: is_counted || name.ends_with("Hz") }, power)
+    })
+}
+
+/// The exponent of Hz in a valid unit.
+#[cfg(feature = "compiler")]
+pub(super) fn hertz(text: &str) -> f64 {
+    factors(text).filter(|(name, _)| name.ends_with("Hz")).map(|(_, power)| power).sum()
+}
+
+/// The symbols in a valid unit, with their powers.
+fn factors(text: &str) -> impl Iterator<Item = (&str, f64)> {
+    text.trim().split('/').enumerate().flat_map(|(k, quotient)| {
+        quotient.trim().split(['*', '·', '⋅', '.', ' ']).enumerate().map(move |(n, factor)| {
             let (name, power) = powered(factor).unwrap_or((factor, 0.0));
-            let is_counted = matches!(name, "deg" | "°" | "rev" | "turn" | "turns" | "rpm");
-            let of_symbol = AngleFactor {
-                exponent: f64::from(u8::from(is_counted || name.ends_with("rad"))),
-                is_counted: is_counted || name.ends_with("Hz"),
-            };
-            angle = angle.times(of_symbol, if k > 0 && n == 0 { -power } else { power });
-        }
-    }
-    angle
+            (name, if k > 0 && n == 0 { -power } else { power })
+        })
+    })
 }
 
 /// A symbol and its power.

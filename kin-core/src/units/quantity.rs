@@ -40,6 +40,9 @@ impl Checker<'_> {
     pub(super) fn expect(&mut self, formula: &Formula, unit: Unit, at: Origin) {
         self.at = at;
         let Of(found) = self.quantity(formula) else { return self.meets(formula, unit, 1.0) };
+        if unit == Unit::NUMBER {
+            self.is_not_in_turns(formula, Of(found));
+        }
         if !found.agrees(unit) {
             let wanted = match unit.scale {
                 None => kind(unit),
@@ -59,8 +62,11 @@ impl Checker<'_> {
     /// Checks that both formulas have one unit, and returns it. An error points at the second if it contains a name.
     pub(super) fn same(&mut self, a: &Formula, b: &Formula) -> QuantityUnit {
         let (left, right) = (self.quantity(a), self.quantity(b));
-        for ((of, quantity), other) in [((a, right), b), ((b, left), a)] {
+        for ((of, quantity, own), other) in [((a, right, left), b), ((b, left, right), a)] {
             let angle = self.angle(other);
+            if angle == 1.0 {
+                self.is_not_in_turns(of, own);
+            }
             match quantity {
                 Of(unit) => self.meets(of, unit, angle),
                 Plain if angle != 0.0 => self.meets(of, Unit::NUMBER, angle),
@@ -196,7 +202,11 @@ impl Checker<'_> {
                 other => other,
             },
             _ => {
-                if let Of(unit) = self.quantity(a)
+                let argument = self.quantity(a);
+                if matches!(function, Function::Sin | Function::Cos | Function::Tan) {
+                    self.is_not_in_turns(a, argument);
+                }
+                if let Of(unit) = argument
                     && !unit.agrees(Unit::NUMBER)
                 {
                     let name = function.name();
@@ -237,7 +247,7 @@ fn product(factors: [(QuantityUnit, &Formula); 2]) -> QuantityUnit {
 }
 
 /// True for a number with a factor π, which converts revolutions into radians.
-fn has_pi(formula: &Formula) -> bool {
+pub(super) fn has_pi(formula: &Formula) -> bool {
     match formula {
         Formula::Pi => true,
         Formula::Neg(a) | Formula::Pow(a, _) => has_pi(a),

@@ -4,6 +4,7 @@ use crate::ast::{Expr, ExprKind, Operator};
 use kin_core::units;
 use proc_macro2::Span;
 use quote::ToTokens;
+use syn::parse::ParseStream;
 use syn::{Error, Lit, Result};
 
 impl Expr {
@@ -87,6 +88,20 @@ pub(super) fn number(literal: Lit) -> Result<Expr> {
         Ok(value) if value.is_finite() => Ok(Expr::number(value, span)),
         _ => Err(Error::new(span, "this number is too large; the largest is about 1.8e308")),
     }
+}
+
+/// An error if a default value begins with a number that has a unit as its suffix, `1.1m`.
+pub(super) fn no_unit_in_default(input: ParseStream) -> Result<()> {
+    let (span, digits, suffix) = match input.fork().parse() {
+        Ok(Lit::Int(int)) => (int.span(), int.base10_digits().to_owned(), int.suffix().to_owned()),
+        Ok(Lit::Float(float)) => (float.span(), float.base10_digits().to_owned(), float.suffix().to_owned()),
+        _ => return Ok(()),
+    };
+    if suffix.is_empty() || suffix.ends_with("rad") || suffix == "deg" || units::parse(&suffix).is_err() {
+        return Ok(());
+    }
+    let message = format!("numbers have no units; the unit stands beside: `default = {digits}, unit = \"{suffix}\"`");
+    Err(Error::new(span, message))
 }
 
 /// The message for a number with a suffix: a unit, a factor, or a type.

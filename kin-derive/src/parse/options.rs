@@ -4,6 +4,7 @@
 use super::expr::{end_of_expr, expr};
 use super::fold::constant;
 use super::list::end_of_part;
+use super::node::no_unit_in_default;
 use super::reject::here;
 use super::unit::unit;
 use crate::ast::{Item, text};
@@ -50,6 +51,7 @@ impl<'k> Options<'k> {
             "unit" => self.unit = Some(unit(input)?),
             "default" if self.default.is_some() => return Err(again()),
             "default" if self.allowed.contains(&"default") => {
+                no_unit_in_default(input)?;
                 let value = expr(input)?;
                 end_of_expr(input)?;
                 self.default = Some(constant(&value, "a default")?);

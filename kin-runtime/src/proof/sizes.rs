@@ -5,7 +5,7 @@ use crate::scalar::Interval;
 
 /// Writes the scale of every coordinate: a radian, or the size of the mechanism. This is the largest coordinate that is a
 /// length, or the median distance by which a radian moves a row, if that is larger: all bodies may be at the origin.
-/// `jacobian` has the places (row, column) of the entries of Φ_q, sorted by rows, and the entries.
+/// `entries` are those of Φ_q, and `places` their rows and columns, sorted by rows.
 pub(super) fn write_sizes(
     model: &Model,
     (places, entries): (&[(usize, usize)], &[Interval]),

@@ -70,8 +70,8 @@ pub struct Sensitivity {
     pub joints: Vec<Vec<Signal>>,
     /// Unilateral conditions, in the order of [`Model::conditions`].
     pub conditions: Vec<Signal>,
-    /// Efforts, reactions, energies and powers, where the state has forces and they have derivatives. What
-    /// redundant rows leave open has none, forces of least norm included; such multipliers are NaN.
+    /// Efforts, reactions, energies and powers, where the state has forces and they have derivatives. What redundant rows
+    /// leave open has none, forces of least norm included; such multipliers are NaN.
     pub forces: Option<Forces>,
 }
 

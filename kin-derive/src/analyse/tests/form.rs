@@ -215,6 +215,7 @@ fn rows_say_how_they_are_written() {
             "#[input(u = 1)] #[driver(D: crank.phi = u)]",
             "its value is given at run time, and a default with `#[input(u, default = …)]`",
         ),
+        ("#[input(u, default = 1.1m)] #[driver(D: crank.phi = u)]", "stands beside: `default = 1.1, unit = \"m\"`"),
         ("#[input(u[i in 1..3])] #[driver(D: crank.phi = u[0])]", "counted from 0: `#[input(u[3])]`"),
         ("#[gear(G: crank, ground)]", "`gear` needs `radii = …`"),
         ("#[gear(G: crank, radii = (1, 2))]", "`gear` takes two bodies, then options"),

@@ -88,3 +88,38 @@ fn units_follow_from_expressions() {
     let nothing = derived("#[coordinates(u)] #[driver(a: u = t)] struct S { l: f64 }");
     assert_eq!(nothing, units::Units::default());
 }
+
+/// A frequency in Hz times a time counts turns.
+#[test]
+fn turns_are_not_taken_for_radians() {
+    let of = |formula: &str, define: &str| {
+        errors(&format!(
+            "#[bodies(crank)] #[revolute(O: ground @ (0, 0), crank @ (0, 0))] {define} #[driver(drive: {formula})]
+            struct S {{ #[param(2, unit = \"Hz\")] f: f64, #[param(0.3, unit = \"rad\")] a: f64, #[param(1)] k: f64,
+                #[param(3, unit = \"1/s\")] rate: f64 }}"
+        ))
+    };
+    let said = "this is a number of turns, a frequency in Hz times a time, and an angle in rad is expected here; \
+                times 2*pi it is rad";
+    for wrong in
+        ["crank.phi = f*t", "crank.phi = a + f*t", "crank.phi = a*sin(f*t)", "crank.phi = -2*f*t", "f*t = crank.phi"]
+    {
+        let found = of(wrong, "");
+        assert!(matches!(&found[..], [only] if only == said), "{wrong}: {found:?}");
+    }
+    assert_eq!(vec![said], of("crank.phi = turned", "#[define(turned = f*t)]"));
+    for right in [
+        "crank.phi = 2*pi*f*t",
+        "crank.phi = 2*pi*(f*t)",
+        "crank.phi = 6.2832*f*t",
+        "crank.phi = a*sin(2*pi*f*t + a)",
+        "crank.phi = a*cos(t*f*2*pi)",
+        "crank.phi = rate*t",
+        "crank.phi = k*f*t",
+        "crank.phi = a*exp(-f*t)",
+        "crank.phi = a*(f/rate)",
+    ] {
+        assert_eq!(Vec::<String>::new(), of(right, ""), "{right}");
+    }
+    assert!(of("crank.phi = w*t", "#[define(w = 2*pi*f)]").is_empty());
+}

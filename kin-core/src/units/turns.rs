@@ -1,0 +1,67 @@
+//! Turns that are taken for radians: the product of a frequency in Hz and a time.
+//!
+//! Hz is 1/s, and so is rad/s. Where an angle is needed, f t with f in Hz is therefore a number of the right unit, but it
+//! counts turns. A factor π, as in 2π f t, converts it.
+
+use super::checker::{Checker, Named, QuantityUnit};
+use super::parse::hertz;
+use super::quantity::{first_origin, has_pi};
+use super::unit::Unit;
+use crate::error::ModelError;
+use crate::mechanism::{Formula, Mechanism};
+
+/// Numbers near π or 2π convert turns to radians, too.
+const NEAR: f64 = 0.01;
+
+impl Checker<'_> {
+    /// Reports a formula of this unit that counts turns where an angle in radians is needed.
+    pub(super) fn is_not_in_turns(&mut self, formula: &Formula, quantity: QuantityUnit) {
+        let QuantityUnit::Of(unit) = quantity else { return };
+        if unit != Unit::NUMBER || self.angle(formula) != 0.0 || turns(self.mechanism, formula, DEPTH) != 1.0 {
+            return;
+        }
+        let message = "this is a number of turns, a frequency in Hz times a time, and an angle in rad is expected here; \
+                       times 2*pi it is rad";
+        self.errors.push(ModelError::new(first_origin(formula).unwrap_or(self.at), message));
+    }
+}
+
+/// Defines that contain others are looked into down to this depth.
+const DEPTH: usize = 4;
+
+/// The exponent of Hz in a formula without a factor π.
+fn turns(mechanism: &Mechanism, formula: &Formula, depth: usize) -> f64 {
+    let m = mechanism;
+    let written = |unit: &Option<String>| unit.as_deref().map_or(0.0, hertz);
+    let own = |named: Named, k: usize| match named {
+        Named::Parameter => m.parameters.get(k).map_or(0.0, |p| written(&p.unit)),
+        Named::Scalar => m.scalars.get(k).map_or(0.0, |s| written(&s.unit)),
+        Named::Input => m.inputs.get(k).map_or(0.0, |u| written(&u.unit)),
+        Named::Define => m.defines.get(k).map_or(0.0, |define| match (&define.unit, depth.checked_sub(1)) {
+            (None, Some(depth)) => turns(m, &define.formula, depth),
+            (unit, _) => written(unit),
+        }),
+    };
+    let of = |formula: &Formula| turns(m, formula, depth);
+    match formula {
+        Formula::Parameter(member) => own(Named::Parameter, member.family),
+        Formula::Scalar(member) => own(Named::Scalar, member.family),
+        Formula::Input(member) => own(Named::Input, member.family),
+        Formula::Define(member) => own(Named::Define, member.family),
+        Formula::Neg(a) => of(a),
+        Formula::Add(a, b) | Formula::Sub(a, b) => Some(of(a)).filter(|turns| *turns != 0.0).unwrap_or_else(|| of(b)),
+        Formula::Mul(a, b) if converts(a) || converts(b) => 0.0,
+        Formula::Div(a, b, _) if converts(a) || converts(b) => 0.0,
+        Formula::Mul(a, b) => of(a) + of(b),
+        Formula::Div(a, b, _) => of(a) - of(b),
+        Formula::Pow(a, n) => n * of(a),
+        _ => 0.0,
+    }
+}
+
+/// True for a number with a factor π, and for one that is about π or 2π.
+fn converts(formula: &Formula) -> bool {
+    let pi = core::f64::consts::PI;
+    let is_near = |v: f64| [pi, 2.0 * pi].into_iter().any(|known| (v.abs() / known - 1.0).abs() < NEAR);
+    has_pi(formula) || formula.literal().is_some_and(is_near)
+}
