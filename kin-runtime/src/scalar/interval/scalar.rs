@@ -105,9 +105,11 @@ impl Scalar for Interval {
     }
 
     #[inline]
-    /// Never negative, which the product of an interval with itself may be.
+    /// The squares of all numbers within, none of which is negative, as products of two of them may be.
+    #[inline]
     fn square(self) -> Self {
-        elementary::powi(self, 2)
+        let products = self * self;
+        if products.lower < 0.0 { Self { lower: 0.0, ..products } } else { products }
     }
 
     fn powi(self, n: i32) -> Self {

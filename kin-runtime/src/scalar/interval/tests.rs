@@ -125,6 +125,8 @@ fn arithmetic_holds_exact_fractions() {
         holds_all([a + b, p + q], &(&x + &y), &what);
         holds_all([a - b, p - q], &(&x - &y), &what);
         holds_all([a * b, p * q], &(&x * &y), &what);
+        holds_all([a.square(), p.square()], &(&x * &x), &what);
+        assert!(a.square().lower() >= 0.0 && a.square().upper() == (a * a).upper(), "{what}");
         holds(-a, &-&x, &what);
         holds(a.abs(), &if x < exact(0.0) { -&x } else { x.clone() }, &what);
         for n in [0, 2, 3, 5] {
