@@ -104,7 +104,6 @@ impl Scalar for Interval {
         }
     }
 
-    #[inline]
     /// The squares of all numbers within, none of which is negative, as products of two of them may be.
     #[inline]
     fn square(self) -> Self {
@@ -112,6 +111,7 @@ impl Scalar for Interval {
         if products.lower < 0.0 { Self { lower: 0.0, ..products } } else { products }
     }
 
+    #[inline]
     fn powi(self, n: i32) -> Self {
         elementary::powi(self, n)
     }
