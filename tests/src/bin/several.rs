@@ -45,6 +45,18 @@ struct Teeth {
 #[derive(Default)]
 struct Lever;
 
+/// A kite, whose two long links turn freely where the crank's pin meets the other pivot, at rest at t = 0.
+#[mechanism]
+#[bodies(crank, coupler, rocker)]
+#[revolute(C: ground @ (0, 0), crank @ (0, 0))]
+#[revolute(A: crank @ (0.2, 0), coupler @ (0, 0))]
+#[revolute(B: coupler @ (0.5, 0), rocker @ (0.5, 0))]
+#[revolute(D: rocker @ (0, 0), ground @ (0.2, 0))]
+#[driver(drive: crank.phi = t * t * t)]
+#[guess(coupler.phi = 1, rocker.phi = 1)]
+#[derive(Default)]
+struct Kite;
+
 /// A carriage whose coordinate is a length, driven at constant speed.
 #[mechanism]
 #[coordinates(s, unit = "m")]
@@ -209,6 +221,7 @@ fn main() -> ExitCode {
         Some("fourbar") => run("FourbarLectureMid", args),
         Some("ends") => run("FourbarEnds", args),
         Some("faster") => run_from::<Faster>(args),
+        Some("kite") => run_from::<Kite>(args),
         Some("lever") => run_from::<Lever>(args),
         Some("leg") => run("FiveBarLeg", args),
         Some("infeasible") => run("InfeasibleFourbar", args),
@@ -225,7 +238,7 @@ fn main() -> ExitCode {
         Some("with_units") => run_from::<WithUnits>(args),
         _ => {
             eprintln!(
-                "error: the first argument is arm, balanced, cam, carriage, chain, wrong_cam, dead_centre, eccentric, excavator, fourbar, ends, faster, infeasible, leg, lever, limits, loaded, nearly, press, redundant, robot, singular, spindle, teeth, underdriven or with_units"
+                "error: the first argument is arm, balanced, cam, carriage, chain, wrong_cam, dead_centre, eccentric, excavator, fourbar, ends, faster, infeasible, kite, leg, lever, limits, loaded, nearly, press, redundant, robot, singular, spindle, teeth, underdriven or with_units"
             );
             ExitCode::from(2)
         }

@@ -97,3 +97,13 @@ fn a_motion_goes_as_far_as_its_rows_are_defined() {
     assert_eq!(9, ran.out.lines().count(), "{}", ran.out);
     failed("press sweep ram.y --to 3 --steps 4", 1, &[said]);
 }
+
+/// The drivers determine the motion, but not at this configuration.
+#[test]
+fn a_special_configuration_is_not_called_under_driven_alone() {
+    let said =
+        ["under-driven at t = 0: 1 degree of freedom is left open", "this one is special; --guess leads to others"];
+    failed("kite solve", 1, &said);
+    let open = kin("underdriven solve");
+    assert!(open.err.contains("under-driven") && !open.err.contains("special"), "{}", open.err);
+}
