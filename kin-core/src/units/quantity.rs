@@ -41,7 +41,7 @@ impl Checker<'_> {
         self.at = at;
         let Of(found) = self.quantity(formula) else { return self.meets(formula, unit, 1.0) };
         if unit == Unit::NUMBER {
-            self.is_not_in_turns(formula, Of(found));
+            self.report_turns(formula, Of(found));
         }
         if !found.agrees(unit) {
             let wanted = match unit.scale {
@@ -65,7 +65,7 @@ impl Checker<'_> {
         for ((of, quantity, own), other) in [((a, right, left), b), ((b, left, right), a)] {
             let angle = self.angle(other);
             if angle == 1.0 {
-                self.is_not_in_turns(of, own);
+                self.report_turns(of, own);
             }
             match quantity {
                 Of(unit) => self.meets(of, unit, angle),
@@ -204,7 +204,7 @@ impl Checker<'_> {
             _ => {
                 let argument = self.quantity(a);
                 if matches!(function, Function::Sin | Function::Cos | Function::Tan) {
-                    self.is_not_in_turns(a, argument);
+                    self.report_turns(a, argument);
                 }
                 if let Of(unit) = argument
                     && !unit.agrees(Unit::NUMBER)

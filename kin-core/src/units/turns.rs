@@ -10,12 +10,12 @@ use super::unit::Unit;
 use crate::error::ModelError;
 use crate::mechanism::{Formula, Mechanism};
 
-/// Numbers near π or 2π convert turns to radians, too.
+/// Numbers that differ from π or 2π by less than this share convert turns to radians, too.
 const NEAR: f64 = 0.01;
 
 impl Checker<'_> {
-    /// Reports a formula of this unit that counts turns where an angle in radians is needed.
-    pub(super) fn is_not_in_turns(&mut self, formula: &Formula, quantity: QuantityUnit) {
+    /// Reports an error if a formula counts turns where an angle in radians is needed; `quantity` is what it measures.
+    pub(super) fn report_turns(&mut self, formula: &Formula, quantity: QuantityUnit) {
         let QuantityUnit::Of(unit) = quantity else { return };
         if unit != Unit::NUMBER || self.angle(formula) != 0.0 || turns(self.mechanism, formula, DEPTH) != 1.0 {
             return;
@@ -29,7 +29,8 @@ impl Checker<'_> {
 /// Defines that contain others are looked into down to this depth.
 const DEPTH: usize = 4;
 
-/// The exponent of Hz in a formula without a factor π.
+/// The exponent of Hz in the unit of a formula; 0 for a product with a factor that converts turns to radians. `depth` is
+/// how many more defines inside one another are looked into.
 fn turns(mechanism: &Mechanism, formula: &Formula, depth: usize) -> f64 {
     let m = mechanism;
     let written = |unit: &Option<String>| unit.as_deref().map_or(0.0, hertz);

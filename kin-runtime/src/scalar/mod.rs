@@ -96,7 +96,7 @@ pub trait Scalar:
     fn abs(self) -> Self;
     /// 1 with the sign of `self`: the derivative of [`abs`](Self::abs).
     fn signum(self) -> Self;
-    /// The square.
+    /// The square; of an interval, the squares of its numbers, so that none is negative.
     #[inline(always)]
     fn square(self) -> Self {
         self * self
