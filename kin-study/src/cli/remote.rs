@@ -86,6 +86,7 @@ mod with {
 
 /// The same commands in a program that was built without clusters: each is an error that says so.
 #[cfg(not(feature = "cluster"))]
+#[expect(clippy::extra_unused_type_parameters, reason = "called in the same way with clusters and without")]
 mod without {
     use crate::cli::arguments::{ClusterArgs, ListenArgs, RunArgs};
     use crate::error::StudyError;
