@@ -6,6 +6,7 @@ use crate::lower::{Lowered, Outcome, lower};
 use crate::parse::parse;
 use crate::report::Report;
 use kin_core::check::{check, check_parts};
+use kin_core::{KinematicSystem, ModelError, Structure};
 use proc_macro2::{Span, TokenStream};
 use syn::ItemStruct;
 
@@ -50,9 +51,19 @@ fn check_model(lowered: &Lowered, report: &Report) {
     let mechanism = &lowered.mechanism;
     let is_complete = report.count() == 0;
     let mut errors = if is_complete { check(mechanism) } else { check_parts(mechanism) };
-    if errors.is_empty() && is_complete && kin_core::units::are_written(mechanism) {
-        errors = kin_core::units::check(mechanism);
-    } else if errors.is_empty() && !is_complete {
+    // What a part lacks in the whole, such as a joint of a body, leaves the rows as they are.
+    let rows_are_correct = errors.is_empty() || (is_complete && check_parts(mechanism).is_empty());
+    if rows_are_correct && is_complete {
+        // Otherwise the structure is checked by `derive_equations`.
+        let has_errors = !errors.is_empty();
+        let are_written = kin_core::units::are_written(mechanism);
+        let units = if are_written { kin_core::units::check(mechanism) } else { Vec::new() };
+        // Rows whose units do not agree are wrong, and so would be what their structure says.
+        if units.is_empty() && has_errors {
+            errors.extend(checked_equations(lowered).err().unwrap_or_default());
+        }
+        errors.extend(units);
+    } else if rows_are_correct {
         // A statement that is degenerate, such as a length that is computed as 0, is so whatever is missing.
         errors = kin_core::assemble(mechanism).err().unwrap_or_default();
     }
@@ -62,23 +73,25 @@ fn check_model(lowered: &Lowered, report: &Report) {
 }
 
 /// Differentiates the equations and checks their structure. An equation that cannot be assembled is an error.
-pub(crate) fn derive_equations(lowered: &Lowered) -> syn::Result<(kin_core::KinematicSystem, kin_core::Structure)> {
-    let spanned = |errors: Vec<kin_core::ModelError>| {
+pub(crate) fn derive_equations(lowered: &Lowered) -> syn::Result<(KinematicSystem, Structure)> {
+    checked_equations(lowered).map_err(|errors| {
         let spanned = errors.into_iter().map(|error| syn::Error::new(lowered.span(error.origin), error));
-        spanned.reduce(|mut all, error| {
+        let joined = spanned.reduce(|mut all, error| {
             all.combine(error);
             all
-        })
-    };
-    let system = kin_core::assemble(&lowered.mechanism).and_then(kin_core::differentiate).map_err(|errors| {
-        spanned(errors).unwrap_or_else(|| syn::Error::new(Span::call_site(), "the mechanism cannot be assembled"))
-    })?;
+        });
+        joined.unwrap_or_else(|| syn::Error::new(Span::call_site(), "the mechanism cannot be assembled"))
+    })
+}
+
+fn checked_equations(lowered: &Lowered) -> Result<(KinematicSystem, Structure), Vec<ModelError>> {
+    let system = kin_core::assemble(&lowered.mechanism).and_then(kin_core::differentiate)?;
     let structure = kin_core::diagnose(&system);
-    if !lowered.flags.allow_redundant {
-        let errors = kin_core::structure::explain(&lowered.mechanism, &system, &structure);
-        spanned(errors).map_or(Ok(()), Err)?;
-    }
-    Ok((system, structure))
+    let redundant = match lowered.flags.allow_redundant {
+        true => Vec::new(),
+        false => kin_core::structure::explain(&lowered.mechanism, &system, &structure),
+    };
+    if redundant.is_empty() { Ok((system, structure)) } else { Err(redundant) }
 }
 
 #[cfg(test)]

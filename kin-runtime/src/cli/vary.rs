@@ -16,8 +16,9 @@ pub(super) struct VaryArgs {
         value_name = "NAME=VALUES",
         long_help = "\
 A motion for each of several values of a parameter: NAME=0.08..0.12:5, which
-are five values including both ends, or NAME=0.08,0.1. If it is repeated, there
-is a motion for every combination of values"
+are five values including both ends, or NAME=0.08,0.1. They take the place of a
+value that --set gives it. If it is repeated, there is a motion for every
+combination of values"
     )]
     vary: Vec<String>,
 }

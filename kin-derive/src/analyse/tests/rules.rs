@@ -70,6 +70,25 @@ fn everything_takes_part() {
 }
 
 #[test]
+fn a_body_without_joints_hides_no_other_error() {
+    let with = |attribute: &str| {
+        errors(&format!(
+            "#[bodies(crank, wheel)] #[revolute(A: ground @ (0, 0), crank @ (0, 0))] {attribute} \
+             struct Pendulum {{ #[param(0.2, unit = \"m\")] l: f64, #[param(1, unit = \"rad/s\")] omega: f64 }}"
+        ))
+    };
+    let both = |attribute: &str, other: &str| {
+        let found = with(attribute);
+        assert_eq!(found.len(), 2, "{found:?}");
+        assert!(found[0].contains("no joint or equation contains a coordinate of `wheel`"), "{found:?}");
+        assert!(found[1].contains(other), "{other:?} is not in {found:?}");
+    };
+    both("#[driver(drive: crank.phi = omega * t + l)]", "the units do not agree");
+    both("#[revolute(B: ground @ (0, 0), crank @ (0, 0))]", "`B` repeats or contradicts");
+    both("#[driver(drive: crank.phi = t)] #[driver(d: crank.phi = omega * t)]", "2 driving rows");
+}
+
+#[test]
 fn conditions_hold_what_changes() {
     // The held origin of a body that turns is constant.
     let held = |condition: &str| {

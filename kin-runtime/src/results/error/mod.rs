@@ -224,7 +224,7 @@ pub enum SolveError {
         /// The parameter.
         parameter: &'static str,
         /// A redundant row that agrees with the others at this value of the parameter only; `None` if the reason is a
-        /// function without a (known) derivative here.
+        /// function or a quantity without a (known) derivative here.
         row_name: Option<&'static str>,
     },
     /// No parameter has this index.

@@ -143,8 +143,8 @@ impl fmt::Display for SolveError {
             ),
             Self::NoSensitivity { t, parameter, row_name: None } => write!(
                 f,
-                "no derivative with respect to `{parameter}` at t = {t}: a function has none there, or none that \
-                 is known",
+                "no derivative with respect to `{parameter}` at t = {t}: a function or a quantity has none there, \
+                 or none that is known",
                 t = rounded(*t)
             ),
             Self::UnknownParameter { index, parameters } => {
