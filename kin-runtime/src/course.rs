@@ -15,7 +15,7 @@
 //! On smooth and straight paths of inputs [`Between`] counts s from the first instant, s = t − t₀ instead of t: where t is
 //! large, neighbouring numbers may be farther apart than the steps that a motion near a limit needs.
 
-use crate::workspace::{Instant, Signal};
+use crate::signal::{Instant, Signal};
 
 /// Inputs as functions of time.
 #[cfg(feature = "std")]

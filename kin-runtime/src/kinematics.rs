@@ -7,10 +7,10 @@ use crate::mobility::Mobility;
 use crate::model::Pattern;
 use crate::plan::ModeInfo;
 use crate::series::Derivatives;
+use crate::signal::Instant;
 use crate::solver::Solver;
 use crate::state::State;
 use crate::trajectory::Trajectory;
-use crate::workspace::Instant;
 use nalgebra::{DMatrix, DVector};
 
 /// The analyses under their usual names, for every mechanism. Each calls a method of a [`Solver`] with default options,

@@ -12,8 +12,9 @@ pub use crate::model::{
 };
 pub use crate::plan::{Depth, ModeInfo, Plan, PlanStep, Solved, StepKind, coarseness, iterate};
 pub use crate::scalar::{Interval, Scalar};
+pub use crate::signal::{Instant, Signal};
 pub use crate::tables;
-pub use crate::workspace::{Evaluation, Instant, Signal, Subset};
+pub use crate::workspace::{Evaluation, Subset};
 pub use core::default::Default;
 pub use core::option::Option::{self, None, Some};
 pub use core::result::Result::{self, Err, Ok};

@@ -11,11 +11,11 @@ use crate::modes::{WantedAssembly, assemble_in};
 use crate::motion::Motion;
 use crate::ratios::{VelocityRatios, velocity_ratios};
 use crate::report::motion::motion;
+use crate::signal::Instant;
 use crate::solver::{Position, Solver};
 use crate::state::State;
 use crate::sweep::continuation::Continuation;
 use crate::trajectory::Fallback;
-use crate::workspace::Instant;
 
 /// A mechanism that is followed from instant to instant, as its inputs come in.
 ///

@@ -14,8 +14,7 @@ use crate::analysis::position::position;
 use crate::analysis::velocity::velocity;
 use crate::equations::Equations;
 use crate::error::SolveError;
-use crate::signal::Signal;
-use crate::workspace::Instant;
+use crate::signal::{Instant, Signal};
 
 /// Distances of the nearest instants, in radians of the fastest body, which are tried in turn.
 const WIDTHS: [f64; 3] = [0.05, 0.02, 0.1];

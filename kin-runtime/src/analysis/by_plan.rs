@@ -3,7 +3,7 @@
 use crate::equations::Equations;
 use crate::plan::{Depth, Plan, Solved};
 use crate::planned::{Limit, Step};
-use crate::workspace::Instant;
+use crate::signal::Instant;
 
 /// If the two closures of a group are nearer to one another than this, the mode of a configuration is undecided.
 const UNDECIDED: f64 = 1e-6;

@@ -13,7 +13,8 @@ use crate::analysis::assemble::propagated;
 use crate::equations::Equations;
 use crate::equations::scale::Scale;
 use crate::error::SolveError;
-use crate::workspace::{Instant, Subset};
+use crate::signal::Instant;
+use crate::workspace::Subset;
 use nalgebra::{DMatrix, DVector};
 
 /// Largest number of iterations.

@@ -5,9 +5,8 @@ use crate::equations::{Equations, finite};
 use crate::error::SolveError;
 use crate::model::Model;
 use crate::motion::{BodyMotion, PointMotion, name};
-use crate::signal::Signal;
+use crate::signal::{Instant, Signal};
 use crate::state::State;
-use crate::workspace::Instant;
 
 /// The motion of bodies whose poses are coordinates, from q, q̇ and q̈: these coordinates come first in q, three of each
 /// body.

@@ -16,8 +16,8 @@ use crate::planned::ill_conditioned::{LITTLE, NOISE, ill_conditioned_group};
 use crate::planned::rates::largest_angle;
 use crate::planned::{Limit, PlanError, Step};
 use crate::random::Random;
-use crate::signal::Signal;
-use crate::workspace::{Instant, Subset};
+use crate::signal::{Instant, Signal};
+use crate::workspace::Subset;
 use nalgebra::DVector;
 
 /// Condition number of the scaled Φ_q below which a configuration counts as far from every singular one.

@@ -21,11 +21,12 @@ use crate::planned::OutOfRange;
 use crate::ranges::Ranges;
 use crate::ratios::VelocityRatios;
 use crate::sensitivities::Sensitivities;
+use crate::signal::Instant;
 use crate::solver::{ContactWatch, Solver};
 use crate::state::State;
 use crate::trajectory::Trajectory;
 use crate::transmission::TransmissionAngle;
-use crate::workspace::{Instant, Subset};
+use crate::workspace::Subset;
 
 /// The arc that a motion follows: the time at its start, the end of its interval of t, and the number of steps.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -6,7 +6,8 @@ use crate::model::{
     Observable, OperationCount, OriginKind, ParameterInfo, Pattern, PointInfo, RowInfo, Units,
 };
 use crate::scalar::Scalar;
-use crate::workspace::{Instant, Signal, Subset};
+use crate::signal::{Instant, Signal};
+use crate::workspace::Subset;
 
 /// What the second row is.
 pub(super) const DRIVEN: u8 = 0;

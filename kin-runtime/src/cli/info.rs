@@ -15,7 +15,7 @@ use crate::present::json::Record;
 use crate::present::plan;
 use crate::present::structure::{KnownConfiguration, drivers, structure};
 use crate::present::text::{self, Facts, coordinate_names, count};
-use crate::workspace::Instant;
+use crate::signal::Instant;
 
 /// Counts, rows and their classes, degrees of freedom, the solution plan
 #[derive(Clone, Debug, clap::Args)]

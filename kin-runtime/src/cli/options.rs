@@ -7,7 +7,7 @@ use super::number::Measured;
 use super::setup::Setup;
 use super::values::{self, TimeOrAngle};
 use crate::model::Model;
-use crate::workspace::Signal;
+use crate::signal::Signal;
 
 /// Parameters, inputs, prescribed coordinates, and where assembly starts.
 #[derive(Clone, Debug, Default, clap::Args)]

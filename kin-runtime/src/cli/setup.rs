@@ -5,8 +5,8 @@ use super::names::listing;
 use crate::analysis::forces::Sharing;
 use crate::model::Model;
 use crate::planned::Sign;
+use crate::signal::Signal;
 use crate::solver::Settings;
-use crate::workspace::Signal;
 
 /// Where the analysis starts and what is prescribed.
 #[derive(Clone, Debug, Default, PartialEq)]

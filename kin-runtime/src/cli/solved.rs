@@ -16,9 +16,9 @@ use crate::present::certificate::Certified;
 use crate::present::number::rounded;
 use crate::present::text;
 use crate::ratios::VelocityRatios;
+use crate::signal::Instant;
 use crate::state::State;
 use crate::transmission::TransmissionAngle;
-use crate::workspace::Instant;
 
 /// A solved instant.
 #[derive(Clone, Debug)]

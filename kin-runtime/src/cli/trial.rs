@@ -10,8 +10,8 @@ use crate::model::Model;
 use crate::observer::Reached;
 use crate::plan::StepKind;
 use crate::present::number::rounded;
+use crate::signal::Signal;
 use crate::state::State;
-use crate::workspace::Signal;
 
 /// Largest number of coordinates of a mechanism that is tried.
 const MOST: usize = 400;

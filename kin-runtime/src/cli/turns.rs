@@ -6,7 +6,7 @@ use super::solved::driven_state;
 use crate::measure::Dimension;
 use crate::model::{CoordinateInfo, Model};
 use crate::present::units::ResultUnits;
-use crate::workspace::Instant;
+use crate::signal::Instant;
 use kin_core::units::{Unit, parse};
 use std::f64::consts::TAU;
 

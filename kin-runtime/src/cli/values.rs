@@ -7,7 +7,7 @@ use crate::model::Model;
 use crate::planned::Sign;
 use crate::present::number::plain;
 use crate::present::units::ResultUnits;
-use crate::workspace::Signal;
+use crate::signal::Signal;
 use kin_core::units::Unit;
 
 /// Largest number of steps of one sweep.

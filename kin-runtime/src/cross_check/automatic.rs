@@ -4,7 +4,7 @@ use super::checked::Checked;
 use super::configuration::Configuration;
 use crate::mechanism::LengthError;
 use crate::model::Level;
-use crate::workspace::{Instant, Signal};
+use crate::signal::{Instant, Signal};
 use num_dual::{Dual2_64, Dual64};
 
 /// Φ and its derivatives by dual numbers at one configuration.

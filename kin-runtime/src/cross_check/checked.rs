@@ -3,7 +3,8 @@
 use crate::mechanism::{LengthError, Mechanism};
 use crate::model::Model;
 use crate::scalar::Scalar;
-use crate::workspace::{Array, Instant, Subset};
+use crate::signal::Instant;
+use crate::workspace::{Array, Subset};
 use num_dual::{Dual2_64, Dual64};
 
 /// The entries of Φ_q in the order of its pattern, Φ_t and γ.

@@ -7,7 +7,7 @@ use super::functions::FunctionChecks;
 use super::result::CrossCheck;
 use crate::error::SolveError;
 use crate::model::Model;
-use crate::workspace::Instant;
+use crate::signal::Instant;
 
 /// The errors collected over configurations.
 pub(super) struct Comparison {

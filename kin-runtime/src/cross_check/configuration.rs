@@ -2,8 +2,8 @@
 
 use crate::model::{Component, CoordinateKind, Model};
 use crate::random::Random;
+use crate::signal::{Instant, Signal};
 use crate::text::numbers;
-use crate::workspace::{Instant, Signal};
 use core::fmt;
 
 /// Options of a cross-check: which configurations are compared.

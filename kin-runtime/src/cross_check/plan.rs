@@ -12,8 +12,9 @@ use crate::observer::{Observed, Observer};
 use crate::plan::{Depth, Solved};
 use crate::planned::PlanError;
 use crate::random::Random;
+use crate::signal::Instant;
 use crate::state::State;
-use crate::workspace::{Instant, Subset};
+use crate::workspace::Subset;
 
 /// Where a margin is below this, the configuration is too near to a limit: rounding errors are larger than those of the
 /// plan.

@@ -11,8 +11,8 @@ use crate::planned::follower::{Control, PlanFollower};
 use crate::results::varied::{Varied, WIDTH};
 use crate::sensitivity::measured::complete;
 use crate::sensitivity::{LARGEST, Variation, Varying, is_integrated, vary as vary_state};
+use crate::signal::Instant;
 use crate::solver::{AnySolver, Settings, Solver, swept};
-use crate::workspace::Instant;
 
 /// Receives the index of an instant, the index of the first parameter with respect to which the numbers have
 /// derivatives, and the numbers.

@@ -10,7 +10,8 @@ use crate::equations::placement::Placement;
 use crate::equations::scale::Scale;
 use crate::error::{Degeneracy, SolveError};
 use crate::model::{Component, CoordinateKind, JointInfo, JointKind, Role};
-use crate::workspace::{Instant, Subset};
+use crate::signal::Instant;
+use crate::workspace::Subset;
 
 /// Lengths below this count as zero, since their squares underflow.
 const NOTHING: f64 = 1e-150;

@@ -14,7 +14,8 @@ use crate::linear::Ordered;
 use crate::model::Model;
 use crate::observer::Observed;
 use crate::options::Options;
-use crate::workspace::{Instant, Signal, Subset};
+use crate::signal::{Instant, Signal};
+use crate::workspace::Subset;
 use nalgebra::DVector;
 
 impl<'a> Equations<'a> {

@@ -6,7 +6,7 @@
 use crate::equations::Equations;
 use crate::error::{Degeneracy, SolveError};
 use crate::model::{Geometry, JointInfo, Role};
-use crate::workspace::Instant;
+use crate::signal::Instant;
 
 /// Replaces the error of an evaluation by an error that names the joint whose axis has no direction, if that is the
 /// cause.

@@ -10,7 +10,7 @@ use crate::mechanism::LengthError;
 use crate::model::{Level, Model};
 use crate::observer::Observed;
 use crate::options::Options;
-use crate::workspace::{Instant, Signal};
+use crate::signal::{Instant, Signal};
 use kept_length::{KeptLength, lengths_exist};
 use nalgebra::DVector;
 

@@ -3,7 +3,7 @@
 use crate::equations::Equations;
 use crate::error::SolveError;
 use crate::model::{Frame, Geometry, Model};
-use crate::workspace::Instant;
+use crate::signal::Instant;
 
 /// The geometry of joints and the poses of bodies at one configuration.
 pub(crate) struct Placement<'e> {

@@ -5,7 +5,7 @@
 use crate::equations::Equations;
 use crate::error::{Degeneracy, SolveError};
 use crate::model::{JointKind, Role};
-use crate::workspace::Instant;
+use crate::signal::Instant;
 
 /// The error of the first joint with a degenerate radius.
 pub(crate) fn degenerate(equations: &Equations<'_>) -> Option<SolveError> {

@@ -13,9 +13,9 @@ use crate::planned::follower::{Control, PlanFollower, PlanSolution};
 use crate::planned::narrow_curves::narrow_curves_are_followed;
 use crate::planned::parts::Span;
 use crate::scalar::{Interval, Scalar};
-use crate::signal::Signal;
+use crate::signal::{Instant, Signal};
 use crate::state::State;
-use crate::workspace::{Array, Evaluation, Instant, Subset};
+use crate::workspace::{Array, Evaluation, Subset};
 use core::borrow::Borrow;
 
 /// The values e of rows or observables, the non-zeros of their Jacobian, their time derivatives and the right-hand

@@ -2,7 +2,8 @@
 
 use crate::mechanism::LengthError;
 use crate::scalar::Scalar;
-use crate::workspace::{Array, Instant, Subset};
+use crate::signal::Instant;
+use crate::workspace::{Array, Subset};
 
 /// A mechanism whose struct is generic over the type of its numbers, and which is evaluated in that scalar type.
 ///

@@ -3,7 +3,6 @@
 use crate::model::Pattern;
 use crate::scalar::Scalar;
 #[doc(no_inline)]
-pub use crate::signal::{Instant, Signal};
 use crate::text::{numbers, separated};
 use core::fmt;
 

@@ -4,7 +4,8 @@ use super::smooth::Smooth;
 use crate::equations::system::Parts;
 use crate::mechanism::{LengthError, Mechanism, Workspace};
 use crate::scalar::{Interval, Scalar};
-use crate::workspace::{Array, Instant, Signal, Subset};
+use crate::signal::{Instant, Signal};
+use crate::workspace::{Array, Subset};
 use core::borrow::Borrow;
 
 /// The rows of a mechanism over boxes, at one instant or over an interval of t.

@@ -8,7 +8,8 @@ use crate::certificate::{Certificate, SINGULAR, Uncertified};
 use crate::mechanism::LengthError;
 use crate::model::{JointKind, Level, Model};
 use crate::scalar::Interval;
-use crate::workspace::{Signal, Subset};
+use crate::signal::Signal;
+use crate::workspace::Subset;
 use std::borrow::Cow;
 
 /// Sizes of the boxes that are tried, relative to a radian and to the size of the mechanism, largest first: a larger

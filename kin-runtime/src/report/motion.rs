@@ -8,9 +8,8 @@ use crate::error::SolveError;
 use crate::mechanism::LengthError;
 use crate::model::Point;
 use crate::motion::{BodyMotion, ConditionMotion, Motion, PointMotion, name};
-use crate::signal::Signal;
+use crate::signal::{Instant, Signal};
 use crate::state::State;
-use crate::workspace::Instant;
 use nalgebra::DMatrix;
 
 /// The motion of bodies, points, defines, joints and conditions at a state.

@@ -27,9 +27,10 @@ use crate::error::SolveError;
 use crate::linear::Factorization;
 use crate::model::Input;
 use crate::model::{JointInfo, JointKind, Role};
+use crate::signal::{Instant, Signal};
 use crate::state::State;
 use crate::text::numbers;
-use crate::workspace::{Instant, Signal, Subset};
+use crate::workspace::Subset;
 use core::fmt;
 use nalgebra::DVector;
 

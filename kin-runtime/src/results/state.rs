@@ -2,7 +2,7 @@
 
 use crate::model::{Body, Coordinate, Model, Point};
 use crate::motion::{BodyMotion, PointMotion};
-use crate::workspace::{Instant, Signal};
+use crate::signal::{Instant, Signal};
 use core::fmt;
 use core::ops::Index;
 use nalgebra::DVectorView;

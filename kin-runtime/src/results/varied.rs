@@ -1,7 +1,7 @@
 //! A configuration of numbers that carry their derivatives with respect to some of the parameters.
 
 use crate::scalar::Tangents;
-use crate::workspace::Signal;
+use crate::signal::Signal;
 
 /// The number of parameters with respect to which one evaluation differentiates.
 pub(crate) const WIDTH: usize = 8;

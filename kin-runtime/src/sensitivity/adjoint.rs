@@ -12,10 +12,9 @@ use crate::results::varied::Varied;
 use crate::scalar::Scalar;
 use crate::scalar::compare::all_finite;
 use crate::scalar::recorded::{Recorded, accumulate, variables};
-use crate::signal::Signal;
+use crate::signal::{Instant, Signal};
 use crate::solver::Solver;
 use crate::state::State;
-use crate::workspace::Instant;
 
 impl<M: Mechanism> Solver<'_, M> {
     /// The gradient of Σ weight · quantity over the states of a motion with respect to all parameters, in the order of

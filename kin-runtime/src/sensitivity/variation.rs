@@ -8,8 +8,9 @@ use crate::plan::{Depth, Solved};
 use crate::planned::lists::{BranchValues, Modes};
 use crate::results::varied::{Number, Varied, WIDTH};
 use crate::scalar::Scalar;
+use crate::signal::{Instant, Signal};
 use crate::state::State;
-use crate::workspace::{Array, Instant, Signal, Subset};
+use crate::workspace::{Array, Subset};
 
 /// Largest number of coordinates whose numbers are on the stack: a plan computes about twenty values for each.
 pub(crate) const LARGEST: usize = 160;

@@ -4,9 +4,10 @@ use super::inputs::{Inputs, factorial};
 use crate::mechanism::Mechanism;
 use crate::plan::{Depth, Solved};
 use crate::scalar::{Scalar, Taylor};
+use crate::signal::{Instant, Signal};
 use crate::solver::Solver;
 use crate::state::State;
-use crate::workspace::{Array, Instant, Signal};
+use crate::workspace::Array;
 
 /// Largest number of coefficients of all coordinates together for which the series are on the stack: a plan computes
 /// about twenty values for each of them.

@@ -14,10 +14,10 @@ use crate::mechanism::LengthError;
 use crate::mechanism::Mechanism;
 use crate::model::Model;
 use crate::scalar::compare::all_finite;
+use crate::signal::{Instant, Signal};
 use crate::solver::Solver;
 use crate::state::State;
 use crate::text::numbers;
-use crate::workspace::{Instant, Signal};
 use core::fmt;
 use nalgebra::DVector;
 

@@ -3,7 +3,8 @@
 use super::tape::{Missing, Series, Tape};
 use crate::mechanism::Mechanism;
 use crate::scalar::Scalar;
-use crate::workspace::{Array, Instant, Signal};
+use crate::signal::{Instant, Signal};
+use crate::workspace::Array;
 
 /// Coefficients of time and of the inputs in powers of τ.
 pub(super) struct Inputs {

@@ -6,7 +6,8 @@ use crate::mechanism::LengthError;
 use crate::mechanism::Mechanism;
 use crate::model::{Level, Model};
 use crate::plan::Plan;
-use crate::workspace::{Array, Instant};
+use crate::signal::Instant;
+use crate::workspace::Array;
 
 /// The equations of derivatives of order 3 and higher, for a caller with a linear solver of its own.
 ///

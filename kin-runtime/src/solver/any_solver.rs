@@ -12,9 +12,9 @@ use crate::modes::WantedAssembly;
 use crate::plan::{Depth, Solved};
 use crate::planned::{Limit, Sign};
 use crate::proof::{Enclosures, OverBoxes, Winding};
+use crate::signal::{Instant, Signal};
 use crate::state::State;
 use crate::trajectory::Trajectory;
-use crate::workspace::{Instant, Signal};
 
 /// A solver without the type of its mechanism.
 pub(crate) trait AnySolver {

@@ -5,9 +5,9 @@ use super::{AnySolver, Solver};
 use crate::error::{Degeneracy, SolveError};
 use crate::mechanism::Mechanism;
 use crate::observer::Observed;
+use crate::signal::Instant;
 use crate::sweep::arc::{Window, solution_arc};
 use crate::trajectory::Trajectory;
-use crate::workspace::Instant;
 
 impl<M: Mechanism> Solver<'_, M> {
     /// The whole motion through the configuration that is assembled at `from`, with time as one more unknown: where the

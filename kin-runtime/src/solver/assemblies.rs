@@ -17,7 +17,8 @@ use crate::plan::{Depth, Plan, Solved, StepKind};
 use crate::planned::Sign;
 use crate::proof::{Certified, Closing, MarginSign, Prover, SearchOutcome, combinations, search, zeros};
 use crate::scalar::Interval;
-use crate::workspace::{Instant, Subset};
+use crate::signal::Instant;
+use crate::workspace::Subset;
 
 /// Half the width of the search for lengths that no row determines, relative to the size of the mechanism.
 const REACH: f64 = 16.0;

@@ -25,8 +25,9 @@ use crate::planned::follower::{PlanFollower, PlanSolution};
 use crate::planned::lists::{BranchValues, Margins, Modes};
 use crate::planned::steep_rows::{first_steep, may_be_steep};
 use crate::scalar::compare::{all_above, all_finite};
+use crate::signal::Instant;
 use crate::state::State;
-use crate::workspace::{Array, Instant, Subset};
+use crate::workspace::{Array, Subset};
 
 /// The start of a solution by the plan: the modes, and a configuration. The angles of the solution are within half a
 /// turn of those of this configuration.

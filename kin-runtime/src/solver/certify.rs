@@ -6,8 +6,8 @@ use crate::certificate::{Certificate, Uncertified};
 use crate::mechanism::Mechanism;
 use crate::mobility::mobility;
 use crate::proof::{Prover, Square};
+use crate::signal::Instant;
 use crate::state::State;
-use crate::workspace::Instant;
 
 impl<M: Mechanism> Solver<'_, M> {
     /// Proves that a state is a solution: a box around it with exactly one, and an interval for every coordinate, rate

@@ -12,7 +12,7 @@ use super::assemblies::{is_angle, is_length};
 use crate::mechanism::Mechanism;
 use crate::plan::{Depth, Plan, Solved};
 use crate::proof::zeros;
-use crate::workspace::Instant;
+use crate::signal::Instant;
 use std::f64::consts::{PI, TAU};
 
 /// Shifts of the start, relative to the guess, that show whether there are other closures than those of the signs. If

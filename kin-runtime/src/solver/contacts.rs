@@ -6,9 +6,8 @@ use crate::error::SolveError;
 use crate::forces::{ContactChange, Forces};
 use crate::mechanism::Mechanism;
 use crate::nonlinear::root::{Value, bracket, tolerance};
-use crate::signal::Signal;
+use crate::signal::{Instant, Signal};
 use crate::state::State;
-use crate::workspace::Instant;
 
 /// Gives the state at an instant near a known state, with its normal forces.
 type Between<'b> = &'b dyn Fn(f64, &State) -> Option<(State, Vec<f64>)>;

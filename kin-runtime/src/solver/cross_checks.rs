@@ -7,7 +7,7 @@ use crate::equations::system::Evaluator;
 use crate::equations::{Equations, finite};
 use crate::error::SolveError;
 use crate::mechanism::Mechanism;
-use crate::workspace::{Instant, Signal};
+use crate::signal::{Instant, Signal};
 
 impl<M: Mechanism> Solver<'_, M> {
     /// Compares every entry of Φ_q, Φ_t and γ with dual numbers, at the configurations given and at random ones around

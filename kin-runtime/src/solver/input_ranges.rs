@@ -6,7 +6,7 @@ use crate::error::SolveError;
 use crate::mechanism::Mechanism;
 use crate::model::Input;
 use crate::planned::{InputRange, OutOfRange};
-use crate::workspace::{Instant, Signal};
+use crate::signal::{Instant, Signal};
 
 impl<M: Mechanism> Solver<'_, M> {
     /// The range of an input in which the mechanism closes, with time and the other inputs constant, at an instant at

@@ -11,7 +11,8 @@ use crate::mechanism::Mechanism;
 use crate::model::{Component, CoordinateKind, Model};
 use crate::plan::StepKind;
 use crate::planned::lists::BranchValues;
-use crate::workspace::{Array, Instant};
+use crate::signal::Instant;
+use crate::workspace::Array;
 
 /// The distance from its start, relative to its size, up to which a coordinate is near it.
 const NEAR: f64 = 0.25;

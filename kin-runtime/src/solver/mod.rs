@@ -21,9 +21,9 @@ use crate::plan::Plan;
 use crate::planned::{PlanError, Planned, Sign};
 use crate::ratios::{VelocityRatios, velocity_ratios};
 use crate::report::motion::{motion, point_jacobian};
+use crate::signal::Instant;
 use crate::state::State;
 use crate::transmission::{TransmissionAngle, transmission_angles};
-use crate::workspace::Instant;
 use nalgebra::DMatrix;
 
 mod any_solver;

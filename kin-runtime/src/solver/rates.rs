@@ -9,7 +9,8 @@ use crate::equations::system::Parts;
 use crate::mechanism::Mechanism;
 use crate::planned::branch::FAR_FROM_LIMITS;
 use crate::scalar::compare::{all_above, all_finite};
-use crate::workspace::{Array, Instant, Subset};
+use crate::signal::Instant;
+use crate::workspace::{Array, Subset};
 
 /// Largest residual of a row, relative to its terms: rounding of a regular system.
 const ROUNDING: f64 = 1e-12;

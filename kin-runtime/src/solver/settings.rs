@@ -8,7 +8,7 @@ use crate::model::Model;
 use crate::observer::Observer;
 use crate::options::Options;
 use crate::planned::{ModeKey, Sign};
-use crate::workspace::Signal;
+use crate::signal::Signal;
 use core::fmt;
 
 /// The settings of a solver, which do not depend on the type of the mechanism.

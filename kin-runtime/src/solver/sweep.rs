@@ -10,10 +10,10 @@ use crate::linear::Factorization;
 use crate::mechanism::Mechanism;
 use crate::modes::assemble_in;
 use crate::observer::Observed;
+use crate::signal::{Instant, Signal};
 use crate::state::State;
 use crate::sweep::continuation::{Visit, kinematic};
 use crate::trajectory::Trajectory;
-use crate::workspace::{Instant, Signal};
 use core::ops::ControlFlow;
 
 impl<'m, M: Mechanism> Solver<'m, M> {

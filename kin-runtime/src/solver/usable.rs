@@ -4,7 +4,7 @@ use super::Solver;
 use crate::equations::contact::is_regular;
 use crate::mechanism::Mechanism;
 use crate::model::{JointKind, Model, Role};
-use crate::workspace::{Instant, Signal};
+use crate::signal::{Instant, Signal};
 
 impl<M: Mechanism> Solver<'_, M> {
     /// True if the plan determines all coordinates, the geometry of the joints is not degenerate, and no contact with a

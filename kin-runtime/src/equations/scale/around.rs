@@ -4,7 +4,8 @@ use super::Scale;
 use crate::equations::Equations;
 use crate::model::{Component, CoordinateKind, Frame, Role};
 use crate::random::Random;
-use crate::workspace::{Instant, Subset};
+use crate::signal::Instant;
+use crate::workspace::Subset;
 
 /// Number of configurations over which the typical size of an entry is taken.
 const SAMPLES: usize = 9;

@@ -4,8 +4,8 @@ use crate::evaluation::curve::CurvePoint;
 use crate::model::Model;
 use crate::plan::{Depth, Solved};
 use crate::scalar::{Interval, Scalar};
-use crate::signal::Signal;
-use crate::workspace::{Array, Evaluation, Instant, Subset};
+use crate::signal::{Instant, Signal};
+use crate::workspace::{Array, Evaluation, Subset};
 
 mod length;
 mod workspaces;

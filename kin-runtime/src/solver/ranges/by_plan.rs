@@ -8,7 +8,7 @@ use crate::planned::{Limit, LimitKind, Sign, Step};
 use crate::proof::{MarginSign, Stretch, Winding, refined, stretches};
 use crate::ranges::{Range, RangeLimit, Ranges};
 use crate::scalar::Interval;
-use crate::workspace::{Instant, Signal};
+use crate::signal::{Instant, Signal};
 
 /// Smallest width of an undecided stretch, and of a stretch with a limit, relative to the whole interval of t.
 const NARROWEST: [f64; 2] = [1e-8, 1e-12];

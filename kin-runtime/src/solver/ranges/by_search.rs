@@ -14,7 +14,7 @@ use crate::planned::{Limit, LimitKind, Sign};
 use crate::proof::{Fold, folds};
 use crate::ranges::{Range, RangeLimit, Ranges};
 use crate::scalar::Interval;
-use crate::workspace::{Instant, Signal};
+use crate::signal::{Instant, Signal};
 
 /// Configurations that differ by less than this, relative to a radian and to the size of the mechanism, are the same:
 /// the first for closures and proven folds, the second for undecided places.

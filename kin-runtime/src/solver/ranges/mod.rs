@@ -12,7 +12,7 @@ use crate::error::SolveError;
 use crate::mechanism::Mechanism;
 use crate::model::Model;
 use crate::ranges::Ranges;
-use crate::workspace::Instant;
+use crate::signal::Instant;
 
 /// Largest number of modes whose combinations are all examined.
 const MODES: usize = 12;

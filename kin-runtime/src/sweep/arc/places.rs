@@ -6,7 +6,8 @@ use crate::arc::{ArcPlace, ArcPlaceKind};
 use crate::equations::Equations;
 use crate::linear::null_space;
 use crate::nonlinear::root::{Value, bracket};
-use crate::workspace::{Instant, Subset};
+use crate::signal::Instant;
+use crate::workspace::Subset;
 
 /// Largest number of places between two that are looked at in the search for the least rate of t.
 const TRIALS: usize = 60;

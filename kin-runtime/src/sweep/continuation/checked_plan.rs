@@ -12,8 +12,9 @@ use crate::options::Options;
 use crate::planned::branch::FAR_FROM_LIMITS;
 use crate::planned::follower::Control;
 use crate::planned::{Limit, PlanError};
+use crate::signal::Instant;
 use crate::state::State;
-use crate::workspace::{Instant, Subset};
+use crate::workspace::Subset;
 
 /// The plan as a solver of a sweep, whose solutions are compared with Φ.
 #[derive(Clone, Debug)]

@@ -15,9 +15,10 @@ use crate::events::EventWatch;
 use crate::linear::Factorization;
 use crate::planned::LimitKind;
 use crate::planned::step_length::{next_parameter, shortest_step};
+use crate::signal::Instant;
 use crate::state::State;
 use crate::trajectory::Fallback;
-use crate::workspace::{Instant, Subset};
+use crate::workspace::Subset;
 
 /// Condition of Φ_q above which a configuration that the plan calls a limit is one of the mechanism, too.
 const SINGULAR: f64 = 1e5;

@@ -13,8 +13,7 @@ use crate::planned::interior::{LEAST, even_fractions, on_cubic, time_within};
 use crate::planned::parts::Span;
 use crate::planned::predict::weight;
 use crate::scalar::{Interval, Scalar};
-use crate::signal::Signal;
-use crate::workspace::Instant;
+use crate::signal::{Instant, Signal};
 
 /// Size of a branch value below which rounding no longer allows a group to be assigned to either closure.
 const SMALLEST: f64 = 1e-6;

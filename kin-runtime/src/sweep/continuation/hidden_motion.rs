@@ -6,7 +6,8 @@ use crate::error::SolveError;
 use crate::linear::Factorization;
 use crate::planned::interior::{IRREGULAR_FRACTIONS, on_cubic};
 use crate::planned::parts::Span;
-use crate::workspace::{Instant, Subset};
+use crate::signal::Instant;
+use crate::workspace::Subset;
 
 /// True if a step hides no motion: at instants within it the Newton step from the cubic through both
 /// ends is not longer than `allowed` on the common scale (see [`planned::hidden_motion`](crate::planned::hidden_motion)). `ends` are q

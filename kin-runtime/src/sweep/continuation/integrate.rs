@@ -144,7 +144,7 @@ mod tests {
     use crate::equations::system::Evaluator;
     use crate::fixture::StretchedSlider;
     use crate::options::Options;
-    use crate::workspace::Instant;
+    use crate::signal::Instant;
 
     /// Where Φ_q loses rank the velocity is not determined, so the step counts as too long.
     #[test]

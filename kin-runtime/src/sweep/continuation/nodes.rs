@@ -12,8 +12,9 @@ use crate::equations::scale::{Scale, largest_product};
 use crate::error::SolveError;
 use crate::linear::Factorization;
 use crate::planned::follower::{Control, most_turn};
+use crate::signal::Instant;
 use crate::state::State;
-use crate::workspace::{Instant, Subset};
+use crate::workspace::Subset;
 
 /// Computes the basis for full Newton at a node that the plan has solved.
 pub(super) fn complete_basis(equations: &mut Equations<'_>, node: &mut Node) -> Result<(), SolveError> {

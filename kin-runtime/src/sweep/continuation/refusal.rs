@@ -11,8 +11,9 @@ use crate::linear::{Factorization, null_space};
 use crate::planned::Limit;
 use crate::planned::follower::Control;
 use crate::planned::row_end::{RowEnd, RowsBeyond, row_end};
+use crate::signal::Instant;
 use crate::state::State;
-use crate::workspace::{Instant, Subset};
+use crate::workspace::Subset;
 
 /// Relative pivots below this, at the last configuration before a refused step, mean that the motion ends in a singular
 /// configuration.

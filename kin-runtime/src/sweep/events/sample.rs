@@ -2,9 +2,8 @@
 
 use crate::equations::{Equations, finite};
 use crate::error::SolveError;
-use crate::signal::Signal;
+use crate::signal::{Instant, Signal};
 use crate::state::State;
-use crate::workspace::Instant;
 
 /// Largest condition number that enters the estimate of the rounding error.
 const WORST_CONDITION: f64 = 1e4;

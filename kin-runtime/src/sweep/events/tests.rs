@@ -8,8 +8,8 @@ use crate::equations::system::Evaluator;
 use crate::fixture::Approaching;
 use crate::nonlinear::root::{Value, bracket, tolerance};
 use crate::options::Options;
+use crate::signal::Instant;
 use crate::state::State;
-use crate::workspace::Instant;
 
 /// The bracket of a root of `f`, which returns a value and a derivative, and the number of evaluations.
 fn located(f: impl Fn(f64) -> (f64, f64), lo: f64, hi: f64) -> ([Value; 2], usize) {

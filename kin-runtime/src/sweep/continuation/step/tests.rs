@@ -6,7 +6,7 @@ use crate::equations::system::Evaluator;
 use crate::fixture::{FourBarLoop, StretchedSlider};
 use crate::mechanism::Mechanism;
 use crate::options::Options;
-use crate::workspace::Instant;
+use crate::signal::Instant;
 
 /// The equations of a mechanism at an instant, without a scale.
 fn equations<M: Mechanism>(mechanism: &M, t: f64) -> Equations<'_> {
