@@ -2,7 +2,7 @@
 
 use super::write::Tally;
 use crate::error::StudyError;
-use crate::rows::{Counts, Kept, Prepared, context};
+use crate::rows::{Counts, Kept, Prepared, context, selected};
 use datafusion::arrow::array::AsArray;
 use datafusion::arrow::datatypes::UInt64Type;
 use datafusion::arrow::record_batch::RecordBatch;
@@ -58,7 +58,7 @@ pub(crate) async fn merged(
 ) -> Result<Vec<RecordBatch>, StudyError> {
     let context = context(partitions);
     context.register_table("study", table)?;
-    let batches = context.sql(&prepared.kept.sql("study")).await?.collect().await?;
+    let batches = selected(&context, &prepared.kept.sql("study")).await?.collect().await?;
     Ok(if matches!(prepared.kept, Kept::All) { in_order(batches) } else { batches })
 }
 

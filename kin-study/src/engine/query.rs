@@ -3,7 +3,7 @@
 use super::parts::{COUNTS, Parts, ROWS};
 use super::write::temporary;
 use crate::error::StudyError;
-use crate::rows::context;
+use crate::rows::{context, selected};
 use datafusion::arrow::csv::WriterBuilder;
 use datafusion::arrow::record_batch::RecordBatch;
 use datafusion::arrow::util::pretty::pretty_format_batches;
@@ -108,12 +108,14 @@ async fn asked(directory: &Path, sql: &str) -> Result<DataFrame, StudyError> {
         let message = format!("{} has no rows of a study; `run` or `chunk` writes them", parts.directory().display());
         return Err(StudyError::Directory(message));
     }
-    parts.covered()?;
+    let covered = parts.covered()?;
     let processors = std::thread::available_parallelism().map_or(1, |count| count.get());
     let context = context(processors);
     register(&context, "parts", rows).await?;
-    context.register_table("study", context.sql(&parts.view()?).await?.into_view())?;
-    let counts = parts.files(COUNTS)?;
+    context.register_table("study", selected(&context, &parts.view()?).await?.into_view())?;
+    // Counts are written before rows: those without rows belong to a wave that was not finished.
+    let mut counts = parts.files(COUNTS)?;
+    counts.retain(|(rows, _)| covered.contains(rows));
     if !counts.is_empty() {
         register(&context, "counts", counts).await?;
         let sum = "SELECT \"of\", \"from\", \"to\", CAST(sum(\"count\") AS BIGINT) AS \"count\" FROM counts \

@@ -1,17 +1,19 @@
 //! SQL expressions over the columns of a study: derived parameters and conditions.
 
 use crate::error::StudyError;
-use datafusion::arrow::array::{Array, ArrayRef, BooleanArray, new_null_array};
+use datafusion::arrow::array::{Array, ArrayRef, AsArray, BooleanArray, Float64Array, new_null_array};
 use datafusion::arrow::compute::{cast, concat, filter_record_batch, prep_null_mask_filter};
-use datafusion::arrow::datatypes::{DataType, Schema};
+use datafusion::arrow::datatypes::{DataType, Float64Type, Schema};
 use datafusion::arrow::record_batch::RecordBatch;
 use datafusion::common::DFSchema;
-use datafusion::common::tree_node::{TreeNode, TreeNodeRecursion};
+use datafusion::common::tree_node::{Transformed, TreeNode, TreeNodeRecursion};
 use datafusion::error::DataFusionError;
 use datafusion::execution::context::SessionContext;
-use datafusion::logical_expr::Volatility;
+use datafusion::functions::math::expr_fn::isnan;
+use datafusion::logical_expr::{BinaryExpr, ExprSchemable, Operator, Volatility, lit, when};
 use datafusion::physical_expr::PhysicalExpr;
 use datafusion::prelude::{Expr, SessionConfig};
+use datafusion::scalar::ScalarValue;
 use std::sync::Arc;
 
 /// Number of rows of a piece, which are solved together, and of a batch of the engine.
@@ -52,6 +54,7 @@ impl Formula {
                 format!("`{text}`: `{function}` gives another value in every run; rows must be the same in all runs");
             return Err(StudyError::description(why));
         }
+        let expression = compared_with_nulls(expression, &table).map_err(wrong)?;
         let expression = context.create_physical_expr(expression, &table).map_err(wrong)?;
         let found = expression.data_type(schema).map_err(wrong)?;
         // What fails without any row fails in all rows.
@@ -85,8 +88,52 @@ impl Formula {
 
     fn evaluate(&self, batch: &RecordBatch) -> Result<ArrayRef, DataFusionError> {
         let values = self.expression.evaluate(batch)?.into_array(batch.num_rows())?;
-        if values.data_type() == &self.to { Ok(values) } else { Ok(cast(&values, &self.to)?) }
+        let values = if values.data_type() == &self.to { values } else { cast(&values, &self.to)? };
+        Ok(if self.to == DataType::Float64 { without_nan(&values) } else { values })
     }
+}
+
+/// The numbers of a column, with null in place of NaN. The engine compares NaN as the greatest of all numbers, and files
+/// leave it out of the least and the greatest value that they store of a column.
+pub(super) fn without_nan(column: &ArrayRef) -> ArrayRef {
+    let values = column.as_primitive::<Float64Type>();
+    Arc::new(Float64Array::from_iter(values.iter().map(|value| value.filter(|value| !value.is_nan()))))
+}
+
+/// A number with null in place of NaN; anything else as it is.
+pub(super) fn null_for_nan(expression: Expr, schema: &DFSchema) -> Result<Expr, DataFusionError> {
+    match expression.get_type(schema) {
+        Ok(DataType::Float64) => when(isnan(expression.clone()), lit(ScalarValue::Float64(None))).otherwise(expression),
+        _ => Ok(expression),
+    }
+}
+
+/// True for the operators that compare two values.
+fn compares(operator: Operator) -> bool {
+    use Operator::{Eq, Gt, GtEq, IsDistinctFrom, IsNotDistinctFrom, Lt, LtEq, NotEq};
+    matches!(operator, Eq | NotEq | Lt | LtEq | Gt | GtEq | IsDistinctFrom | IsNotDistinctFrom)
+}
+
+/// The expression with null in place of NaN wherever it compares numbers: what has no value meets no condition.
+pub(super) fn compared_with_nulls(expression: Expr, schema: &DFSchema) -> Result<Expr, DataFusionError> {
+    let known = |part: Box<Expr>| null_for_nan(*part, schema).map(Box::new);
+    let compared = expression.transform_up(|part| match part {
+        Expr::BinaryExpr(BinaryExpr { left, op, right }) if compares(op) => {
+            Ok(Transformed::yes(Expr::BinaryExpr(BinaryExpr { left: known(left)?, op, right: known(right)? })))
+        }
+        Expr::Between(mut between) => {
+            between.expr = known(between.expr)?;
+            between.low = known(between.low)?;
+            between.high = known(between.high)?;
+            Ok(Transformed::yes(Expr::Between(between)))
+        }
+        Expr::InList(mut list) => {
+            list.expr = known(list.expr)?;
+            Ok(Transformed::yes(Expr::InList(list)))
+        }
+        other => Ok(Transformed::no(other)),
+    })?;
+    Ok(compared.data)
 }
 
 /// The name of the first function whose value does not only depend on its arguments.

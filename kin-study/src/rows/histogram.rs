@@ -7,6 +7,7 @@ use datafusion::arrow::array::{AsArray, Float64Array, StringArray, UInt64Array};
 use datafusion::arrow::datatypes::{DataType, Field, Float64Type, Schema, SchemaRef};
 use datafusion::arrow::error::ArrowError;
 use datafusion::arrow::record_batch::RecordBatch;
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
 /// A histogram, and the place of its column in the table.
@@ -35,6 +36,25 @@ impl Bins {
             false => Err(StudyError::description("a histogram needs from < to and at least one bin")),
         }
     }
+
+    /// The ends of its bins.
+    fn ends(&self) -> impl Iterator<Item = [f64; 2]> {
+        let Histogram { from, to, bins, .. } = self.histogram;
+        let width = (to - from) / bins as f64;
+        (0..bins).map(move |k| [from + k as f64 * width, from + (k + 1) as f64 * width])
+    }
+}
+
+/// The place of the first histogram with a bin that an earlier one of the same column has, too, and what is wrong: in
+/// the table of counts a bin is known by its column and its ends.
+pub(super) fn first_repeated(all: &[Bins]) -> Option<(usize, String)> {
+    let mut known = BTreeSet::new();
+    let mut repeated = |bins: &Bins, [from, to]: [f64; 2]| {
+        let is_new = known.insert((bins.column, [from, to].map(f64::to_bits)));
+        let of = &bins.histogram.of;
+        (!is_new).then(|| format!("two histograms of `{of}` have a bin from {from} to {to}; choose other bins"))
+    };
+    all.iter().enumerate().find_map(|(place, bins)| Some((place, bins.ends().find_map(|ends| repeated(bins, ends))?)))
 }
 
 /// The counts of some histograms.
@@ -83,12 +103,11 @@ impl Counts {
     /// The table of all counts.
     pub(crate) fn table(&self, bins: &[Bins]) -> Result<RecordBatch, ArrowError> {
         let (mut of, mut from, mut to, mut count) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
-        for (counts, Bins { histogram, .. }) in self.0.iter().zip(bins) {
-            let width = (histogram.to - histogram.from) / histogram.bins as f64;
-            for (k, counted) in counts.iter().enumerate() {
-                of.push(histogram.of.as_str());
-                from.push(histogram.from + k as f64 * width);
-                to.push(histogram.from + (k + 1) as f64 * width);
+        for (counts, bins) in self.0.iter().zip(bins) {
+            for (counted, [start, end]) in counts.iter().zip(bins.ends()) {
+                of.push(bins.histogram.of.as_str());
+                from.push(start);
+                to.push(end);
                 count.push(*counted);
             }
         }

@@ -7,15 +7,15 @@ mod prepare;
 
 pub(crate) use formula::{CHUNK, context};
 pub(crate) use histogram::{Counts, counts_schema};
-pub(crate) use order::Kept;
+pub(crate) use order::{Kept, selected};
 pub(crate) use prepare::Prepared;
 
 use crate::error::StudyError;
 use crate::machine::{Scored, Values};
 use datafusion::arrow::array::{
-    ArrayRef, AsArray, FixedSizeListArray, Float32Array, Float64Array, StringArray, StringBuilder, UInt64Array,
+    Array, ArrayRef, AsArray, FixedSizeListArray, Float32Array, Float64Array, StringArray, StringBuilder, UInt64Array,
 };
-use datafusion::arrow::buffer::NullBuffer;
+use datafusion::arrow::buffer::{NullBuffer, ScalarBuffer};
 use datafusion::arrow::datatypes::Float64Type;
 use datafusion::arrow::record_batch::{RecordBatch, RecordBatchOptions};
 use formula::meeting;
@@ -43,11 +43,17 @@ impl Prepared {
         let tried = rows.end - rows.start;
         let batch = meeting(self.sampled(rows)?, &self.before)?;
         let count = batch.num_rows();
-        let parameter = |source: &Source| match *source {
-            Source::Each(place) => Column::Each(batch.column(place).as_primitive::<Float64Type>().values()),
-            Source::Shared(value) => Column::Shared(value),
+        // A parameter without a value is NaN for the mechanism.
+        let numbers = |source: &Source| match *source {
+            Source::Each(place) => with_nan(batch.column(place)),
+            Source::Shared(_) => ScalarBuffer::default(),
         };
-        let parameters: Vec<Column<'_>> = self.sources.iter().map(parameter).collect();
+        let numbers: Vec<ScalarBuffer<f64>> = self.sources.iter().map(numbers).collect();
+        let columns = self.sources.iter().zip(&numbers).map(|(source, numbers)| match *source {
+            Source::Each(_) => Column::Each(numbers),
+            Source::Shared(value) => Column::Shared(value),
+        });
+        let parameters: Vec<Column<'_>> = columns.collect();
         let combinations: Vec<usize> = self.combinations(&batch);
         let modes = &self.motion.modes;
         let each = |k: usize| combinations.iter().map(|combination| modes[*combination].1[k]).collect();
@@ -79,11 +85,7 @@ impl Prepared {
         let mut batch = assembled(&self.inputs[0], columns, count)?;
         for (formula, schema) in self.derived.iter().zip(&self.inputs[1..]) {
             let mut columns = batch.columns().to_vec();
-            let values = formula.values(&batch)?;
-            // Some quotients by zero are null in SQL; for the mechanism they are NaN.
-            let values = values.as_primitive::<Float64Type>();
-            let numbers = values.iter().map(|value| value.unwrap_or(f64::NAN));
-            columns.push(Arc::new(Float64Array::from_iter_values(numbers)));
+            columns.push(formula.values(&batch)?);
             batch = assembled(schema, columns, count)?;
         }
         Ok(batch)
@@ -97,11 +99,7 @@ impl Prepared {
 
     /// The table: the columns that it shows of `batch`, the scores, and where and why motions ended.
     fn scored(&self, batch: &RecordBatch, combinations: &[usize], scored: Scored) -> Result<RecordBatch, StudyError> {
-        let column = |place: &usize| match self.schema.field_with_name(batch.schema_ref().field(*place).name()) {
-            Ok(field) if field.is_nullable() => known(batch.column(*place)),
-            _ => Arc::clone(batch.column(*place)),
-        };
-        let mut columns: Vec<ArrayRef> = self.shown.iter().map(column).collect();
+        let mut columns: Vec<ArrayRef> = self.shown.iter().map(|place| Arc::clone(batch.column(*place))).collect();
         if self.motion.modes.len() > 1 {
             let names = combinations.iter().map(|combination| self.motion.modes[*combination].0.as_str());
             columns.push(Arc::new(StringArray::from_iter_values(names)));
@@ -140,11 +138,13 @@ impl Prepared {
     }
 }
 
-/// The column with null in place of NaN: Parquet files leave NaN out of the least and the greatest value that they
-/// store of a column, and an engine may rely on these.
-fn known(column: &ArrayRef) -> ArrayRef {
+/// The numbers of a column, NaN where it has none.
+fn with_nan(column: &ArrayRef) -> ScalarBuffer<f64> {
     let values = column.as_primitive::<Float64Type>();
-    Arc::new(Float64Array::from_iter(values.iter().map(|value| value.filter(|value| !value.is_nan()))))
+    match values.null_count() {
+        0 => values.values().clone(),
+        _ => values.iter().map(|value| value.unwrap_or(f64::NAN)).collect(),
+    }
 }
 
 fn assembled(

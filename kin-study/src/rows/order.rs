@@ -1,16 +1,20 @@
 //! The best rows, in an order that is written as in SQL.
 
-use super::formula::context;
+use super::formula::{compared_with_nulls, context, null_for_nan};
 use crate::error::StudyError;
 use datafusion::arrow::compute::{SortColumn, SortOptions, lexsort_to_indices, take_record_batch};
 use datafusion::arrow::datatypes::SchemaRef;
 use datafusion::arrow::error::ArrowError;
 use datafusion::arrow::record_batch::RecordBatch;
 use datafusion::common::DFSchema;
+use datafusion::common::tree_node::{Transformed, TreeNode};
+use datafusion::dataframe::DataFrame;
 use datafusion::datasource::MemTable;
 use datafusion::error::DataFusionError;
+use datafusion::execution::context::SessionContext;
 use datafusion::logical_expr::LogicalPlan;
 use datafusion::physical_expr::PhysicalExpr;
+use datafusion::prelude::Expr;
 use futures::FutureExt;
 use std::sync::Arc;
 
@@ -50,7 +54,8 @@ impl Best {
         let table = DFSchema::try_from_qualified_schema("study", schema).map_err(wrong)?;
         let key = |key: &datafusion::logical_expr::SortExpr| {
             let options = SortOptions { descending: !key.asc, nulls_first: key.nulls_first };
-            Ok((context.create_physical_expr(key.expr.clone(), &table).map_err(wrong)?, options))
+            let value = valued(key.expr.clone(), &table).map_err(wrong)?;
+            Ok((context.create_physical_expr(value, &table).map_err(wrong)?, options))
         };
         let keys = order.iter().map(key).collect::<Result<_, StudyError>>()?;
         Ok(Self { keys, ..best })
@@ -95,6 +100,26 @@ impl Kept {
             Self::Best(best) => best.of(batch),
         }
     }
+}
+
+/// The value of an expression by which rows are ordered, null where it has none: such rows come last.
+fn valued(expression: Expr, schema: &DFSchema) -> Result<Expr, DataFusionError> {
+    null_for_nan(compared_with_nulls(expression, schema)?, schema)
+}
+
+/// The rows of a query of [`Kept::sql`]; those without a value come last in its order.
+pub(crate) async fn selected(context: &SessionContext, sql: &str) -> Result<DataFrame, DataFusionError> {
+    let plan = context.sql(sql).await?.into_unoptimized_plan();
+    let plan = plan.transform_up(|node| match node {
+        LogicalPlan::Sort(mut sort) => {
+            for key in &mut sort.expr {
+                key.expr = valued(key.expr.clone(), sort.input.schema())?;
+            }
+            Ok(Transformed::yes(LogicalPlan::Sort(sort)))
+        }
+        other => Ok(Transformed::no(other)),
+    })?;
+    Ok(DataFrame::new(context.state(), plan.data))
 }
 
 /// The outermost order of a plan.

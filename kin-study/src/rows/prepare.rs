@@ -1,7 +1,7 @@
 //! A study prepared for its mechanism: names resolved, formulas compiled, columns laid out.
 
 use super::formula::{Formula, context};
-use super::histogram::Bins;
+use super::histogram::{Bins, first_repeated};
 use super::order::{Best, Kept};
 use crate::error::StudyError;
 use crate::machine::{Machine, Motion, bind};
@@ -120,7 +120,7 @@ impl Prepared {
             let compiled = Formula::number(&context, text, &inputs[inputs.len() - 1]);
             derived.push(compiled.map_err(|error| error.on_line(study.line(&format!("derived.{name}"))))?);
             shown.push(fields.len());
-            fields.push(number(name));
+            fields.push(number(name).with_nullable(true));
             inputs.push(Arc::new(Schema::new(fields.clone())));
         }
         let source = |(info, value): (&ParameterInfo, &f64)| {
@@ -130,9 +130,7 @@ impl Prepared {
         let sources = parameters().map(source).collect();
         let before = conditions(&context, study, "before", &study.before, &inputs[inputs.len() - 1])?;
 
-        let has_value = |place: usize| place <= sampled;
-        let mut columns: Vec<Field> =
-            shown.iter().map(|place| fields[*place].clone().with_nullable(!has_value(*place))).collect();
+        let mut columns: Vec<Field> = shown.iter().map(|place| fields[*place].clone()).collect();
         columns.extend((motion.modes.len() > 1).then(|| Field::new("mode", DataType::Utf8, false)));
         columns.extend(study.scores.iter().map(|(name, score)| {
             let of = match score.list(motion.times.len()) {
@@ -150,7 +148,10 @@ impl Prepared {
             Bins::new(histogram, &schema)
                 .map_err(|error| error.on_line(study.line(&format!("keep.histograms.{place}"))))
         });
-        let bins = bins.collect::<Result<_, _>>()?;
+        let bins = bins.collect::<Result<Vec<_>, _>>()?;
+        if let Some((place, message)) = first_repeated(&bins) {
+            return Err(StudyError::description(message).on_line(study.line(&format!("keep.histograms.{place}"))));
+        }
         let identity = format!("{}\n{:?}\n{study:#?}\n", machine.model().name, motion.defaults);
         let kept = match &study.best {
             _ if study.no_rows => Kept::None,

@@ -34,6 +34,13 @@ fn a_study_that_makes_no_sense_says_where_and_what_would() {
         (&format!("{ranges}[conditions]\nbefore = [\"l1 < l2\",\n\"l1 + l2\"]"), "line 7: `l1 + l2` is no condition"),
         (&format!("{ranges}[keep]\nbest = 3\nby = \"nothing\""), "line 7: `nothing`: "),
         (
+            &format!(
+                "{ranges}l2 = {{ from = 0, to = 1 }}\n[keep]\nhistograms = [{{ of = \"l2\", from = 0, to = 1, bins = 2 }}, \
+                 {{ of = \"l2\", from = 0, to = 0.5, bins = 1 }}]"
+            ),
+            "two histograms of `l2` have a bin from 0 to 0.5; choose other bins",
+        ),
+        (
             "sampling = \"grid\"\n[motion]\nto = 1\n[parameters]\nl2 = { from = 1, to = 2 }",
             "line 1: a grid needs a list",
         ),

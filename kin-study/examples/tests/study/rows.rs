@@ -4,6 +4,7 @@ use crate::four_bar::FourBar;
 use crate::{count, directory, limits, study, table};
 use kin_runtime::Kinematics;
 use kin_study::{Histogram, Limits, Measure, Range, Sampling, Score, Study, StudyError, Watch, query, run, run_part};
+use std::fs;
 use std::num::NonZero;
 use std::path::Path;
 use std::sync::atomic::Ordering;
@@ -209,6 +210,63 @@ fn rows_in_which_a_formula_has_no_value_are_rows_like_others() {
         run::<FourBar>(&conditioned, target.path(), limits(2), &Watch::default()).expect("it runs");
         assert_eq!(count(target.path(), "select count(*) from study"), kept);
     }
+}
+
+#[test]
+fn what_has_no_value_meets_no_condition_and_comes_last() {
+    let without = || study(300).derived("root", "sqrt(l2 - 0.4)");
+    let place = directory();
+    let all = place.path().join("all");
+    run::<FourBar>(&without(), &all, limits(2), &Watch::default()).expect("it runs");
+    let with_value = "select count(*) from study where l2 >= 0.4";
+    let expected = count(&all, with_value);
+    assert!((10..290).contains(&expected), "{expected}");
+    let conditions =
+        ["root > -1", "sqrt(l2 - 0.4) > -1", "-sqrt(l2 - 0.4) < 1", "root between -1 and 9", "not root > 9"];
+    for (k, condition) in conditions.into_iter().enumerate() {
+        for (when, study) in [("before", without().condition(condition)), ("after", without().keep_where(condition))] {
+            let target = place.path().join(format!("{when}{k}"));
+            let report = run::<FourBar>(&study, &target, limits(2), &Watch::default()).expect("it runs");
+            assert_eq!(report.passed as i64, expected, "{when}: {condition}");
+            assert_eq!(count(&target, with_value), expected, "{when}: {condition}");
+            assert!(when == "after" || report.solved as i64 == expected, "{when}: {condition}");
+        }
+    }
+    // An angle for l2 ≤ 0.4.
+    for (k, by) in
+        ["acos(l2 * 2.5) desc", "-acos(l2 * 2.5)", "acos(l2 * 2.5)", "angle * 2 desc"].into_iter().enumerate()
+    {
+        let target = place.path().join(format!("best{k}"));
+        let study = study(300).derived("angle", "acos(l2 * 2.5)").keep_best(5, by);
+        run::<FourBar>(&study, &target, limits(2), &Watch::default()).expect("it runs");
+        assert_eq!(count(&target, "select count(*) from study where l2 <= 0.4"), 5, "{by}");
+    }
+}
+
+#[test]
+fn counts_of_rows_that_were_not_written_do_not_count() {
+    let counted = Histogram { of: "l2".to_owned(), from: 0.0, to: 1.0, bins: 4 };
+    let study = study(900).histogram(counted);
+    let target = directory();
+    let of = NonZero::new(3).expect("it is not 0");
+    for index in 0..3 {
+        run_part::<FourBar>(&study, target.path(), (index, of), limits(1), &Watch::default()).expect("it runs");
+    }
+    let files = fs::read_dir(target.path()).expect("the directory is there").map(|file| file.expect("an entry").path());
+    let lost = files
+        .filter(|path| path.to_string_lossy().ends_with("rows-0000000000000300-0000000000000600.parquet"))
+        .collect::<Vec<_>>();
+    assert_eq!(lost.len(), 1);
+    fs::remove_file(&lost[0]).expect("it can be removed");
+    let total = || count(target.path(), "select cast(sum(count) as bigint) from histogram");
+    assert_eq!([total(), count(target.path(), "select count(*) from study")], [600; 2]);
+    // In other parts than before.
+    let six = NonZero::new(6).expect("it is not 0");
+    for index in 2..4 {
+        let resume = Limits { resume: true, ..limits(1) };
+        run_part::<FourBar>(&study, target.path(), (index, six), resume, &Watch::default()).expect("it runs");
+    }
+    assert_eq!([total(), count(target.path(), "select count(*) from study")], [900; 2]);
 }
 
 #[test]
