@@ -5,6 +5,7 @@ mod cli;
 pub mod cluster;
 mod engine;
 mod error;
+mod fingerprint;
 mod machine;
 mod rows;
 mod sampling;

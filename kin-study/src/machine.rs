@@ -1,6 +1,7 @@
 //! The only module that is generic over the mechanism: motions of many sets of dimensions, scored in lanes.
 
 use crate::error::StudyError;
+use crate::fingerprint::fingerprint;
 use crate::sampling::Range;
 use crate::scores::{Gathering, Score, Scoring, normalise};
 use crate::study::{Closures, Ramp, Study};
@@ -50,6 +51,8 @@ pub(crate) struct Motion {
     pub(crate) defaults: Vec<f64>,
     /// Combinations of signs, each with its name.
     pub(crate) modes: Vec<(String, Vec<f64>)>,
+    /// The [`fingerprint`] of the mechanism.
+    pub(crate) fingerprint: u64,
 }
 
 struct Bound<M> {
@@ -90,7 +93,7 @@ where
     })?;
     let (start, modes) = starts(&mechanism, study, &Instant { t: times[0], inputs: &inputs[..M::INPUTS] })?;
     let defaults = mechanism.parameters::<f64>().as_ref().to_vec();
-    let motion = Motion { times: times.clone(), defaults, modes };
+    let motion = Motion { times: times.clone(), defaults, modes, fingerprint: fingerprint(&mechanism) };
     let scores = scores.into_iter().cloned().collect();
     Ok((Box::new(Bound { mechanism, times, inputs, start, scoring, scores }), motion))
 }

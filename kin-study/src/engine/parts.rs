@@ -52,10 +52,22 @@ impl Parts {
         match fs::read_to_string(&path) {
             Ok(found) if found == prepared.identity => Ok(true),
             Ok(found) => {
-                let lines = found.lines().zip(prepared.identity.lines()).find(|(old, new)| old != new);
-                let (old, new) = lines.map_or(("", ""), |(old, new)| (old.trim(), new.trim()));
+                let mut lines = found.lines().zip(prepared.identity.lines());
+                let directory = self.directory.display();
+                Err(StudyError::Directory(match lines.find(|(old, new)| old != new) {
+                    Some((old, new)) => format!(
+                        "{directory} holds another study: it says `{}` where this one has `{}`; choose another directory",
+                        old.trim(),
+                        new.trim()
+                    ),
+                    None => format!("{} is damaged; choose another directory", path.display()),
+                }))
+            }
+            Err(error)
+                if error.kind() == ErrorKind::NotFound && self.files(ROWS).is_ok_and(|files| !files.is_empty()) =>
+            {
                 Err(StudyError::Directory(format!(
-                    "{} holds another study: it says `{old}` where this one has `{new}`; choose another directory",
+                    "{} holds rows, but no {IDENTITY}, which tells of which study; choose another directory",
                     self.directory.display()
                 )))
             }

@@ -131,22 +131,29 @@ where
     let prepared = Prepared::new::<M>(study)?;
     let parts = Parts::of(directory);
     let covered = if parts.holds(&prepared)? { parts.covered()? } else { Vec::new() };
-    let mut gaps = gaps(0..prepared.rows, &covered).into_iter().peekable();
-    let is_missing = |index: &u64| {
-        let rows = part(prepared.rows, *index, of);
-        if rows.is_empty() {
-            return false;
+    let mut indices = Vec::new();
+    for gap in gaps(0..prepared.rows, &covered) {
+        let mut row = gap.start;
+        while row < gap.end {
+            let index = part_with(row, prepared.rows, of);
+            if indices.last() != Some(&index) {
+                indices.push(index);
+            }
+            row = part(prepared.rows, index, of).end;
         }
-        while gaps.next_if(|gap| gap.end <= rows.start).is_some() {}
-        gaps.peek().is_some_and(|gap| gap.start < rows.end)
-    };
-    Ok((0..of.get()).filter(is_missing).collect())
+    }
+    Ok(indices)
 }
 
 /// The rows of a part.
 fn part(rows: u64, index: u64, of: NonZero<u64>) -> Range<u64> {
     let bound = |k: u64| (u128::from(rows) * u128::from(k) / u128::from(of.get())) as u64;
     bound(index)..bound(index + 1)
+}
+
+/// The index of the part with a row.
+fn part_with(row: u64, rows: u64, of: NonZero<u64>) -> u64 {
+    (((u128::from(row) + 1) * u128::from(of.get()) - 1) / u128::from(rows)) as u64
 }
 
 /// Computes the rows that no part covers yet and writes them; not generic over the mechanism.
@@ -198,4 +205,19 @@ pub(crate) fn cover(
     }
     let Tally { solved, ended, passed, .. } = sum;
     Ok(Report { rows, done, solved, ended, passed, own, time: began.elapsed() })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_row_is_in_the_part_of_its_index() {
+        for (rows, of) in [(1, 1), (10, 3), (3, 10), (7, 7), (1 << 52, 999), (5, 1_000_000_000_000)] {
+            let of = NonZero::new(of).expect("it is not 0");
+            for row in [0, rows / 3, rows / 2, rows - 1] {
+                assert!(part(rows, part_with(row, rows, of), of).contains(&row), "row {row} of {rows} in {of} parts");
+            }
+        }
+    }
 }

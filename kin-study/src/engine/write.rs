@@ -97,7 +97,8 @@ pub(super) fn write(
 pub(super) fn tally(path: &Path) -> Result<Tally, StudyError> {
     let file = File::open(path).map_err(|error| StudyError::file(path, error))?;
     let reader = ParquetRecordBatchReaderBuilder::try_new(file);
-    let reader = reader.map_err(|error| StudyError::file(path, system(error)))?;
+    let damaged = |error| format!("{} ({}): remove this file, and go on with --resume", path.display(), system(error));
+    let reader = reader.map_err(|error| StudyError::Directory(damaged(error)))?;
     let entries = reader.metadata().file_metadata().key_value_metadata().cloned().unwrap_or_default();
     let number = |key: &str| {
         let entry = entries.iter().find(|entry| entry.key == key);

@@ -49,11 +49,7 @@ impl Formula {
         let wrong = |error: DataFusionError| StudyError::description(format!("`{text}`: {}", error.strip_backtrace()));
         let table = DFSchema::try_from(schema.clone()).map_err(wrong)?;
         let expression = context.parse_sql_expr(text, &table).map_err(wrong)?;
-        if let Some(function) = first_that_varies(&expression) {
-            let why =
-                format!("`{text}`: `{function}` gives another value in every run; rows must be the same in all runs");
-            return Err(StudyError::description(why));
-        }
+        refuse_random(text, &expression)?;
         let expression = compared_with_nulls(expression, &table).map_err(wrong)?;
         let expression = context.create_physical_expr(expression, &table).map_err(wrong)?;
         let found = expression.data_type(schema).map_err(wrong)?;
@@ -134,6 +130,14 @@ pub(super) fn compared_with_nulls(expression: Expr, schema: &DFSchema) -> Result
         other => Ok(Transformed::no(other)),
     })?;
     Ok(compared.data)
+}
+
+/// An error if a function gives another value in every run.
+pub(super) fn refuse_random(text: &str, expression: &Expr) -> Result<(), StudyError> {
+    let why = |function: String| {
+        format!("`{text}`: `{function}` gives another value in every run; rows must be the same in all runs")
+    };
+    first_that_varies(expression).map_or(Ok(()), |function| Err(StudyError::description(why(function))))
 }
 
 /// The name of the first function whose value does not only depend on its arguments.

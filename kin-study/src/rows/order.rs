@@ -1,6 +1,6 @@
 //! The best rows, in an order that is written as in SQL.
 
-use super::formula::{compared_with_nulls, context, null_for_nan};
+use super::formula::{compared_with_nulls, context, null_for_nan, refuse_random};
 use crate::error::StudyError;
 use datafusion::arrow::compute::{SortColumn, SortOptions, lexsort_to_indices, take_record_batch};
 use datafusion::arrow::datatypes::SchemaRef;
@@ -53,6 +53,7 @@ impl Best {
         let order = order(planned.logical_plan()).ok_or_else(|| wrong(unplanned()))?;
         let table = DFSchema::try_from_qualified_schema("study", schema).map_err(wrong)?;
         let key = |key: &datafusion::logical_expr::SortExpr| {
+            refuse_random(by, &key.expr)?;
             let options = SortOptions { descending: !key.asc, nulls_first: key.nulls_first };
             let value = valued(key.expr.clone(), &table).map_err(wrong)?;
             Ok((context.create_physical_expr(value, &table).map_err(wrong)?, options))

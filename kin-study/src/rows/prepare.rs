@@ -152,7 +152,11 @@ impl Prepared {
         if let Some((place, message)) = first_repeated(&bins) {
             return Err(StudyError::description(message).on_line(study.line(&format!("keep.histograms.{place}"))));
         }
-        let identity = format!("{}\n{:?}\n{study:#?}\n", machine.model().name, motion.defaults);
+        let (name, signs) = (machine.model().name, motion.modes.first().map(|(signs, _)| signs.as_str()));
+        let identity = format!(
+            "{name}\n{:?}\nequations, guesses and loads: {:016x}\nmode: {signs:?}\n{study:#?}\n",
+            motion.defaults, motion.fingerprint,
+        );
         let kept = match &study.best {
             _ if study.no_rows => Kept::None,
             None => Kept::All,

@@ -10,6 +10,9 @@ use std::cell::Cell;
 use std::f64::consts::FRAC_PI_2;
 use std::marker::PhantomData;
 
+/// An arm that is shorter than this, relative to the other one, has no direction, as in kin-runtime.
+const NO_ARM: f64 = 1e-9;
+
 /// Evaluates the quantities that the scores of a study need.
 pub(crate) struct Reporter<M> {
     quantities: Vec<Quantity>,
@@ -129,7 +132,10 @@ impl<M: Mechanism + 'static> Reporter<M> {
             (Source::Transmission(points), Some(evaluated)) => {
                 let [centre, a, b] = points.map(|point| self.place(point, evaluated));
                 let [(ax, ay), (bx, by)] = [a, b].map(|p| (p[0] - centre[0], p[1] - centre[1]));
-                (ax * by - ay * bx).abs().atan2(ax * bx + ay * by)
+                let angle = (ax * by - ay * bx).abs().atan2(ax * bx + ay * by);
+                let [angle, a, b] = [angle, length([ax, ay]), length([bx, by])].map(Lanes::to_array);
+                let has_arms = |lane: usize| a[lane] > NO_ARM * b[lane] && b[lane] > NO_ARM * a[lane];
+                Lanes::generate(|lane| if has_arms(lane) { angle[lane] } else { f64::NAN })
             }
             (Source::Force(place), Some(evaluated)) => evaluated.forces[place],
             (Source::ForceLength(place), Some(evaluated)) => {

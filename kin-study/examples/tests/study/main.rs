@@ -15,6 +15,7 @@ mod press;
 #[cfg(all(feature = "cluster", target_os = "linux"))]
 mod clusters;
 mod forces;
+mod identity;
 mod paths;
 #[cfg(target_os = "linux")]
 mod processes;

@@ -34,7 +34,8 @@ impl Study {
         let mut study = Self::default();
         let known = ["rows", "seed", "sampling", "parameters", "derived", "conditions", "motion", "scores", "keep"];
         root.only(&known)?;
-        study.rows = root.get("rows").map(|node| node.count()).transpose()?;
+        study.rows =
+            root.get("rows").map(|node| parts::at_least_one(&node, "a study has at least one row")).transpose()?;
         study.seed = root.get("seed").map_or(Ok(0), |node| node.count())?;
         study.sampling = root.get("sampling").map_or(Ok(Sampling::Random), |node| {
             node.one_of(&[
@@ -89,7 +90,7 @@ impl Study {
         self.lines.insert("motion".to_owned(), motion.line());
         motion.only(&["times", "from", "to", "steps", "mode", "inputs"])?;
         self.times = match (motion.get("times"), motion.get("to")) {
-            (Some(times), None) => times.numbers()?,
+            (Some(times), None) if motion.get("from").is_none() && motion.get("steps").is_none() => times.numbers()?,
             (None, Some(to)) => {
                 let from = motion.get("from").map_or(Ok(0.0), |node| node.number())?;
                 let steps = motion.get("steps").map_or(Ok(100), |node| node.count())?;
@@ -121,7 +122,8 @@ impl Study {
         self.best = match (keep.get("best"), keep.get("by")) {
             (Some(best), Some(by)) => {
                 self.lines.insert("keep.by".to_owned(), by.line());
-                Some((usize::try_from(best.count()?).unwrap_or(usize::MAX), by.text()?))
+                let count = parts::at_least_one(&best, "at least one; `rows = false` keeps none")?;
+                Some((usize::try_from(count).unwrap_or(usize::MAX), by.text()?))
             }
             (None, None) => None,
             (Some(node), None) => return Err(node.wrong("the best by what? Write `by = \"swing desc\"` beside it")),

@@ -1,0 +1,67 @@
+//! A number that changes with a mechanism's description: parts of a directory must come from the same mechanism, which
+//! its name and the defaults of its parameters do not tell apart from an edited one.
+
+use kin_runtime::workspace::{Array, Subset};
+use kin_runtime::{Instant, Mechanism, Signal, Solver};
+use std::fmt::Write;
+
+/// Numbers below this count as 0, since they may be rounding errors, which differ between processors.
+const NOTHING: f64 = 1e-9;
+
+/// The fingerprint of a mechanism: a hash of its names, of its guesses, and of its equations, points and loads, evaluated
+/// at a configuration without any symmetry and rounded to six digits.
+pub(crate) fn fingerprint<M: Mechanism>(mechanism: &M) -> u64 {
+    let model = M::model();
+    let mut text = format!("{:?} {:?} {:?}\n", model.coordinates, model.inputs, Solver::new(mechanism).guess());
+    for row in model.rows {
+        let _ = writeln!(text, "{}", row.name);
+    }
+    for point in model.points {
+        let _ = writeln!(text, "{}", point.name);
+    }
+    for define in model.defines {
+        let _ = writeln!(text, "{}", define.name);
+    }
+    // The fractional parts of multiples of the golden ratio are nowhere near each other.
+    let number = |k: usize| 0.2 + (0.618_033_988_749_895 * (k + 1) as f64).fract();
+    let vector = |from: usize| {
+        let mut vector = M::Coordinates::<f64>::filled(0.0);
+        vector.as_mut().iter_mut().enumerate().for_each(|(k, x)| *x = number(from + k));
+        vector
+    };
+    let [q, q_dot, q_ddot] = [0, 1, 2].map(|order| vector(order * M::COORDINATES));
+    let inputs: Vec<Signal> = (0..M::INPUTS).map(|k| Signal::new(number(k), 0.3, 0.7)).collect();
+    let at = Instant { t: 0.37, inputs: &inputs };
+    let parameters = mechanism.parameters::<f64>();
+    let (mut workspace, mut observations) = (M::workspace::<f64>(), M::observations::<f64>());
+    let mut forces = M::Coordinates::<f64>::filled(0.0);
+    let (q, q_dot) = (q.as_ref(), q_dot.as_ref());
+    // All lists have the lengths that the mechanism requires.
+    let written = [
+        mechanism.evaluate_with(parameters.as_ref(), Subset::ALL, &at, q, q_dot, &mut workspace),
+        mechanism.observe_with(parameters.as_ref(), &at, q, q_dot, &mut observations),
+        mechanism.generalized_forces_with(parameters.as_ref(), &at, q, q_dot, q_ddot.as_ref(), forces.as_mut()),
+    ];
+    debug_assert!(written.iter().all(Result::is_ok), "{written:?}");
+    let rows = [workspace.phi(), workspace.phi_q(), workspace.phi_t(), workspace.gamma()];
+    let observed = [observations.phi(), observations.phi_t(), forces.as_ref()];
+    for x in rows.into_iter().chain(observed).flatten() {
+        let _ = if x.abs() < NOTHING { writeln!(text, "0") } else { writeln!(text, "{x:.5e}") };
+    }
+    hash(&text)
+}
+
+/// FNV-1a, which is the same on all machines and in all versions.
+fn hash(text: &str) -> u64 {
+    text.bytes().fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::hash;
+
+    #[test]
+    fn the_hash_is_that_of_the_published_vectors() {
+        assert_eq!([hash(""), hash("a"), hash("foobar")], [0xcbf29ce484222325, 0xaf63dc4c8601ec8c, 0x85944171f73967e8]);
+    }
+}
