@@ -8,6 +8,7 @@ use crate::scalar::Scalar;
 use crate::scalar::lanes::Octet;
 use crate::signal::{Instant, Signal};
 use crate::workspace::Array;
+use core::f64::consts::PI;
 
 /// A state of every lane; `Q` is an array of its own or a slice of the results.
 #[derive(Clone, Copy)]
@@ -174,6 +175,23 @@ impl<Q: AsRef<[Octet]> + AsMut<[Octet]>> BlockSolution<Q> {
             if self.is_good(lane) && !is_certain {
                 self.refuse(lane);
                 self.margin.set(lane, 0.0);
+            }
+        }
+    }
+
+    /// Refuses lanes in which a group solved by Newton's iteration is more than half a turn away from its start.
+    #[inline(always)]
+    pub(super) fn refuse_turned<M: Mechanism>(&mut self, start: &[Octet]) {
+        for k in M::model().iterated_angles() {
+            let away = self.q.as_ref()[k] - start[k];
+            if away.is_within(PI) {
+                continue;
+            }
+            for lane in 0..Octet::COUNT {
+                if self.is_good(lane) && away.lane(lane).abs() > PI {
+                    self.refuse(lane);
+                    self.margin.set(lane, 0.0);
+                }
             }
         }
     }

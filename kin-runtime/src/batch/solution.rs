@@ -58,8 +58,8 @@ pub(super) struct SolvedBlock<'s> {
 /// The results of a batch of solutions.
 ///
 /// A configuration is *solved* when all margins of the plan exceed
-/// [`Plan::SMALLEST_MARGIN`](crate::plan::Plan::SMALLEST_MARGIN) and all numbers are finite. For others q, q̇ and q̈
-/// are 0, and the margin shows the reason.
+/// [`Plan::SMALLEST_MARGIN`](crate::plan::Plan::SMALLEST_MARGIN), all numbers are finite, and no iteration has ended more
+/// than half a turn away from its start. For others q, q̇ and q̈ are 0, and the margin shows the reason.
 pub struct Solutions<M: Mechanism> {
     count: usize,
     /// For every block q, q̇ and q̈, the smallest margin, and 1 in the lanes that are solved.
@@ -185,6 +185,7 @@ impl<M: Mechanism> Solve<'_, M> {
         let mut good = Octet::from_f64(1.0);
         let all = poses.solve(self.mechanism, &Question { parameters, at, modes, start, depth }, margins).is_none();
         poses.refuse_steep(self.mechanism, (parameters, at), depth);
+        poses.refuse_turned::<M>(start);
         let lengths = least_length(self.mechanism, parameters, at);
         for lane in (0..Octet::COUNT).filter(|lane| lengths.lane(*lane) < 0.0) {
             poses.refuse(lane);

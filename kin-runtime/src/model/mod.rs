@@ -343,6 +343,14 @@ impl Model {
         self.inputs.iter().position(|input| *input == name).map(Input)
     }
 
+    /// The angles of bodies that are unknowns of iterations.
+    #[cfg(any(feature = "std", all(feature = "simd", feature = "alloc")))]
+    #[inline(always)]
+    pub(crate) fn iterated_angles(&self) -> impl Iterator<Item = usize> + use<> {
+        let coordinates = self.coordinates;
+        self.plan.iterated_coordinates().filter(move |&k| coordinates[k].kind.is_angle())
+    }
+
     /// True if no coordinate is held or carried and there are no named points: then all poses are coordinates.
     #[cfg(feature = "std")]
     pub(crate) fn poses_are_coordinates(&self) -> bool {

@@ -123,6 +123,18 @@ impl Plan {
         self.iterations > 0
     }
 
+    /// The coordinates that are unknowns of iterations.
+    #[cfg(any(feature = "std", all(feature = "simd", feature = "alloc")))]
+    #[inline(always)]
+    pub(crate) fn iterated_coordinates(&self) -> impl Iterator<Item = usize> + use<> {
+        let steps = if self.iterates() { self.steps } else { &[] };
+        let unknowns = steps.iter().flat_map(|step| match step.kind {
+            StepKind::Newton(unknowns) => step.coordinates.get(..unknowns).unwrap_or_default(),
+            _ => &[],
+        });
+        unknowns.map(|(k, _)| *k)
+    }
+
     /// True if a linear step may be singular for some configurations.
     pub(crate) const fn has_poles(&self) -> bool {
         self.orientations.len() > self.iterations

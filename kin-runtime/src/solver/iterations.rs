@@ -13,6 +13,7 @@ use crate::plan::StepKind;
 use crate::planned::lists::BranchValues;
 use crate::signal::Instant;
 use crate::workspace::Array;
+use core::f64::consts::PI;
 
 /// The distance from its start, relative to its size, up to which a coordinate is near it.
 const NEAR: f64 = 0.25;
@@ -46,8 +47,8 @@ fn have_same_sign((first, last): (&f64, &f64)) -> bool {
     first * last > 0.0
 }
 
-/// Writes the unknowns of all iterations at their start; false if a group that contains a scalar begins far from its
-/// solution q.
+/// Writes the unknowns of all iterations at their start; false if an angle is more than half a turn away from its start
+/// at the solution q, or if a group that contains a scalar begins far from it.
 fn begins_near(model: &Model, start: &[f64], q: &[f64], begun: &mut [f64]) -> bool {
     for step in model.plan.steps {
         let StepKind::Newton(unknowns) = step.kind else { continue };
@@ -58,7 +59,7 @@ fn begins_near(model: &Model, start: &[f64], q: &[f64], begun: &mut [f64]) -> bo
         }
         unknowns.iter().for_each(|&(k, _)| begun[k] = start[k]);
     }
-    true
+    model.iterated_angles().all(|k| (q[k] - start[k]).abs() <= PI)
 }
 
 /// True if a coordinate is near its start: a length relative to itself, an angle within a fraction of a radian, a

@@ -30,3 +30,4 @@ mod special_dimensions;
 mod steep_rows;
 mod tracker;
 mod transmission;
+mod turns_from_start;
