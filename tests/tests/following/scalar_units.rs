@@ -218,3 +218,32 @@ fn small_scalars_have_as_many_digits() {
         }
     }
 }
+
+/// An arm whose roller rolls on a cam with three lobes; all lengths are multiplied by `size`.
+#[mechanism]
+#[bodies(cam, arm)]
+#[coordinates(u)]
+#[revolute(O: ground @ (0, 0), cam @ (0, 0))]
+#[revolute(P: ground @ (2.786 * size, 0), arm @ (0, 0))]
+#[on_curve(K: cam @ (0, 0), arm @ (2.993 * size, 0), roller = -0.4966 * size, parametric(u) = (
+    0.8672 * size * (1 + 0.191 * cos(3 * u)) * cos(u), 0.8672 * size * (1 + 0.191 * cos(3 * u)) * sin(u)))]
+#[driver(turn: cam.phi = 0.3 + (t - t0))]
+#[guess(arm.phi = 2.7, u = 1)]
+struct ThreeLobes {
+    size: f64,
+    t0: f64,
+}
+
+#[test]
+fn a_roller_may_have_any_unit_of_length_and_of_time() {
+    for (size, t0) in [(1.0, 0.0), (1e-3, 10.0), (1e3, 10.0), (1e3, 1e3), (1e5, 0.0), (1e9, 0.0)] {
+        let (cam, times) = (ThreeLobes { size, t0 }, grid(7.0, 14).iter().map(|t| t + t0).collect::<Vec<_>>());
+        let motion = cam.kinematic_analysis(&times).unwrap_or_else(|error| panic!("{size:e}, {t0}: {error}"));
+        assert!(motion.fallbacks.is_empty(), "{size:e}, {t0}: {}", motion.fallbacks.len());
+        let mut planned = cam.solver().planned(&Instant::at(t0)).expect("it closes");
+        for (t, state) in times.iter().zip(&motion.states) {
+            planned.at(&Instant::at(*t)).unwrap_or_else(|error| panic!("{size:e}, {t}: {error}"));
+            assert!((planned.q()[5] - state.q[5]).abs() < 1e-12, "{size:e}, {t}");
+        }
+    }
+}

@@ -49,28 +49,36 @@ pub(super) fn sum_up(a: f64, b: f64) -> f64 {
     -sum_down(-a, -b)
 }
 
+/// The next number below a product or quotient that is not exact, but no negative number for one that is positive and too
+/// small for this format: a root of it would be undefined.
+#[inline]
+fn rounded_down(x: f64) -> f64 {
+    const POSITIVE_ZERO: u64 = 0;
+    if x.to_bits() == POSITIVE_ZERO { 0.0 } else { x.next_down() }
+}
+
 /// a b, rounded down; 0 times anything is 0.
 #[inline]
 pub(super) fn product_down(a: f64, b: f64) -> f64 {
-    if a == 0.0 || b == 0.0 { 0.0 } else { (a * b).next_down() }
+    if a == 0.0 || b == 0.0 { 0.0 } else { rounded_down(a * b) }
 }
 
 /// a b, rounded up; 0 times anything is 0.
 #[inline]
 pub(super) fn product_up(a: f64, b: f64) -> f64 {
-    if a == 0.0 || b == 0.0 { 0.0 } else { (a * b).next_up() }
+    -product_down(-a, b)
 }
 
 /// a / b, rounded down.
 #[inline]
 pub(super) fn quotient_down(a: f64, b: f64) -> f64 {
-    if a == 0.0 { 0.0 } else { (a / b).next_down() }
+    if a == 0.0 { 0.0 } else { rounded_down(a / b) }
 }
 
 /// a / b, rounded up.
 #[inline]
 pub(super) fn quotient_up(a: f64, b: f64) -> f64 {
-    if a == 0.0 { 0.0 } else { (a / b).next_up() }
+    -quotient_down(-a, b)
 }
 
 /// The nearest integer to a number of absolute value at most 2⁵¹.

@@ -182,6 +182,19 @@ fn ends_at_borders_are_rounded_outwards() {
     }
 }
 
+/// What is positive stays so, however small it is: its root is defined.
+#[test]
+fn roots_of_small_products_and_quotients_are_defined() {
+    let (one, small) = (Interval::from(1.0), Interval::new(1e-300, 2e-300));
+    for positive in
+        [small * small, -small * -small, small / Interval::from(1e300), one / Interval::new(1.0, f64::INFINITY)]
+    {
+        assert!(positive.lower() >= 0.0 && positive.sqrt().is_defined(), "{positive}");
+    }
+    assert!((one / (Interval::new(1.0, 1e308) * Interval::from(1e10))).sqrt().is_defined());
+    assert!((small * -small).lower() < 0.0 && (small * -small).upper() >= 0.0);
+}
+
 #[test]
 fn sines_and_cosines_hold_their_series() {
     let (mut random, pi) = (Random::new(2), pi());
