@@ -42,6 +42,7 @@ mod redundant_rows;
 mod rewrite;
 mod scales;
 mod sections;
+mod single_term;
 mod sizes;
 mod state;
 mod step;

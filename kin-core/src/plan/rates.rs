@@ -6,12 +6,13 @@
 //! Expressions that depend on Φ_q alone are the same for every b, so all levels share them.
 
 use super::dense;
+use super::single_term::slope_of_single_term;
 use super::sizes::{LEAST, larger, squared_size, squared_size_anywhere};
 use super::tree::{Block, BlockPart, Core, Pair, PairValue, SolutionMethod};
 use crate::constraint::Coordinate;
 use crate::expr::{ExprId, Graph};
 use crate::hash::FastMap;
-use crate::vocabulary::Function;
+use crate::vocabulary::{Function, UnknownKind};
 use std::collections::BTreeMap;
 
 /// Depth to which the terms of a divisor are examined.
@@ -158,7 +159,12 @@ impl<'g> Rates<'g> {
             self.record_regularity(square, size);
             if let (true, Some(&first)) = (iterates, core.rows.first()) {
                 // For a single unknown the sign of its coefficient is the orientation.
-                let size = squared_size_anywhere(self.graph, row[0], DEPTH);
+                let unknown = core.coordinates.first().filter(|_| kinds == [UnknownKind::Angle]);
+                let slope = unknown.and_then(|&unknown| slope_of_single_term(self.graph, row[0], unknown));
+                let size = match slope {
+                    Some(slope) => self.graph.square(slope),
+                    None => squared_size_anywhere(self.graph, row[0], DEPTH),
+                };
                 let size = larger(self.graph, size, square);
                 let (margin, root) = (self.graph.div(square, size), self.graph.call(Function::Sqrt, size));
                 let orientation = self.graph.div(row[0], root);

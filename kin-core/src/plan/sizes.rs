@@ -210,7 +210,7 @@ fn is_clock(graph: &Graph, id: ExprId) -> bool {
 }
 
 /// True for a coordinate, as it is in Φ or as the result of an iteration, and for everything that does not move.
-fn is_at_rest_or_coordinate(graph: &Graph, id: ExprId) -> bool {
+pub(super) fn is_at_rest_or_coordinate(graph: &Graph, id: ExprId) -> bool {
     matches!(graph.node(id), Node::Symbol(Symbol::Coordinate(_) | Symbol::Unknown(_))) || graph.depends(id).is_static()
 }
 

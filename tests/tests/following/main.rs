@@ -25,6 +25,7 @@ mod redundant;
 mod row_ends;
 mod scalar_units;
 mod single_states;
+mod single_terms;
 mod small;
 mod special_dimensions;
 mod steep_rows;

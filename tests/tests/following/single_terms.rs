@@ -1,0 +1,61 @@
+//! Cams that their followers turn: the coefficient of the angle is one term, the slope of the cam, in which nothing cancels.
+//! Its margin tells how far the dead centre is, as those of other groups do, and the dead centre is located and named.
+
+use core::f64::consts::PI;
+use kin_runtime::function::{MotionLaw, Sequence};
+use kin_runtime::{Instant, Kinematics, LimitKind, mechanism};
+
+/// A follower that turns a cam with one bell-shaped lobe up to its top.
+#[mechanism]
+#[body(cam, x = 0, y = 0)]
+#[body(follower, x = 0, phi = 0)]
+#[constraint(contact: follower.y = 1 + h * exp(-cam.phi * cam.phi))]
+#[driver(lift: follower.y = 1 + h * (0.5 + 0.1 * t))]
+#[guess(cam.phi = 0.8)]
+struct Bell {
+    h: f64,
+}
+
+/// The same with a cam from a table.
+#[mechanism]
+#[body(cam, x = 0, y = 0)]
+#[body(follower, x = 0, phi = 0)]
+#[function(lift)]
+#[constraint(contact: follower.y = 1 + lift(cam.phi))]
+#[driver(drive: follower.y = 1 + 0.1 * t)]
+#[guess(cam.phi = 0.3)]
+struct Table {
+    lift: Sequence,
+}
+
+#[test]
+fn the_margin_of_a_slope_falls_towards_its_dead_centre() {
+    for h in [1.0, 1e-3, 1e3] {
+        let bell = Bell { h };
+        let mut planned = bell.solver().planned(&Instant::at(0.0)).expect("it closes");
+        for t in [0.0_f64, 2.0, 4.0, 4.9, 4.99, 4.9999, 4.999_999] {
+            let phi = (-(0.5 + 0.1 * t).ln()).sqrt();
+            let margins = planned.at(&Instant::at(t)).unwrap_or_else(|error| panic!("{t}: {error}")).margins();
+            // f′/f″ in radians.
+            let away: f64 = 2.0 * phi / (4.0 * phi * phi - 2.0);
+            let expected = (away * away).min(1.0);
+            assert!((margins[0] - expected).abs() <= 1e-5 * expected, "{h}, {t}: {margins:?} for {expected}");
+        }
+        let error = planned.at(&Instant::at(6.0)).expect_err("the top is passed");
+        let limit = error.limit().expect("a limit");
+        assert_eq!(limit.kind(), Some(LimitKind::DeadCentre), "{error}");
+        assert!(limit.at().is_some_and(|t| (t - 5.0).abs() < 1e-9), "{error}");
+    }
+}
+
+#[test]
+fn the_top_of_a_cam_from_a_table_is_a_dead_centre() {
+    let lift = Sequence::starting_at(0.0, 0.0).rise(MotionLaw::Harmonic, 0.5, PI).fall(MotionLaw::Harmonic, 0.5, PI);
+    let table = Table { lift: lift.build().expect("a sequence") };
+    let times: Vec<f64> = (0..=60).map(|k| 0.1 + 0.1 * f64::from(k)).collect();
+    let error = table.solver().sweep(&times).expect_err("the top is passed");
+    let limit = error.source.limit().expect("a limit");
+    assert_eq!(limit.kind(), Some(LimitKind::DeadCentre), "{error}");
+    assert!(limit.at().is_some_and(|t| (t - 5.0).abs() < 1e-9), "{error}");
+    assert_eq!(error.trajectory.states.len(), 49);
+}
