@@ -2,7 +2,8 @@
 //!
 //! Whether a sum is nearly 0 is judged by the [sizes](super::sizes) of its terms. A coefficient f′ of one term has no other
 //! size than its own. Its derivative f″ by the angle tells how far it is from 0: the dead centre is about f′/f″ away, an
-//! angle, as the distances of other groups from their limits are.
+//! angle, as the distances of other groups from their limits are. For a length or a scalar f′/f″ has a unit, and there is
+//! nothing to compare it with.
 
 use super::sizes::is_at_rest_or_coordinate;
 use crate::expr::{ExprId, Graph, MAX_ORDER, Node, total_derivatives};
