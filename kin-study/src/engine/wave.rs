@@ -1,4 +1,4 @@
-//! A wave: as many pieces (of 4096 rows) as are solved in a few seconds on all cores, merged by the engine.
+//! A wave: as many pieces (of 4096 rows, or fewer of long ones) as are solved in a few seconds on all cores, merged by the engine.
 //!
 //! Every partition of a streaming table takes the next piece until the wave is full or a stop is requested. Pieces are
 //! taken in order, and every piece that is taken is finished, so that the rows of a wave are a range without gaps.
@@ -26,6 +26,9 @@ use std::time::{Duration, Instant};
 pub(crate) const TIME: Duration = Duration::from_secs(3);
 /// Largest number of numbers that a wave holds in memory.
 const NUMBERS: u64 = 1 << 23;
+
+/// Smallest number of rows of a piece.
+const LEAST_ROWS: u64 = 64;
 
 /// Largest number of rows of a wave. If all rows are kept, they must fit into memory; the best ones of every piece take
 /// little of it.
@@ -58,11 +61,18 @@ impl Workers for Threads {
     }
 }
 
+/// The number of rows of a piece, whose numbers are held in memory even if only the best rows are kept: paths have many.
+fn rows_of_piece(prepared: &Prepared) -> u64 {
+    (NUMBERS / prepared.numbers()).clamp(LEAST_ROWS, CHUNK as u64)
+}
+
 /// What the partitions of a wave share.
 #[derive(Debug)]
 struct Wave {
     prepared: Arc<Prepared>,
     rows: Range<u64>,
+    /// Number of rows of a piece.
+    piece: u64,
     /// The first row of the next piece.
     next: AtomicU64,
     began: Instant,
@@ -74,13 +84,15 @@ struct Wave {
 impl Wave {
     /// A wave from the first of these rows on.
     fn new(prepared: &Arc<Prepared>, rows: Range<u64>, stop: Arc<AtomicBool>, progress: Arc<AtomicU64>) -> Self {
-        let pieces = (most(prepared) / CHUNK as u64).max(1);
-        let end = rows.start.saturating_add(pieces.saturating_mul(CHUNK as u64)).min(rows.end);
+        let piece = rows_of_piece(prepared);
+        let pieces = (most(prepared) / piece).max(1);
+        let end = rows.start.saturating_add(pieces.saturating_mul(piece)).min(rows.end);
         let summary = Mutex::new(Summary::new(prepared));
         Self {
             prepared: Arc::clone(prepared),
             next: AtomicU64::new(rows.start),
             rows: rows.start..end,
+            piece,
             began: Instant::now(),
             stop,
             progress,
@@ -94,8 +106,8 @@ impl Wave {
         if self.stop.load(Ordering::Relaxed) || (!first && self.began.elapsed() > TIME) {
             return None;
         }
-        let start = self.next.fetch_add(CHUNK as u64, Ordering::Relaxed);
-        (start < self.rows.end).then(|| start..self.rows.end.min(start + CHUNK as u64))
+        let start = self.next.fetch_add(self.piece, Ordering::Relaxed);
+        (start < self.rows.end).then(|| start..self.rows.end.min(start + self.piece))
     }
 
     fn piece(&self, rows: Range<u64>) -> Result<RecordBatch, StudyError> {
