@@ -51,14 +51,14 @@ fn check_model(lowered: &Lowered, report: &Report) {
     let mechanism = &lowered.mechanism;
     let is_complete = report.count() == 0;
     let mut errors = if is_complete { check(mechanism) } else { check_parts(mechanism) };
-    // What a part lacks in the whole, such as a joint of a body, leaves the rows as they are.
+    // Errors that only `check` finds, such as a body without joints, do not concern the rows.
     let rows_are_correct = errors.is_empty() || (is_complete && check_parts(mechanism).is_empty());
     if rows_are_correct && is_complete {
-        // Otherwise the structure is checked by `derive_equations`.
+        // Without errors, `derive_equations` checks the structure.
         let has_errors = !errors.is_empty();
         let are_written = kin_core::units::are_written(mechanism);
         let units = if are_written { kin_core::units::check(mechanism) } else { Vec::new() };
-        // Rows whose units do not agree are wrong, and so would be what their structure says.
+        // A row whose units do not agree is probably wrong, and errors about its structure would mislead.
         if units.is_empty() && has_errors {
             errors.extend(checked_equations(lowered).err().unwrap_or_default());
         }
@@ -84,6 +84,7 @@ pub(crate) fn derive_equations(lowered: &Lowered) -> syn::Result<(KinematicSyste
     })
 }
 
+/// The equations and their structure, or the errors of either; redundant rows are errors unless they are allowed.
 fn checked_equations(lowered: &Lowered) -> Result<(KinematicSystem, Structure), Vec<ModelError>> {
     let system = kin_core::assemble(&lowered.mechanism).and_then(kin_core::differentiate)?;
     let structure = kin_core::diagnose(&system);

@@ -8,11 +8,16 @@ use std::fmt::Write;
 /// Numbers below this count as 0, since they may be rounding errors, which differ between processors.
 const NOTHING: f64 = 1e-9;
 
-/// The fingerprint of a mechanism: a hash of its names, of its guesses, and of its equations, points and loads, evaluated
-/// at a configuration without any symmetry and rounded to six digits.
+/// Supplied functions are evaluated at arguments of both signs, whose sizes form a geometric sequence: the least, the
+/// ratio, and how many.
+const ARGUMENTS: (f64, f64, i32) = (1e-3, 1.02, 800);
+
+/// The fingerprint of a mechanism: a hash of its names, and of its guesses, equations, points, loads and functions,
+/// evaluated at a configuration without any symmetry and rounded to six digits.
 pub(crate) fn fingerprint<M: Mechanism>(mechanism: &M) -> u64 {
     let model = M::model();
-    let mut text = format!("{:?} {:?} {:?}\n", model.coordinates, model.inputs, Solver::new(mechanism).guess());
+    let mut text = format!("{:?} {:?}\n", model.coordinates, model.inputs);
+    Solver::new(mechanism).guess().into_iter().for_each(|guess| write_number(&mut text, guess.unwrap_or(f64::NAN)));
     for row in model.rows {
         let _ = writeln!(text, "{}", row.name);
     }
@@ -45,10 +50,21 @@ pub(crate) fn fingerprint<M: Mechanism>(mechanism: &M) -> u64 {
     debug_assert!(written.iter().all(Result::is_ok), "{written:?}");
     let rows = [workspace.phi(), workspace.phi_q(), workspace.phi_t(), workspace.gamma()];
     let observed = [observations.phi(), observations.phi_t(), forces.as_ref()];
-    for x in rows.into_iter().chain(observed).flatten() {
-        let _ = if x.abs() < NOTHING { writeln!(text, "0") } else { writeln!(text, "{x:.5e}") };
+    rows.into_iter().chain(observed).flatten().for_each(|x| write_number(&mut text, *x));
+    let (least, ratio, count) = ARGUMENTS;
+    for (index, name) in model.functions.iter().enumerate() {
+        let _ = writeln!(text, "{name}");
+        for x in (0..count).map(|k| least * ratio.powi(k)).flat_map(|x| [x, -x]) {
+            let values = mechanism.evaluate_function(index, x).unwrap_or([f64::NAN; 3]);
+            write_number(&mut text, values[0]);
+        }
     }
     hash(&text)
+}
+
+/// Writes six digits of a number.
+fn write_number(text: &mut String, x: f64) {
+    let _ = if x.abs() < NOTHING { writeln!(text, "0") } else { writeln!(text, "{x:.5e}") };
 }
 
 /// FNV-1a, which is the same on all machines and in all versions.

@@ -159,8 +159,10 @@ impl<'g> Rates<'g> {
             self.record_regularity(square, size);
             if let (true, Some(&first)) = (iterates, core.rows.first()) {
                 // For a single unknown the sign of its coefficient is the orientation.
-                let unknown = core.coordinates.first().filter(|_| kinds == [UnknownKind::Angle]);
-                let slope = unknown.and_then(|&unknown| slope_of_single_term(self.graph, row[0], unknown));
+                let slope = match (&kinds[..], &core.coordinates[..]) {
+                    ([UnknownKind::Angle], &[angle]) => slope_of_single_term(self.graph, row[0], angle),
+                    _ => None,
+                };
                 let size = match slope {
                     Some(slope) => self.graph.square(slope),
                     None => squared_size_anywhere(self.graph, row[0], DEPTH),

@@ -1,9 +1,10 @@
-//! The coefficient of a single unknown angle if nothing in it can cancel: the slope of a curve or of a supplied function.
+//! How near to 0 the coefficient of a single unknown angle is if it has only one term: the slope f′ of a cam's lift, for
+//! example.
 //!
-//! Whether a sum is nearly 0 is judged by the [sizes](super::sizes) of its terms. A coefficient f′ of one term has no other
-//! size than its own. Its derivative f″ by the angle tells how far it is from 0: the dead centre is about f′/f″ away, an
-//! angle, as the distances of other groups from their limits are. For a length or a scalar f′/f″ has a unit, and there is
-//! nothing to compare it with.
+//! Whether a sum is nearly 0 is judged by the [sizes](super::sizes) of its terms; for a single term that size is the term
+//! itself, which says nothing. Its derivative f″ with respect to the angle does: the dead centre, where f′ = 0, is about
+//! f′/f″ away. That is an angle, like the distances of other groups from their limits. For an unknown length or scalar,
+//! f′/f″ has a unit, and there is nothing to compare it with.
 
 use super::sizes::is_at_rest_or_coordinate;
 use crate::expr::{ExprId, Graph, MAX_ORDER, Node, total_derivatives};
@@ -26,7 +27,7 @@ fn is_single_term(graph: &Graph, id: ExprId) -> bool {
     match graph.node(id) {
         Node::Neg(a) | Node::Opaque(a) | Node::Div(a, _) => is_single_term(graph, a),
         Node::Mul(a, b) => is_single_term(graph, a) && is_single_term(graph, b),
-        // x − c is the position relative to c, as in sizes of sums.
+        // x − c is the position relative to c, which is measured as a whole, as in `squared_size_anywhere`.
         Node::Add(a, b) | Node::Sub(a, b) => [a, b].into_iter().all(|part| is_sum_of_positions(graph, part)),
         Node::RotX(_) | Node::RotY(_) | Node::Dot(_) | Node::Cross(_) => false,
         Node::Call(Function::Sin | Function::Cos, _) => false,
@@ -34,6 +35,7 @@ fn is_single_term(graph: &Graph, id: ExprId) -> bool {
     }
 }
 
+/// True for sums of coordinates and constants.
 fn is_sum_of_positions(graph: &Graph, id: ExprId) -> bool {
     match graph.node(id) {
         Node::Neg(a) | Node::Opaque(a) => is_sum_of_positions(graph, a),

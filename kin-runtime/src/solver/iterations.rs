@@ -2,9 +2,9 @@
 //!
 //! Newton's iteration from a distant start may converge to any solution: to the roller on the other side of its cam, or
 //! to a point of a curve after dozens of revolutions. A solution is accepted if the orientation of the group, the sign
-//! of the determinant of its block of Φ_q, is the same at the start as at the solution. If the group contains a scalar,
-//! such as the parameter of a curve, all its unknowns must also be near their start. Otherwise the general path, whose
-//! steps are shorter, decides.
+//! of the determinant of its block of Φ_q, is the same at the start as at the solution, and if its angles are within half
+//! a turn of their start. If the group contains a scalar, such as the parameter of a curve, all its unknowns must also be
+//! near their start. Otherwise the general path, whose steps are shorter, decides.
 
 use super::Solver;
 use crate::mechanism::Mechanism;

@@ -7,7 +7,7 @@ use super::roles::{HEARTBEAT, embedded};
 use super::submission::{foreign, is_foreign, submitted};
 use crate::engine::{Found, Part, Report, Summary, TIME, Watch, Workers, cover, merged, most};
 use crate::error::StudyError;
-use crate::rows::{CHUNK, Prepared, context};
+use crate::rows::{Prepared, context};
 use crate::study::Study;
 use datafusion::arrow::array::{AsArray, UInt64Array};
 use datafusion::arrow::datatypes::{DataType, Field, Schema, UInt64Type};
@@ -251,7 +251,7 @@ impl Remote {
     async fn plan(&self, rows: &Range<u64>) -> Result<Arc<dyn ExecutionPlan>, DataFusionError> {
         let number = |name| Field::new(name, DataType::UInt64, false);
         let schema = Arc::new(Schema::new(vec![number("start"), number("end")]));
-        let largest = (NUMBERS / self.prepared.numbers()).clamp(1, CHUNK as u64);
+        let largest = self.prepared.rows_of_piece(NUMBERS);
         let task = |pieces: Vec<Range<u64>>| {
             let numbers = |of: fn(&Range<u64>) -> u64| UInt64Array::from_iter_values(pieces.iter().map(of));
             let [starts, ends] = [numbers(|piece| piece.start), numbers(|piece| piece.end)];

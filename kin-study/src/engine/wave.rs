@@ -1,4 +1,5 @@
-//! A wave: as many pieces (of 4096 rows, or fewer of long ones) as are solved in a few seconds on all cores, merged by the engine.
+//! A wave: as many pieces (of 4096 rows, or fewer if a row is long) as are solved in a few seconds on all cores, merged by
+//! the engine.
 //!
 //! Every partition of a streaming table takes the next piece until the wave is full or a stop is requested. Pieces are
 //! taken in order, and every piece that is taken is finished, so that the rows of a wave are a range without gaps.
@@ -6,7 +7,7 @@
 use super::found::{Found, Summary, Workers, merged, solve};
 use super::watch::Watch;
 use crate::error::StudyError;
-use crate::rows::{CHUNK, Kept, Prepared};
+use crate::rows::{Kept, Prepared};
 use datafusion::arrow::datatypes::SchemaRef;
 use datafusion::arrow::record_batch::RecordBatch;
 use datafusion::catalog::streaming::StreamingTable;
@@ -26,9 +27,6 @@ use std::time::{Duration, Instant};
 pub(crate) const TIME: Duration = Duration::from_secs(3);
 /// Largest number of numbers that a wave holds in memory.
 const NUMBERS: u64 = 1 << 23;
-
-/// Smallest number of rows of a piece.
-const LEAST_ROWS: u64 = 64;
 
 /// Largest number of rows of a wave. If all rows are kept, they must fit into memory; the best ones of every piece take
 /// little of it.
@@ -61,11 +59,6 @@ impl Workers for Threads {
     }
 }
 
-/// The number of rows of a piece, whose numbers are held in memory even if only the best rows are kept: paths have many.
-fn rows_of_piece(prepared: &Prepared) -> u64 {
-    (NUMBERS / prepared.numbers()).clamp(LEAST_ROWS, CHUNK as u64)
-}
-
 /// What the partitions of a wave share.
 #[derive(Debug)]
 struct Wave {
@@ -84,7 +77,8 @@ struct Wave {
 impl Wave {
     /// A wave from the first of these rows on.
     fn new(prepared: &Arc<Prepared>, rows: Range<u64>, stop: Arc<AtomicBool>, progress: Arc<AtomicU64>) -> Self {
-        let piece = rows_of_piece(prepared);
+        // All numbers of a piece are held in memory, even if only the best rows are kept.
+        let piece = prepared.rows_of_piece(NUMBERS);
         let pieces = (most(prepared) / piece).max(1);
         let end = rows.start.saturating_add(pieces.saturating_mul(piece)).min(rows.end);
         let summary = Mutex::new(Summary::new(prepared));

@@ -5,7 +5,7 @@ mod histogram;
 mod order;
 mod prepare;
 
-pub(crate) use formula::{CHUNK, context};
+pub(crate) use formula::context;
 pub(crate) use histogram::{Counts, counts_schema};
 pub(crate) use order::{Kept, selected};
 pub(crate) use prepare::Prepared;

@@ -1,6 +1,6 @@
 //! A study prepared for its mechanism: names resolved, formulas compiled, columns laid out.
 
-use super::formula::{Formula, context};
+use super::formula::{CHUNK, Formula, context};
 use super::histogram::{Bins, first_repeated};
 use super::order::{Best, Kept};
 use crate::error::StudyError;
@@ -77,6 +77,11 @@ impl Prepared {
         self.schema.fields().iter().map(count).sum()
     }
 
+    /// The number of rows of a piece with at most `numbers` numbers. A row with a path has many.
+    pub(crate) fn rows_of_piece(&self, numbers: u64) -> u64 {
+        (numbers / self.numbers()).clamp(1, CHUNK as u64)
+    }
+
     /// Prepares a study for a mechanism.
     pub(crate) fn new<M>(study: &Study) -> Result<Self, StudyError>
     where
@@ -101,6 +106,9 @@ impl Prepared {
             .map_err(|message| StudyError::description(message).on_line(line))?;
         let rows = sampler.rows().checked_mul(motion.modes.len() as u64).filter(|rows| *rows < 1 << 53);
         let rows = rows.ok_or_else(|| StudyError::description("there are too many rows to count").on_line(line))?;
+        if rows == 0 {
+            return Err(StudyError::description("a study has at least one row").on_line(line));
+        }
 
         let context = context(1);
         let named = |name: &str| {
@@ -154,7 +162,7 @@ impl Prepared {
         }
         let (name, signs) = (machine.model().name, motion.modes.first().map(|(signs, _)| signs.as_str()));
         let identity = format!(
-            "{name}\n{:?}\nequations, guesses and loads: {:016x}\nmode: {signs:?}\n{study:#?}\n",
+            "{name}\n{:?}\nequations, guesses, loads and functions: {:016x}\nmode: {signs:?}\n{study:#?}\n",
             motion.defaults, motion.fingerprint,
         );
         let kept = match &study.best {

@@ -49,8 +49,8 @@ pub(super) fn sum_up(a: f64, b: f64) -> f64 {
     -sum_down(-a, -b)
 }
 
-/// The next number below a product or quotient that is not exact, but no negative number for one that is positive and too
-/// small for this format: a root of it would be undefined.
+/// The next number below the computed value of a product or quotient. If the exact one is positive but so small that it is
+/// computed as +0, the result is 0 and not negative, so that its root is defined.
 #[inline]
 fn rounded_down(x: f64) -> f64 {
     const POSITIVE_ZERO: u64 = 0;

@@ -34,6 +34,22 @@ fn a_study_that_makes_no_sense_says_where_and_what_would() {
         (&format!("{ranges}[conditions]\nbefore = [\"l1 < l2\",\n\"l1 + l2\"]"), "line 7: `l1 + l2` is no condition"),
         (&format!("{ranges}[keep]\nbest = 3\nby = \"nothing\""), "line 7: `nothing`: "),
         (
+            "rows = 0\n[motion]\nto = 1\n[parameters]\nl2 = { from = 0.3, to = 0.4 }",
+            "line 1: a study has at least one row",
+        ),
+        (
+            &format!("{ranges}l2 = 0.4\n[keep]\nbest = 0\nby = \"l2\""),
+            "line 8: the best 1 to 2147483648 rows can be kept; to keep none, write `rows = false`",
+        ),
+        (
+            &format!(
+                "{ranges}l2 = {{ from = 0, to = 1 }}\n[keep]\nhistograms = [{{ of = \"l2\", from = 0, to = 1, bins = 2e6 }}]"
+            ),
+            "line 7: a histogram needs from < to and 1 to 1000000 bins",
+        ),
+        (&format!("{ranges}l2 = 0.4\n[keep]\nbest = 3\nby = \"random()\""), "line 8: `random()`: `random()` gives"),
+        ("rows = 9\n[motion]\ntimes = [0, 1]\nsteps = 3", "write either `times`, or `to` with `from` and `steps`"),
+        (
             &format!(
                 "{ranges}l2 = {{ from = 0, to = 1 }}\n[keep]\nhistograms = [{{ of = \"l2\", from = 0, to = 1, bins = 2 }}, \
                  {{ of = \"l2\", from = 0, to = 0.5, bins = 1 }}]"

@@ -1,6 +1,7 @@
 //! Rows and scores of one process.
 
 use crate::four_bar::FourBar;
+use crate::identity::{cranks, one};
 use crate::{count, directory, limits, study, table};
 use kin_runtime::Kinematics;
 use kin_study::{Histogram, Limits, Measure, Range, Sampling, Score, Study, StudyError, Watch, query, run, run_part};
@@ -296,4 +297,16 @@ fn a_design_without_a_score_is_never_the_best() {
         let [best, expected] = [&target, &all].map(|directory| query(directory, &sql).expect("there are rows"));
         assert_eq!(best.to_string(), expected.to_string(), "{by}");
     }
+}
+
+/// The guide passes through the pin B of the slider.
+#[test]
+fn an_arm_of_length_0_has_no_transmission_angle() {
+    let target = directory();
+    let study = cranks()
+        .score("angle", Score::Least("B.transmission".to_owned()))
+        .score("off", Score::Greatest("B.deviation".to_owned()));
+    run::<one::Edited>(&study, target.path(), limits(1), &Watch::default()).expect("it runs");
+    let without = "select count(*) from study where angle is null and off is null and width > 0 and ended is null";
+    assert_eq!(count(target.path(), without), 20);
 }

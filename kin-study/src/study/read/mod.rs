@@ -34,8 +34,7 @@ impl Study {
         let mut study = Self::default();
         let known = ["rows", "seed", "sampling", "parameters", "derived", "conditions", "motion", "scores", "keep"];
         root.only(&known)?;
-        study.rows =
-            root.get("rows").map(|node| parts::at_least_one(&node, "a study has at least one row")).transpose()?;
+        study.rows = root.get("rows").map(|node| node.count()).transpose()?;
         study.seed = root.get("seed").map_or(Ok(0), |node| node.count())?;
         study.sampling = root.get("sampling").map_or(Ok(Sampling::Random), |node| {
             node.one_of(&[
@@ -122,8 +121,7 @@ impl Study {
         self.best = match (keep.get("best"), keep.get("by")) {
             (Some(best), Some(by)) => {
                 self.lines.insert("keep.by".to_owned(), by.line());
-                let count = parts::at_least_one(&best, "at least one; `rows = false` keeps none")?;
-                Some((usize::try_from(count).unwrap_or(usize::MAX), by.text()?))
+                Some((usize::try_from(best.count()?).unwrap_or(usize::MAX), by.text()?))
             }
             (None, None) => None,
             (Some(node), None) => return Err(node.wrong("the best by what? Write `by = \"swing desc\"` beside it")),
