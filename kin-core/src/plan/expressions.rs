@@ -11,6 +11,7 @@ use super::known::turned;
 use super::rates::Rates;
 use super::reduce::PairedRows;
 use super::rewrite::Turned;
+use super::single_angle::squared_size_of_coefficient;
 use super::state::{Build, Divisor, SignedStep, Stage};
 use super::step::StepId;
 use super::tree::{Block, BlockPart, Core, Pair, PairValue, Pivot, SolutionMethod};
@@ -298,9 +299,16 @@ impl Build<'_> {
     /// The solution x of Φ_q x = b at a given q, where the entries of b are symbols.
     pub(super) fn linear_solution(&mut self, tree: &Block) -> LinearSolution {
         let right = (0..self.system.equations.len()).map(|row| self.graph.symbol(Symbol::Right(row as u32))).collect();
-        let entries = self.system.equations.iter().map(|equation| equation.phi_q.iter().copied().collect()).collect();
-        let mut rates = Rates::new(&mut self.graph, entries, right, &self.system.set.coordinates, FastMap::default());
+        let entries: Vec<BTreeMap<u32, ExprId>> =
+            self.system.equations.iter().map(|equation| equation.phi_q.iter().copied().collect()).collect();
+        let coordinates = &self.system.set.coordinates;
+        let mut rates = Rates::new(&mut self.graph, entries.clone(), right, coordinates, FastMap::default());
         rates.block(tree);
+        for single in std::mem::take(&mut rates.single_angles) {
+            let size = squared_size_of_coefficient(rates.graph, &single, (tree, &entries, coordinates));
+            rates.record_single(single.row, single.coefficient, size);
+            rates.regular.extend(rates.margins.get(&single.row));
+        }
         let zero = rates.graph.zero();
         let solution = rates.solution.iter().enumerate().map(|(k, value)| (Slot::Entry(k), value.unwrap_or(zero)));
         let solution = solution.collect();

@@ -85,16 +85,17 @@ impl Build<'_> {
     }
 
     /// Writes the margins of iterations: those of their blocks of Φ_q, by first row, with known coordinates and at a given
-    /// q, whichever are smaller. A margin is 0 unless the iteration has converged and its block is regular.
+    /// q, whichever are smaller; of single angles only at a given q. A margin is 0 unless the iteration has converged and
+    /// its block is regular.
     ///
     /// An entry is small if it is much smaller than its terms. At a given q the terms are rotated vectors, which have a
     /// length; of known coordinates they are products of cosines and sines, which all vanish where bars lie along an axis.
     pub(super) fn iteration_margins(&mut self, [known, given]: [&BTreeMap<usize, ExprId>; 2]) {
         for (row, place, converged) in std::mem::take(&mut self.pending) {
             let mut margin = self.graph.symbol(Symbol::Saved(converged));
-            if let (Some(&known), Some(&given)) = (known.get(&row), given.get(&row)) {
+            if let Some(&given) = given.get(&row) {
                 let given = self.known_value(given);
-                let regular = smaller(&mut self.graph, known, given);
+                let regular = known.get(&row).map_or(given, |&known| smaller(&mut self.graph, known, given));
                 margin = self.graph.mul(margin, regular);
             }
             self.write(Slot::Margin(place), margin);

@@ -42,7 +42,7 @@ mod redundant_rows;
 mod rewrite;
 mod scales;
 mod sections;
-mod single_term;
+mod single_angle;
 mod sizes;
 mod state;
 mod step;

@@ -6,7 +6,6 @@
 //! Expressions that depend on Φ_q alone are the same for every b, so all levels share them.
 
 use super::dense;
-use super::single_term::slope_of_single_term;
 use super::sizes::{LEAST, larger, squared_size, squared_size_anywhere};
 use super::tree::{Block, BlockPart, Core, Pair, PairValue, SolutionMethod};
 use crate::constraint::Coordinate;
@@ -34,8 +33,21 @@ pub(super) struct Rates<'g> {
     /// For every division by an expression that varies, a value that is 0 where the divisor is 0: the square of the
     /// divisor divided by the squared size of its terms, or the margin of a core.
     pub(super) regular: Vec<ExprId>,
+    /// The coefficients of single angles that are iterated on; their margins and orientations are not known yet.
+    pub(super) single_angles: Vec<SingleAngle>,
+    /// An angle whose entry of x is given as 1, while those of all other cores are 0.
+    pub(super) turning: Option<u32>,
     /// The values of expressions of the tree; an expression that is missing has itself as its value.
     known: FastMap<ExprId, ExprId>,
+}
+
+/// A single angle that a core iterates on.
+pub(super) struct SingleAngle {
+    /// The row of the core.
+    pub(super) row: usize,
+    pub(super) angle: u32,
+    /// The entry of the row after all eliminations.
+    pub(super) coefficient: ExprId,
 }
 
 impl<'g> Rates<'g> {
@@ -55,6 +67,8 @@ impl<'g> Rates<'g> {
             margins: BTreeMap::new(),
             orientations: BTreeMap::new(),
             regular: Vec::new(),
+            single_angles: Vec::new(),
+            turning: None,
             known,
         }
     }
@@ -128,6 +142,13 @@ impl<'g> Rates<'g> {
     }
 
     fn core(&mut self, core: &Core) {
+        if self.turning.is_some() {
+            for &k in &core.coordinates {
+                let rate = self.graph.number(if self.turning == Some(k) { 1.0 } else { 0.0 });
+                self.solution[k as usize] = Some(rate);
+            }
+            return;
+        }
         core.rows.iter().for_each(|&row| self.fold(row));
         let zero = self.graph.zero();
         let entry = |row: usize, k: u32| self.entries[row].get(&k).copied().unwrap_or(zero);
@@ -154,26 +175,29 @@ impl<'g> Rates<'g> {
             }
             self.margins.insert(row, margin);
         }
-        if let [row] = matrix.as_slice() {
-            let (square, size) = (self.graph.square(row[0]), squared_size(self.graph, row[0], DEPTH));
-            self.record_regularity(square, size);
-            if let (true, Some(&first)) = (iterates, core.rows.first()) {
-                // For a single unknown the sign of its coefficient is the orientation.
-                let slope = match (&kinds[..], &core.coordinates[..]) {
-                    ([UnknownKind::Angle], &[angle]) => slope_of_single_term(self.graph, row[0], angle),
-                    _ => None,
-                };
-                let size = match slope {
-                    Some(slope) => self.graph.square(slope),
-                    None => squared_size_anywhere(self.graph, row[0], DEPTH),
-                };
-                let size = larger(self.graph, size, square);
-                let (margin, root) = (self.graph.div(square, size), self.graph.call(Function::Sqrt, size));
-                let orientation = self.graph.div(row[0], root);
-                self.margins.insert(first, margin);
-                self.orientations.insert(first, orientation);
-            }
+        let ([row], &[k], &[row_index]) = (matrix.as_slice(), &core.coordinates[..], &core.rows[..]) else { return };
+        let coefficient = row[0];
+        if iterates && kinds[0] == UnknownKind::Angle {
+            self.single_angles.push(SingleAngle { row: row_index, angle: k, coefficient });
+            return;
         }
+        let (square, size) = (self.graph.square(coefficient), squared_size(self.graph, coefficient, DEPTH));
+        self.record_regularity(square, size);
+        if iterates {
+            let size = squared_size_anywhere(self.graph, coefficient, DEPTH);
+            self.record_single(row_index, coefficient, size);
+        }
+    }
+
+    /// Records the margin and the orientation of a single unknown from its coefficient, whose sign is the orientation, and
+    /// the square of what the coefficient is compared with.
+    pub(super) fn record_single(&mut self, row: usize, coefficient: ExprId, size: ExprId) {
+        let square = self.graph.square(coefficient);
+        let size = larger(self.graph, size, square);
+        let (margin, root) = (self.graph.div(square, size), self.graph.call(Function::Sqrt, size));
+        let orientation = self.graph.div(coefficient, root);
+        self.margins.insert(row, margin);
+        self.orientations.insert(row, orientation);
     }
 
     /// A dimensionless measure of the cancellation in the rows of a matrix, 0 where a row vanishes: the harmonic mean over

@@ -9,7 +9,7 @@ use crate::equations::Equations;
 use crate::equations::placement::Placement;
 use crate::equations::scale::Scale;
 use crate::error::{Degeneracy, SolveError};
-use crate::model::{Component, CoordinateKind, JointInfo, JointKind, Role};
+use crate::model::{CoordinateKind, JointInfo, JointKind, Role};
 use crate::signal::Instant;
 use crate::workspace::Subset;
 
@@ -60,28 +60,12 @@ pub(crate) fn without_angle(equations: &mut Equations<'_>, q: &[f64]) -> Option<
     polar.find_map(|joint| at_centre(equations, joint, q).map(|what| degenerate(equations, joint.first_row, what)))
 }
 
-/// The first implicit curve whose row of Φ_q, evaluated last, has no entry above `tolerance` on the common scale. A row
-/// in fewer coordinates than both of the point's does not show ∇e: where it vanishes, the motion is at a dead centre.
+/// The first implicit curve whose row of Φ_q, evaluated last, has no entry above `tolerance` on the common scale.
 pub(crate) fn without_gradient(equations: &Equations<'_>, tolerance: f64) -> Option<SolveError> {
-    let rows = equations.model.rows.iter().enumerate();
-    let implicit = rows.filter(|(_, row)| equations.model.joints[row.joint].kind == JointKind::OnImplicitCurve);
-    implicit
-        .filter(|(row, _)| shows_gradient(equations, *row))
-        .map(|(row, _)| (row, equations.largest_scaled(row)))
+    (equations.rows_of_implicit_curves())
+        .map(|row| (row, equations.largest_scaled(row)))
         .find(|(_, largest)| *largest <= tolerance)
         .map(|(row, largest)| degenerate(equations, row, Degeneracy::Gradient { largest }))
-}
-
-/// True if both x and y of a body are coordinates of a row.
-fn shows_gradient(equations: &Equations<'_>, row: usize) -> bool {
-    let kind = |column: usize| equations.model.coordinates.get(column).map(|coordinate| coordinate.kind);
-    let is_y_of = |of: usize, column: usize| matches!(kind(column), Some(CoordinateKind::Pose { body, component: Component::Y }) if body == of);
-    equations.row(row).any(|(column, _)| match kind(column) {
-        Some(CoordinateKind::Pose { body, component: Component::X }) => {
-            equations.row(row).any(|(other, _)| is_y_of(body, other))
-        }
-        _ => false,
-    })
 }
 
 fn degenerate(equations: &Equations<'_>, row: usize, what: Degeneracy) -> SolveError {

@@ -2,6 +2,7 @@
 
 use super::Equations;
 use crate::linear::scale_columns;
+use crate::model::{Component, CoordinateKind, JointKind};
 use nalgebra::DMatrix;
 
 impl Equations<'_> {
@@ -34,6 +35,25 @@ impl Equations<'_> {
         let scale = &self.scale;
         let sizes = self.row(row).map(|(column, value)| (value * scale.rows[row] * scale.columns[column]).abs());
         sizes.filter(|size| *size > 0.0).fold(f64::INFINITY, f64::min)
+    }
+
+    /// The rows of implicit curves e = 0 that show ∇e. A row in fewer coordinates than both of a point's does not: where
+    /// it vanishes, the motion is at a dead centre.
+    pub(crate) fn rows_of_implicit_curves(&self) -> impl Iterator<Item = usize> {
+        let model = self.model;
+        let is_implicit = move |row: &usize| model.joints[model.rows[*row].joint].kind == JointKind::OnImplicitCurve;
+        (0..model.rows.len()).filter(is_implicit).filter(|row| self.shows_gradient(*row))
+    }
+
+    /// True if both x and y of a body are coordinates of a row.
+    fn shows_gradient(&self, row: usize) -> bool {
+        let body = |column: usize, wanted: Component| match self.model.coordinates.get(column)?.kind {
+            CoordinateKind::Pose { body, component } if component == wanted => Some(body),
+            _ => None,
+        };
+        let with_x = self.row(row).filter_map(|(column, _)| body(column, Component::X));
+        let has_y = |of: usize| self.row(row).any(|(column, _)| body(column, Component::Y) == Some(of));
+        with_x.into_iter().any(has_y)
     }
 
     /// The given rows of Φ_q as a dense matrix, rows on the common scale, columns in their own units.

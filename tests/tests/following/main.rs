@@ -4,6 +4,7 @@ mod batch;
 mod close_folds;
 mod coincident;
 mod controller;
+mod curves_at_long_arms;
 mod guesses;
 mod guides;
 mod hidden;

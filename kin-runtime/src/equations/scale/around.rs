@@ -14,6 +14,10 @@ const CURVE_SAMPLES: [f64; 3] = [0.3, 2.4, 4.5];
 /// Number of iterations of row and column equilibration.
 const SWEEPS: usize = 6;
 
+/// Distance of the samples near a curve, relative to that of the others. If e is a polynomial of second degree, its gradient
+/// changes there in this ratio, so that the scale of its row remains the same.
+const NEAR: f64 = 1e-3;
+
 /// Lower bound of the size of an angle's column, relative to the lengths in its rows: a smaller column is nearly
 /// singular.
 const SMALLEST_ANGLE_COLUMN: f64 = 1e-3;
@@ -22,40 +26,43 @@ impl Scale {
     /// The scales at the current instant, from configurations around `q`, an assembled configuration.
     pub(crate) fn around(equations: &mut Equations<'_>, q: &[f64]) -> Self {
         let kept = kept_distances(equations);
-        Self::from_samples(equations, q, &kept)
+        let curves: Vec<usize> = equations.rows_of_implicit_curves().collect();
+        Self::from_samples(equations, q, &kept, &curves)
     }
 
     /// The scales at the current instant, from configurations around `q` in which distances may be far from those that
     /// joints keep. Rows of small distances have the scale of large ones, so that they do not dominate a residual.
     pub(crate) fn before_assembly(equations: &mut Equations<'_>, q: &[f64]) -> Self {
-        Self::from_samples(equations, q, &[])
+        Self::from_samples(equations, q, &[], &[])
     }
 
     /// The scales from samples around `q`. The rows `kept` are d² − e² with a constant e: their entries are as large as d,
     /// which is e in every solution, but larger in most samples where e is small compared with the rest of the mechanism.
-    fn from_samples(equations: &mut Equations<'_>, q: &[f64], kept: &[(usize, f64)]) -> Self {
+    /// Of the rows `curves` of implicit curves, the samples near q show how large the entries are beside the curve.
+    fn from_samples(equations: &mut Equations<'_>, q: &[f64], kept: &[(usize, f64)], curves: &[usize]) -> Self {
         let (s, n) = (equations.rows(), equations.coordinates());
         let length = typical_length(equations);
         let spread: Vec<f64> = (0..n).map(|k| spread(equations, k, q[k], length)).collect();
-        let mut random = Random::new(0x5ca1e);
         let entries = equations.model.constraint_pattern.entries;
-        let mut sizes = vec![[0.0; SAMPLES]; entries.len()];
-        let mut sample = q.to_vec();
-        let mut shares = vec![1.0; s];
-        for k in 0..SAMPLES {
-            if equations.evaluate(Subset::POSITION, &sample, None).is_ok() {
-                for &(row, e) in kept {
-                    shares[row] = (e / (equations.phi[row] + e * e).max(0.0).sqrt()).min(1.0);
-                }
-                let typical = sizes.iter_mut().zip(entries).zip(&equations.phi_q);
-                typical.for_each(|((size, &(row, _)), entry)| size[k] = entry.abs() * shares[row]);
-            }
-            for ((x, &centre), &width) in sample.iter_mut().zip(q).zip(&spread) {
-                *x = centre + width * random.symmetric();
+        let mut sizes = typical_sizes(equations, (q, &spread), kept);
+        if !curves.is_empty() {
+            let narrow: Vec<f64> = spread.iter().map(|width| NEAR * width).collect();
+            let near = typical_sizes(equations, (q, &narrow), &[]);
+            let largest = |row: usize, sizes: &[f64]| {
+                entries
+                    .iter()
+                    .zip(sizes)
+                    .filter(|((i, _), _)| *i == row)
+                    .fold(0.0, |largest, (_, size)| size.max(largest))
+            };
+            for &row in curves {
+                let share = largest(row, &near) / (NEAR * largest(row, &sizes));
+                let own = sizes.iter_mut().zip(entries).filter(|(_, entry)| entry.0 == row && share < 1.0);
+                own.for_each(|(size, _)| *size *= share);
             }
         }
         let mut typical: Vec<(usize, usize, f64)> =
-            entries.iter().zip(&mut sizes).map(|(&(i, j), size)| (i, j, median_of_samples(size))).collect();
+            entries.iter().zip(&sizes).map(|(&(i, j), &size)| (i, j, size)).collect();
         typical.extend(equations.entries().skip(entries.len()).map(|((row, column), _)| (row, column, 1.0)));
         let angles = (0..n).filter(|&k| equations.model.coordinates[k].kind.is_angle()).collect();
         let mut scale = Self { length, angles, is_known: true, ..Self::unit(s, n) };
@@ -182,6 +189,29 @@ fn kept_distances(equations: &Equations<'_>) -> Vec<(usize, f64)> {
     let constant = equations.lengths.iter().filter(|length| length.is_squared && !length.moves);
     let known = constant.filter_map(|length| Some((length.row, *numbers.get(length.offset)?)));
     known.filter(|(_, e)| *e > 0.0).collect()
+}
+
+/// The typical size of every entry of Φ_q around `q`, each coordinate within its `spread`. The rows `kept` are d² − e² with
+/// a constant e, and their entries are those of d = e.
+fn typical_sizes(equations: &mut Equations<'_>, (q, spread): (&[f64], &[f64]), kept: &[(usize, f64)]) -> Vec<f64> {
+    let mut random = Random::new(0x5ca1e);
+    let entries = equations.model.constraint_pattern.entries;
+    let mut sizes = vec![[0.0; SAMPLES]; entries.len()];
+    let mut sample = q.to_vec();
+    let mut shares = vec![1.0; equations.rows()];
+    for k in 0..SAMPLES {
+        if equations.evaluate(Subset::POSITION, &sample, None).is_ok() {
+            for &(row, e) in kept {
+                shares[row] = (e / (equations.phi[row] + e * e).max(0.0).sqrt()).min(1.0);
+            }
+            let typical = sizes.iter_mut().zip(entries).zip(&equations.phi_q);
+            typical.for_each(|((size, &(row, _)), entry)| size[k] = entry.abs() * shares[row]);
+        }
+        for ((x, &centre), &width) in sample.iter_mut().zip(q).zip(spread) {
+            *x = centre + width * random.symmetric();
+        }
+    }
+    sizes.iter_mut().map(median_of_samples).collect()
 }
 
 /// The distance from its value within which a coordinate is sampled.

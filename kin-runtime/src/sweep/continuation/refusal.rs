@@ -8,9 +8,9 @@ use crate::equations::Equations;
 use crate::equations::contact;
 use crate::error::{Refusal, SolveError};
 use crate::linear::{Factorization, null_space};
-use crate::planned::Limit;
 use crate::planned::follower::Control;
 use crate::planned::row_end::{RowEnd, RowsBeyond, row_end};
+use crate::planned::{Limit, LimitKind};
 use crate::signal::Instant;
 use crate::state::State;
 use crate::workspace::Subset;
@@ -99,7 +99,10 @@ pub(super) fn refusal(
     let all: Vec<usize> = (0..equations.rows()).collect();
     let columns = &equations.scale.columns;
     let factor = Factorization::revealing(&equations.scaled_rows(&all), columns, NEARLY_SINGULAR);
-    if let Some(error) = contact::without_gradient(equations, NEARLY_SINGULAR) {
+    // Where the motion turns back, a gradient that is merely small is not the reason.
+    let turns_back = limit.and_then(|limit| limit.kind()) == Some(LimitKind::DeadCentre);
+    let least = if turns_back { equations.options.rank_tolerance } else { NEARLY_SINGULAR };
+    if let Some(error) = contact::without_gradient(equations, least) {
         return error;
     }
     if factor.rank < expected_rank {

@@ -1,0 +1,109 @@
+//! How near a single unknown angle of an iteration is to its dead centre, where its coefficient f′ is 0.
+//!
+//! Sizes of terms do not tell that. A curve e(X, Y) = 0 of fourth degree at the end of a long arm has coefficients whose
+//! terms are powers of the arm's length, although X and Y are as small as the curve; and a coefficient of one term, such as
+//! the slope of a cam, has itself as its size. Its derivative f″ along the motion of the group does: to first order, the
+//! dead centre is f′/f″ away. This is an angle in radians, as the distances of other groups from their limits are. For an
+//! unknown length or scalar, f′/f″ has a unit, and there is nothing to compare it with.
+
+use super::dense::kinds;
+use super::rates::{Rates, SingleAngle};
+use super::sizes::{is_at_rest_or_coordinate, larger, smaller, squared_size_anywhere};
+use super::tree::Block;
+use crate::constraint::Coordinate;
+use crate::expr::{ExprId, Graph, MAX_ORDER, Node, total_derivatives};
+use crate::hash::FastMap;
+use crate::vocabulary::{Function, UnknownKind};
+use std::collections::BTreeMap;
+
+/// Depth to which the terms of a coefficient are examined.
+const DEPTH: usize = 8;
+
+/// The least size of a coefficient, relative to the squares of its terms: where f″ is 0, too, a coefficient that consists
+/// of rounding errors is small.
+const ROUNDING: f64 = 1e-18;
+
+/// The square of what a coefficient J is compared with: the squared gradient of J with respect to the angles, so that
+/// |J|/|∇J| is, to first order, the distance from the configurations with J = 0. Of the unknown angle, the derivative is the
+/// one along the motion in which it changes at the rate 1 and all that is known before it rests; others are partial. Where
+/// both curves of a double point turn away from each other, the former may be 0 although J is nearly 0, too.
+///
+/// Of several terms that are small by themselves, the squares of the terms are the measure: the direction of a short
+/// distance turns fast, and yet its sine is compared with 1.
+pub(super) fn squared_size_of_coefficient(
+    graph: &mut Graph,
+    single: &SingleAngle,
+    (tree, entries, coordinates): (&Block, &[BTreeMap<u32, ExprId>], &[Coordinate]),
+) -> ExprId {
+    let coefficient = single.coefficient;
+    let terms = squared_size_anywhere(graph, coefficient, DEPTH);
+    let gradient =
+        total_derivatives(graph, &[coefficient]).into_iter().next().map_or_else(Vec::new, |jet| jet.gradient);
+    let slope = slope(graph, (&gradient, single.angle), (tree, entries, coordinates));
+    if graph.is_zero(slope) || !is_known(graph, slope) {
+        return terms;
+    }
+    let mut square = graph.square(slope);
+    if is_single_term(graph, coefficient) {
+        return square;
+    }
+    for (k, derivative) in gradient {
+        let is_angle = kinds(coordinates, &[k]) == [UnknownKind::Angle];
+        if is_angle && k != single.angle && is_known(graph, derivative) {
+            let own = graph.square(derivative);
+            square = graph.add(square, own);
+        }
+    }
+    let (size, rounding) = (smaller(graph, terms, square), graph.number(ROUNDING));
+    let rounding = graph.mul(rounding, terms);
+    larger(graph, size, rounding)
+}
+
+/// The derivative of a coefficient, whose partial derivatives are given, along the motion in which its angle changes at the
+/// rate 1.
+fn slope(
+    graph: &mut Graph,
+    (gradient, angle): (&[(u32, ExprId)], u32),
+    (tree, entries, coordinates): (&Block, &[BTreeMap<u32, ExprId>], &[Coordinate]),
+) -> ExprId {
+    let zero = graph.zero();
+    let mut rates = Rates::new(graph, entries.to_vec(), vec![zero; entries.len()], coordinates, FastMap::default());
+    rates.turning = Some(angle);
+    rates.block(tree);
+    let motion = rates.solution;
+    gradient.iter().fold(zero, |slope, &(k, derivative)| match motion.get(k as usize) {
+        Some(&Some(rate)) => {
+            let term = graph.mul(derivative, rate);
+            graph.add(slope, term)
+        }
+        _ => slope,
+    })
+}
+
+/// False for an expression with more derivatives of a function than there are.
+fn is_known(graph: &Graph, id: ExprId) -> bool {
+    let is_given = |id: &ExprId| !matches!(graph.node(*id), Node::Supplied(_, order, _) if order > MAX_ORDER);
+    graph.reachable([id]).iter().all(is_given)
+}
+
+/// True for products and quotients of coordinates, powers and functions other than sine and cosine, whose size is 1.
+fn is_single_term(graph: &Graph, id: ExprId) -> bool {
+    match graph.node(id) {
+        Node::Neg(a) | Node::Opaque(a) | Node::Div(a, _) => is_single_term(graph, a),
+        Node::Mul(a, b) => is_single_term(graph, a) && is_single_term(graph, b),
+        // x − c is the position relative to c, which is measured as a whole, as in `squared_size_anywhere`.
+        Node::Add(a, b) | Node::Sub(a, b) => [a, b].into_iter().all(|part| is_sum_of_positions(graph, part)),
+        Node::RotX(_) | Node::RotY(_) | Node::Dot(_) | Node::Cross(_) => false,
+        Node::Call(Function::Sin | Function::Cos, _) => false,
+        _ => true,
+    }
+}
+
+/// True for sums of coordinates and constants.
+fn is_sum_of_positions(graph: &Graph, id: ExprId) -> bool {
+    match graph.node(id) {
+        Node::Neg(a) | Node::Opaque(a) => is_sum_of_positions(graph, a),
+        Node::Add(a, b) | Node::Sub(a, b) => is_sum_of_positions(graph, a) && is_sum_of_positions(graph, b),
+        _ => is_at_rest_or_coordinate(graph, id),
+    }
+}
