@@ -11,7 +11,6 @@ use super::known::turned;
 use super::rates::Rates;
 use super::reduce::PairedRows;
 use super::rewrite::Turned;
-use super::single_angle::squared_size_of_coefficient;
 use super::state::{Build, Divisor, SignedStep, Stage};
 use super::step::StepId;
 use super::tree::{Block, BlockPart, Core, Pair, PairValue, Pivot, SolutionMethod};
@@ -304,11 +303,7 @@ impl Build<'_> {
         let coordinates = &self.system.set.coordinates;
         let mut rates = Rates::new(&mut self.graph, entries.clone(), right, coordinates, FastMap::default());
         rates.block(tree);
-        for single in std::mem::take(&mut rates.single_angles) {
-            let size = squared_size_of_coefficient(rates.graph, &single, (tree, &entries, coordinates));
-            rates.record_single(single.row, single.coefficient, size);
-            rates.regular.extend(rates.margins.get(&single.row));
-        }
+        rates.record_single_unknowns(tree, &entries);
         let zero = rates.graph.zero();
         let solution = rates.solution.iter().enumerate().map(|(k, value)| (Slot::Entry(k), value.unwrap_or(zero)));
         let solution = solution.collect();

@@ -42,7 +42,7 @@ mod redundant_rows;
 mod rewrite;
 mod scales;
 mod sections;
-mod single_angle;
+mod single_unknown;
 mod sizes;
 mod state;
 mod step;

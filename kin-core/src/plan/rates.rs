@@ -23,7 +23,7 @@ pub(super) struct Rates<'g> {
     /// The rows of Φ_q: entries by column.
     entries: Vec<BTreeMap<u32, ExprId>>,
     right: Vec<ExprId>,
-    coordinates: &'g [Coordinate],
+    pub(super) coordinates: &'g [Coordinate],
     /// The entries of x that are already solved.
     pub(super) solution: Vec<Option<ExprId>>,
     /// The margins of cores, by the first row of the core.
@@ -33,21 +33,24 @@ pub(super) struct Rates<'g> {
     /// For every division by an expression that varies, a value that is 0 where the divisor is 0: the square of the
     /// divisor divided by the squared size of its terms, or the margin of a core.
     pub(super) regular: Vec<ExprId>,
-    /// The coefficients of single angles that are iterated on; their margins and orientations are not known yet.
-    pub(super) single_angles: Vec<SingleAngle>,
+    /// The single unknowns that are iterated on. Margins and orientations of angles are not known yet.
+    pub(super) single_unknowns: Vec<SingleUnknown>,
     /// An angle whose entry of x is given as 1, while those of all other cores are 0.
     pub(super) turning: Option<u32>,
     /// The values of expressions of the tree; an expression that is missing has itself as its value.
     known: FastMap<ExprId, ExprId>,
 }
 
-/// A single angle that a core iterates on.
-pub(super) struct SingleAngle {
+/// A single unknown that a core iterates on.
+pub(super) struct SingleUnknown {
     /// The row of the core.
     pub(super) row: usize,
-    pub(super) angle: u32,
+    pub(super) unknown: u32,
+    pub(super) kind: UnknownKind,
     /// The entry of the row after all eliminations.
     pub(super) coefficient: ExprId,
+    /// The row as a function of the unknown.
+    pub(super) residual: ExprId,
 }
 
 impl<'g> Rates<'g> {
@@ -67,7 +70,7 @@ impl<'g> Rates<'g> {
             margins: BTreeMap::new(),
             orientations: BTreeMap::new(),
             regular: Vec::new(),
-            single_angles: Vec::new(),
+            single_unknowns: Vec::new(),
             turning: None,
             known,
         }
@@ -175,18 +178,20 @@ impl<'g> Rates<'g> {
             }
             self.margins.insert(row, margin);
         }
-        let ([row], &[k], &[row_index]) = (matrix.as_slice(), &core.coordinates[..], &core.rows[..]) else { return };
-        let coefficient = row[0];
-        if iterates && kinds[0] == UnknownKind::Angle {
-            self.single_angles.push(SingleAngle { row: row_index, angle: k, coefficient });
-            return;
+        let ([row], &[unknown], &[of_row]) = (matrix.as_slice(), &core.coordinates[..], &core.rows[..]) else { return };
+        let (coefficient, kind) = (row[0], kinds[0]);
+        if let SolutionMethod::Newton { residuals } = &core.method
+            && let &[residual] = residuals.as_slice()
+        {
+            self.single_unknowns.push(SingleUnknown { row: of_row, unknown, kind, coefficient, residual });
+            if kind == UnknownKind::Angle {
+                return;
+            }
+            let size = squared_size_anywhere(self.graph, coefficient, DEPTH);
+            self.record_single(of_row, coefficient, size);
         }
         let (square, size) = (self.graph.square(coefficient), squared_size(self.graph, coefficient, DEPTH));
         self.record_regularity(square, size);
-        if iterates {
-            let size = squared_size_anywhere(self.graph, coefficient, DEPTH);
-            self.record_single(row_index, coefficient, size);
-        }
     }
 
     /// Records the margin and the orientation of a single unknown from its coefficient, whose sign is the orientation, and

@@ -31,6 +31,9 @@ const FURTHER_WIDTHS: [f64; 8] = [0.011, 0.0035, 1.1e-3, 3.5e-4, 1.1e-4, 3.5e-5,
 /// The smallest w of the farthest state where the motion did not start farther away.
 const NARROWEST: f64 = 1e-6;
 
+/// The largest w of a state near which an iteration may fail because of rounding errors alone.
+const WITHIN_ROUNDING: f64 = 1e-4;
+
 /// Largest number of times that the distance from the limit is doubled.
 const DOUBLINGS: usize = 60;
 
@@ -96,14 +99,20 @@ impl<M: Mechanism> PlanFollower<M> {
         // Moves away from the limit in steps that grow with the distance.
         let [start, _] = course.ends();
         let (mut s, mut from, mut w) = (blocked.interval[0], blocked.here, 0.0);
+        let mut place = s;
         for _ in 0..DOUBLINGS {
             // With inputs, the motion before the start of the course is not known.
-            let back = farther_back((at, s), start, M::INPUTS > 0);
-            if w >= width || back == s {
+            let back = farther_back((at, place), start, M::INPUTS > 0);
+            if w >= width || back == place {
                 break;
             }
-            let Some(sample) = self.sample(mechanism, course, (margin, back), (s, &from)) else { break };
-            (s, (w, from)) = (back, sample);
+            place = back;
+            // At the limit itself, within rounding, an iteration may fail that converges farther away.
+            match self.sample(mechanism, course, (margin, back), (s, &from)) {
+                Some(sample) => (s, (w, from)) = (back, sample),
+                None if w < WITHIN_ROUNDING => {}
+                None => break,
+            }
         }
         if w < NARROWEST {
             return None;

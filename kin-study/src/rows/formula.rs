@@ -10,7 +10,9 @@ use datafusion::common::tree_node::{Transformed, TreeNode, TreeNodeRecursion};
 use datafusion::error::DataFusionError;
 use datafusion::execution::context::SessionContext;
 use datafusion::functions::math::expr_fn::isnan;
+use datafusion::logical_expr::simplify::SimplifyContext;
 use datafusion::logical_expr::{BinaryExpr, ExprSchemable, Operator, Volatility, lit, when};
+use datafusion::optimizer::simplify_expressions::ExprSimplifier;
 use datafusion::physical_expr::PhysicalExpr;
 use datafusion::prelude::{Expr, SessionConfig};
 use datafusion::scalar::ScalarValue;
@@ -51,7 +53,7 @@ impl Formula {
         let expression = context.parse_sql_expr(text, &table).map_err(wrong)?;
         refuse_random(text, &expression)?;
         let expression = compared_with_nulls(expression, &table).map_err(wrong)?;
-        let expression = context.create_physical_expr(expression, &table).map_err(wrong)?;
+        let expression = compiled(context, expression, &table).map_err(wrong)?;
         let found = expression.data_type(schema).map_err(wrong)?;
         // What fails without any row fails in all rows.
         expression.evaluate(&RecordBatch::new_empty(Arc::new(schema.clone()))).map_err(wrong)?;
@@ -89,6 +91,20 @@ impl Formula {
     }
 }
 
+/// An expression that is compiled for one schema. It is simplified first, because the engine evaluates some functions, such
+/// as `coalesce`, only as the expressions that they stand for.
+pub(super) fn compiled(
+    context: &SessionContext,
+    expression: Expr,
+    table: &DFSchema,
+) -> Result<Arc<dyn PhysicalExpr>, DataFusionError> {
+    let known = SimplifyContext::builder().with_schema(Arc::new(table.clone()));
+    let known = known.with_config_options(Arc::clone(context.state().config_options()));
+    let simplifier = ExprSimplifier::new(known.build());
+    let expression = simplifier.simplify(simplifier.coerce(expression, table)?)?;
+    context.create_physical_expr(expression, table)
+}
+
 /// The numbers of a column, with null in place of NaN. The engine compares NaN as the greatest of all numbers, and files
 /// leave it out of the least and the greatest value that they store of a column.
 pub(super) fn without_nan(column: &ArrayRef) -> ArrayRef {
@@ -110,7 +126,11 @@ fn compares(operator: Operator) -> bool {
     matches!(operator, Eq | NotEq | Lt | LtEq | Gt | GtEq | IsDistinctFrom | IsNotDistinctFrom)
 }
 
-/// The expression with null in place of NaN wherever it compares numbers: what has no value meets no condition.
+/// Functions that ask whether their arguments have values.
+const ASK_FOR_VALUES: [&str; 4] = ["coalesce", "nvl", "nvl2", "nullif"];
+
+/// The expression with null in place of NaN wherever it compares numbers or asks for values: what has no value meets no
+/// condition.
 pub(super) fn compared_with_nulls(expression: Expr, schema: &DFSchema) -> Result<Expr, DataFusionError> {
     let known = |part: Box<Expr>| null_for_nan(*part, schema).map(Box::new);
     let compared = expression.transform_up(|part| match part {
@@ -122,6 +142,12 @@ pub(super) fn compared_with_nulls(expression: Expr, schema: &DFSchema) -> Result
             between.low = known(between.low)?;
             between.high = known(between.high)?;
             Ok(Transformed::yes(Expr::Between(between)))
+        }
+        Expr::IsNull(part) => Ok(Transformed::yes(Expr::IsNull(known(part)?))),
+        Expr::IsNotNull(part) => Ok(Transformed::yes(Expr::IsNotNull(known(part)?))),
+        Expr::ScalarFunction(mut call) if ASK_FOR_VALUES.contains(&call.func.name()) => {
+            call.args = call.args.into_iter().map(|part| null_for_nan(part, schema)).collect::<Result<_, _>>()?;
+            Ok(Transformed::yes(Expr::ScalarFunction(call)))
         }
         Expr::InList(mut list) => {
             list.expr = known(list.expr)?;

@@ -1,6 +1,6 @@
 //! The best rows, in an order that is written as in SQL.
 
-use super::formula::{compared_with_nulls, context, null_for_nan, refuse_random};
+use super::formula::{compared_with_nulls, compiled, context, null_for_nan, refuse_random};
 use crate::error::StudyError;
 use datafusion::arrow::compute::{SortColumn, SortOptions, lexsort_to_indices, take_record_batch};
 use datafusion::arrow::datatypes::SchemaRef;
@@ -63,7 +63,7 @@ impl Best {
             refuse_random(by, &key.expr)?;
             let options = SortOptions { descending: !key.asc, nulls_first: key.nulls_first };
             let value = valued(key.expr.clone(), &table).map_err(wrong)?;
-            Ok((context.create_physical_expr(value, &table).map_err(wrong)?, options))
+            Ok((compiled(&context, value, &table).map_err(wrong)?, options))
         };
         let keys = order.iter().map(key).collect::<Result<_, StudyError>>()?;
         Ok(Self { keys, ..best })

@@ -1,9 +1,10 @@
-//! Cams that their followers turn: the coefficient of the angle is one term, the slope of the cam, in which nothing cancels.
-//! Its margin tells how far the dead centre is, as those of other groups do, and the dead centre is located and named.
+//! Iterations for a single unknown whose coefficient is one term, in which nothing cancels: cams that their followers turn,
+//! where it is the slope of the cam, and loads on ropes. Its margin tells how far the dead centre is, as those of other groups
+//! do, and the dead centre is located and named.
 
 use core::f64::consts::PI;
 use kin_runtime::function::{MotionLaw, Sequence};
-use kin_runtime::{Instant, Kinematics, LimitKind, mechanism};
+use kin_runtime::{Instant, Kinematics, LimitKind, Mechanism, mechanism};
 
 /// A follower that turns a cam with one bell-shaped lobe up to its top.
 #[mechanism]
@@ -26,6 +27,50 @@ struct Bell {
 #[guess(cam.phi = 0.3)]
 struct Table {
     lift: Sequence,
+}
+
+/// A load that is hauled along a vertical guide, 0.5 beside the drum of the rope, to the height of the drum.
+#[mechanism]
+#[body(load, x = 0.5 * s, phi = 0)]
+#[rope(R: ground @ (0, 0), load @ (0, 0), length = s * (1 - 0.1 * t))]
+#[guess(load.y = -s)]
+struct Hauled {
+    s: f64,
+}
+
+/// A scalar on a bell-shaped hill, up to its top.
+#[mechanism]
+#[coordinates(u)]
+#[driver(lift: exp(-u * u / (s * s)) = 0.5 + 0.1 * t)]
+#[guess(u = 0.8 * s)]
+struct Hill {
+    s: f64,
+}
+
+fn ends_at_its_dead_centre<M: Mechanism>(mechanism: &M, what: &str) {
+    let mut planned = mechanism.solver().planned(&Instant::at(0.0)).expect("it closes");
+    let mut margin =
+        |t: f64| planned.at(&Instant::at(t)).unwrap_or_else(|error| panic!("{what}, {t}: {error}")).margins()[0];
+    let margins = [0.0, 4.0, 4.9, 4.99, 4.999, 4.9999, 4.999_99].map(&mut margin);
+    assert!(margins[0] > 0.1, "{what}: {margins:?}");
+    // The margin is proportional to the time that is left.
+    for pair in margins[3..].windows(2) {
+        assert!((pair[0] / pair[1] - 10.0).abs() < 0.5, "{what}: {margins:?}");
+    }
+    for times in [vec![0.0, 3.0, 6.0], vec![0.0, 5.0, 6.0], (0..=60).map(|k| 0.1 * f64::from(k)).collect()] {
+        let error = mechanism.solver().sweep(&times).expect_err("it ends");
+        let limit = error.source.limit().expect("a limit");
+        assert_eq!(limit.kind(), Some(LimitKind::DeadCentre), "{what}: {error}");
+        assert!(limit.at().is_some_and(|t| (t - 5.0).abs() < 1e-9), "{what}: {error}");
+    }
+}
+
+#[test]
+fn loads_and_scalars_end_at_their_dead_centres_in_every_unit() {
+    for s in [1.0, 1e-3, 1e3, 1e6] {
+        ends_at_its_dead_centre(&Hauled { s }, "rope");
+        ends_at_its_dead_centre(&Hill { s }, "hill");
+    }
 }
 
 #[test]

@@ -245,6 +245,33 @@ fn what_has_no_value_meets_no_condition_and_comes_last() {
 }
 
 #[test]
+fn a_value_for_what_has_none_is_given_in_conditions_and_orders() {
+    // The root is an error of the engine for l2 < 0.4, and the angle NaN for l2 > 0.4.
+    let without = || {
+        let study = study(300).derived("root", "sqrt(l2 - 0.4)").derived("angle", "coalesce(acos(l2 * 2.5), 7)");
+        study.derived("known", "coalesce(root, nvl(root, 7))")
+    };
+    let place = directory();
+    let all = place.path().join("all");
+    run::<FourBar>(&without(), &all, limits(2), &Watch::default()).expect("it runs");
+    let few = count(&all, "select count(*) from study where l2 < 0.4");
+    assert!((10..290).contains(&few), "{few}");
+    assert_eq!(count(&all, "select count(*) from study where known = 7"), few);
+    assert_eq!(count(&all, "select count(*) from study where angle = 7"), 300 - few);
+    for (k, condition) in ["coalesce(root, 9) > 8", "nullif(coalesce(root, 9), 9) is null"].into_iter().enumerate() {
+        for (when, study) in [("before", without().condition(condition)), ("after", without().keep_where(condition))] {
+            let target = place.path().join(format!("{when}{k}"));
+            run::<FourBar>(&study, &target, limits(2), &Watch::default()).expect("it runs");
+            assert_eq!(count(&target, "select count(*) from study"), few, "{when}: {condition}");
+        }
+    }
+    let best = place.path().join("best");
+    run::<FourBar>(&without().keep_best(5, "coalesce(root, 9) desc"), &best, limits(2), &Watch::default())
+        .expect("it runs");
+    assert_eq!(count(&best, "select count(*) from study where l2 < 0.4"), 5);
+}
+
+#[test]
 fn counts_of_rows_that_were_not_written_do_not_count() {
     let counted = Histogram { of: "l2".to_owned(), from: 0.0, to: 1.0, bins: 4 };
     let study = study(900).histogram(counted);

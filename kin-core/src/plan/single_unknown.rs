@@ -1,17 +1,17 @@
-//! How near a single unknown angle of an iteration is to its dead centre, where its coefficient f′ is 0.
+//! How near a single unknown of an iteration f = 0 is to its dead centre, where its coefficient J = f′ is 0.
 //!
-//! Sizes of terms do not tell that. A curve e(X, Y) = 0 of fourth degree at the end of a long arm has coefficients whose
+//! Sizes of terms do not always tell that. A curve e(X, Y) = 0 of fourth degree at the end of a long arm has coefficients whose
 //! terms are powers of the arm's length, although X and Y are as small as the curve; and a coefficient of one term, such as
-//! the slope of a cam, has itself as its size. Its derivative f″ along the motion of the group does: to first order, the
-//! dead centre is f′/f″ away. This is an angle in radians, as the distances of other groups from their limits are. For an
-//! unknown length or scalar, f′/f″ has a unit, and there is nothing to compare it with.
+//! the slope of a cam, has itself as its size. Derivatives of J do: to first order, the dead centre of an angle is J/J′ away.
+//! This is in radians, as the distances of other groups from their limits are. For an unknown length or scalar, J/J′ has a
+//! unit, and J² is compared with |J′| times the terms of f, as in a quadratic equation b² is with a c.
 
 use super::dense::kinds;
-use super::rates::{Rates, SingleAngle};
+use super::rates::{Rates, SingleUnknown};
 use super::sizes::{is_at_rest_or_coordinate, larger, smaller, squared_size_anywhere};
 use super::tree::Block;
 use crate::constraint::Coordinate;
-use crate::expr::{ExprId, Graph, MAX_ORDER, Node, total_derivatives};
+use crate::expr::{ExprId, Graph, MAX_ORDER, Node, Symbol, partial, total_derivatives};
 use crate::hash::FastMap;
 use crate::vocabulary::{Function, UnknownKind};
 use std::collections::BTreeMap;
@@ -23,6 +23,38 @@ const DEPTH: usize = 8;
 /// of rounding errors is small.
 const ROUNDING: f64 = 1e-18;
 
+impl Rates<'_> {
+    /// Records the margins and orientations of all single unknowns of iterations.
+    pub(super) fn record_single_unknowns(&mut self, tree: &Block, entries: &[BTreeMap<u32, ExprId>]) {
+        for single in std::mem::take(&mut self.single_unknowns) {
+            let size = match single.kind {
+                UnknownKind::Angle => {
+                    squared_size_of_coefficient(self.graph, &single, (tree, entries, self.coordinates))
+                }
+                _ => squared_size_by_terms(self.graph, &single),
+            };
+            self.record_single(single.row, single.coefficient, size);
+            self.regular.extend(self.margins.get(&single.row));
+        }
+    }
+}
+
+/// The square of what the coefficient J of a length or scalar is compared with: the squared terms of J, or |J′| times the
+/// terms of f if that is larger and known, and if J is f′ itself and not a multiple of it.
+fn squared_size_by_terms(graph: &mut Graph, single: &SingleUnknown) -> ExprId {
+    let of_coefficient = squared_size_anywhere(graph, single.coefficient, DEPTH);
+    let by = Symbol::Coordinate(single.unknown);
+    let [first] = partial(graph, [single.residual], by);
+    let [second] = partial(graph, [first], by);
+    if first != single.coefficient || graph.is_zero(second) || !is_known(graph, second) {
+        return of_coefficient;
+    }
+    let terms = squared_size_anywhere(graph, single.residual, DEPTH);
+    let (terms, second) = (graph.call(Function::Sqrt, terms), graph.call(Function::Abs, second));
+    let product = graph.mul(second, terms);
+    larger(graph, of_coefficient, product)
+}
+
 /// The square of what a coefficient J is compared with: the squared gradient of J with respect to the angles, so that
 /// |J|/|∇J| is, to first order, the distance from the configurations with J = 0. Of the unknown angle, the derivative is the
 /// one along the motion in which it changes at the rate 1 and all that is known before it rests; others are partial. Where
@@ -30,16 +62,16 @@ const ROUNDING: f64 = 1e-18;
 ///
 /// Of several terms that are small by themselves, the squares of the terms are the measure: the direction of a short
 /// distance turns fast, and yet its sine is compared with 1.
-pub(super) fn squared_size_of_coefficient(
+fn squared_size_of_coefficient(
     graph: &mut Graph,
-    single: &SingleAngle,
+    single: &SingleUnknown,
     (tree, entries, coordinates): (&Block, &[BTreeMap<u32, ExprId>], &[Coordinate]),
 ) -> ExprId {
     let coefficient = single.coefficient;
     let terms = squared_size_anywhere(graph, coefficient, DEPTH);
     let gradient =
         total_derivatives(graph, &[coefficient]).into_iter().next().map_or_else(Vec::new, |jet| jet.gradient);
-    let slope = slope(graph, (&gradient, single.angle), (tree, entries, coordinates));
+    let slope = slope(graph, (&gradient, single.unknown), (tree, entries, coordinates));
     if graph.is_zero(slope) || !is_known(graph, slope) {
         return terms;
     }
@@ -49,7 +81,7 @@ pub(super) fn squared_size_of_coefficient(
     }
     for (k, derivative) in gradient {
         let is_angle = kinds(coordinates, &[k]) == [UnknownKind::Angle];
-        if is_angle && k != single.angle && is_known(graph, derivative) {
+        if is_angle && k != single.unknown && is_known(graph, derivative) {
             let own = graph.square(derivative);
             square = graph.add(square, own);
         }
