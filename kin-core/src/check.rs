@@ -190,11 +190,11 @@ fn families_have_members(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
 /// Rule: every index exists at both ends of the range; since indices are linear, they exist in between, too.
 fn indices_exist(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
     // A named point is copied wherever it is used; its errors are reported once, at its declaration.
-    let mut told = BTreeSet::new();
+    let mut reported = BTreeSet::new();
     for scope in scopes(mechanism) {
         for used in scope.uses(mechanism) {
             let Some((i, value)) = used.outside(scope.range) else { continue };
-            if !told.insert(used.origin) {
+            if !reported.insert(used.origin) {
                 continue;
             }
             let (name, first, last) = (used.name, used.members.start, used.members.end - 1);

@@ -14,7 +14,7 @@
 
 use super::closures::TERM_WEIGHT;
 use super::reduce::PairedRows;
-use super::sizes::sum_of_squared_terms;
+use super::sizes::{squared_size_anywhere, sum_of_squared_terms};
 use super::state::{Build, RedundantRow, Sizes};
 use crate::constraint::CoordinateKind;
 use crate::expr::{ExprId, Symbol};
@@ -179,11 +179,14 @@ impl Build<'_> {
                 continue;
             }
             for (k, entry) in equation.phi_q.clone() {
-                if let Some(kind) = kind(k) {
-                    let entry = self.known_value(entry);
-                    let square = self.graph.square(entry);
-                    sums[kind] = self.graph.add(sums[kind], square);
-                }
+                let Some(kind) = kind(k) else { continue };
+                // The arms of a row, and not their components at this pose, which may all be 0.
+                let square = match kind {
+                    0 => squared_size_anywhere(&mut self.graph, entry, 6),
+                    _ => self.graph.square(entry),
+                };
+                let square = self.known_value(square);
+                sums[kind] = self.graph.add(sums[kind], square);
             }
         }
         let least = self.graph.number(LEAST);

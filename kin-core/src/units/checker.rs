@@ -90,7 +90,7 @@ pub(super) struct BaseUnit<'m> {
 }
 
 /// The unit of length (0), time (1) or mass (2) that most of the written units contain, the first of these if several
-/// are equally frequent: whoever writes one wrong unit is told about that one.
+/// are equally frequent: whoever writes one wrong unit gets an error at that one.
 pub(super) fn base(mechanism: &Mechanism, kind: usize) -> Option<BaseUnit<'_>> {
     let all: Vec<BaseUnit<'_>> = texts(mechanism).filter_map(|(name, text)| base_in(name, text, kind)).collect();
     let uses = |base: &BaseUnit<'_>| all.iter().filter(|other| other.scale == base.scale).count();

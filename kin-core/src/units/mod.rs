@@ -4,8 +4,8 @@
 //!
 //! - Lengths, times, masses and angles; an angle is a number, and radians are its unit. Different scales of one kind
 //!   (mm and m, deg and rad) are inconsistent.
-//! - x and y of bodies and points, and distances, are lengths in the first unit of length that is written; φ is an
-//!   angle; t is a time in the first unit of time, or s; `dot` divides by the unit of t.
+//! - x and y of bodies and points, and distances, are lengths in the unit of length that most of the written units
+//!   contain; φ is an angle; t is a time in the unit of time that most of them contain, or s; `dot` divides by the unit of t.
 //! - A plain number takes the unit that its context needs: in `l + 0.1` it is a length, in `2*l` a factor. Products of
 //!   a number with time or with another number, as in `2*t` and `0.1*sin(a)`, take any unit, too. A factor that is
 //!   typical of conversions (powers of ten, 12, 25.4, 30, 60, 180, …) leaves the scale open: `l_mm/1000`, `n*2*pi/60`.

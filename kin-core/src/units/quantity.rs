@@ -29,6 +29,11 @@ fn kind(unit: Unit) -> String {
     words.to_owned()
 }
 
+/// The unit, in any scale, by which `found` is multiplied to become `unit`.
+fn factor_of(unit: Unit, found: Unit) -> Unit {
+    Unit { scale: None, ..unit.times(found.power(-1.0)) }
+}
+
 impl Checker<'_> {
     pub(super) fn place(&mut self, place: &Place) {
         for value in [&place.x, &place.y] {
@@ -53,7 +58,14 @@ impl Checker<'_> {
                 Some(of) if unit == self.length && found.is_like(unit) => format!(", {of},"),
                 _ => String::new(),
             };
-            let hint = conversion(found, unit);
+            // Forces and couples have no scale of their own. A number before a rate is no coefficient of damping.
+            let is_load = unit.scale.is_none() && unit.powers[1] == -2.0;
+            let hint = match is_load && found.powers[2] == 0.0 {
+                true => {
+                    format!("; a number has no unit: let a parameter or a factor be {}", kind(factor_of(unit, found)))
+                }
+                false => conversion(found, unit),
+            };
             let message = format!("the units do not agree: this is {found}, but {wanted}{like} is expected here{hint}");
             self.errors.push(ModelError::new(first_origin(formula).unwrap_or(at), message));
         }

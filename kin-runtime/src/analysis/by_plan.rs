@@ -109,5 +109,5 @@ pub(crate) fn limit_in(equations: &mut Equations<'_>, modes: &[f64], q: &[f64]) 
     let modes = modes.iter().take(equations.model.plan.modes.len());
     let modes: Vec<f64> = modes.map(|&mode| if mode == 0.0 { 1.0 } else { mode.signum() }).collect();
     let answer = Answer::new(equations).solve(equations, &modes, q, Depth::Position);
-    answer.err().flatten().filter(|limit| limit.step.closes())
+    answer.err().flatten().filter(|limit| limit.step.closes() || limit.contradiction().is_some())
 }

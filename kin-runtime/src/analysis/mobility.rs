@@ -303,10 +303,22 @@ fn redundant(equations: &Equations<'_>, dependency: Dependency) -> RedundantRow 
 }
 
 /// `row B.y of joint B repeats C, A`.
+impl RedundantRow {
+    /// How it depends on the other joints, which are separated by `separator`.
+    pub(crate) fn relation(&self, separator: &str) -> String {
+        let (others, cause) =
+            (self.circuit.join(separator), self.cause.map_or_else(String::new, |cause| format!(" {cause}")));
+        match (self.consistent, self.cause) {
+            (true, _) => format!("repeats {others}{cause}"),
+            (false, None) => format!("contradicts {others}"),
+            // It is the dependence that has the cause; whether there is a contradiction, the dimensions decide.
+            (false, Some(_)) => format!("contradicts {others}; they are dependent{cause}"),
+        }
+    }
+}
+
 impl fmt::Display for RedundantRow {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let verb = if self.consistent { "repeats" } else { "contradicts" };
-        write!(f, "row `{}` of joint `{}` {verb} {}", self.name, self.joint, self.circuit.join(", "))?;
-        self.cause.map_or(Ok(()), |cause| write!(f, " {cause}"))
+        write!(f, "row `{}` of joint `{}` {}", self.name, self.joint, self.relation(", "))
     }
 }

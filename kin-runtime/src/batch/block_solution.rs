@@ -2,6 +2,7 @@
 
 use crate::mechanism::Mechanism;
 use crate::plan::{Depth, Plan, Solved, StepKind};
+use crate::planned::accurate_solution::solve_accurately;
 use crate::planned::lists::Margins;
 use crate::planned::steep_rows::{certainty_of_slopes, may_be_steep};
 use crate::scalar::Scalar;
@@ -73,7 +74,7 @@ impl<Q: AsRef<[Octet]> + AsMut<[Octet]>> BlockSolution<Q> {
         let Question { parameters, at, modes, start, depth } = question;
         let Self { q, q_dot, q_ddot, .. } = self;
         let solved = Solved { q: q.as_mut(), q_dot: q_dot.as_mut(), q_ddot: q_ddot.as_mut(), margins };
-        let lengths = mechanism.solve_with(parameters, at, modes, start, *depth, solved);
+        let lengths = solve_accurately(mechanism, parameters, (at, modes), start, *depth, solved);
         debug_assert!(lengths.is_ok(), "the columns have been counted");
         // Several independent sums, so that additions can overlap.
         let sum = |numbers: &[Octet]| numbers.iter().fold(Octet::default(), |sum, x| sum + *x);
@@ -189,6 +190,36 @@ impl<Q: AsRef<[Octet]> + AsMut<[Octet]>> BlockSolution<Q> {
             }
             for lane in 0..Octet::COUNT {
                 if self.is_good(lane) && away.lane(lane).abs() > PI {
+                    self.refuse(lane);
+                    self.margin.set(lane, 0.0);
+                }
+            }
+        }
+    }
+
+    /// Refuses lanes in which an iteration has led to another closure than that of the start: a group has another
+    /// orientation than in `signs`, those of the start.
+    #[inline(always)]
+    pub(super) fn refuse_other_closures<M: Mechanism>(
+        &mut self,
+        mechanism: &M,
+        (parameters, at): (&[Octet], &Instant<'_, Octet>),
+        signs: &[Octet],
+    ) {
+        let plan = &M::model().plan;
+        if !plan.iterates() {
+            return;
+        }
+        let mut found = M::Coordinates::<Octet>::filled(Octet::default());
+        let found = &mut found.as_mut()[..plan.signs()];
+        let counted = mechanism.branches_with(parameters, at, self.q.as_ref(), found);
+        debug_assert!(counted.is_ok(), "the columns have been counted");
+        for group in plan.modes.len()..plan.modes.len() + plan.iterations {
+            let sign = found[group] * signs[group];
+            for lane in 0..Octet::COUNT {
+                // The comparison is written so that NaN is refused.
+                let keeps = sign.lane(lane) > 0.0;
+                if self.is_good(lane) && !keeps {
                     self.refuse(lane);
                     self.margin.set(lane, 0.0);
                 }

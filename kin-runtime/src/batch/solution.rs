@@ -59,7 +59,8 @@ pub(super) struct SolvedBlock<'s> {
 ///
 /// A configuration is *solved* when all margins of the plan exceed
 /// [`Plan::SMALLEST_MARGIN`](crate::plan::Plan::SMALLEST_MARGIN), all numbers are finite, and no iteration has ended more
-/// than half a turn away from its start. For others q, q̇ and q̈ are 0, and the margin shows the reason.
+/// than half a turn away from its start or, with [`Modes::OfStart`], at another closure than that of the start. For others
+/// q, q̇ and q̈ are 0, and the margin shows the reason.
 pub struct Solutions<M: Mechanism> {
     count: usize,
     /// For every block q, q̇ and q̈, the smallest margin, and 1 in the lanes that are solved.
@@ -171,7 +172,8 @@ impl<M: Mechanism> Solve<'_, M> {
         let SolutionBuffers { arguments, modes, margins } = scratch;
         let block = arguments.block(first);
         self.modes.of_block(self.mechanism, block.parameters, &block.at, block.q, block.q_dot, modes.as_mut());
-        let modes = modes.of_closures();
+        let signs = *modes;
+        let modes = signs.of_closures();
         let (parameters, at, start, depth) = (block.parameters, &block.at, block.q, self.depth);
         let (q, rest) = out.split_at_mut(M::COORDINATES);
         let (q_dot, rest) = rest.split_at_mut(M::COORDINATES);
@@ -186,6 +188,9 @@ impl<M: Mechanism> Solve<'_, M> {
         let all = poses.solve(self.mechanism, &Question { parameters, at, modes, start, depth }, margins).is_none();
         poses.refuse_steep(self.mechanism, (parameters, at), depth);
         poses.refuse_turned::<M>(start);
+        if matches!(self.modes, Modes::OfStart) {
+            poses.refuse_other_closures(self.mechanism, (parameters, at), signs.as_ref());
+        }
         let lengths = least_length(self.mechanism, parameters, at);
         for lane in (0..Octet::COUNT).filter(|lane| lengths.lane(*lane) < 0.0) {
             poses.refuse(lane);

@@ -58,7 +58,7 @@ pub(super) const HELP: Help = Help {
             names.analysis("animate --out motion.html", "one turn of the driven crank"),
             names.analysis(&format!("animate --out motion.html --to {} --steps 400", names.to), ""),
             names.analysis("animate --out motion.svg", "a picture that moves, for a document"),
-            names.with("animate --out motion.html --set", &names.set, "with another dimension"),
+            names.with("animate --out motion.html --set", &names.set, "with a dimension of your own"),
             names.with("animate --out motion.html --mode", &names.mode, "in one assembly mode alone"),
             names
                 .arc

@@ -92,7 +92,7 @@ pub(super) const HELP: Help = Help {
     examples: |names: &Names| {
         vec![
             names.analysis("check", ""),
-            names.with("check --at 0.5 --set", &names.set, "at another instant, with another dimension"),
+            names.with("check --at 0.5 --set", &names.set, "at another instant, with a dimension of your own"),
             names.analysis("check --configurations 1000 --format json", "for another program"),
         ]
     },

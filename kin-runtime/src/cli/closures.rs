@@ -128,8 +128,8 @@ fn combinations(own: &[Sign]) -> Vec<Vec<Sign>> {
 fn mode_name(model: &Model, own: &[Sign], signs: &[Sign]) -> String {
     let few = signs.len() <= 2;
     let modes = model.plan.modes.iter().zip(own).zip(signs);
-    let told = modes.filter(|((_, own), sign)| few || own != sign);
-    let names: Vec<String> = told.map(|((mode, _), sign)| format!("{} {sign}", mode.name)).collect();
+    let shown = modes.filter(|((_, own), sign)| few || own != sign);
+    let names: Vec<String> = shown.map(|((mode, _), sign)| format!("{} {sign}", mode.name)).collect();
     if names.is_empty() { "as assembled".to_owned() } else { names.join(", ") }
 }
 

@@ -81,9 +81,10 @@ impl Ledger {
 
     /// Records a message, without its list of names if an earlier message has the same list.
     fn note(&mut self, complaint: String) {
-        let told = |listed: &str| self.complaints.iter().any(|c| c.split_once('\n').is_some_and(|(_, l)| l == listed));
+        let is_listed =
+            |listed: &str| self.complaints.iter().any(|c| c.split_once('\n').is_some_and(|(_, l)| l == listed));
         let short = match complaint.split_once('\n') {
-            Some((what, listed)) if told(listed) => what.to_owned(),
+            Some((what, listed)) if is_listed(listed) => what.to_owned(),
             _ => complaint,
         };
         self.complaints.push(short);

@@ -32,7 +32,7 @@ pub(super) const HELP: Help = Help {
     examples: |names: &Names| {
         let all = vec![
             names.analysis(&format!("forces --at {}", names.at), ""),
-            names.with("forces --set", &names.set, "with other dimensions"),
+            names.with("forces --set", &names.set, "with dimensions of your own"),
             names.analysis("forces --format json", "for another program"),
         ];
         // Without masses and loads no example has an answer.

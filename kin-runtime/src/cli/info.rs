@@ -30,7 +30,7 @@ pub(super) const HELP: Help = Help {
     examples: |names: &Names| {
         vec![
             names.analysis("info", ""),
-            names.with("info --at 0.5 --set", &names.set, "at another instant, with another dimension"),
+            names.with("info --at 0.5 --set", &names.set, "at another instant, with a dimension of your own"),
             names.analysis("info --format json", "for another program"),
         ]
     },
@@ -135,9 +135,7 @@ pub(super) fn text(engine: &dyn Engine, known: Option<KnownConfiguration<'_>>) -
 }
 
 fn redundancy(row: &RedundantRow) -> String {
-    let verb = if row.consistent { "repeats" } else { "contradicts" };
-    let cause = row.cause.map_or(String::new(), |cause| format!(" {cause}"));
-    format!("{} {verb} {}{cause}", row.name, row.circuit.join(" + "))
+    format!("{} {}", row.name, row.relation(" + "))
 }
 
 /// How many rows of which class.

@@ -32,7 +32,7 @@ pub(super) const HELP: Help = Help {
     examples: |names: &Names| {
         let all = vec![
             names.analysis("limits", ""),
-            names.with("limits --set", &names.set, "with another dimension"),
+            names.with("limits --set", &names.set, "with a dimension of your own"),
             names.analysis("limits --format json", "for another program"),
         ];
         let [.., limits] = names.proven;

@@ -24,7 +24,7 @@ pub(super) const HELP: Help = Help {
     examples: |names: &Names| {
         let all = vec![
             names.analysis("modes", ""),
-            names.with("modes --set", &names.set, "with another dimension"),
+            names.with("modes --set", &names.set, "with a dimension of your own"),
             names.analysis("modes --format json", "for another program"),
         ];
         let [_, closures, _] = names.proven;

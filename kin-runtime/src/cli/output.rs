@@ -146,8 +146,8 @@ impl Destination<'_> {
     /// A note about a file with the extension of another format; `.txt` fits every format.
     pub(super) fn contradiction(&self) -> Option<String> {
         let (Target::File(path), Some(ending)) = (self.target, self.ending) else { return None };
-        let told = ending != self.form && ending != Form::Text;
-        told.then(|| {
+        let differs = ending != self.form && ending != Form::Text;
+        differs.then(|| {
             format!("note: {} is {}, as --format says, in spite of its name", path.display(), self.form.name())
         })
     }

@@ -45,7 +45,7 @@ pub(super) const HELP: Help = Help {
             names.analysis("sweep --steps 100 --out motion.csv", "over many instants"),
             plot,
             written,
-            names.with("solve --set", &names.set, "with another dimension"),
+            names.with("solve --set", &names.set, "with a dimension of your own"),
             Some(("check".to_owned(), "are the closed forms right?")),
         ]
     },

@@ -55,8 +55,8 @@ pub(super) const HELP: Help = Help {
         vec![
             names.analysis(&format!("solve --at {}", names.at), ""),
             names.with("solve", &names.ratio, "a quantity, and its velocity ratio to a driver or an input"),
-            names.with("solve --set", &names.set_two.clone().or(names.set.clone()), "with other dimensions"),
-            names.with("solve --guess", &names.guess, "another start of the assembly"),
+            names.with("solve --set", &names.set_two.clone().or(names.set.clone()), "with dimensions of your own"),
+            names.with("solve --guess", &names.guess, "with this start of the assembly"),
             names.with("solve --mode", &names.mode, "in an assembly mode, whatever the guess"),
             names.analysis(&format!("solve --at {} --format json", names.at), "for another program"),
             names.analysis("solve --certify", "with a proof").filter(|_| certified),

@@ -206,6 +206,9 @@ fn closures(engine: &dyn Engine, setup: &Setup, t: f64) -> Option<String> {
 /// An error of an analysis, with a hint.
 pub(super) fn analysis(engine: &dyn Engine, error: &SolveError) -> Failure {
     let hint = match error {
+        SolveError::NotAssembled { limit: Some(limit), .. } if limit.contradiction().is_some() => {
+            "redundant joints must fit each other: change a dimension (--set), or leave one of these joints out"
+        }
         SolveError::NotAssembled { .. } => {
             "if these dimensions can close at all, start nearer to the position: --guess coordinate=value,…"
         }

@@ -67,8 +67,8 @@ pub(super) const HELP: Help = Help {
             names.with("sweep --steps 20 --out motions.csv --vary", &names.vary, "a motion for each of five values"),
             names.analysis("sweep --to limit", "until the mechanism can go no further"),
             names.arc.then(|| names.analysis("sweep --along-arc", "through dead centres, all the way round")).flatten(),
-            names.with("sweep --set", &names.set, "with another dimension"),
-            names.with("sweep --mode", &names.mode, "in another assembly mode"),
+            names.with("sweep --set", &names.set, "with a dimension of your own"),
+            names.with("sweep --mode", &names.mode, "in this assembly mode"),
             if names.conditions { stop } else { None },
         ]
     },

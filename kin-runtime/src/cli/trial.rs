@@ -21,6 +21,8 @@ const INSTANTS: usize = 24;
 const PATIENCE: Duration = Duration::from_millis(200);
 /// Largest number of modes whose combinations are tried.
 const SHORT: usize = 3;
+/// Largest change of a coordinate that counts as none, relative to its size.
+const STILL: f64 = 1e-9;
 /// Largest number of combinations of values of inputs that are tried.
 const TRIES: usize = 200;
 
@@ -41,6 +43,8 @@ pub(super) struct ExampleValues {
     pub(super) proven: [bool; 3],
     /// Whether the motion along the arc closes.
     pub(super) arc: bool,
+    /// The indices of coordinates that are the same at the beginning, in the middle and at the end of the motion.
+    pub(super) still: Vec<usize>,
 }
 
 impl Default for ExampleValues {
@@ -53,6 +57,7 @@ impl Default for ExampleValues {
             mode: None,
             proven: [false; 3],
             arc: false,
+            still: Vec::new(),
         }
     }
 }
@@ -97,6 +102,11 @@ impl ExampleValues {
         trial.mode = modes.iter().find_map(|mode| Some(format!("{}={}", mode.name, mode.sign?)));
         trial.proven = proven(engine, &setup, &state, natural_end(engine, &setup, 0.0));
         trial.arc = closes(engine, &setup);
+        let later: Vec<Vec<f64>> =
+            [0.5 * end, end].into_iter().filter_map(|t| engine.state(&setup, t).ok()).map(|state| state.q).collect();
+        let is_still =
+            |k: &usize| later.iter().all(|q| (q[*k] - state.q[*k]).abs() <= STILL * (1.0 + state.q[*k].abs()));
+        trial.still = (0..state.q.len()).filter(is_still).collect();
         trial.vary = varied(engine, &setup);
         Some(trial)
     }

@@ -163,12 +163,12 @@ impl Plan {
 
 /// A correction this small, for an unknown of size 1, is the last one: the next would be about its square, which is below
 /// rounding. The rounding of a larger unknown is proportional to its size, and so is the square of its last correction.
-pub(crate) const LAST: f64 = 3e-9;
+pub(crate) const LAST_CORRECTION: f64 = 3e-9;
 
 /// A correction this small, for an unknown of size 1, is a rounding error.
 const ROUNDING: f64 = 1e-13;
 
-/// [`LAST`] and [`ROUNDING`] for a scalar with this machine precision: the first is proportional to its square root,
+/// [`LAST_CORRECTION`] and [`ROUNDING`] for a scalar with this machine precision: the first is proportional to its square root,
 /// the second to itself.
 const fn last_and_rounding(epsilon: f64) -> [f64; 2] {
     let coarse = epsilon / f64::EPSILON;
@@ -178,7 +178,7 @@ const fn last_and_rounding(epsilon: f64) -> [f64; 2] {
         root = 0.5 * (root + coarse / root);
         k += 1;
     }
-    [LAST * root, ROUNDING * coarse]
+    [LAST_CORRECTION * root, ROUNDING * coarse]
 }
 
 /// The square of the ratio of the scalar's machine precision to that of `f64`.
@@ -191,7 +191,7 @@ pub const fn coarseness<T: Scalar>() -> f64 {
 
 /// Largest last correction of a scalar, relative to its size. The one after it is about k times its square, where 1/k is
 /// the unit in which the scalar is of the order of 1.
-const LAST_OF_SCALAR: f64 = 3e-7;
+const LAST_CORRECTION_OF_SCALAR: f64 = 3e-7;
 
 /// Newton's iteration over the unknowns `places` of `x`, of these `kinds`: `correction` gives, for the current values, the
 /// numbers to be subtracted. If it does not converge, `x` is left unchanged. Returns 1 if it has converged, otherwise 0.
@@ -224,7 +224,8 @@ pub fn iterate<T: Scalar, const N: usize, const M: usize>(
                 UnknownKind::Length => relative.is_within(last_step) && (step / length).is_within(last_step),
                 UnknownKind::Angle => (step * relative).is_within(last_step * last_step),
                 UnknownKind::Scalar => {
-                    let allowed = T::from_f64(LAST_OF_SCALAR * last_step / LAST) * size + T::from_f64(rounding_step);
+                    let allowed = T::from_f64(LAST_CORRECTION_OF_SCALAR * last_step / LAST_CORRECTION) * size
+                        + T::from_f64(rounding_step);
                     (step * relative).is_within(last_step * last_step) && (step / allowed).is_within(1.0)
                 }
             };

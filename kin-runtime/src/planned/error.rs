@@ -47,6 +47,13 @@ pub enum PlanError {
         /// The name of the mode.
         mode: &'static str,
     },
+    /// The iteration of a group leads from the start to another closure than that of the start, which is too far from both.
+    OtherClosure {
+        /// Time.
+        t: f64,
+        /// The name of the group.
+        group: &'static str,
+    },
     /// A length that a joint prescribes is negative: that of a link, a cylinder or a driver of a distance.
     NegativeLength {
         /// Time.
@@ -159,6 +166,14 @@ impl fmt::Display for PlanError {
                 write!(
                     f,
                     "at t = {t}, the start does not determine the mode {mode}: its two closures coincide there, or a number is NaN",
+                    t = rounded(*t)
+                )
+            }
+            Self::OtherClosure { t, group } => {
+                write!(
+                    f,
+                    "at t = {t}, the iteration of {group} leads to another closure than that of the start; begin at a \
+                     solved state, as `Solver::planned` does",
                     t = rounded(*t)
                 )
             }

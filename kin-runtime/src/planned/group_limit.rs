@@ -13,7 +13,7 @@ pub struct Limit {
     #[doc(hidden)]
     pub step: Step,
     /// The margin of the group: 0 at the limit, negative where it cannot close. For a closure a cos φ + b sin φ = c it
-    /// is 1 − c²/(a² + b²), any negative number far beyond the limit.
+    /// is 1 − c²/(a² + b²), which has no lower bound far beyond the limit.
     pub margin: f64,
     /// The location of the limit itself, where the motion was followed up to it.
     #[doc(hidden)]

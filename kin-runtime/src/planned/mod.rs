@@ -2,6 +2,7 @@
 //! the branch of the motion, and takes shorter steps where that is not certain. Sweeps, trackers and batches use it, too;
 //! [`Planned`] is its public form for controllers and fast loops, without an allocator.
 
+pub(crate) mod accurate_solution;
 pub(crate) mod branch;
 pub(crate) mod coincident;
 mod error;

@@ -20,13 +20,13 @@ use super::follower::{PlanFollower, PlanSolution};
 use super::ill_conditioned::NOISE;
 use crate::mechanism::Mechanism;
 use crate::model::{Component, CoordinateKind, Model};
-use crate::plan::{LAST, StepKind};
+use crate::plan::{LAST_CORRECTION, StepKind};
 use crate::scalar::compare::{Compare, least_or_nan};
 use crate::signal::Instant;
 use crate::workspace::Array;
 
 /// Largest relative change of a slope within the last correction.
-const CHANGE: f64 = 0.1;
+const LARGEST_SLOPE_CHANGE: f64 = 0.1;
 /// Largest turn of the unit vector of a distance by rounding.
 const ROUNDED_TURN: f64 = 1e-9;
 
@@ -101,7 +101,8 @@ fn unknowns(model: &Model) -> impl Iterator<Item = usize> {
     })
 }
 
-/// The lesser difference of both sides of the two conditions, for one coordinate.
+/// The smaller of the differences, right side less left side, of the two conditions above for one coordinate: both hold if
+/// it is not negative.
 fn certainty<V: Compare>(kind: CoordinateKind, w: V, [x, v, a]: [V; 3]) -> V {
     let one = V::from_f64(1.0);
     let [unit, last] = match kind {
@@ -111,7 +112,7 @@ fn certainty<V: Compare>(kind: CoordinateKind, w: V, [x, v, a]: [V; 3]) -> V {
     };
     let noise = V::from_f64(f64::EPSILON) * x.abs() * (w * v) * (w * v);
     let of_rates = V::from_f64(NOISE) * a.abs().greatest(unit * v * v) - noise;
-    least_or_nan(of_rates, V::from_f64(CHANGE) - V::from_f64(LAST) * last * w)
+    least_or_nan(of_rates, V::from_f64(LARGEST_SLOPE_CHANGE) - V::from_f64(LAST_CORRECTION) * last * w)
 }
 
 #[cfg(test)]

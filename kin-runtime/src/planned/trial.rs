@@ -1,5 +1,6 @@
 //! The trial state: the solution of the plan at an instant, and the check whether it is on the branch of the motion.
 
+use super::accurate_solution::solve_accurately;
 use super::branch::{first_uncertain, may_have_touched_limit};
 use super::follower::{Control, PlanFollower, PlanSolution};
 use super::lists::BranchValues;
@@ -21,7 +22,7 @@ impl<M: Mechanism> PlanFollower<M> {
             Solved { q: q.as_mut(), q_dot: q_dot.as_mut(), q_ddot: q_ddot.as_mut(), margins: margins.as_mut() };
         let modes = branch.modes.of_closures();
         let depth = Depth::Acceleration;
-        mechanism.solve_with(parameters.as_ref(), at, modes, predicted.as_ref(), depth, solved)?;
+        solve_accurately(mechanism, parameters.as_ref(), (at, modes), predicted.as_ref(), depth, solved)?;
         let PlanSolution { q, q_dot, q_ddot, margins } = &states[1 - *accepted];
         let finite = all_finite(q.as_ref()) & all_finite(q_dot.as_ref()) & all_finite(q_ddot.as_ref());
         Ok(margins.are_good() & finite & at.t.is_finite())

@@ -59,11 +59,11 @@ pub(crate) fn transmission_angles(
     let joints = equations.model.joints;
     let pairs = pairs(equations.model);
     let angles = angles(equations, q, &pairs)?;
-    let told = pairs.iter().zip(angles).filter_map(|(pair, angle)| {
+    let found = pairs.iter().zip(angles).filter_map(|(pair, angle)| {
         let between = pair.between.map(|joint| joints[joint].name);
         Some(TransmissionAngle { joint: joints[pair.joint].name, between, angle: angle? })
     });
-    Ok(told.collect())
+    Ok(found.collect())
 }
 
 /// The angles of pairs at q; `None` if an arm has no length.

@@ -19,12 +19,13 @@ use core::f64::consts::PI;
 const NEAR: f64 = 0.25;
 
 impl<M: Mechanism> Solver<'_, M> {
-    /// True if no iteration of the plan left the surroundings of `start` on its way to the solution q.
+    /// True if no iteration of the plan left the surroundings of `start` on its way to the solution q. Of the coordinates
+    /// that a group places, those that are `given`, and not NaN, count together with its unknowns.
     pub(super) fn stays_near(
         &self,
         parameters: &M::Parameters<f64>,
         at: &Instant<'_>,
-        start: &[f64],
+        [start, given]: [&[f64]; 2],
         q: &[f64],
     ) -> bool {
         let model = M::model();
@@ -32,7 +33,7 @@ impl<M: Mechanism> Solver<'_, M> {
             return true;
         }
         let Some(mut begun) = M::Coordinates::<f64>::view(q).copied() else { return false };
-        if !begins_near(model, start, q, begun.as_mut()) {
+        if !begins_near(model, [start, given], q, begun.as_mut()) {
             return false;
         }
         let of = |q: &[f64]| BranchValues::<M>::at(self.mechanism, parameters.as_ref(), at, q);
@@ -47,17 +48,19 @@ fn have_same_sign((first, last): (&f64, &f64)) -> bool {
     first * last > 0.0
 }
 
-/// Writes the unknowns of all iterations at their start; false if an angle is more than half a turn away from its start
-/// at the solution q, or if a group that contains a scalar begins far from it.
-fn begins_near(model: &Model, start: &[f64], q: &[f64], begun: &mut [f64]) -> bool {
+/// Writes the unknowns of all iterations at their start, and what is given of the coordinates that follow from them; false
+/// if an angle is more than half a turn away from its start at the solution q, or if a group that contains a scalar begins
+/// far from it.
+fn begins_near(model: &Model, [start, given]: [&[f64]; 2], q: &[f64], begun: &mut [f64]) -> bool {
     for step in model.plan.steps {
         let StepKind::Newton(unknowns) = step.kind else { continue };
-        let unknowns = step.coordinates.get(..unknowns).unwrap_or_default();
+        let (unknowns, others) = step.coordinates.split_at_checked(unknowns).unwrap_or_default();
         let has_scalar = unknowns.iter().any(|&(k, _)| model.coordinates[k].kind == CoordinateKind::Scalar);
         if has_scalar && !unknowns.iter().all(|&(k, _)| is_near(model.coordinates[k].kind, start[k], q[k])) {
             return false;
         }
         unknowns.iter().for_each(|&(k, _)| begun[k] = start[k]);
+        others.iter().filter(|(k, _)| given[*k].is_finite()).for_each(|&(k, _)| begun[k] = given[k]);
     }
     model.iterated_angles().all(|k| (q[k] - start[k]).abs() <= PI)
 }

@@ -272,7 +272,8 @@ impl<'m, M: Mechanism> Solver<'m, M> {
         point_jacobian(&mut self.equations(at)?, q, point)
     }
 
-    /// Transmission angles at all revolute joints between two moving bodies.
+    /// Transmission angles at the revolute joints between two moving bodies that each have another joint of the same dyad
+    /// or group that acts at a point.
     ///
     /// # Errors
     /// [`NonFinite`](SolveError::NonFinite) and [`Length`](SolveError::Length).

@@ -24,11 +24,11 @@ impl Progress {
     /// Starts to handle Ctrl-C, and shows a bar as soon as the number of rows is known.
     pub(super) fn begin() -> Self {
         let watch = Watch { stop: listen(), ..Watch::default() };
-        let (over, told) = channel();
+        let (over, watched) = channel();
         let seen = watch.clone();
         let thread = std::thread::spawn(move || {
             let bar = bar();
-            while let Err(RecvTimeoutError::Timeout) = told.recv_timeout(TICK) {
+            while let Err(RecvTimeoutError::Timeout) = watched.recv_timeout(TICK) {
                 bar.set_length(seen.total.load(Ordering::Relaxed));
                 bar.set_position(seen.done.load(Ordering::Relaxed));
             }

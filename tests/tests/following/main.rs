@@ -10,6 +10,7 @@ mod guides;
 mod hidden;
 mod input_ranges;
 mod inputs;
+mod iterated_closures;
 mod jumps;
 mod larger;
 mod late;

@@ -377,3 +377,24 @@ fn an_input_does_not_jump_across_a_pole() {
         }
     }
 }
+
+/// An exact kite (Galloway's mechanism): where the crank's pin is on the axle of the rocker, both turn about it together.
+#[mechanism]
+#[body(crank, x = 0, y = 0)]
+#[bodies(coupler)]
+#[body(rocker, x = 1, y = 0)]
+#[revolute(A: crank @ (1, 0), coupler @ (0, 0))]
+#[revolute(B: coupler @ (1.5, 0), rocker @ (1.5, 0))]
+#[driver(drive: crank.phi = 1 - t)]
+#[guess(coupler.phi = 1, rocker.phi = 2)]
+struct Kite;
+
+#[test]
+fn coinciding_pins_are_no_solution_at_infinity() {
+    for times in [vec![0.0, 2.0], vec![0.0, 1.0, 2.0], (0..=20).map(|k| 0.13 * f64::from(k)).collect()] {
+        let error = Kite.solver().sweep(&times).expect_err("the pins meet").source;
+        let limit = error.limit().expect("a limit");
+        assert_ne!(limit.kind(), Some(LimitKind::Pole), "{times:?}: {error}");
+        assert!(limit.at().is_some_and(|t| (t - 1.0).abs() < 1e-9), "{times:?}: {error}");
+    }
+}

@@ -123,3 +123,22 @@ fn turns_are_not_taken_for_radians() {
     }
     assert!(of("crank.phi = w*t", "#[define(w = 2*pi*f)]").is_empty());
 }
+
+/// A number has no unit, so that a number times a rate is no couple.
+#[test]
+fn a_load_that_is_a_number_times_a_rate_says_what_the_factor_is() {
+    let of = |load: &str| {
+        errors(&format!(
+            "#[bodies(crank)] #[revolute(O: ground @ (0, 0), crank @ (0, 0))] #[driver(drive: crank.phi = t)] #[{load}]
+            struct S {{ #[param(2, unit = \"mm\")] r: f64, #[param(3, unit = \"N*mm*s\")] c: f64 }}"
+        ))
+    };
+    let damping = of("torque(friction: crank = -0.01*dot(crank.phi))");
+    assert_eq!(
+        damping,
+        ["the units do not agree: this is 1/s, but a couple is expected here; a number has no unit: let a parameter \
+          or a factor be a couple per angular speed"]
+    );
+    assert_eq!(Vec::<String>::new(), of("torque(friction: crank = -c*dot(crank.phi))"));
+    assert_eq!(Vec::<String>::new(), of("torque(friction: crank = -c*0.01*dot(crank.phi))"));
+}

@@ -94,7 +94,7 @@ impl SearchedMotion<'_> {
     fn at_instant(&self, place: usize, k: usize) -> Extreme {
         let last = self.states.len() - 1;
         let has_limit = |end: usize| self.instants.limits[end].as_ref().is_some_and(|stop| stop.t == self.states[k].t);
-        let told = match k {
+        let named = match k {
             0 if has_limit(0) => "limit",
             _ if k == last && has_limit(1) => "limit",
             0 => "first instant",
@@ -102,7 +102,7 @@ impl SearchedMotion<'_> {
             _ => "kink",
         };
         let drivers = (1..self.first).map(|d| (self.walk.measures[d].name().to_owned(), self.columns[d][k]));
-        Extreme { value: self.columns[place][k], t: self.states[k].t, drivers: drivers.collect(), place: told }
+        Extreme { value: self.columns[place][k], t: self.states[k].t, drivers: drivers.collect(), place: named }
     }
 
     /// The extreme around an instant; its place is `end` if it is at an end of the interval around it that can be
@@ -131,7 +131,7 @@ impl SearchedMotion<'_> {
         let state = solve(&self.walk, self.instants, from, &[found.at])?.pop()?;
         let of = |places: std::ops::Range<usize>| self.walk.values_of(&state, &self.walk.measures[places]).ok();
         let drivers = self.walk.measures[1..self.first].iter().map(|measure| measure.name().to_owned());
-        let told = match found.smooth {
+        let named = match found.smooth {
             _ if !found.resolved => UNRESOLVED,
             _ if found.at == a || found.at == b => "end",
             true => "between instants",
@@ -141,7 +141,7 @@ impl SearchedMotion<'_> {
             value: of(place..place + 1)?.first().copied()?,
             t: found.at,
             drivers: drivers.zip(of(1..self.first)?).collect(),
-            place: told,
+            place: named,
         })
     }
 }

@@ -47,8 +47,8 @@ pub(super) fn text(motions: &[MotionRecord], model: &Model, degrees: bool) -> St
                 table = table.right(name, rows.iter().map(|(_, extreme)| rounded(value(extreme))));
             }
             // Most extremes are between instants, which is therefore not mentioned.
-            let told = |extreme: &Extreme| if extreme.place == "between instants" { "" } else { extreme.place };
-            table = table.words("", rows.iter().map(|(_, extreme)| told(extreme)));
+            let shown = |extreme: &Extreme| if extreme.place == "between instants" { "" } else { extreme.place };
+            table = table.words("", rows.iter().map(|(_, extreme)| shown(extreme)));
             out += &format!("\n{}", table.render());
         }
     }

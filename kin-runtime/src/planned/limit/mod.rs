@@ -108,7 +108,12 @@ impl<M: Mechanism> PlanFollower<M> {
             return (why, last);
         };
         let Some(group) = plan.group_of_margin(of_margin) else {
-            let margin = self.margin_at(mechanism, course, blocked.interval[1], of_margin, blocked);
+            // How much redundant rows contradict the others at the instant requested, if the plan solves there.
+            let asked = self.margin_at(mechanism, course, course.ends()[1], of_margin, blocked);
+            let margin = match asked <= Plan::SMALLEST_MARGIN {
+                true => asked,
+                false => self.margin_at(mechanism, course, blocked.interval[1], of_margin, blocked),
+            };
             return (of_kind(t, Limit { step, margin, located: Some(Located { at: reached, kind: None }) }), last);
         };
         let has_two_closures = group < plan.modes.len();
