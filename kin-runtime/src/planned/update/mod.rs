@@ -51,14 +51,14 @@ impl<M: Mechanism> PlanFollower<M> {
             return Err(LengthError { what: "q", expected: M::COORDINATES, found: q.len() }.into());
         }
         let signs = BranchValues::at(mechanism, self.parameters.as_ref(), at, q)?.modes();
-        let before = M::model().plan.iterates().then(|| self.clone());
+        let before = *self;
         self.restart_in(mechanism, at, q, signs)?;
         let plan = &M::model().plan;
         let is_other = |group: &usize| signs.as_ref()[*group] != self.branch.modes.as_ref()[*group];
         match (plan.modes.len()..plan.modes.len() + plan.iterations).find(is_other) {
             Some(group) => {
                 let group = plan.orientations[group - plan.modes.len()].name;
-                before.into_iter().for_each(|before| *self = before);
+                *self = before;
                 Err(PlanError::OtherClosure { t: at.t, group })
             }
             None => Ok(()),
