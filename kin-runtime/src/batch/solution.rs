@@ -172,7 +172,7 @@ impl<M: Mechanism> Solve<'_, M> {
         let SolutionBuffers { arguments, modes, margins } = scratch;
         let block = arguments.block(first);
         self.modes.of_block(self.mechanism, block.parameters, &block.at, block.q, block.q_dot, modes.as_mut());
-        let signs = *modes;
+        let signs = &*modes;
         let modes = signs.of_closures();
         let (parameters, at, start, depth) = (block.parameters, &block.at, block.q, self.depth);
         let (q, rest) = out.split_at_mut(M::COORDINATES);

@@ -34,8 +34,8 @@ use crate::workspace::{Array, Subset};
 struct PlanStart<M: Mechanism> {
     q: M::Coordinates<f64>,
     modes: Modes<M>,
-    /// The coordinates that a start or guesses give; NaN for others, whose start is 0.
-    given: M::Coordinates<f64>,
+    /// Whether all coordinates are given, and not only those with guesses; others start at 0.
+    is_complete: bool,
 }
 
 impl<M: Mechanism> Solver<'_, M> {
@@ -93,7 +93,7 @@ impl<M: Mechanism> Solver<'_, M> {
             _ => BranchValues::at(self.mechanism, parameters.as_ref(), at, start).ok()?.modes(),
         };
         let q = *M::Coordinates::<f64>::view(start)?;
-        Some(PlanStart { q, modes, given: q })
+        Some(PlanStart { q, modes, is_complete: true })
     }
 
     /// The start that the guesses determine.
@@ -110,7 +110,7 @@ impl<M: Mechanism> Solver<'_, M> {
             [plus.as_mut(), minus.as_mut()],
             &mut |modes, q| self.solved(parameters, at, start.as_ref(), modes, q, &mut Margins::filled(0.0)),
         )?;
-        Some(PlanStart { q: start, modes, given: guess })
+        Some(PlanStart { q: start, modes, is_complete: false })
     }
 
     /// The guesses, NaN for coordinates without one; `None` if one is not finite or for a coordinate that does not
@@ -147,7 +147,7 @@ impl<M: Mechanism> Solver<'_, M> {
     fn state_of(&self, parameters: &M::Parameters<f64>, at: &Instant<'_>, start: &PlanStart<M>) -> Option<State> {
         let mut poses = PlanSolution::nothing();
         self.solve_poses(parameters, at, start, &mut poses)?;
-        if !self.stays_near(parameters, at, [start.q.as_ref(), start.given.as_ref()], poses.q.as_ref()) {
+        if !self.stays_near(parameters, at, (start.q.as_ref(), start.is_complete), poses.q.as_ref()) {
             return None;
         }
         self.finished(parameters, at, &poses)
@@ -290,7 +290,7 @@ impl<M: Mechanism> Solver<'_, M> {
         let still = M::Coordinates::<f64>::filled(0.0);
         let solution = [q.as_ref(), still.as_ref(), still.as_ref()];
         if !margins.are_good()
-            || !self.stays_near(parameters, at, [start.q.as_ref(), start.given.as_ref()], q.as_ref())
+            || !self.stays_near(parameters, at, (start.q.as_ref(), start.is_complete), q.as_ref())
             || !self.slopes_are_certain(parameters, at, solution)
         {
             return None;

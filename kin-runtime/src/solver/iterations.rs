@@ -20,12 +20,12 @@ const NEAR: f64 = 0.25;
 
 impl<M: Mechanism> Solver<'_, M> {
     /// True if no iteration of the plan left the surroundings of `start` on its way to the solution q. Of the coordinates
-    /// that a group places, those that are `given`, and not NaN, count together with its unknowns.
+    /// that a group places, those with a guess, or all of a complete start, count together with its unknowns.
     pub(super) fn stays_near(
         &self,
         parameters: &M::Parameters<f64>,
         at: &Instant<'_>,
-        [start, given]: [&[f64]; 2],
+        (start, is_complete): (&[f64], bool),
         q: &[f64],
     ) -> bool {
         let model = M::model();
@@ -33,7 +33,9 @@ impl<M: Mechanism> Solver<'_, M> {
             return true;
         }
         let Some(mut begun) = M::Coordinates::<f64>::view(q).copied() else { return false };
-        if !begins_near(model, [start, given], q, begun.as_mut()) {
+        let guesses = &self.settings.guesses;
+        let is_given = |k: usize| is_complete || model.guesses.contains(&k) || guesses.iter().any(|guess| guess.0 == k);
+        if !begins_near(model, (start, &is_given), q, begun.as_mut()) {
             return false;
         }
         let of = |q: &[f64]| BranchValues::<M>::at(self.mechanism, parameters.as_ref(), at, q);
@@ -51,7 +53,12 @@ fn have_same_sign((first, last): (&f64, &f64)) -> bool {
 /// Writes the unknowns of all iterations at their start, and what is given of the coordinates that follow from them; false
 /// if an angle is more than half a turn away from its start at the solution q, or if a group that contains a scalar begins
 /// far from it.
-fn begins_near(model: &Model, [start, given]: [&[f64]; 2], q: &[f64], begun: &mut [f64]) -> bool {
+fn begins_near(
+    model: &Model,
+    (start, is_given): (&[f64], &dyn Fn(usize) -> bool),
+    q: &[f64],
+    begun: &mut [f64],
+) -> bool {
     for step in model.plan.steps {
         let StepKind::Newton(unknowns) = step.kind else { continue };
         let (unknowns, others) = step.coordinates.split_at_checked(unknowns).unwrap_or_default();
@@ -60,7 +67,7 @@ fn begins_near(model: &Model, [start, given]: [&[f64]; 2], q: &[f64], begun: &mu
             return false;
         }
         unknowns.iter().for_each(|&(k, _)| begun[k] = start[k]);
-        others.iter().filter(|(k, _)| given[*k].is_finite()).for_each(|&(k, _)| begun[k] = given[k]);
+        others.iter().filter(|(k, _)| is_given(*k)).for_each(|&(k, _)| begun[k] = start[k]);
     }
     model.iterated_angles().all(|k| (q[k] - start[k]).abs() <= PI)
 }
