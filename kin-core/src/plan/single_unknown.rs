@@ -57,11 +57,11 @@ fn squared_size_by_terms(graph: &mut Graph, single: &SingleUnknown) -> ExprId {
 
 /// The square of what a coefficient J is compared with: the squared gradient of J with respect to the angles, so that
 /// |J|/|∇J| is, to first order, the distance from the configurations with J = 0. Of the unknown angle, the derivative is the
-/// one along the motion in which it changes at the rate 1 and all that is known before it rests; others are partial. Where
-/// both curves of a double point turn away from each other, the former may be 0 although J is nearly 0, too.
+/// one along the motion in which it changes at the rate 1 and all that is known before it rests; others are partial. That of
+/// the unknown alone would not do: for special dimensions it is nearly 0 where J is.
 ///
-/// Of several terms that are small by themselves, the squares of the terms are the measure: the direction of a short
-/// distance turns fast, and yet its sine is compared with 1.
+/// If the squares of the terms of J are smaller than that, they are the measure: the direction of a short distance turns
+/// fast, and yet its sine is compared with 1.
 fn squared_size_of_coefficient(
     graph: &mut Graph,
     single: &SingleUnknown,

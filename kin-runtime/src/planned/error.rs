@@ -47,7 +47,7 @@ pub enum PlanError {
         /// The name of the mode.
         mode: &'static str,
     },
-    /// The iteration of a group leads from the start to another closure than that of the start, which is too far from both.
+    /// The iteration of a group leads from the start to another closure than that of the start.
     OtherClosure {
         /// Time.
         t: f64,

@@ -122,8 +122,9 @@ impl<'m, M: Mechanism> Planned<'m, M> {
     /// parameters are copied from the mechanism.
     ///
     /// # Errors
-    /// [`PlanError`]: there is no plan, it has no solution at this instant in these modes, or q does not determine the
-    /// modes ([`PlanError::Undecided`]).
+    /// [`PlanError`]: there is no plan, it has no solution at this instant in these modes, q does not determine the
+    /// modes ([`PlanError::Undecided`]), or an iteration leads from q to another closure than that of q
+    /// ([`PlanError::OtherClosure`]).
     pub fn new(mechanism: &'m M, at: &Instant<'_>, q: &[f64]) -> Result<Self, PlanError> {
         Self::begin(MaybeOwned::Borrowed(mechanism), at, q)
     }

@@ -45,7 +45,8 @@ impl<M: Mechanism> PlanFollower<M> {
         Ok(follower)
     }
 
-    /// Starts again from a configuration q, n numbers, in the modes of q.
+    /// Starts again from a configuration q, n numbers, in the modes of q. An iteration must lead to a configuration with the
+    /// orientation that its group has at q; after an error the state is that before.
     pub(crate) fn restart(&mut self, mechanism: &M, at: &Instant<'_>, q: &[f64]) -> Result<(), PlanError> {
         if q.len() != M::COORDINATES {
             return Err(LengthError { what: "q", expected: M::COORDINATES, found: q.len() }.into());
