@@ -1,10 +1,10 @@
 //! How near a single unknown of an iteration f = 0 is to its dead centre, where its coefficient J = f′ is 0.
 //!
-//! Sizes of terms do not always tell that. A curve e(X, Y) = 0 of fourth degree at the end of a long arm has coefficients whose
-//! terms are powers of the arm's length, although X and Y are as small as the curve; and a coefficient of one term, such as
-//! the slope of a cam, has itself as its size. Derivatives of J do: to first order, the dead centre of an angle is J/J′ away.
-//! This is in radians, as the distances of other groups from their limits are. For an unknown length or scalar, J/J′ has a
-//! unit, and J² is compared with |J′| times the terms of f, as in a quadratic equation b² is with a c.
+//! The sizes of the terms of J do not always show that. A curve e(X, Y) = 0 of fourth degree at the end of a long arm has
+//! coefficients whose terms are powers of the arm's length, although X and Y are as small as the curve; and a coefficient of
+//! one term, such as the slope of a cam, has itself as its size. Derivatives of J do: to first order, the dead centre of an
+//! angle is J/J′ away. This is in radians, as the distances of other groups from their limits are. For an unknown length or
+//! scalar, J/J′ has a unit, and J² is compared with |J′| times the terms of f, as b² is with a c in a quadratic equation.
 
 use super::dense::kinds;
 use super::rates::{Rates, SingleUnknown};
@@ -19,8 +19,8 @@ use std::collections::BTreeMap;
 /// Depth to which the terms of a coefficient are examined.
 const DEPTH: usize = 8;
 
-/// The least size of a coefficient, relative to the squares of its terms: where f″ is 0, too, a coefficient that consists
-/// of rounding errors is small.
+/// The least squared size of a coefficient, relative to its squared terms: where its gradient is 0, too, a coefficient that
+/// consists of rounding errors is small.
 const ROUNDING: f64 = 1e-18;
 
 impl Rates<'_> {
@@ -28,10 +28,8 @@ impl Rates<'_> {
     pub(super) fn record_single_unknowns(&mut self, tree: &Block, entries: &[BTreeMap<u32, ExprId>]) {
         for single in std::mem::take(&mut self.single_unknowns) {
             let size = match single.kind {
-                UnknownKind::Angle => {
-                    squared_size_of_coefficient(self.graph, &single, (tree, entries, self.coordinates))
-                }
-                _ => squared_size_by_terms(self.graph, &single),
+                UnknownKind::Angle => squared_size_for_angle(self.graph, &single, (tree, entries, self.coordinates)),
+                _ => squared_size_for_length(self.graph, &single),
             };
             self.record_single(single.row, single.coefficient, size);
             self.regular.extend(self.margins.get(&single.row));
@@ -39,9 +37,9 @@ impl Rates<'_> {
     }
 }
 
-/// The square of what the coefficient J of a length or scalar is compared with: the squared terms of J, or |J′| times the
+/// The square of what the coefficient J of an unknown length or scalar is compared with: the squared terms of J, or |J′| times the
 /// terms of f if that is larger and known, and if J is f′ itself and not a multiple of it.
-fn squared_size_by_terms(graph: &mut Graph, single: &SingleUnknown) -> ExprId {
+fn squared_size_for_length(graph: &mut Graph, single: &SingleUnknown) -> ExprId {
     let of_coefficient = squared_size_anywhere(graph, single.coefficient, DEPTH);
     let by = Symbol::Coordinate(single.unknown);
     let [first] = partial(graph, [single.residual], by);
@@ -55,14 +53,14 @@ fn squared_size_by_terms(graph: &mut Graph, single: &SingleUnknown) -> ExprId {
     larger(graph, of_coefficient, product)
 }
 
-/// The square of what a coefficient J is compared with: the squared gradient of J with respect to the angles, so that
+/// The square of what the coefficient J of an unknown angle is compared with: the squared gradient of J with respect to the angles, so that
 /// |J|/|∇J| is, to first order, the distance from the configurations with J = 0. Of the unknown angle, the derivative is the
 /// one along the motion in which it changes at the rate 1 and all that is known before it rests; others are partial. That of
 /// the unknown alone would not do: for special dimensions it is nearly 0 where J is.
 ///
 /// If the squares of the terms of J are smaller than that, they are the measure: the direction of a short distance turns
 /// fast, and yet its sine is compared with 1.
-fn squared_size_of_coefficient(
+fn squared_size_for_angle(
     graph: &mut Graph,
     single: &SingleUnknown,
     (tree, entries, coordinates): (&Block, &[BTreeMap<u32, ExprId>], &[Coordinate]),

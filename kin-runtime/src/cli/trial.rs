@@ -43,7 +43,7 @@ pub(super) struct ExampleValues {
     pub(super) proven: [bool; 3],
     /// Whether the motion along the arc closes.
     pub(super) arc: bool,
-    /// The indices of coordinates that are the same at the beginning, in the middle and at the end of the motion.
+    /// The indices of coordinates that do not change in the motion.
     pub(super) still: Vec<usize>,
 }
 
@@ -102,8 +102,9 @@ impl ExampleValues {
         trial.mode = modes.iter().find_map(|mode| Some(format!("{}={}", mode.name, mode.sign?)));
         trial.proven = proven(engine, &setup, &state, natural_end(engine, &setup, 0.0));
         trial.arc = closes(engine, &setup);
-        let later: Vec<Vec<f64>> =
-            [0.5 * end, end].into_iter().filter_map(|t| engine.state(&setup, t).ok()).map(|state| state.q).collect();
+        // Not half a turn, after which a rod is parallel to where it began.
+        let later = [0.3, 0.55].into_iter().filter_map(|share| engine.state(&setup, share * end).ok());
+        let later: Vec<Vec<f64>> = later.map(|state| state.q).collect();
         let is_still =
             |k: &usize| later.iter().all(|q| (q[*k] - state.q[*k]).abs() <= STILL * (1.0 + state.q[*k].abs()));
         trial.still = (0..state.q.len()).filter(is_still).collect();

@@ -168,8 +168,8 @@ pub(crate) const LAST_CORRECTION: f64 = 3e-9;
 /// A correction this small, for an unknown of size 1, is a rounding error.
 const ROUNDING: f64 = 1e-13;
 
-/// [`LAST_CORRECTION`] and [`ROUNDING`] for a scalar with this machine precision: the first is proportional to its square root,
-/// the second to itself.
+/// [`LAST_CORRECTION`] and [`ROUNDING`] for a scalar with this machine precision: the first is proportional to its square
+/// root, the second to itself.
 const fn last_and_rounding(epsilon: f64) -> [f64; 2] {
     let coarse = epsilon / f64::EPSILON;
     // The square root by Heron's method, which is exact for 1.

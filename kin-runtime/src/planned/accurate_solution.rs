@@ -28,8 +28,8 @@ pub(crate) fn solve_accurately<M: Mechanism, T: Scalar>(
     solved: Solved<'_, T>,
 ) -> Result<(), LengthError> {
     let Solved { q, q_dot, q_ddot, margins } = solved;
-    let again = Solved { q: &mut *q, q_dot: &mut *q_dot, q_ddot: &mut *q_ddot, margins: &mut *margins };
-    mechanism.solve_with(parameters, at, modes, start, depth, again)?;
+    let first = Solved { q: &mut *q, q_dot: &mut *q_dot, q_ddot: &mut *q_ddot, margins: &mut *margins };
+    mechanism.solve_with(parameters, at, modes, start, depth, first)?;
     let is_far = |margin: &T| (*margin - T::from_f64(1.0)).is_within(1.0 - FAR);
     if !M::model().plan.iterates() || margins.iter().fold(true, |far, margin| far & is_far(margin)) {
         return Ok(());

@@ -149,3 +149,10 @@ fn wrong_options_are_told_all_at_once() {
     let ran = kin("fourbar equations A X Y");
     assert!(ran.status == Some(2) && ran.err.contains("named `X`") && ran.err.contains("named `Y`"), "{}", ran.err);
 }
+
+/// The last angle of a slider-crank is that of its slider, which does not turn.
+#[test]
+fn examples_are_about_coordinates_that_move() {
+    let text = good("limits extremes --help");
+    assert!(text.contains("several extremes rod.phi_dot") && !text.contains("slider.phi_dot"), "{text}");
+}
