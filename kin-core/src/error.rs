@@ -33,16 +33,17 @@ impl fmt::Display for ModelError {
 
 impl std::error::Error for ModelError {}
 
-/// The list `` `A`, `B` and `C` ``; a long one is shortened.
-pub(crate) fn quoted<'a>(names: impl ExactSizeIterator<Item = &'a str>) -> String {
+/// The list `` `A`, `B` and `C` `` with `word` before the last name; a long one is shortened.
+pub fn quoted<'a>(names: impl IntoIterator<Item = &'a str>, word: &str) -> String {
     const SHOWN: usize = 8;
-    let total = names.len();
-    let mut quoted: Vec<String> = names.take(SHOWN).map(|name| format!("`{name}`")).collect();
+    let mut quoted: Vec<String> = names.into_iter().map(|name| format!("`{name}`")).collect();
+    let total = quoted.len();
     if total > SHOWN {
+        quoted.truncate(SHOWN);
         return format!("{}, … ({total} in all)", quoted.join(", "));
     }
     match (quoted.pop(), quoted.is_empty()) {
-        (Some(last), false) => format!("{} and {last}", quoted.join(", ")),
+        (Some(last), false) => format!("{} {word} {last}", quoted.join(", ")),
         (last, _) => last.unwrap_or_default(),
     }
 }

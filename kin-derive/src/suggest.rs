@@ -1,5 +1,7 @@
 //! Suggestions for misspelt names.
 
+pub(crate) use kin_core::error::quoted;
+
 /// The candidate closest to `name`, if it is close enough to be a misspelling.
 pub(crate) fn nearest<'a>(name: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     candidates
@@ -25,21 +27,6 @@ fn distance(a: &str, b: &str) -> usize {
 fn is_near(distance: usize, a: &str, b: &str) -> bool {
     let (a, b) = (a.chars().count(), b.chars().count());
     distance > 0 && distance <= 2 && distance < a.max(b) && 3 * distance <= a.max(b).max(3)
-}
-
-/// A list such as `` `a`, `b` and `c` `` with `word` before the last name; long lists are shortened.
-pub(crate) fn listed<'a>(names: impl IntoIterator<Item = &'a str>, word: &str) -> String {
-    const SHOWN: usize = 8;
-    let all: Vec<&str> = names.into_iter().collect();
-    let mut quoted: Vec<String> = all.iter().take(SHOWN).map(|name| format!("`{name}`")).collect();
-    if all.len() > SHOWN {
-        return format!("{}, … ({} in all)", quoted.join(", "), all.len());
-    }
-    match quoted.pop() {
-        Some(last) if quoted.is_empty() => last,
-        Some(last) => format!("{} {word} {last}", quoted.join(", ")),
-        None => String::new(),
-    }
 }
 
 /// `; did you mean …?`, or an empty string.
@@ -83,8 +70,8 @@ mod tests {
 
     #[test]
     fn lists_read_like_sentences() {
-        assert_eq!(listed(["a"], "and"), "`a`");
-        assert_eq!(listed(["a", "b", "c"], "or"), "`a`, `b` or `c`");
-        assert!(listed(["a"; 20], "and").ends_with("(20 in all)"));
+        assert_eq!(quoted(["a"], "and"), "`a`");
+        assert_eq!(quoted(["a", "b", "c"], "or"), "`a`, `b` or `c`");
+        assert!(quoted(["a"; 20], "and").ends_with("(20 in all)"));
     }
 }

@@ -23,7 +23,7 @@ pub(super) fn rows_contain_coordinates(mechanism: &Mechanism, errors: &mut Vec<M
                       held"
                     .to_owned(),
                 n => {
-                    let names = quoted(held.iter().map(|held| held.name.as_str()));
+                    let names = quoted(held.iter().map(|held| held.name.as_str()), "and");
                     let (are, them) = if n == 1 { ("is", "it") } else { ("are", "them") };
                     format!("because {names} {are} held by `body` already; remove `{name}`, or do not hold {them}")
                 }

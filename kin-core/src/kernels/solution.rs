@@ -9,7 +9,7 @@ use crate::vocabulary::{Depth, UnknownKind};
 
 /// Maximum number of instructions of a plan that is inlined into one function (a dyad has about two hundred). Within
 /// one function, the values that a part saves for later parts stay in registers.
-const SHORT: usize = 1000;
+const MAX_INLINED_INSTRUCTIONS: usize = 1000;
 
 /// The kernels of a plan.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -72,7 +72,11 @@ pub(super) fn of_plan(system: &KinematicSystem, plan: &SolutionPlan) -> Option<S
                 (kernel, Some(Iteration { unknowns, kinds, converged: *converged as usize }))
             }
         };
-        SolutionPart { depth: *depth, kernel: Kernel { inlined: instructions <= SHORT, saved, ..kernel }, iteration }
+        SolutionPart {
+            depth: *depth,
+            kernel: Kernel { inlined: instructions <= MAX_INLINED_INSTRUCTIONS, saved, ..kernel },
+            iteration,
+        }
     };
     let [factorise, solve] = &plan.resolve;
     Some(SolutionKernels {

@@ -19,7 +19,7 @@ use crate::system::KinematicSystem;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Maximum number of alternative rows that are tried.
-const TRIES: usize = 16;
+const MAX_ALTERNATIVE_ROWS: usize = 16;
 
 /// A tree, and the rows from which it was built.
 pub(super) struct Chosen {
@@ -49,7 +49,7 @@ pub(super) fn choose(system: &KinematicSystem, graph: &mut Graph) -> Option<Chos
             (best, named) = (next, vec![(places, found)]);
         }
     }
-    let mut tries = TRIES;
+    let mut tries = MAX_ALTERNATIVE_ROWS;
     for (places, named) in named {
         for found in &named {
             // Rows declared last are tried first. Driving rows are always kept.

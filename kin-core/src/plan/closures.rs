@@ -4,7 +4,7 @@
 //! A margin is about 1 far from a singular configuration, 0 where both solutions coincide, and negative where there is
 //! no solution. It also goes to 0 where a divisor of the solution is a small difference of large terms.
 
-use super::sizes::{LEAST, squared_size, squared_terms_anywhere, sum_of_squared_terms};
+use super::sizes::{DENOMINATOR_FLOOR, squared_size, squared_terms_anywhere, sum_of_squared_terms};
 use crate::expr::{ExprId, Graph, Symbol};
 use crate::vocabulary::Function;
 
@@ -50,7 +50,7 @@ pub(super) fn whole_of_divisor(
 /// and of the squared size of the divisor.
 pub(super) fn whole_of_varying(graph: &mut Graph, square: ExprId, divisor: ExprId) -> ExprId {
     let size = squared_size(graph, divisor, 8);
-    let (sum, half, least) = (graph.add(square, size), graph.number(0.5), graph.number(LEAST));
+    let (sum, half, least) = (graph.add(square, size), graph.number(0.5), graph.number(DENOMINATOR_FLOOR));
     let mean = graph.mul(half, sum);
     graph.add(mean, least)
 }
@@ -58,7 +58,7 @@ pub(super) fn whole_of_varying(graph: &mut Graph, square: ExprId, divisor: ExprI
 /// The squared sine of the angle between two vectors: their squared cross product over the product of their squared
 /// lengths.
 pub(super) fn squared_sine(graph: &mut Graph, square: ExprId, [a, b]: [ExprId; 2]) -> ExprId {
-    let (product, least) = (graph.mul(a, b), graph.number(LEAST));
+    let (product, least) = (graph.mul(a, b), graph.number(DENOMINATOR_FLOOR));
     let whole = graph.add(product, least);
     graph.div(square, whole)
 }
@@ -90,7 +90,7 @@ fn signed_root(graph: &mut Graph, mode: ExprId, inside: ExprId) -> ExprId {
 /// distance from the origin; they count with the square of the weight, so that they are the larger only where this distance
 /// costs more digits than that of two nearly concentric circles may.
 fn with_squared_terms_of_circles(graph: &mut Graph, size: ExprId, [e, radius, n2, off]: [ExprId; 4]) -> ExprId {
-    let (share, quarter, least) = (graph.number(TERM_WEIGHT), graph.number(0.25), graph.number(LEAST));
+    let (share, quarter, least) = (graph.number(TERM_WEIGHT), graph.number(0.25), graph.number(DENOMINATOR_FLOOR));
     let first = graph.mul(e, radius);
     let between = graph.div(n2, e);
     let between = graph.mul(quarter, between);
@@ -112,7 +112,7 @@ fn with_squared_terms(graph: &mut Graph, size: ExprId, parts: &[ExprId]) -> Expr
 
 /// `size` plus `weight` times the squared terms of `parts`; never 0.
 fn with_weighted_terms(graph: &mut Graph, size: ExprId, parts: &[ExprId], weight: f64) -> ExprId {
-    let (mut terms, share, least) = (graph.zero(), graph.number(weight), graph.number(LEAST));
+    let (mut terms, share, least) = (graph.zero(), graph.number(weight), graph.number(DENOMINATOR_FLOOR));
     for &part in parts {
         let squares = squared_terms_anywhere(graph, part, 8);
         terms = graph.add(terms, squares);
@@ -150,7 +150,7 @@ pub(super) fn quadratic(graph: &mut Graph, mode: ExprId, [a, b, c]: [ExprId; 3])
     let (square, product) = (graph.square(h), graph.mul(a, c));
     let inside = graph.sub(square, product);
     let size = size_of_quadratic(graph, square, [a, c, product]);
-    let least = graph.number(LEAST);
+    let least = graph.number(DENOMINATOR_FLOOR);
     let size = graph.add(size, least);
     let margin = graph.div(inside, size);
     if graph.is_zero(h) {

@@ -3,7 +3,7 @@
 
 use super::minors::{self, Minors};
 use super::scales::squared_scales;
-use super::sizes::LEAST;
+use super::sizes::DENOMINATOR_FLOOR;
 use crate::constraint::Coordinate;
 use crate::expr::{ExprId, Graph};
 use crate::vocabulary::{Function, UnknownKind};
@@ -80,7 +80,7 @@ struct Scaled {
 /// The rows of a matrix divided by their norms, so that minors do not leave the range of small floating-point numbers.
 /// Rows of numbers stay as they are.
 fn scaled_rows(graph: &mut Graph, matrix: &[Vec<ExprId>], scales: &[Option<ExprId>]) -> Scaled {
-    let (one, least) = (graph.number(1.0), graph.number(LEAST));
+    let (one, least) = (graph.number(1.0), graph.number(DENOMINATOR_FLOOR));
     let mut scaled = Scaled { rows: Vec::new(), factors: Vec::new(), norms: Vec::new() };
     for row in matrix {
         let norm = squared_norm(graph, row, scales);
@@ -134,7 +134,7 @@ fn invert(graph: &mut Graph, matrix: &[Vec<ExprId>], rights: &[Vec<ExprId>], kin
         margin_of_constants(graph, &rows, det)
     } else {
         // The squared norms of the columns of adj M; in those of M⁻¹ rows are divided by the scales of the unknowns.
-        let mut norms_of_columns = graph.number(LEAST);
+        let mut norms_of_columns = graph.number(DENOMINATOR_FLOOR);
         for (row, scale) in adjugate.iter().zip(&scales) {
             let mut squares = graph.zero();
             for (&entry, &norm) in row.iter().zip(&norms) {
@@ -213,7 +213,7 @@ fn cramer(graph: &mut Graph, matrix: &[Vec<ExprId>], rights: &[Vec<ExprId>], kin
 fn margin_of_constants(graph: &mut Graph, matrix: &[Vec<ExprId>], det: ExprId) -> ExprId {
     let rows = matrix.iter().map(|row| row.iter().map(|&entry| graph.square(entry)).collect());
     let rows: Vec<Vec<ExprId>> = rows.collect();
-    let (products, least) = (minors::permanent(graph, &rows), graph.number(LEAST));
+    let (products, least) = (minors::permanent(graph, &rows), graph.number(DENOMINATOR_FLOOR));
     let squares = graph.add(least, products);
     // Slightly more than n!, so that the margin does not exceed 1 after rounding.
     let count: f64 = (1..=matrix.len()).map(|k| k as f64).product();

@@ -64,7 +64,7 @@ pub(super) fn name_group(set: &ConstraintSet, step: &mut Step) {
 }
 
 /// Says in words when a formula is singular whose divisor is 0 for some configurations.
-pub(super) fn name_pole(set: &ConstraintSet, step: &mut Step) {
+pub(super) fn name_zero_divisor(set: &ConstraintSet, step: &mut Step) {
     if step.singular.is_empty() {
         step.singular = format!("divisor of {} zero", names(set, &step.joints));
     }

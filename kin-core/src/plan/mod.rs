@@ -208,7 +208,7 @@ fn planned(system: &KinematicSystem, rank: usize, written: bool) -> Result<(Solu
     let oriented = oriented.chain(signed.into_iter().map(|signed| (signed.step, signed.margin)));
     let orientations = oriented.map(|(step, margin)| listed.oriented(system, step, margin)).collect();
     let StepList { mut steps, modes, margins, .. } = listed;
-    poles.into_iter().for_each(|step| groups::name_pole(set, &mut steps[step.index()]));
+    poles.into_iter().for_each(|step| groups::name_zero_divisor(set, &mut steps[step.index()]));
     let plan = SolutionPlan {
         steps,
         modes,

@@ -30,14 +30,14 @@ impl Reduction<'_> {
             block.as_ref().map_or(usize::MAX, |block| block.sum(&own))
         };
         let before = state(self);
-        (self.guides.left, self.guides.met) = (true, false);
+        (self.guides.skipped, self.guides.found) = (true, false);
         let left = self.block(rows, unknowns, removable);
-        if !self.guides.met || iterations(&left) == 0 {
+        if !self.guides.found || iterations(&left) == 0 {
             return left;
         }
         let after = state(self);
         restore(self, before);
-        self.guides.left = false;
+        self.guides.skipped = false;
         let eliminated = self.block(rows, unknowns, removable);
         let too_large = |core: &Core| usize::from(self.is_too_large(core));
         let is_too_large = left.as_ref().is_none_or(|block| block.sum(&too_large) > 0);
@@ -75,8 +75,8 @@ impl Reduction<'_> {
             });
             let own = self.unknowns(form, unknowns);
             let guides = self.is_guide(form, unknowns);
-            self.guides.met |= guides;
-            let left = guides && self.guides.left || self.closes_with_another((row, &own), rows, unknowns, forms);
+            self.guides.found |= guides;
+            let left = guides && self.guides.skipped || self.closes_with_another((row, &own), rows, unknowns, forms);
             for (key, [coefficient, _]) in &form.terms {
                 let &[(coordinate, 1)] = key.powers.as_slice() else { continue };
                 let alone = key.angle.is_empty()

@@ -6,7 +6,7 @@
 //! Expressions that depend on Φ_q alone are the same for every b, so all levels share them.
 
 use super::dense;
-use super::sizes::{LEAST, larger, squared_size, squared_size_anywhere};
+use super::sizes::{DENOMINATOR_FLOOR, larger, squared_size, squared_size_anywhere};
 use super::tree::{Block, BlockPart, Core, Pair, PairValue, SolutionMethod};
 use crate::constraint::Coordinate;
 use crate::expr::{ExprId, Graph};
@@ -228,7 +228,8 @@ impl<'g> Rates<'g> {
             product = self.graph.mul(product, mean);
         }
         // Slightly less, so that the mean does not exceed 1 after rounding.
-        let (count, least) = (self.graph.number((1.0 - 1e-14) * matrix.len() as f64), self.graph.number(LEAST));
+        let (count, least) =
+            (self.graph.number((1.0 - 1e-14) * matrix.len() as f64), self.graph.number(DENOMINATOR_FLOOR));
         let (top, bottom) = (self.graph.mul(count, product), self.graph.add(sum_of_products, least));
         self.graph.div(top, bottom)
     }

@@ -30,7 +30,7 @@ const ROUNDING: f64 = 1e-13;
 
 /// Added to denominators, so that 0/0 becomes 0. Rows are often satisfied exactly, so that this number must be greater
 /// than 0 in f32 as well.
-const LEAST: f64 = f32::MIN_POSITIVE as f64;
+const DENOMINATOR_FLOOR: f64 = f32::MIN_POSITIVE as f64;
 
 impl Build<'_> {
     /// Adds a margin for every redundant row.
@@ -118,7 +118,7 @@ impl Build<'_> {
 
     /// Subtracts (`square`/`size`)/`tolerance` from the margin and writes it.
     fn subtract_residual(&mut self, redundant: &mut RedundantRow, square: ExprId, size: ExprId, tolerance: ExprId) {
-        let least = self.graph.number(LEAST);
+        let least = self.graph.number(DENOMINATOR_FLOOR);
         let size = self.graph.add(size, least);
         let share = self.graph.div(square, size);
         let share = self.graph.div(share, tolerance);
@@ -189,7 +189,7 @@ impl Build<'_> {
                 sums[kind] = self.graph.add(sums[kind], square);
             }
         }
-        let least = self.graph.number(LEAST);
+        let least = self.graph.number(DENOMINATOR_FLOOR);
         let square = if self.graph.is_zero(sums[0]) {
             let lengths = (0..).zip(coordinates).filter(|(_, coordinate)| coordinate.kind.is_length());
             let mut sum = self.graph.zero();

@@ -5,7 +5,7 @@
 //! parameter of a curve for example: each has a scale of its own, taken from the sizes that its entries have at any
 //! configuration, since the column of a single unknown may vanish where the mechanism is at its limit.
 
-use super::sizes::{LEAST, squared_size_anywhere};
+use super::sizes::{DENOMINATOR_FLOOR, squared_size_anywhere};
 use crate::expr::{ExprId, Graph};
 use crate::vocabulary::UnknownKind;
 
@@ -82,7 +82,7 @@ fn ratio_of_sizes(
 ) -> Option<ExprId> {
     let own = [scalar];
     let rows: Vec<_> = shared_rows(graph, matrix, [others, &own]).collect();
-    let (mut above, mut below) = (graph.zero(), graph.number(LEAST));
+    let (mut above, mut below) = (graph.zero(), graph.number(DENOMINATOR_FLOOR));
     for [of_others, of_scalar] in &rows {
         let squares = match of_others.as_slice() {
             &[(other, entry)] if kinds[other] == UnknownKind::Scalar => squared_size_anywhere(graph, entry, DEPTH),

@@ -6,14 +6,14 @@ use crate::vocabulary::Function;
 
 /// Added to denominators, so that 0/0 becomes 0; smaller than the square of any length. In f32 this number is itself 0;
 /// a margin 0/0 is then NaN, which counts as no solution.
-pub(super) const LEAST: f64 = 1e-300;
+pub(super) const DENOMINATOR_FLOOR: f64 = 1e-300;
 
 /// Slightly more than ½, so that a/max(a, b) does not exceed 1 after rounding.
 const HALF_ROUNDED_UP: f64 = 0.5 + 4.0 * f64::EPSILON;
 
 /// The larger of two non-negative numbers plus a tiny positive number, without a conditional.
 pub(super) fn larger(graph: &mut Graph, a: ExprId, b: ExprId) -> ExprId {
-    let (difference, half, least) = (graph.sub(a, b), graph.number(HALF_ROUNDED_UP), graph.number(LEAST));
+    let (difference, half, least) = (graph.sub(a, b), graph.number(HALF_ROUNDED_UP), graph.number(DENOMINATOR_FLOOR));
     let (apart, sum) = (graph.call(Function::Abs, difference), graph.add(a, b));
     let twice = graph.add(sum, apart);
     let larger = graph.mul(half, twice);

@@ -20,7 +20,7 @@
 
 use super::curves::has_curves;
 use super::distances::add_turns;
-use super::sizes::LEAST;
+use super::sizes::DENOMINATOR_FLOOR;
 use super::sizes::sum_of_squares;
 use super::tree::{Block, BlockPart, Core, SolutionMethod};
 use crate::constraint::{ConstraintSet, Coordinate, CoordinateKind};
@@ -187,7 +187,7 @@ fn sum_of_products(graph: &mut Graph, a: &[ExprId], b: &[ExprId], constant: Expr
 /// 1/ρ² of a row for the unknowns `by`; `None` where the row does not count. The row is given by the entries of its
 /// gradient, unit by unit, with their derivatives.
 fn turn(graph: &mut Graph, gradient: &[(Vec<ExprId>, Vec<Jet>)], by: &[u32]) -> Option<ExprId> {
-    let least = graph.number(LEAST);
+    let least = graph.number(DENOMINATOR_FLOOR);
     let mut radius = graph.zero();
     for (entries, changes) in gradient {
         let by_members = changes.iter().flat_map(|jet| &jet.gradient).filter(|(k, _)| by.contains(k));

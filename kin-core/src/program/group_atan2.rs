@@ -5,7 +5,7 @@
 use super::{Instruction, Program, ValueId};
 
 /// Maximum distance between two instructions of a group.
-const WINDOW: usize = 96;
+const MAX_GROUP_DISTANCE: usize = 96;
 
 /// Reorders `program` so that independent atan2 instructions follow one another, where no SinCos lies between them.
 pub fn group_atan2(program: &Program) -> Program {
@@ -38,7 +38,7 @@ fn order(instructions: &[Instruction]) -> Vec<usize> {
             first += 1;
             continue;
         }
-        let window = order[first..].iter().take(WINDOW);
+        let window = order[first..].iter().take(MAX_GROUP_DISTANCE);
         let window: Vec<usize> =
             window.copied().take_while(|&index| !matches!(instructions[index], Instruction::SinCos(_))).collect();
         let (mut free, mut grouped, mut after) = (Vec::new(), Vec::new(), Vec::new());

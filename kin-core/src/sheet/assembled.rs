@@ -7,7 +7,7 @@ use super::steps::bracketed;
 use crate::notation::{FormulaTree, Notation};
 
 /// Maximum numbers of coordinates and of rows of a mechanism whose matrices are written in addition to its joints.
-const MOST: usize = 24;
+const MAX_MATRIX_SIZE: usize = 24;
 /// Width, in columns of plain text, of an entry of Φ_q and of an entry of a column vector.
 const ENTRY: [usize; 2] = [24, 72];
 
@@ -30,7 +30,7 @@ impl Sheet {
         let rows: Vec<&Row> = self.joints.iter().flat_map(|joint| &joint.rows).collect();
         let wanted = match self.rows {
             Rows::ByJoint => false,
-            Rows::Both => rows.len() <= MOST && self.coordinates.len() <= MOST,
+            Rows::Both => rows.len() <= MAX_MATRIX_SIZE && self.coordinates.len() <= MAX_MATRIX_SIZE,
             Rows::Together => true,
         };
         if !wanted || rows.is_empty() {

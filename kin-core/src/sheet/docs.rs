@@ -11,10 +11,10 @@ use crate::notation::Notation::MathMl;
 use crate::notation::escaped;
 
 /// Size in bytes beyond which joints are only named. A four-bar needs a tenth of this size.
-const LONG: usize = 200_000;
+const MAX_JOINTS_BYTES: usize = 200_000;
 
 /// Largest number of coordinates that are listed.
-const MANY: usize = 60;
+const MAX_LISTED_COORDINATES: usize = 60;
 
 impl Sheet {
     /// Sections for the documentation of the struct, to stand after the user's own text.
@@ -26,7 +26,7 @@ impl Sheet {
             format!("\n\n# Equations\n\n<style>{STYLE}{OWN}</style>\n<div class=\"kin-sheet\">\n{}", self.q());
         let mut named: Vec<&str> = Vec::new();
         for joint in &self.joints {
-            if out.len() > LONG {
+            if out.len() > MAX_JOINTS_BYTES {
                 named.push(&joint.name);
                 named.extend(joint.alike.iter().map(String::as_str));
             } else {
@@ -50,7 +50,7 @@ impl Sheet {
         }
         let mut out = String::from("\n\n# Solution\n\n<div class=\"kin-sheet\">\n");
         for step in &self.steps {
-            if out.len() > LONG {
+            if out.len() > MAX_JOINTS_BYTES {
                 out.push_str("<p>The command <code>equations</code> prints the remaining steps.</p>\n");
                 break;
             }
@@ -63,7 +63,7 @@ impl Sheet {
     /// The equations of motion in a section of their own, unless they are too long.
     fn docs_dynamics(&self) -> String {
         let Some(forces) = self.html_dynamics() else { return String::new() };
-        let forces = match forces.len() > LONG {
+        let forces = match forces.len() > MAX_JOINTS_BYTES {
             true => "<p>The command <code>equations</code> prints M and Q.</p>\n".to_owned(),
             false => forces,
         };
@@ -73,8 +73,9 @@ impl Sheet {
     /// q = (…)ᵀ, in parts between which a line may end.
     fn q(&self) -> String {
         let count = self.coordinates.len();
-        let names = self.coordinates.iter().take(MANY).map(|name| symbol(name, MathMl));
-        let mut parts: Vec<String> = names.chain((count > MANY).then(|| "<mo>…</mo>".to_owned())).collect();
+        let names = self.coordinates.iter().take(MAX_LISTED_COORDINATES).map(|name| symbol(name, MathMl));
+        let mut parts: Vec<String> =
+            names.chain((count > MAX_LISTED_COORDINATES).then(|| "<mo>…</mo>".to_owned())).collect();
         let last = parts.len().saturating_sub(1);
         for (index, part) in parts.iter_mut().enumerate() {
             let before = if index == 0 { "<mi>𝐪</mi><mo>=</mo><mo>(</mo>" } else { "" };

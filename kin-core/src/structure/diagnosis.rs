@@ -10,7 +10,7 @@ use crate::system::KinematicSystem;
 use core::fmt;
 
 /// Seeds of the random poses. If rows are redundant at the first pose, the pose with the largest rank is used.
-pub(super) const DRAWS: [u64; 3] = [0x6b69_6e31, 0x6b69_6e32, 0x6b69_6e33];
+pub(super) const POSE_SEEDS: [u64; 3] = [0x6b69_6e31, 0x6b69_6e32, 0x6b69_6e33];
 
 /// A redundant row and its circuit: a minimal set of linearly dependent rows of Φ_q, dependent at every pose and for
 /// all dimensions. The row repeats or contradicts the others.
@@ -67,13 +67,13 @@ impl fmt::Display for Structure {
 
 /// Analyses the structure of a system.
 pub fn diagnose(system: &KinematicSystem) -> Structure {
-    let first = at(system, Draw(DRAWS[0]));
+    let first = at(system, Draw(POSE_SEEDS[0]));
     if first.redundant.is_empty() {
         return first;
     }
     // A single random pose may have a smaller rank than the generic one, with a probability of about 1e-15; the
     // largest rank of several poses is taken.
-    let others = DRAWS[1..].iter().map(|seed| at(system, Draw(*seed)));
+    let others = POSE_SEEDS[1..].iter().map(|seed| at(system, Draw(*seed)));
     others.fold(first, |best, other| if other.rank > best.rank { other } else { best })
 }
 

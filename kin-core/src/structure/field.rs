@@ -125,14 +125,14 @@ pub(crate) fn fraction(value: f64, tolerance: f64) -> Option<(i64, i64)> {
     None
 }
 
-/// Reproducible random values: each depends only on the seed and on the sort and number of the object.
+/// Reproducible random values: each depends only on the seed and on the kind and number of the object.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Draw(pub(crate) u64);
 
 impl Draw {
-    /// A random residue for object `key` of a sort.
-    pub(crate) fn residue(self, sort: u64, key: u64) -> Residue {
-        let mut state = self.0 ^ mixed(sort.wrapping_mul(0x9e37_79b9_7f4a_7c15)) ^ mixed(key);
+    /// A random residue for object `key` of a kind.
+    pub(crate) fn residue(self, kind: u64, key: u64) -> Residue {
+        let mut state = self.0 ^ mixed(kind.wrapping_mul(0x9e37_79b9_7f4a_7c15)) ^ mixed(key);
         loop {
             state = mixed(state);
             let value = state >> 3;
@@ -159,7 +159,7 @@ mod tests {
     fn field_laws_hold() {
         let draw = Draw(7);
         for k in 0..200 {
-            let [a, b, c] = [0, 1, 2].map(|sort| draw.residue(sort, k));
+            let [a, b, c] = [0, 1, 2].map(|kind| draw.residue(kind, k));
             assert_eq!(a * (b + c), a * b + a * c);
             assert_eq!((a - b) + b, a);
             assert_eq!(a * a.inverse(), Residue::ONE);

@@ -50,8 +50,8 @@ fn message(
     let circuit = redundant.iter().flat_map(|r| &r.circuit).map(|row| joint_of(*row));
     let mut others: Vec<usize> = distinct(circuit.filter(|joint| !own.contains(joint)));
     others.sort_unstable();
-    let names = quoted(own.iter().map(|joint| set.joints[*joint].name.as_str()));
-    let with = quoted(others.iter().map(|joint| set.joints[*joint].name.as_str()));
+    let names = quoted(own.iter().map(|joint| set.joints[*joint].name.as_str()), "and");
+    let with = quoted(others.iter().map(|joint| set.joints[*joint].name.as_str()), "and");
     let driving = redundant.iter().all(|r| system.classes[r.row].driving);
     let (n, s, rank) = (structure.coordinates, structure.rows, structure.rank);
     let advice = advice(set, &own, redundant, driving);
@@ -107,7 +107,7 @@ fn message(
 }
 
 fn names_of(held: &BTreeSet<HeldCoordinate>) -> String {
-    quoted(held.iter().map(|held| held.name.as_str()))
+    quoted(held.iter().map(|held| held.name.as_str()), "and")
 }
 
 /// The message for rows that are redundant by themselves: their residuals depend on no coordinate.
@@ -118,7 +118,8 @@ fn redundant_by_itself(
     advice: &str,
     held: &BTreeSet<HeldCoordinate>,
 ) -> String {
-    let (rows, names) = (rows(set, own, redundant), quoted(own.iter().map(|joint| set.joints[*joint].name.as_str())));
+    let (rows, names) =
+        (rows(set, own, redundant), quoted(own.iter().map(|joint| set.joints[*joint].name.as_str()), "and"));
     let plural = own.len() > 1;
     let residual = |row: usize| set.rows[row].velocity.map_or(set.rows[row].phi, |velocity| velocity.eta);
     let is_equation = |joint: &usize| set.joints[*joint].kind.is_free_equation();
@@ -181,7 +182,7 @@ fn advice(set: &ConstraintSet, own: &[usize], redundant: &[&Redundancy], driving
     // The shorter part of the advice, a removal, comes first.
     kinds.sort_by_key(|(instead, _)| instead.is_some());
     let parts = kinds.iter().map(|(instead, joints)| {
-        let names = quoted(joints.iter().map(|joint| set.joints[*joint].name.as_str()));
+        let names = quoted(joints.iter().map(|joint| set.joints[*joint].name.as_str()), "and");
         match instead {
             Some(instead) => format!("replace {names} by {instead}"),
             None => format!("remove {names}"),

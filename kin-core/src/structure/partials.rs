@@ -55,7 +55,7 @@ fn of_joint(system: &KinematicSystem, residues: &mut Residues<'_>, row: usize) -
             let (u, angle) = match frame {
                 Frame::Ground => (direction, None),
                 Frame::Body(body) => {
-                    let turn = residues.turns.of(&set.graph, set.bodies[body].pose[2]);
+                    let turn = residues.turns.rotation(&set.graph, set.bodies[body].pose[2]);
                     (turn.apply(direction), set.bodies[body].coordinates[2])
                 }
             };

@@ -20,7 +20,7 @@ use crate::system::KinematicSystem;
 use crate::vocabulary::Role;
 use std::collections::HashMap;
 
-const SORT_PLACE: u64 = 20;
+const KIND_PLACE: u64 = 20;
 
 /// A point of a frame, given by its expressions.
 type Key = (Frame, ExprId, ExprId);
@@ -117,7 +117,7 @@ impl RandomPositions {
             // An equation that contradicts earlier ones is ignored; such a mechanism cannot be assembled.
             let _ = elimination.push(k, row, one);
         }
-        let x = elimination.solve(|k| draw.residue(SORT_PLACE, k as u64));
+        let x = elimination.solve(|k| draw.residue(KIND_PLACE, k as u64));
         let at = |k: usize| [x[k], x[k + 1]];
         let mut of_body = vec![Vec::new(); set.bodies.len()];
         for &(frame, ex, ey) in unknowns.points.keys() {
@@ -247,7 +247,7 @@ fn fixed_direction(set: &ConstraintSet, turns: &PoseTurns, joint: &JointInstance
     match frame {
         Frame::Ground => Some(direction),
         Frame::Body(body) => {
-            let turn = turns.of(&set.graph, set.bodies.get(body)?.pose[2]);
+            let turn = turns.rotation(&set.graph, set.bodies.get(body)?.pose[2]);
             turn.exact.then(|| turn.apply(direction))
         }
     }

@@ -5,7 +5,7 @@
 //! if they are parallel. Therefore the rows that are kept have to connect the drivers with all other bodies, and the
 //! row that is left out belongs to the joint that closes the circuit.
 
-use super::diagnosis::{DRAWS, RandomJacobian, Redundancy};
+use super::diagnosis::{POSE_SEEDS, RandomJacobian, Redundancy};
 use super::field::Draw;
 use crate::constraint::{CoordinateKind, Frame, RowMeaning};
 use crate::system::{KinematicSystem, RowClass};
@@ -25,7 +25,7 @@ pub(crate) struct RemovableRows<'a> {
 impl<'a> RemovableRows<'a> {
     pub(crate) fn new(system: &'a KinematicSystem) -> Self {
         // One random pose suffices: if its rank is too small, the kept rows are singular, which a margin reports.
-        let jacobian = RandomJacobian::new(system, Draw(DRAWS[0]));
+        let jacobian = RandomJacobian::new(system, Draw(POSE_SEEDS[0]));
         // A driver whose row depends only on rows that are not driving can move the mechanism for special dimensions
         // only. One of those rows has to be left out then, not the driving row.
         let classes = &system.classes;

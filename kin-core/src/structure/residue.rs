@@ -11,8 +11,8 @@ use crate::constraint::{ConstraintSet, CoordinateKind};
 use crate::expr::{Algebra, ExprId, Graph, IdMap, Node, Rotation, Symbol};
 use crate::mechanism::{Component, Function};
 
-const SORT_SYMBOL: u64 = 10;
-const SORT_FUNCTION: u64 = 11;
+const KIND_SYMBOL: u64 = 10;
+const KIND_FUNCTION: u64 = 11;
 
 /// The values that a random pose gives to coordinates and vectors; `None` for those that it does not determine.
 pub(crate) trait PoseResidues {
@@ -41,7 +41,7 @@ pub(crate) struct ResidueFold<'a, P> {
 
 impl<P> ResidueFold<'_, P> {
     fn drawn(&self, id: ExprId) -> Residue {
-        self.draw.residue(SORT_FUNCTION, id.index() as u64)
+        self.draw.residue(KIND_FUNCTION, id.index() as u64)
     }
 }
 
@@ -59,7 +59,7 @@ impl<P: PoseResidues> Algebra for ResidueFold<'_, P> {
     }
     fn symbol(&mut self, id: ExprId, symbol: Symbol) -> Residue {
         let placed = if let Symbol::Coordinate(k) = symbol { self.pose.coordinate(k) } else { None };
-        placed.unwrap_or_else(|| self.draw.residue(SORT_SYMBOL, id.index() as u64))
+        placed.unwrap_or_else(|| self.draw.residue(KIND_SYMBOL, id.index() as u64))
     }
     fn neg(&mut self, a: Residue) -> Residue {
         -a
@@ -88,15 +88,15 @@ impl<P: PoseResidues> Algebra for ResidueFold<'_, P> {
     fn rotate(&mut self, r: Rotation) -> [Residue; 2] {
         match self.pose.vector(r) {
             Some(rho) => rho,
-            None => self.turns.of(self.graph, r.angle).apply([self.value(r.x), self.value(r.y)]),
+            None => self.turns.rotation(self.graph, r.angle).apply([self.value(r.x), self.value(r.y)]),
         }
     }
     fn function(&mut self, id: ExprId, node: Node) -> Residue {
         match node {
-            Node::Call(Function::Sin, a) => self.turns.of(self.graph, a).sin,
-            Node::Call(Function::Cos, a) => self.turns.of(self.graph, a).cos,
+            Node::Call(Function::Sin, a) => self.turns.rotation(self.graph, a).sin,
+            Node::Call(Function::Cos, a) => self.turns.rotation(self.graph, a).cos,
             Node::Call(Function::Tan, a) => {
-                let turn = self.turns.of(self.graph, a);
+                let turn = self.turns.rotation(self.graph, a);
                 self.div(id, turn.sin, turn.cos)
             }
             _ => self.drawn(id),

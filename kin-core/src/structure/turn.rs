@@ -24,16 +24,17 @@ pub(crate) struct Turn {
 }
 
 impl Turn {
-    const NONE: Self = Self { cos: Residue::ONE, sin: Residue::ZERO, exact: true };
+    const IDENTITY: Self = Self { cos: Residue::ONE, sin: Residue::ZERO, exact: true };
 
     /// The rational parametrisation ((1 − t²)/(1 + t²), 2t/(1 + t²)).
-    fn drawn(t: Residue) -> Self {
+    fn from_parameter(t: Residue) -> Self {
         let square = t * t;
         let norm = (Residue::ONE + square).inverse();
         Self { cos: (Residue::ONE - square) * norm, sin: (t + t) * norm, exact: false }
     }
 
-    fn then(self, other: Self) -> Self {
+    /// This rotation and another one.
+    fn compose(self, other: Self) -> Self {
         Self {
             cos: self.cos * other.cos - self.sin * other.sin,
             sin: self.sin * other.cos + self.cos * other.sin,
@@ -41,19 +42,20 @@ impl Turn {
         }
     }
 
-    fn back(self) -> Self {
+    /// The opposite rotation.
+    fn inverse(self) -> Self {
         Self { sin: -self.sin, ..self }
     }
 
     /// The rotation by `times` the angle, by repeated doubling.
     fn times(self, times: i64) -> Self {
         let (mut power, mut all, mut left) =
-            (if times < 0 { self.back() } else { self }, Self::NONE, times.unsigned_abs());
+            (if times < 0 { self.inverse() } else { self }, Self::IDENTITY, times.unsigned_abs());
         while left > 0 {
             if left % 2 == 1 {
-                all = all.then(power);
+                all = all.compose(power);
             }
-            power = power.then(power);
+            power = power.compose(power);
             left /= 2;
         }
         all
@@ -66,11 +68,11 @@ impl Turn {
 }
 
 /// The largest multiple of an angle that is composed exactly; for larger multiples the rotation is random.
-const MULTIPLE: i64 = 12;
+const MAX_EXACT_MULTIPLE: i64 = 12;
 
 /// The integer n and the factor a of a product n·a.
 fn multiple(graph: &Graph, a: ExprId, b: ExprId) -> Option<(i64, ExprId)> {
-    let whole = |id| graph.literal(id).filter(|v| v.fract() == 0.0 && v.abs() <= MULTIPLE as f64);
+    let whole = |id| graph.literal(id).filter(|v| v.fract() == 0.0 && v.abs() <= MAX_EXACT_MULTIPLE as f64);
     whole(a).map(|n| (n as i64, b)).or_else(|| whole(b).map(|n| (n as i64, a)))
 }
 
@@ -116,25 +118,26 @@ struct TurnRow {
 pub(crate) struct PoseTurns {
     draw: Draw,
     /// The rotation of each coordinate.
-    of: Vec<Turn>,
+    rotations: Vec<Turn>,
 }
 
-const SORT_COORDINATE: u64 = 1;
-const SORT_LITERAL: u64 = 2;
-const SORT_EXPRESSION: u64 = 3;
+const KIND_COORDINATE: u64 = 1;
+const KIND_LITERAL: u64 = 2;
+const KIND_EXPRESSION: u64 = 3;
 
 impl PoseTurns {
     /// Random, independent rotations for `coordinates` angles.
     pub(crate) fn free(coordinates: usize, draw: Draw) -> Self {
-        let of = (0..coordinates).map(|k| Turn::drawn(draw.residue(SORT_COORDINATE, k as u64))).collect();
-        Self { draw, of }
+        let rotations =
+            (0..coordinates).map(|k| Turn::from_parameter(draw.residue(KIND_COORDINATE, k as u64))).collect();
+        Self { draw, rotations }
     }
 
     /// Random rotations that satisfy the angle rows.
     pub(crate) fn new(system: &KinematicSystem, draw: Draw) -> Self {
         let set = &system.set;
         let ground = set.coordinates.len();
-        let mut turns = Self { draw, of: Vec::new() };
+        let mut turns = Self { draw, rotations: Vec::new() };
         let mut relations: Vec<Vec<(usize, TurnRow)>> = (0..=ground).map(|_| Vec::new()).collect();
         for row in 0..set.rows.len() {
             if let Some([(a, sign_a), (b, sign_b)]) = turns.ends(system, row) {
@@ -143,28 +146,28 @@ impl PoseTurns {
                 relations[b].push((a, TurnRow { ends: [(b, sign_b), (a, sign_a)], rest }));
             }
         }
-        let mut of: Vec<Option<Turn>> = vec![None; ground + 1];
+        let mut rotations: Vec<Option<Turn>> = vec![None; ground + 1];
         for root in core::iter::once(ground).chain(0..ground) {
-            if of[root].is_some() {
+            if rotations[root].is_some() {
                 continue;
             }
-            of[root] = Some(match root == ground {
-                true => Turn::NONE,
-                false => Turn::drawn(draw.residue(SORT_COORDINATE, root as u64)),
+            rotations[root] = Some(match root == ground {
+                true => Turn::IDENTITY,
+                false => Turn::from_parameter(draw.residue(KIND_COORDINATE, root as u64)),
             });
             let mut open = vec![root];
             while let Some(index) = open.pop() {
-                let Some(here) = of[index] else { continue };
+                let Some(here) = rotations[index] else { continue };
                 for (next, TurnRow { ends: [(_, sign), (_, next_sign)], rest }) in &relations[index] {
-                    if of[*next].is_none() {
+                    if rotations[*next].is_none() {
                         // Solves for φ_next = −next_sign (sign φ + rest).
-                        of[*next] = Some(here.times(*sign).then(*rest).times(-next_sign));
+                        rotations[*next] = Some(here.times(*sign).compose(*rest).times(-next_sign));
                         open.push(*next);
                     }
                 }
             }
         }
-        turns.of = of.into_iter().take(ground).map(|turn| turn.unwrap_or(Turn::NONE)).collect();
+        turns.rotations = rotations.into_iter().take(ground).map(|turn| turn.unwrap_or(Turn::IDENTITY)).collect();
         turns
     }
 
@@ -198,20 +201,20 @@ impl PoseTurns {
     fn rest(&self, set: &ConstraintSet, phi: ExprId) -> Turn {
         let terms = terms(&set.graph, phi);
         let constants = terms.into_iter().filter(|(_, id)| !set.graph.depends(*id).on(Depends::COORDINATE));
-        constants.fold(Turn::NONE, |all, (times, id)| all.then(self.term(&set.graph, id).times(times)))
+        constants.fold(Turn::IDENTITY, |all, (times, id)| all.compose(self.term(&set.graph, id).times(times)))
     }
 
     /// The rotation by an angle.
-    pub(crate) fn of(&self, graph: &Graph, angle: ExprId) -> Turn {
+    pub(crate) fn rotation(&self, graph: &Graph, angle: ExprId) -> Turn {
         let terms = terms(graph, angle);
-        terms.into_iter().fold(Turn::NONE, |all, (times, id)| all.then(self.term(graph, id).times(times)))
+        terms.into_iter().fold(Turn::IDENTITY, |all, (times, id)| all.compose(self.term(graph, id).times(times)))
     }
 
     fn term(&self, graph: &Graph, id: ExprId) -> Turn {
         match graph.node(id) {
             Node::Number(bits) => self.literal(bits.value()),
-            Node::Symbol(Symbol::Coordinate(k)) => self.of.get(k as usize).copied().unwrap_or(Turn::NONE),
-            _ => Turn::drawn(self.draw.residue(SORT_EXPRESSION, id.index() as u64)),
+            Node::Symbol(Symbol::Coordinate(k)) => self.rotations.get(k as usize).copied().unwrap_or(Turn::IDENTITY),
+            _ => Turn::from_parameter(self.draw.residue(KIND_EXPRESSION, id.index() as u64)),
         }
     }
 
@@ -221,8 +224,8 @@ impl PoseTurns {
             let quarter = Turn { cos: Residue::ZERO, sin: Residue::ONE, exact: true };
             return quarter.times((quarters as i64).rem_euclid(4));
         }
-        let turn = Turn::drawn(self.draw.residue(SORT_LITERAL, value.abs().to_bits()));
-        if value < 0.0 { turn.back() } else { turn }
+        let turn = Turn::from_parameter(self.draw.residue(KIND_LITERAL, value.abs().to_bits()));
+        if value < 0.0 { turn.inverse() } else { turn }
     }
 }
 
@@ -232,20 +235,20 @@ mod tests {
 
     #[test]
     fn constant_angles_add_up() {
-        let turns = PoseTurns { draw: Draw(5), of: Vec::new() };
+        let turns = PoseTurns { draw: Draw(5), rotations: Vec::new() };
         let mut graph = Graph::new();
         let [a, b] = [0, 1].map(|k| graph.symbol(Symbol::Parameter(k)));
         let sum = graph.add(a, b);
         let quarter = graph.number(FRAC_PI_2);
         let turned = graph.sub(sum, quarter);
-        let of = |id| turns.of(&graph, id);
-        assert_eq!(of(sum), of(a).then(of(b)));
+        let of = |id| turns.rotation(&graph, id);
+        assert_eq!(of(sum), of(a).compose(of(b)));
         assert_eq!(of(turned).cos, of(sum).sin);
         assert_eq!(of(a).cos * of(a).cos + of(a).sin * of(a).sin, Residue::ONE);
         assert!(of(quarter).exact && !of(a).exact && of(a) != of(b));
         let double = graph.add(a, a);
-        assert_eq!(turns.of(&graph, double), turns.of(&graph, a).times(2));
-        assert_eq!(turns.literal(-0.7), turns.literal(0.7).back());
-        assert_eq!(turns.literal(4.0 * FRAC_PI_2), Turn::NONE);
+        assert_eq!(turns.rotation(&graph, double), turns.rotation(&graph, a).times(2));
+        assert_eq!(turns.literal(-0.7), turns.literal(0.7).inverse());
+        assert_eq!(turns.literal(4.0 * FRAC_PI_2), Turn::IDENTITY);
     }
 }

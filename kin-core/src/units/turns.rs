@@ -11,7 +11,7 @@ use crate::error::ModelError;
 use crate::mechanism::{Formula, Mechanism};
 
 /// Numbers that differ from π or 2π by less than this share convert turns to radians, too.
-const NEAR: f64 = 0.01;
+const MAX_DEVIATION_FROM_PI: f64 = 0.01;
 
 impl Checker<'_> {
     /// Reports an error if a formula counts turns where an angle in radians is needed; `quantity` is what it measures.
@@ -63,6 +63,7 @@ fn turns(mechanism: &Mechanism, formula: &Formula, depth: usize) -> f64 {
 /// True for a number with a factor π, and for one that is about π or 2π.
 fn converts(formula: &Formula) -> bool {
     let pi = core::f64::consts::PI;
-    let is_near = |v: f64| [pi, 2.0 * pi].into_iter().any(|known| (v.abs() / known - 1.0).abs() < NEAR);
+    let is_near =
+        |v: f64| [pi, 2.0 * pi].into_iter().any(|known| (v.abs() / known - 1.0).abs() < MAX_DEVIATION_FROM_PI);
     has_pi(formula) || formula.literal().is_some_and(is_near)
 }

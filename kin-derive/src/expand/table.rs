@@ -11,7 +11,7 @@ use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{ToTokens, quote};
 
 /// Number of entries from which on a table is packed, together with all other tables of its mechanism.
-const LONG: usize = 64;
+const MIN_PACKED_ENTRIES: usize = 64;
 
 /// A part of an entry that differs between entries of the same kind.
 #[derive(Clone)]
@@ -109,7 +109,7 @@ pub(super) struct Writer {
 impl Writer {
     /// A writer for tables with these numbers of entries.
     pub(super) fn of(entries: &[usize]) -> Self {
-        Self { packed: entries.iter().any(|count| *count >= LONG) }
+        Self { packed: entries.iter().any(|count| *count >= MIN_PACKED_ENTRIES) }
     }
 
     /// A table of entries of several kinds; `tokens` prints an entry from its kind and cells.

@@ -5,7 +5,7 @@ use super::lowerer::{Class, Lowerer};
 use super::range::IndexRange;
 use super::scope::{Allow, Scope};
 use crate::ast::{CurveExpr, Expr, NameUse, PathExpr};
-use crate::suggest::{listed, nearest};
+use crate::suggest::{nearest, quoted};
 use kin_core::mechanism::{Curve, CurveVariable, Formula, Member};
 
 const THETA: &[CurveVariable] = &[CurveVariable::Theta];
@@ -105,8 +105,8 @@ impl Lowerer<'_> {
         let words = self.inside.words();
         let own = match words.len() {
             0 => String::new(),
-            1 => format!("; the variable of this curve is {}", listed(words, "and")),
-            _ => format!("; the variables of this curve are {}", listed(words, "and")),
+            1 => format!("; the variable of this curve is {}", quoted(words, "and")),
+            _ => format!("; the variables of this curve are {}", quoted(words, "and")),
         };
         self.report.error(used.ident.span(), format!("{whose}{own}"));
         true

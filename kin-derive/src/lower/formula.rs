@@ -7,7 +7,7 @@ use super::range::IndexRange;
 use super::scope::{Allow, Scope};
 use crate::ast::{Expr, ExprKind, NameUse, Operator, text};
 use crate::function::{function_of_places, other_function};
-use crate::suggest::{did_you_mean, is_rate, listed, rate_of_a_component};
+use crate::suggest::{did_you_mean, is_rate, quoted, rate_of_a_component};
 use kin_core::check::is_reserved;
 use kin_core::mechanism::{BodyRef, Component, Formula, Function, Index, Member};
 use proc_macro2::Span;
@@ -58,11 +58,11 @@ impl Lowerer<'_> {
                 Formula::Atan2(Box::new(y?), Box::new(x?))
             }
             ExprKind::Dot(name, a) => {
-                let inside = Scope { what: "`dot`", allow: Allow::Dotted, range: scope.range };
+                let inside = Scope { what: "`dot`", allow: Allow::InsideDot, range: scope.range };
                 let a = self.formula(a, &inside);
                 match scope.allow {
                     Allow::Rates => Formula::Dot(Box::new(a?), self.origin(name.span())),
-                    Allow::Dotted => {
+                    Allow::InsideDot => {
                         let message =
                             "`dot` inside `dot` is an acceleration; rates are allowed here, accelerations are not";
                         return self.refuse(name.span(), message);
@@ -333,7 +333,7 @@ impl Lowerer<'_> {
             None if self.names_missing => return,
             None if other_function(&word).is_some() => other_function(&word).unwrap_or_default(),
             None => {
-                let has_rates = matches!(scope.allow, Allow::Rates | Allow::Dotted);
+                let has_rates = matches!(scope.allow, Allow::Rates | Allow::InsideDot);
                 let others = ["atan2", "pow", "distance"].into_iter().chain(has_rates.then_some("dot"));
                 let known = Function::ALL.iter().map(|f| f.name()).chain(others).chain(self.names.functions());
                 let suggestion = match word.as_str() {
@@ -371,7 +371,7 @@ impl Lowerer<'_> {
             Allow::Scalars => "numbers, parameters, `t`, inputs and scalar coordinates only".to_owned(),
             _ if words.is_empty() => "numbers, parameters, `t` and inputs only".to_owned(),
             _ => {
-                format!("numbers, parameters, `t`, inputs and {} only", listed(words, "and"))
+                format!("numbers, parameters, `t`, inputs and {} only", quoted(words, "and"))
             }
         };
         self.report.error_between(first, last, format!("{found}; {} takes {right}", scope.what));

@@ -1,7 +1,7 @@
 //! The table of names, and the messages for unknown names.
 
 use super::mention::MentionKind;
-use crate::suggest::{listed, nearest};
+use crate::suggest::{nearest, quoted};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The thing that a name stands for.
@@ -134,6 +134,6 @@ impl Names {
             };
             return format!("no {what} named `{name}`; none is declared{right}");
         }
-        format!("no {what} named `{name}`; there are {}", listed(fitting(), "and"))
+        format!("no {what} named `{name}`; there are {}", quoted(fitting(), "and"))
     }
 }

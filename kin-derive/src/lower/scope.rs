@@ -15,7 +15,7 @@ pub(super) enum Allow {
     /// In addition all coordinates.
     Everything,
     /// All coordinates, inside of `dot`, which takes their rates.
-    Dotted,
+    InsideDot,
     /// All coordinates and their rates: `dot(…)`.
     Rates,
 }
@@ -25,7 +25,7 @@ impl Allow {
         match self {
             Self::Parameters => Class::Constant,
             Self::Signals | Self::Scalars => Class::Signal,
-            Self::Everything | Self::Dotted | Self::Rates => Class::Coordinate,
+            Self::Everything | Self::InsideDot | Self::Rates => Class::Coordinate,
         }
     }
 }

@@ -7,7 +7,7 @@ use super::list::comma;
 use super::parts::Parts;
 use super::reject::here;
 use crate::ast::{CurveExpr, Expr, OperandExpr, PathExpr, text};
-use crate::suggest::listed;
+use crate::suggest::quoted;
 use proc_macro2::TokenTree;
 use syn::parse::ParseStream;
 use syn::{Error, Ident, Result, Token, parenthesized, token};
@@ -32,7 +32,7 @@ pub(super) fn formula(input: ParseStream, key: &Ident, variables: &[&str]) -> Re
     let content = brackets(input, key, &form)?;
     let are = if variables.len() == 1 { "variable of" } else { "variables of" };
     let verb = if variables.len() == 1 { "is" } else { "are" };
-    let wrong = format!("the {are} `{key}` {verb} called {}: `{form}`", listed(variables.iter().copied(), "and"));
+    let wrong = format!("the {are} `{key}` {verb} called {}: `{form}`", quoted(variables.iter().copied(), "and"));
     for (k, variable) in variables.iter().enumerate() {
         if k > 0 {
             content.parse::<Token![,]>().map_err(|error| Error::new(error.span(), &wrong))?;

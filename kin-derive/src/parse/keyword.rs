@@ -1,7 +1,7 @@
 //! The attributes that belong to kin.
 
 use super::forms::{self, KeywordForm};
-use crate::suggest::{listed, near};
+use crate::suggest::{near, quoted};
 
 /// The meaning of an attribute of kin.
 #[derive(Clone, Copy, Debug)]
@@ -133,7 +133,7 @@ pub(super) fn near_miss(name: &str) -> Option<(String, bool)> {
         Some("spring") => "it is a `spring` with `damping = c`, and without `stiffness`".to_owned(),
         Some(meant) => format!("it is called `{meant}`"),
         None if meant.is_empty() => return None,
-        None => format!("did you mean {}?", listed(meant, "or")),
+        None => format!("did you mean {}?", quoted(meant, "or")),
     };
     Some((format!("no attribute `{name}` in kin; {right}"), declares))
 }

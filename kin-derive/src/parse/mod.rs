@@ -33,7 +33,7 @@ pub(crate) use strip::without_ours;
 
 use crate::ast::{Description, FieldDecl, Flags, Item, Statement, text};
 use crate::report::Report;
-use crate::suggest::listed;
+use crate::suggest::quoted;
 use forms::KeywordForm;
 use keyword::Keyword;
 use list::inside;
@@ -243,7 +243,7 @@ fn keeps_defaults(default: Span, fields: &[FieldDecl], report: &Report) {
     };
     let message = format!(
         "a derived `Default` sets every number to 0 and ignores the {noun} of {}; remove it: {right}",
-        listed(names, "and")
+        quoted(names, "and")
     );
     report.error(default, message);
 }

@@ -8,7 +8,7 @@ use super::node::no_unit_in_default;
 use super::reject::here;
 use super::unit::unit;
 use crate::ast::{Item, text};
-use crate::suggest::{did_you_mean, listed, nearest};
+use crate::suggest::{did_you_mean, nearest, quoted};
 use syn::ext::IdentExt;
 use syn::parse::ParseStream;
 use syn::{Error, Ident, LitStr, Result, Token};
@@ -57,7 +57,7 @@ impl<'k> Options<'k> {
                 self.default = Some(constant(&value, "a default")?);
             }
             _ => {
-                let options = listed(self.allowed.iter().copied(), "and");
+                let options = quoted(self.allowed.iter().copied(), "and");
                 let suggestion = self.suggestion(&name);
                 let message = format!("`{keyword}` has no option `{name}`; it has {options}{suggestion}");
                 return Err(Error::new(key.span(), message));

@@ -10,7 +10,7 @@ use super::point::operand;
 use super::reject::{self, here};
 use crate::ast::{OperandExpr, text};
 use crate::report::Report;
-use crate::suggest::{did_you_mean, listed};
+use crate::suggest::{did_you_mean, quoted};
 use kin_core::mechanism::OperandType;
 use std::collections::VecDeque;
 use syn::parse::ParseStream;
@@ -216,7 +216,7 @@ impl<'a> Parts<'a> {
         let options = || self.keyword_form.options.iter().map(|(option, _)| *option);
         let suggestion = did_you_mean(name, options());
         let keyword = self.keyword;
-        let list = listed(options(), "and");
+        let list = quoted(options(), "and");
         match self.keyword_form.options.len() {
             0 => format!("`{keyword}` has no options; it is written `{}`", self.keyword_form.example()),
             1 => format!("`{keyword}` has no option `{name}`; its option is {list}{suggestion}"),

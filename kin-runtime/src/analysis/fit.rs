@@ -22,7 +22,7 @@ const ITERATIONS: usize = 60;
 /// W: the weight of an input, relative to a coordinate and to the size of the input or of the mechanism.
 const WEIGHT: f64 = 100.0;
 /// Largest change of an angle in an iteration.
-const TURN: f64 = 0.5;
+const MAX_TURN: f64 = 0.5;
 /// Scaled residuals up to this count as closed.
 const CLOSED: f64 = 1e-9;
 
@@ -79,7 +79,7 @@ fn fit_from(equations: &mut Equations<'_>, mut q: Vec<f64>, indices: &[usize], s
         }
         let Ok(step) = matrix.svd(true, true).solve(&right, 1e-12) else { return Ok(false) };
         let most = step.rows(0, n).amax();
-        let share = if most > TURN { TURN / most } else { 1.0 };
+        let share = if most > MAX_TURN { MAX_TURN / most } else { 1.0 };
         q.iter_mut().enumerate().for_each(|(k, q)| *q += share * equations.scale.columns[k] * step[k]);
         for (k, &index) in indices.iter().enumerate() {
             equations.inputs[index].value += share * weights[k] * step[n + k];

@@ -15,10 +15,10 @@ use crate::workspace::Subset;
 use nalgebra::DVector;
 
 /// Above this margin the plan loses no more than four digits.
-pub(crate) const ACCURATE: f64 = 1e-4;
+pub(crate) const ACCURATE_MARGIN: f64 = 1e-4;
 
 /// The largest correction, in radians or in units of the scale of lengths, that can be an effect of rounding.
-const LARGEST: f64 = 1e-6;
+const MAX_CORRECTION: f64 = 1e-6;
 
 /// Replaces the rates of a solution by those that all rows determine, and corrects q if `is_inaccurate`, where the rows
 /// have full rank.
@@ -76,7 +76,7 @@ fn correct_scaled(equations: &mut Equations<'_>, q: &mut [f64]) -> Result<(), So
     };
     let right = DVector::from_iterator(equations.rows(), (0..equations.rows()).map(residual));
     let correction = factor.solve(&right);
-    let is_rounding = |(change, size): (&f64, &f64)| (change / size).abs() <= LARGEST;
+    let is_rounding = |(change, size): (&f64, &f64)| (change / size).abs() <= MAX_CORRECTION;
     if correction.iter().zip(&equations.scale.columns).all(is_rounding) {
         q.iter_mut().zip(correction.iter()).for_each(|(q, change)| *q += change);
     }

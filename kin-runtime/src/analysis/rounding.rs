@@ -2,8 +2,8 @@
 //!
 //! Where the groups of a plan have branch values, these show how near their closures are to one another, see
 //! [`ill_conditioned_group`]. Otherwise q is moved by what rounding errors of the rows may do to it, and the rates are
-//! computed again: with Φ_q δq = ε r, where the entries of r are ±1 on the common scale, the change of q̈ is the error to
-//! be expected.
+//! computed again: with Φ_q δq = ε r, where the entries of r are ±1 on the common scale, the change of q̈ is the error
+//! to be expected.
 
 use crate::analysis::acceleration::acceleration;
 use crate::analysis::across::smooth_rates;
@@ -12,7 +12,7 @@ use crate::equations::Equations;
 use crate::equations::factorisation::Purpose;
 use crate::error::SolveError;
 use crate::linear::Factorization;
-use crate::planned::ill_conditioned::{LITTLE, NOISE, ill_conditioned_group};
+use crate::planned::ill_conditioned::{MAX_ACCELERATION_NOISE, QUOTIENT_ANGLE, ill_conditioned_group};
 use crate::planned::rates::largest_angle;
 use crate::planned::{Limit, PlanError, Step};
 use crate::random::Random;
@@ -21,21 +21,22 @@ use crate::workspace::Subset;
 use nalgebra::DVector;
 
 /// Condition number of the scaled Φ_q below which a configuration counts as far from every singular one.
-const REGULAR: f64 = 1e3;
+const REGULAR_CONDITION: f64 = 1e3;
 
-/// Number of trials with rounding errors of random signs, and the factor by which they are enlarged, so that the changes
-/// of the rates exceed the rounding of these rates themselves.
+/// Number of trials with rounding errors of random signs, and the factor by which they are enlarged, so that the
+/// changes of the rates exceed the rounding of these rates themselves.
 const TRIALS: usize = 3;
 const ENLARGED: f64 = 64.0;
 
-/// Replaces the rates of a solution q, q̇, q̈ of the current instant, found by full Newton, where rounding dominates them, by
-/// those of the smooth motion through q; an error where there is none. `factor` is the factorisation of Φ_q there.
+/// Replaces the rates of a solution q, q̇, q̈ of the current instant, found by full Newton, where rounding dominates
+/// them, by those of the smooth motion through q; an error where there is none. `factor` is the factorisation of Φ_q
+/// there.
 pub(crate) fn settle_rates(
     equations: &mut Equations<'_>,
     [q, q_dot, q_ddot]: [&mut Vec<f64>; 3],
     factor: &Factorization,
 ) -> Result<(), SolveError> {
-    if factor.condition < REGULAR {
+    if factor.condition < REGULAR_CONDITION {
         return Ok(());
     }
     let solution = [&q[..], &q_dot[..], &q_ddot[..]];
@@ -69,13 +70,13 @@ pub(crate) fn ill_conditioned(
     [q, q_dot, q_ddot]: [&[f64]; 3],
     condition: f64,
 ) -> Option<usize> {
-    if groups.is_empty() || condition < REGULAR {
+    if groups.is_empty() || condition < REGULAR_CONDITION {
         return None;
     }
     // A divisor of the plan may be small although the branches of its groups are far apart.
     let distances = distances(equations, groups, q);
     let turns = equations.turns(&equations.instant(), q);
-    let further = LITTLE / largest_angle(equations.model, &turns, q_dot);
+    let further = QUOTIENT_ANGLE / largest_angle(equations.model, &turns, q_dot);
     let ahead: Vec<f64> = q.iter().zip(q_dot).map(|(q, v)| q + further * v).collect();
     let slopes = |then: Vec<f64>, now: &[f64], width: f64| -> Vec<f64> {
         then.iter().zip(now).map(|(then, now)| (then - now) / width).collect()
@@ -96,8 +97,8 @@ pub(crate) fn ill_conditioned(
     ill_conditioned_group(equations.model, [groups, &rates], [&distances, &approaches], [q_dot, q_ddot], &turns)
 }
 
-/// The distance of every group from its limit at the current instant in the modes of `groups`: √margin of a solution from q,
-/// or the branch value where that is smaller.
+/// The distance of every group from its limit at the current instant in the modes of `groups`: √margin of a solution
+/// from q, or the branch value where that is smaller.
 fn distances(equations: &mut Equations<'_>, groups: &[f64], q: &[f64]) -> Vec<f64> {
     // A divisor of the plan may be small although the branches of its groups are far apart.
     let margins = by_plan::margins(equations, groups, q);
@@ -107,8 +108,8 @@ fn distances(equations: &mut Equations<'_>, groups: &[f64], q: &[f64]) -> Vec<f6
     groups.iter().enumerate().map(distance).collect()
 }
 
-/// The error of a group beside its limit, with the location of the limit where the plan finds it; `groups` are the branch
-/// values at q.
+/// The error of a group beside its limit, with the location of the limit where the plan finds it; `groups` are the
+/// branch values at q.
 fn limit_of(equations: &mut Equations<'_>, groups: &[f64], group: usize, q: &[f64]) -> SolveError {
     let (t, inputs) = (equations.t, equations.inputs.clone());
     let located = equations.system.follow_from(&Instant { t, inputs: &inputs }, q).err();
@@ -125,14 +126,14 @@ fn limit_of(equations: &mut Equations<'_>, groups: &[f64], group: usize, q: &[f6
     }
 }
 
-/// The coordinate whose acceleration rounding dominates, if there is one. `factor` is the factorisation of Φ_q at q, where
-/// it is evaluated again afterwards.
+/// The coordinate whose acceleration rounding dominates, if there is one. `factor` is the factorisation of Φ_q at q,
+/// where it is evaluated again afterwards.
 pub(crate) fn dominated_acceleration(
     equations: &mut Equations<'_>,
     solution: [&[f64]; 3],
     factor: &Factorization,
 ) -> Result<Option<usize>, SolveError> {
-    if factor.condition < REGULAR {
+    if factor.condition < REGULAR_CONDITION {
         return Ok(None);
     }
     let mut again = |equations: &mut Equations<'_>, beside: Vec<f64>| {
@@ -150,10 +151,10 @@ pub(crate) fn dominated_acceleration(
 /// q and its derivatives at a configuration q of the current instant.
 type Again<'a> = &'a mut dyn FnMut(&mut Equations<'_>, Vec<f64>) -> Result<Vec<Vec<f64>>, SolveError>;
 
-/// The coordinate whose derivative of an order from `first` on changes most with the rounding of the rows, if that is more
-/// than [`NOISE`] of the largest derivative of this order, or of the rate that all of them show to this power, on the common
-/// scale. `all` are q and its derivatives, `factor` is the factorisation of Φ_q there, and `again` computes them at another
-/// configuration.
+/// The coordinate whose derivative of an order from `first` on changes most with the rounding of the rows, if that is
+/// more than [`MAX_ACCELERATION_NOISE`] of the largest derivative of this order, or of the rate that all of them show
+/// to this power, on the common scale. `all` are q and its derivatives, `factor` is the factorisation of Φ_q there, and
+/// `again` computes them at another configuration.
 pub(crate) fn dominated_coordinate(
     equations: &mut Equations<'_>,
     all: &[Vec<f64>],
@@ -182,7 +183,7 @@ pub(crate) fn dominated_coordinate(
                 if change.is_nan() { f64::INFINITY } else { change }
             };
             let changes: Vec<f64> = (0..here.len()).map(change).collect();
-            let allowed = NOISE * equations.scale.size(here).max(rate.powf(order as f64));
+            let allowed = MAX_ACCELERATION_NOISE * equations.scale.size(here).max(rate.powf(order as f64));
             // A size that is NaN allows nothing.
             let is_clear = equations.scale.size(&changes) <= allowed;
             if !is_clear {

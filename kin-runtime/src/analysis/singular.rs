@@ -21,7 +21,7 @@ use nalgebra::DVector;
 /// Distances of the probes, on the common scale.
 const DISTANCES: [f64; 2] = [1e-2, 5e-2];
 /// Changes of inputs and time, relative to their values or to 1, whichever is larger.
-const CHANGES: [f64; 4] = [1e-2, -1e-2, 0.1, -0.1];
+const INPUT_CHANGES: [f64; 4] = [1e-2, -1e-2, 0.1, -0.1];
 /// Largest number of null vectors that are tried one by one.
 const DIRECTIONS: usize = 6;
 
@@ -70,7 +70,7 @@ fn rank_at_other_instants(equations: &mut Equations<'_>, q: &[f64], rows: &[usiz
     let (t, inputs) = (equations.t, equations.inputs.clone());
     let mut random = Random::new(0x0001_4b07);
     let mut best = 0;
-    for change in CHANGES {
+    for change in INPUT_CHANGES {
         let mut moved = |value: f64| value + change * value.abs().max(1.0) * (1.5 + random.symmetric());
         equations.t = moved(t);
         equations.inputs.iter_mut().zip(&inputs).for_each(|(input, now)| input.value = moved(now.value));

@@ -11,7 +11,7 @@ use crate::scalar::Scalar;
 use crate::scalar::compare::write_lane;
 use crate::scalar::lanes::Octet;
 use crate::sensitivity::measured::complete;
-use crate::sensitivity::{LARGEST, Variation, Varying, is_integrated, is_same, modes_at};
+use crate::sensitivity::{MAX_STACK_COORDINATES, Variation, Varying, is_integrated, is_same, modes_at};
 use crate::signal::{Instant, Signal};
 use core::ops::ControlFlow;
 
@@ -176,7 +176,7 @@ fn check(model: &'static Model) -> Result<(), BatchError> {
     if is_integrated(model) {
         return Err(BatchError::NoSensitivities("with nonholonomic rows the position depends on the preceding motion"));
     }
-    if model.coordinates.len() > LARGEST {
+    if model.coordinates.len() > MAX_STACK_COORDINATES {
         return Err(BatchError::NoSensitivities("there are more than 160 coordinates"));
     }
     Ok(())

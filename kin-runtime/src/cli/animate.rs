@@ -106,7 +106,7 @@ pub(super) fn run(args: &AnimateArgs, engine: &mut dyn Engine, session: &mut Ses
     let along_arc = instants.arc.is_some();
     let one = !setup.modes.is_empty() || matches!(output.form, Form::Svg) || along_arc;
     let room = NUMBERS / (model.coordinates.len() * instants.len()).max(1);
-    let most = if one { 0 } else { (closures::MOST - 1).min(room) };
+    let most = if one { 0 } else { (closures::MAX_MOTIONS - 1).min(room) };
     watch.begin("instants", (1 + most) * instants.len());
     let walk = args.motion.walk(engine, (&asked, &setup, &instants), &measures, &watch);
     let walk = FollowedMotion { reported: true, tells_missing: args.forces, ..walk };

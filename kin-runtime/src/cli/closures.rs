@@ -31,14 +31,14 @@ fn guesses(found: &Assembly) -> Vec<(usize, f64)> {
 }
 
 /// Largest number of motions that one page shows.
-pub(super) const MOST: usize = 8;
+pub(super) const MAX_MOTIONS: usize = 8;
 /// Largest number of unknowns of a group without a closed form whose closures are searched for a page.
-const SEARCHED: usize = 3;
+const MAX_SEARCHED_UNKNOWNS: usize = 3;
 /// Largest number of modes of which a page shows all combinations. Only for so few modes are their closures computed,
 /// to leave out combinations that do not close.
-const FEW: usize = MOST.ilog2() as usize;
+const MAX_COMBINED_MODES: usize = MAX_MOTIONS.ilog2() as usize;
 /// Configurations that differ by less than this, apart from whole turns of bodies, are the same.
-const SAME: f64 = 1e-6;
+const SAME_CONFIGURATION: f64 = 1e-6;
 
 /// The name of the requested motion, and the names and setups of other motions.
 pub(super) struct ChosenClosures {
@@ -64,9 +64,12 @@ impl ChosenClosures {
         // Whether all closures can be found in a short time.
         let quick = match iterated.next() {
             None => engine.closes_by_signs(setup, first.t),
-            Some(unknowns) => unknowns <= SEARCHED && iterated.all(|unknowns| unknowns <= SEARCHED),
+            Some(unknowns) => {
+                unknowns <= MAX_SEARCHED_UNKNOWNS && iterated.all(|unknowns| unknowns <= MAX_SEARCHED_UNKNOWNS)
+            }
         };
-        let proven = setup.given.is_empty() && model.plan.exists() && quick && model.plan.modes.len() <= FEW;
+        let proven =
+            setup.given.is_empty() && model.plan.exists() && quick && model.plan.modes.len() <= MAX_COMBINED_MODES;
         let all = proven.then(|| engine.assemblies(setup, first.t).ok()).flatten();
         let all = all.filter(|all| all.undecided.is_empty());
         match all {
@@ -112,9 +115,9 @@ fn closes(model: &Model, all: Option<&Assemblies>, signs: &[Sign]) -> bool {
     all.is_none_or(|all| all.found.iter().any(|found| is(&found.modes)))
 }
 
-/// Other combinations of signs, in which at most the first `FEW` signs differ.
+/// Other combinations of signs, in which at most the first `MAX_COMBINED_MODES` signs differ.
 fn combinations(own: &[Sign]) -> Vec<Vec<Sign>> {
-    let free = own.len().min(FEW);
+    let free = own.len().min(MAX_COMBINED_MODES);
     let combination = |number: usize| {
         let flip = |(index, sign): (usize, &Sign)| {
             if index < free && number >> index & 1 == 1 { sign.flipped() } else { *sign }
@@ -137,6 +140,6 @@ fn mode_name(model: &Model, own: &[Sign], signs: &[Sign]) -> String {
 fn is_same(model: &Model, a: &[f64], b: &[f64]) -> bool {
     a.iter().zip(b).zip(model.coordinates).all(|((a, b), coordinate)| {
         let turns = if coordinate.kind.is_angle() { ((a - b) / TAU).round() * TAU } else { 0.0 };
-        (a - b - turns).abs() <= SAME * (1.0 + a.abs())
+        (a - b - turns).abs() <= SAME_CONFIGURATION * (1.0 + a.abs())
     })
 }

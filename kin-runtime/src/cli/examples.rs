@@ -10,7 +10,7 @@ use crate::present::number::{plain, rounded};
 /// Width of the help in columns.
 const COLUMNS: usize = 100;
 /// Largest width of the command of an example that has its comment on the same line.
-const BESIDE: usize = 62;
+const MAX_WIDTH_WITH_COMMENT: usize = 62;
 
 /// The arguments after the program's name, and a comment.
 pub(super) type Example = (String, &'static str);
@@ -132,7 +132,8 @@ impl Names {
             return String::new();
         }
         let width = |line: &str| line.chars().count();
-        let longest = lines.iter().map(|(line, _)| width(line)).filter(|w| *w <= BESIDE).max().unwrap_or(0);
+        let longest =
+            lines.iter().map(|(line, _)| width(line)).filter(|w| *w <= MAX_WIDTH_WITH_COMMENT).max().unwrap_or(0);
         let mut out = format!("{}\n", paint::heading("Examples:"));
         for (line, comment) in lines {
             let literal = paint::literal(&line);

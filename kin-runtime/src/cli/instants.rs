@@ -6,8 +6,11 @@ use super::limit_search::{Sought, Stop, limit};
 use super::setup::Setup;
 use super::turns::{natural_end, speed, turn};
 use super::values::{self, TimeOrAngle};
+use crate::error::SolveError;
 use crate::model::Model;
+use crate::observer::Reached;
 use crate::present::number::rounded;
+use std::ops::ControlFlow;
 
 /// The instants of a motion.
 #[derive(Clone, Debug, Default, clap::Args)]
@@ -198,7 +201,10 @@ impl Asked {
             Self::Grid { from: MotionEnd::At(from), to, steps } => {
                 let from = at("--from", from)?;
                 match to {
-                    None => grid(from, natural_end(engine, setup, from), *steps),
+                    None => match open_end(engine, setup, from, *steps) {
+                        Some(to) => grid(from, to, *steps),
+                        None => as_far(engine, setup, (from, [Some(from), None]), *steps),
+                    },
                     Some(MotionEnd::At(to)) => grid(from, at("--to", to)?, *steps),
                     Some(MotionEnd::Limit) => as_far(engine, setup, (from, [Some(from), None]), *steps),
                 }
@@ -212,7 +218,7 @@ impl Asked {
                 let to = match to {
                     Some(MotionEnd::At(to)) => Some(at("--to", to)?),
                     Some(MotionEnd::Limit) => None,
-                    None => Some(natural_end(engine, setup, start)),
+                    None => open_end(engine, setup, start, *steps),
                 };
                 let mut found = as_far(engine, setup, (start, [None, to]), *steps)?;
                 found.notes.extend(starts_elsewhere.then_some(note));
@@ -227,6 +233,17 @@ impl Asked {
     }
 }
 
+/// The end of a motion whose end is not given: after one turn of the driven crank, or after one unit of time; `None`
+/// for the limit of the motion if it is met in the first step on the way there.
+fn open_end(engine: &dyn Engine, setup: &Setup, from: f64, steps: usize) -> Option<f64> {
+    let to = natural_end(engine, setup, from);
+    let go_on = |_: Reached<'_>| ControlFlow::Continue(());
+    let first = [from, from + (to - from) / steps.max(1) as f64];
+    let (trajectory, error) = engine.sweep_each(setup, &first, false, &go_on, &mut |_| ControlFlow::Continue(()));
+    let is_limit = matches!(error, Some(SolveError::StepRefused { .. } | SolveError::Singular { .. }));
+    (!is_limit || trajectory.reached == 0).then_some(to)
+}
+
 /// The time of an instant; for an angle, the time at which the driven crank has turned by it.
 pub(super) fn instant(option: &str, moment: TimeOrAngle, engine: &dyn Engine, setup: &Setup) -> Result<f64, Failure> {
     match moment {
@@ -238,7 +255,8 @@ pub(super) fn instant(option: &str, moment: TimeOrAngle, engine: &dyn Engine, se
     }
 }
 
-/// The first of some instants at which the mechanism closes; the first of all if it closes at none, whose error says why.
+/// The first of some instants at which the mechanism closes; the first of all if it closes at none, whose error says
+/// why.
 fn closing(engine: &dyn Engine, setup: &Setup, instants: impl IntoIterator<Item = f64>) -> f64 {
     let mut instants = instants.into_iter().peekable();
     let first = instants.peek().copied().unwrap_or(0.0);
@@ -309,8 +327,8 @@ fn as_far(
     let first = usize::from(out.limits[0].is_some());
     let last = steps - usize::from(out.limits[1].is_some());
     let mut times: Vec<f64> = (first..=last).map(|k| if k == steps { to } else { place(k) }).collect();
-    // The motion is followed from the start in both directions. The start is therefore one of the instants; it takes the
-    // place of the nearest one between the ends.
+    // The motion is followed from the start in both directions. The start is therefore one of the instants; it takes
+    // the place of the nearest one between the ends.
     let distance = |k: &usize| (times[*k] - start).abs();
     let between = 1 - first..times.len().saturating_sub(usize::from(last == steps));
     let mut behind = match between.min_by(|a, b| distance(a).total_cmp(&distance(b))) {

@@ -12,10 +12,10 @@ use std::f64::consts::TAU;
 use std::ops::ControlFlow;
 
 /// A limit is searched within so many turns of a crank, one after the other, unless the mechanism is back after the first.
-const TURNS: [f64; 3] = [1.0, 10.0, 100.0];
+const SEARCH_TURNS: [f64; 3] = [1.0, 10.0, 100.0];
 
 /// If no crank turns at constant speed, a limit is searched within these durations, one after the other.
-const FAR: [f64; 4] = [1.0, 10.0, 100.0, 1000.0];
+const SEARCH_DURATIONS: [f64; 4] = [1.0, 10.0, 100.0, 1000.0];
 
 /// A limit at which a motion ends.
 #[derive(Clone, Debug)]
@@ -43,7 +43,7 @@ pub(super) enum Sought {
 pub(super) fn limit(engine: &dyn Engine, setup: &Setup, start: f64, direction: f64) -> Result<Sought, Failure> {
     let turn = turn(engine, setup, start);
     let speed = turn.map(|turn| TAU / turn);
-    let ranges = turn.map_or(FAR.to_vec(), |turn| TURNS.map(|turns| turns * turn).to_vec());
+    let ranges = turn.map_or(SEARCH_DURATIONS.to_vec(), |turn| SEARCH_TURNS.map(|turns| turns * turn).to_vec());
     let mut followed = None;
     for far in &ranges {
         let times = [start, start + direction * far];
@@ -88,7 +88,7 @@ fn short(limit: &Limit) -> String {
 }
 
 /// How far numbers of the same configuration and of the same rates may be apart, relative to the largest of them.
-const SAME: f64 = 1e-6;
+const SAME_MOTION: f64 = 1e-6;
 
 /// Whether the configuration and the rates are the same, up to whole turns, with a crank of this angular speed. A feed so
 /// small that a hundred turns change the mechanism by less than 1e-4 of its size counts as none.
@@ -97,12 +97,13 @@ fn is_same_motion(first: &State, then: &State, speed: f64) -> bool {
     let lengths = || first.q.iter().enumerate().filter(|(k, _)| is_length(*k)).map(|(_, x)| x);
     let size = largest(lengths());
     let is_same_place = |(k, (a, b)): (usize, (&f64, &f64))| match is_length(k) {
-        true => (a - b).abs() <= SAME * size,
+        true => (a - b).abs() <= SAME_MOTION * size,
         // Also scalars, as most of them are angles.
-        false => (b - a - TAU * ((b - a) / TAU).round()).abs() <= SAME,
+        false => (b - a - TAU * ((b - a) / TAU).round()).abs() <= SAME_MOTION,
     };
-    let are_same =
-        |size: f64, first: &[f64], then: &[f64]| first.iter().zip(then).all(|(a, b)| (a - b).abs() <= SAME * size);
+    let are_same = |size: f64, first: &[f64], then: &[f64]| {
+        first.iter().zip(then).all(|(a, b)| (a - b).abs() <= SAME_MOTION * size)
+    };
     let fastest = largest(&first.q_dot);
     first.q.iter().zip(&then.q).enumerate().all(is_same_place)
         && are_same(fastest, &first.q_dot, &then.q_dot)

@@ -92,7 +92,7 @@ impl MotionLeg {
 
 /// Instants that are nearer to a limit than this, relative to the length of the motion, may have no solution: close to
 /// a crossing of branches, rounding errors decide whether they have one.
-const BESIDE: f64 = 0.01;
+const UNSOLVED_BESIDE_LIMIT: f64 = 0.01;
 
 impl FollowedMotion<'_> {
     /// Follows the motion up to its first failure, to Ctrl-C or until `visit` ends it, and calls `visit` with every
@@ -271,7 +271,9 @@ impl FollowedMotion<'_> {
         };
         let (ended, limit) = match (ended, last) {
             (Some(Failure::Analysis(_)), Some(t))
-                if at_limit && stop.is_some_and(|stop| (stop.t - t).abs() <= BESIDE * (stop.t - first).abs()) =>
+                if at_limit
+                    && stop
+                        .is_some_and(|stop| (stop.t - t).abs() <= UNSOLVED_BESIDE_LIMIT * (stop.t - first).abs()) =>
             {
                 (None, None)
             }
@@ -366,18 +368,21 @@ fn note_events(session: &mut Session<'_>, trajectory: &Trajectory) {
 }
 
 /// Stretches that are listed one by one; further ones are counted.
-const TOLD: usize = 3;
+const MAX_LISTED_STRETCHES: usize = 3;
 
 /// Notes where unilateral conditions changed too fast to be watched.
 fn note_unwatched(session: &mut Session<'_>, trajectory: &Trajectory) {
-    for unwatched in trajectory.unwatched.iter().take(TOLD) {
+    for unwatched in trajectory.unwatched.iter().take(MAX_LISTED_STRETCHES) {
         session.note(&format!(
             "note: condition {unwatched}: it changes too fast there and may have met its limit more often than reported; \
              try more instants (--steps)"
         ));
     }
-    if trajectory.unwatched.len() > TOLD {
-        session.note(&format!("note: the same in {}", count(trajectory.unwatched.len() - TOLD, "more place")));
+    if trajectory.unwatched.len() > MAX_LISTED_STRETCHES {
+        session.note(&format!(
+            "note: the same in {}",
+            count(trajectory.unwatched.len() - MAX_LISTED_STRETCHES, "more place")
+        ));
     }
 }
 

@@ -113,13 +113,13 @@ or 130.",
 };
 
 /// Largest number of curves of one diagram, and why.
-const MOST: (usize, &str) = (14, "more curves cannot be told apart");
+const MAX_CURVES: (usize, &str) = (14, "more curves cannot be told apart");
 
 pub(super) fn run(args: &PlotArgs, engine: &mut dyn Engine, session: &mut Session<'_>) -> Result<(), Failure> {
     let model = engine.model();
     let mut ledger = Ledger::default();
     let task = args.motion.read(&mut ledger, ("plot", &args.output), (STEPS, args.arc), engine, session);
-    let choices = ledger.take(args.vary.choices(model, MOST));
+    let choices = ledger.take(args.vary.choices(model, MAX_CURVES));
     // Unknown names are reported before the motion is computed.
     let mut measures = Measure::standard(model, args.what.is_empty());
     let wanted = ledger.take(wanted(model, &args.what, &mut measures));

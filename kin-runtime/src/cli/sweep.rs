@@ -101,13 +101,13 @@ finished rows are written and the status is 1. Ctrl-C ends a sweep in the same w
 };
 
 /// Largest number of motions of one sweep, and what to do to have more.
-const MOST: (usize, &str) = (100_000, "for more, see the crate kin-study");
+const MAX_MOTIONS: (usize, &str) = (100_000, "for more, see the crate kin-study");
 
 pub(super) fn run(args: &SweepArgs, engine: &mut dyn Engine, session: &mut Session<'_>) -> Result<(), Failure> {
     let model = engine.model();
     let mut ledger = Ledger::default();
     let task = args.motion.read(&mut ledger, ("sweep", &args.output), (STEPS, args.arc), engine, session);
-    let choices = ledger.take(args.vary.choices(model, MOST));
+    let choices = ledger.take(args.vary.choices(model, MAX_MOTIONS));
     let wanted = ledger.take(quantities(model, &args.what));
     let (task, (choices, wanted)) = ledger.close(task.zip(choices.zip(wanted)))?;
     let unnamed = wanted.is_empty();

@@ -14,17 +14,17 @@ use crate::signal::Signal;
 use crate::state::State;
 
 /// Largest number of coordinates of a mechanism that is tried.
-const MOST: usize = 400;
+const MAX_COORDINATES: usize = 400;
 /// Instants of a motion that is tried.
 const INSTANTS: usize = 24;
 /// Time limit of a trial; an example that takes longer is left out of the help.
-const PATIENCE: Duration = Duration::from_millis(200);
+const TIME_LIMIT: Duration = Duration::from_millis(200);
 /// Largest number of modes whose combinations are tried.
-const SHORT: usize = 3;
+const MAX_COMBINED_MODES: usize = 3;
 /// Largest change of a coordinate that counts as none, relative to its size.
-const STILL: f64 = 1e-9;
+const NO_MOTION: f64 = 1e-9;
 /// Largest number of combinations of values of inputs that are tried.
-const TRIES: usize = 200;
+const MAX_INPUT_COMBINATIONS: usize = 200;
 
 /// Values that examples can use.
 #[derive(Clone, Debug)]
@@ -66,7 +66,7 @@ impl ExampleValues {
     /// Tries the mechanism; its parameters are restored afterwards.
     pub(super) fn of(engine: &mut dyn Engine) -> Option<Self> {
         let model = engine.model();
-        if model.coordinates.len() > MOST {
+        if model.coordinates.len() > MAX_COORDINATES {
             return None;
         }
         let mut trial = Self::default();
@@ -106,7 +106,7 @@ impl ExampleValues {
         let later = [0.3, 0.55].into_iter().filter_map(|share| engine.state(&setup, share * end).ok());
         let later: Vec<Vec<f64>> = later.map(|state| state.q).collect();
         let is_still =
-            |k: &usize| later.iter().all(|q| (q[*k] - state.q[*k]).abs() <= STILL * (1.0 + state.q[*k].abs()));
+            |k: &usize| later.iter().all(|q| (q[*k] - state.q[*k]).abs() <= NO_MOTION * (1.0 + state.q[*k].abs()));
         trial.still = (0..state.q.len()).filter(is_still).collect();
         trial.vary = varied(engine, &setup);
         Some(trial)
@@ -117,7 +117,7 @@ impl ExampleValues {
 fn proven(engine: &dyn Engine, setup: &Setup, state: &State, end: f64) -> [bool; 3] {
     let plan = &engine.model().plan;
     let iterates = plan.steps.iter().any(|step| matches!(step.kind, StepKind::Newton(_)));
-    let short = plan.exists() && !iterates && plan.modes.len() <= SHORT;
+    let short = plan.exists() && !iterates && plan.modes.len() <= MAX_COMBINED_MODES;
     let closures = short && engine.assemblies(setup, 0.0).is_ok_and(|all| all.is_complete());
     let limits = closures && engine.ranges(setup, 0.0, end).is_ok_and(|all| all.is_complete());
     [engine.certify(setup, state).is_ok(), closures, limits]
@@ -127,7 +127,7 @@ fn proven(engine: &dyn Engine, setup: &Setup, state: &State, end: f64) -> [bool;
 fn closes(engine: &dyn Engine, setup: &Setup) -> bool {
     let began = Instant::now();
     let observe =
-        |_: Reached<'_>| if began.elapsed() < PATIENCE { ControlFlow::Continue(()) } else { ControlFlow::Break(()) };
+        |_: Reached<'_>| if began.elapsed() < TIME_LIMIT { ControlFlow::Continue(()) } else { ControlFlow::Break(()) };
     let arc = Arc { from: 0.0, to: None, steps: 1 };
     let found = engine.sweep_along_arc(setup, arc, &observe);
     found.is_ok_and(|trajectory| trajectory.arc.is_some_and(|arc| arc.is_closed()))
@@ -139,7 +139,7 @@ fn reached(engine: &dyn Engine, setup: &Setup, end: f64) -> Option<f64> {
     let (mut last, began) = (None, Instant::now());
     engine.sweep_each(setup, &times, false, &|_| ControlFlow::Continue(()), &mut |state| {
         last = Some(state.t);
-        if began.elapsed() < PATIENCE { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+        if began.elapsed() < TIME_LIMIT { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
     });
     last.filter(|t| *t > 0.0)
 }
@@ -175,7 +175,11 @@ fn inputs(engine: &dyn Engine) -> Option<Setup> {
             })
             .collect()
     };
-    let all = alike.chain((0..TRIES).map(combination)).take(if count == 0 { 1 } else { TRIES });
+    let all = alike.chain((0..MAX_INPUT_COMBINATIONS).map(combination)).take(if count == 0 {
+        1
+    } else {
+        MAX_INPUT_COMBINATIONS
+    });
     all.map(|values| setup(&values)).find(|setup| count == 0 || engine.state(setup, 0.0).is_ok())
 }
 
@@ -184,7 +188,7 @@ fn varied(engine: &mut dyn Engine, setup: &Setup) -> Option<String> {
     let model: &Model = engine.model();
     let began = Instant::now();
     for (index, value) in engine.parameters().into_iter().enumerate().filter(|(_, value)| value.is_finite()).take(8) {
-        if began.elapsed() >= PATIENCE {
+        if began.elapsed() >= TIME_LIMIT {
             return None;
         }
         let by = if value == 0.0 { 0.1 } else { 0.1 * value.abs() };

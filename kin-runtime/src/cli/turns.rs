@@ -11,7 +11,7 @@ use kin_core::units::{Unit, parse};
 use std::f64::consts::TAU;
 
 /// The relative changes of a speed, also those within a turn, that count as none.
-const STEADY: f64 = 1e-9;
+const STEADY_CHANGE: f64 = 1e-9;
 
 /// Where else the speed of a crank is compared, in turns after the first instant.
 const SHARES: [f64; 3] = [0.137, 0.618, 2.71];
@@ -50,7 +50,7 @@ fn slowest(engine: &dyn Engine, setup: &Setup, from: f64, counts: &dyn Fn(&str) 
     let phi_t =
         |row: usize, t: f64| Some(*engine.time_derivatives(&Instant { t, inputs: &setup.inputs }).ok()?[0].get(row)?);
     let is_as_fast = |row: usize, t: f64| match (phi_t(row, from), phi_t(row, t)) {
-        (Some(before), Some(then)) => (then - before).abs() <= STEADY * before.abs(),
+        (Some(before), Some(then)) => (then - before).abs() <= STEADY_CHANGE * before.abs(),
         _ => false,
     };
     let pattern = &model.constraint_pattern;
@@ -69,7 +69,7 @@ fn slowest(engine: &dyn Engine, setup: &Setup, from: f64, counts: &dyn Fn(&str) 
             }
         };
         let (speed, acceleration) = (speed.abs(), acceleration.abs());
-        let is_steady = speed > 0.0 && acceleration <= STEADY * speed * speed;
+        let is_steady = speed > 0.0 && acceleration <= STEADY_CHANGE * speed * speed;
         (is_steady && SHARES.iter().all(|share| is_as_fast(row, from + share * TAU / speed))).then_some(speed)
     };
     let driving = model.rows.iter().enumerate().filter(|(_, row)| row.driving || row.rheonomic);

@@ -251,7 +251,7 @@ pub(super) fn times(option: &str, text: &str, model: &Model) -> Result<Vec<TimeO
 }
 
 /// If neighbouring `f64` near t differ by more than this, the error about equal instants states the difference.
-const COARSE: f64 = 1e-3;
+const COARSE_SPACING: f64 = 1e-3;
 
 /// An error if instants are not different `f64`, or if there are too many.
 pub(super) fn grid_is_possible(from: f64, to: f64, steps: usize) -> Result<(), Failure> {
@@ -265,7 +265,7 @@ pub(super) fn grid_is_possible(from: f64, to: f64, steps: usize) -> Result<(), F
     let [first, last] = [from, to].map(plain);
     if length == 0.0 {
         let spacing = from.abs().next_up() - from.abs();
-        let apart = match spacing > COARSE {
+        let apart = match spacing > COARSE_SPACING {
             true => format!(" (numbers of this size are {} apart)", plain(spacing)),
             false => String::new(),
         };

@@ -11,7 +11,7 @@ use super::interrupt::Interrupt;
 use crate::observer::Reached;
 
 /// A computation that takes no longer has no progress bar.
-const PATIENCE: Duration = Duration::from_secs(1);
+const TIME_WITHOUT_BAR: Duration = Duration::from_secs(1);
 const TEMPLATE: &str = "  {bar:32} {percent:>3} %  {place} of {total} {msg}, {rate}, {left} left";
 
 /// The progress of the long part of a command.
@@ -69,7 +69,7 @@ impl ProgressWatch {
     /// As [`observe`](Self::observe), for other computations.
     pub(super) fn step(&self, done: usize) -> ControlFlow<()> {
         if let Some(bar) = &*self.bar.borrow() {
-            if !self.drawn.get() && self.began.get().elapsed() >= PATIENCE {
+            if !self.drawn.get() && self.began.get().elapsed() >= TIME_WITHOUT_BAR {
                 self.drawn.set(true);
                 bar.set_draw_target(ProgressDrawTarget::stderr());
             }
@@ -85,7 +85,7 @@ impl ProgressWatch {
         let drawn = std::sync::atomic::AtomicBool::new(false);
         move |done| {
             if let Some(bar) = &bar {
-                if began.elapsed() >= PATIENCE && !drawn.swap(true, std::sync::atomic::Ordering::Relaxed) {
+                if began.elapsed() >= TIME_WITHOUT_BAR && !drawn.swap(true, std::sync::atomic::Ordering::Relaxed) {
                     bar.set_draw_target(ProgressDrawTarget::stderr());
                 }
                 bar.set_position(done as u64);

@@ -38,12 +38,15 @@ pub struct Configuration {
     pub inputs: Vec<Signal>,
 }
 
-/// The values around which inputs are drawn: those of the first given configuration, or else their defaults. An input
-/// without either is drawn around 0.
-pub(super) fn central_inputs(model: &Model, options: &CrossCheckOptions) -> Vec<f64> {
-    let given = options.given.first().map_or(&[][..], |first| &first.inputs);
-    let default = |k: usize| model.input_defaults.get(k).copied().flatten();
-    (0..model.inputs.len()).map(|k| given.get(k).map(|u| u.value).or_else(|| default(k)).unwrap_or(0.0)).collect()
+/// What random configurations are drawn around.
+#[derive(Clone, Debug)]
+pub(crate) struct Centre {
+    /// The coordinates.
+    pub(crate) q: Vec<f64>,
+    /// The values of inputs.
+    pub(crate) inputs: Vec<f64>,
+    /// How far x and y spread.
+    pub(crate) length: f64,
 }
 
 /// A random configuration: numbers 0 and 1 of every four are near the centre, the other two are spread widely. Inputs
@@ -52,13 +55,12 @@ pub(super) fn random_configuration(
     model: &Model,
     random: &mut Random,
     number: usize,
-    (centre, inputs): (&[f64], &[f64]),
-    length: f64,
+    Centre { q: centre, inputs, length }: &Centre,
 ) -> Configuration {
     let (width, share) = if number % 4 < 2 { (0.2, 0.02) } else { (2.0, 0.2) };
     let mut draw = |k: usize| {
         let unit = match model.coordinates[k].kind {
-            CoordinateKind::Pose { component: Component::X | Component::Y, .. } => length,
+            CoordinateKind::Pose { component: Component::X | Component::Y, .. } => *length,
             _ => 1.0,
         };
         unit * random.symmetric()

@@ -115,7 +115,7 @@ const ROUNDING: f64 = 16.0 * f64::EPSILON;
 const STEPS: i32 = 22;
 /// A disagreement counts only if an interval of this length or less could be compared, relative to the larger of 1 and
 /// the size of the argument.
-const SHORT: f64 = 1e-4;
+const MAX_COMPARED_INTERVAL: f64 = 1e-4;
 
 /// Compares derivative `order` + 1 of a function with differences of derivative `order` at `x`; `None` where no
 /// comparison is possible.
@@ -142,7 +142,7 @@ fn agreement(function: &impl Fn(f64) -> [f64; 3], order: usize, x: f64) -> Optio
             return best;
         }
     }
-    best.filter(|best| best.error <= FunctionCheck::TOLERANCE || shortest <= SHORT)
+    best.filter(|best| best.error <= FunctionCheck::TOLERANCE || shortest <= MAX_COMPARED_INTERVAL)
 }
 
 /// The agreement on the interval from `x` to `end`; `None` where rounding errors dominate or the function has no value.

@@ -21,8 +21,9 @@ use crate::observer::{Observed, Observer};
 use crate::random::Random;
 pub(crate) use checked::Checked;
 use comparison::Comparison;
+pub(crate) use configuration::Centre;
+use configuration::random_configuration;
 pub use configuration::{Configuration, CrossCheckOptions};
-use configuration::{central_inputs, random_configuration};
 pub use functions::FunctionCheck;
 pub(crate) use plan::plan_check;
 pub use result::{CrossCheck, WorstEntry};
@@ -32,12 +33,11 @@ const PERTURBATION: f64 = 0.1;
 
 /// Compares the closed forms of `mechanism` at the configurations that `options` describe.
 ///
-/// Random configurations are drawn around `centre`; `length` is the spread of x and y.
+/// Random configurations are drawn around `centre`.
 pub(crate) fn cross_check(
     mechanism: &dyn Checked,
     options: &CrossCheckOptions,
-    centre: &[f64],
-    length: f64,
+    centre: &Centre,
     observer: Option<Observer<'_>>,
 ) -> Result<CrossCheck, SolveError> {
     let mut observed = Observed::new(observer, options.given.len() + options.configurations);
@@ -48,9 +48,8 @@ pub(crate) fn cross_check(
         comparison.compare(mechanism, &exact, configuration)?;
         observed.finish(configuration.t, None)?;
     }
-    let inputs = central_inputs(model, options);
     for number in 0..options.configurations {
-        let configuration = random_configuration(model, &mut random, number, (centre, &inputs), length);
+        let configuration = random_configuration(model, &mut random, number, centre);
         let mut parameters = exact.clone();
         if options.perturb_parameters && number % 2 == 1 {
             for parameter in &mut parameters {

@@ -4,7 +4,7 @@
 //! Φ_q q̇ = −Φ_t and Φ_q q̈ = γ, row by row. From configurations given by the caller full Newton solves as well, and q,
 //! q̇ and q̈ are compared number by number.
 
-use super::configuration::{Configuration, CrossCheckOptions, central_inputs, random_configuration};
+use super::configuration::{Centre, Configuration, CrossCheckOptions, random_configuration};
 use super::result::CrossCheck;
 use crate::equations::system::System;
 use crate::error::SolveError;
@@ -18,7 +18,7 @@ use crate::workspace::Subset;
 
 /// Where a margin is below this, the configuration is too near to a limit: rounding errors are larger than those of the
 /// plan.
-const AWAY: f64 = 1e-3;
+const MIN_MARGIN: f64 = 1e-3;
 
 /// Solves by full Newton from a start.
 type Newton<'n> = dyn Fn(&Instant<'_>, &[f64]) -> Result<State, SolveError> + 'n;
@@ -27,8 +27,7 @@ type Newton<'n> = dyn Fn(&Instant<'_>, &[f64]) -> Result<State, SolveError> + 'n
 pub(crate) fn plan_check(
     system: &mut dyn System,
     options: &CrossCheckOptions,
-    centre: &[f64],
-    length: f64,
+    centre: &Centre,
     observer: Option<Observer<'_>>,
     newton: &Newton<'_>,
 ) -> Result<CrossCheck, SolveError> {
@@ -40,13 +39,12 @@ pub(crate) fn plan_check(
     let mut random = Random::new(options.seed);
     let own = options.given.len();
     let mut observed = Observed::new(observer, own + options.configurations);
-    let inputs = central_inputs(model, options);
     for number in 0..own + options.configurations {
         let drawn;
         let configuration = match options.given.get(number) {
             Some(given) => given,
             None => {
-                drawn = random_configuration(model, &mut random, number - own, (centre, &inputs), length);
+                drawn = random_configuration(model, &mut random, number - own, centre);
                 &drawn
             }
         };
@@ -92,7 +90,7 @@ fn solve(
     let [q, q_dot, q_ddot] = &mut found;
     let solved = Solved { q, q_dot, q_ddot, margins: &mut margins };
     system.solve(at, &modes, &configuration.q, Depth::Acceleration, solved)?;
-    Ok(margins.iter().all(|margin| *margin > AWAY).then_some(found))
+    Ok(margins.iter().all(|margin| *margin > MIN_MARGIN).then_some(found))
 }
 
 /// Compares every row of Φ and of the velocity and acceleration equations.

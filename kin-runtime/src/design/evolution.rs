@@ -15,7 +15,7 @@ use basin::{
 use core::convert::Infallible;
 
 /// A descent ends when the distribution of designs is no wider than this.
-const NARROW: f64 = 1e-9;
+const CONVERGED_WIDTH: f64 = 1e-9;
 
 /// The objective as a function of the variables.
 struct Landscape<'d> {
@@ -36,7 +36,7 @@ pub(super) fn evolve(design: Problem<'_>, start: DescentEnd, effort: DescentLimi
     let landscape = Landscape { design, branch: &start.branch, lower, upper, worst };
     // The seed is taken from the start, so that the same start has the same descent.
     let solver = BoundedCmaEs::<Vec<f64>, DenseMatrix>::new(start.error.to_bits(), effort.spread)
-        .with_absolute_distribution_size_tolerance(NARROW);
+        .with_absolute_distribution_size_tolerance(CONVERGED_WIDTH);
     let run = Executor::from_start(landscape, solver, start.variables.clone()).max_iter(effort.steps).run();
     let Ok(variables) = run.map(|result| result.best_param().clone()) else { return start };
     match error(design, &variables, &start.branch) {

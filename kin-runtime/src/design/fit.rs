@@ -37,16 +37,16 @@ pub(crate) struct DescentLimits {
 }
 
 /// To select the random designs that are worth a descent.
-pub(crate) const GLANCE: DescentLimits =
+pub(crate) const SELECTION: DescentLimits =
     DescentLimits { shares: &[1e-2], steps: 12, change: 1e-3, reflective: 0, spread: 0.1 };
 /// To select the starts that are worth further descents.
 pub(crate) const FIRST: DescentLimits =
     DescentLimits { shares: &[1e-2, 1e-6], steps: 60, change: 1e-4, reflective: 0, spread: 0.1 };
 /// To select the best of these.
-pub(crate) const SECOND: DescentLimits =
+pub(crate) const REFINEMENT: DescentLimits =
     DescentLimits { shares: &[1e-6, 1e-10], steps: 120, change: 1e-8, reflective: 0, spread: 0.03 };
 /// To convergence.
-pub(crate) const LAST: DescentLimits =
+pub(crate) const CONVERGENCE: DescentLimits =
     DescentLimits { shares: &[1e-6, 1e-10, 0.0], steps: 480, change: 1e-12, reflective: 12, spread: 0.003 };
 
 /// The least squares problem of one branch.

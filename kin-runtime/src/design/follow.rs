@@ -10,7 +10,7 @@ use crate::planned::Sign;
 use crate::planned::follower::{Control, PlanFollower};
 use crate::results::varied::{Varied, WIDTH};
 use crate::sensitivity::measured::complete;
-use crate::sensitivity::{LARGEST, Variation, Varying, is_integrated, vary as vary_state};
+use crate::sensitivity::{MAX_STACK_COORDINATES, Variation, Varying, is_integrated, vary as vary_state};
 use crate::signal::Instant;
 use crate::solver::{AnySolver, Settings, Solver, swept};
 
@@ -90,7 +90,7 @@ impl<M: Mechanism> Family for Design<M> {
         let solver = solver_from(&mechanism, &motion.task.guesses, &motion.branch.modes);
         let plan = &M::model().plan;
         let determined = !plan.has_redundant_rows() && !is_integrated(M::model());
-        if determined && M::COORDINATES <= LARGEST {
+        if determined && M::COORDINATES <= MAX_STACK_COORDINATES {
             match solver.follower(&Instant::at(first)) {
                 Some(Ok(follower)) => return by_plan(&mechanism, follower, times, varying, needs, see),
                 Some(Err(error)) => return Err(error.into()),

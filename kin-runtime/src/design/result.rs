@@ -77,7 +77,7 @@ impl<M> Designed<M> {
     }
 }
 
-/// The error, how many starts reached it, and a line per parameter and condition.
+/// The error, how many searches ended there, and a line per parameter and condition.
 impl<M> fmt::Display for Designed<M> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { error, starts, assembled, finished, met, .. } = self;
@@ -86,7 +86,8 @@ impl<M> fmt::Display for Designed<M> {
             Some(least) if least == *error => write!(f, "least {least:e}")?,
             Some(least) => write!(f, "least {least:e} plus a sum of squares of {:e}", error - least)?,
         }
-        write!(f, ": reached by {met} of the {finished} best of {assembled} starts ({starts} requested)")?;
+        write!(f, ": {met} of {finished} searches end there, begun at the best of {starts} designs")?;
+        write!(f, ", of which {assembled} assemble")?;
         self.parameters.iter().try_for_each(|(name, value)| write!(f, "\n{name} = {value}"))?;
         self.modes.iter().try_for_each(|(name, sign)| write!(f, "\nmode {name}: {sign}"))?;
         self.slacks.iter().try_for_each(|slack| write!(f, "\n{slack}"))

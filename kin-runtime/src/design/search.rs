@@ -3,7 +3,7 @@
 use super::builder::Design;
 use super::error::{DesignError, Missed};
 use super::evolution::evolve;
-use super::fit::{DescentEnd, DescentLimits, FIRST, GLANCE, LAST, NOTHING, SECOND, descend, error};
+use super::fit::{CONVERGENCE, DescentEnd, DescentLimits, FIRST, NOTHING, REFINEMENT, SELECTION, descend, error};
 use super::follow::{DescentBranch, Family};
 use super::problem::Problem;
 use super::result::{Designed, Slack};
@@ -54,21 +54,21 @@ impl core::fmt::Debug for Search<'_> {
 }
 
 /// Largest number of random designs that are drawn for one start.
-const DRAWS: usize = 2000;
+const MAX_DRAWS: usize = 2000;
 /// Of those that keep the conditions, how many are compared.
 const COMPARED: usize = 24;
 /// Of these, how many are improved by a few steps before the best of them is the start.
-const TRIED: usize = 4;
+const IMPROVED_DRAWS: usize = 4;
 /// Largest number of searches, each with conditions tightened by the violations that were found between instants.
 const ROUNDS: usize = 4;
 /// By how much conditions are tightened, relative to what was found.
-const TIGHTER: f64 = 1.2;
+const TIGHTENING: f64 = 1.2;
 /// Of the first descents, one in so many goes on.
 const TAKEN: usize = 4;
 /// At least this many go on; at most this many of them are taken to the end.
 const FINISHED: usize = 12;
 /// Largest difference of two errors, relative to the error, with which they count as the same minimum.
-const SAME: f64 = 1e-6;
+const SAME_ERROR: f64 = 1e-6;
 
 impl<M: Mechanism> Design<M> {
     /// Searches for the parameters with the least sum of squared misses.
@@ -133,8 +133,8 @@ pub(crate) fn searched(
             designed.errors = found.iter().map(|end| end.error).collect();
             let nothing = NOTHING * problem.wanted();
             let same = |error: &&f64| match problem.is_least() {
-                true => **error - best.error <= SAME * best.error.abs(),
-                false => **error <= (1.0 + SAME) * best.error.max(nothing),
+                true => **error - best.error <= SAME_ERROR * best.error.abs(),
+                false => **error <= (1.0 + SAME_ERROR) * best.error.max(nothing),
             };
             designed.met = designed.errors.iter().filter(same).count();
             (designed.starts, designed.assembled, designed.finished) = (search.starts, ends.len(), found.len());
@@ -142,7 +142,7 @@ pub(crate) fn searched(
             return Ok(designed);
         }
         for (condition, slack) in tightened.conditions.iter_mut().zip(&slacks) {
-            condition.tighten(TIGHTER * (-slack.slack).max(0.0));
+            condition.tighten(TIGHTENING * (-slack.slack).max(0.0));
         }
         // New starts are drawn if none of the old ones keeps the tightened conditions.
         let design = Problem { family, task: &tightened, is_stopped: None };
@@ -211,7 +211,7 @@ impl Problem<'_> {
         // Numbers of one seed are far from those of the next.
         let mut random = Random::new(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) ^ ((number as u64) << 20));
         let mut found: Vec<DescentEnd> = Vec::new();
-        for _ in 0..DRAWS {
+        for _ in 0..MAX_DRAWS {
             self.go_on().ok()?;
             let (variables, branch) = self.draw(&mut random, modes);
             let Some(error) = error(*self, &variables, &branch) else { continue };
@@ -221,7 +221,7 @@ impl Problem<'_> {
             }
         }
         found.sort_by(|a, b| a.error.total_cmp(&b.error));
-        let tried = found.into_iter().take(TRIED).map(|end| improved(*self, end, GLANCE));
+        let tried = found.into_iter().take(IMPROVED_DRAWS).map(|end| improved(*self, end, SELECTION));
         tried.min_by(|a, b| a.error.total_cmp(&b.error))
     }
 
@@ -234,7 +234,7 @@ impl Problem<'_> {
             .map(|condition| Missed { condition: condition.name(), designs: 0, closest: None })
             .collect();
         let progress = Progress { done: search.starts, total: search.starts };
-        for _ in 0..DRAWS {
+        for _ in 0..MAX_DRAWS {
             if search.watch.is_some_and(|watch| watch(progress).is_break()) {
                 return DesignError::Stopped;
             }
@@ -256,7 +256,7 @@ impl Problem<'_> {
             }
         }
         missed.retain(|missed| missed.designs > 0);
-        DesignError::NoStart { drawn: search.starts * DRAWS, sampled: DRAWS, open, why, missed }
+        DesignError::NoStart { drawn: search.starts * MAX_DRAWS, sampled: MAX_DRAWS, open, why, missed }
     }
 }
 
@@ -318,8 +318,8 @@ impl Descents<'_> {
             found.sort_by(|a, b| a.error.total_cmp(&b.error));
             found
         };
-        let mut found = further(&ends[..taken(ends.len())], SECOND);
+        let mut found = further(&ends[..taken(ends.len())], REFINEMENT);
         found.truncate(FINISHED);
-        further(&found, LAST)
+        further(&found, CONVERGENCE)
     }
 }

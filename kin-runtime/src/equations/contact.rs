@@ -21,7 +21,7 @@ const AT_CENTRE: f64 = 1e-12;
 /// Number of places in one step at which the direction of a curve under a roller is compared with the one before.
 const SAMPLES: u32 = 4;
 /// Cosine of the largest turn of the curve between two such places.
-const TURN: f64 = 0.87;
+const COS_MAX_TURN: f64 = 0.87;
 
 /// Replaces the error of an evaluation at q by an error that names the degenerate contact, if there is one.
 pub(crate) fn explain(equations: &mut Equations<'_>, q: &[f64], error: SolveError) -> SolveError {
@@ -109,7 +109,7 @@ pub(crate) fn turned_about(equations: &Equations<'_>, from: &[f64], to: &[f64]) 
         for k in 1..=SAMPLES {
             let after = direction(k)?;
             let cosine = before[0] * after[0] + before[1] * after[1];
-            if cosine.is_nan() || cosine < TURN {
+            if cosine.is_nan() || cosine < COS_MAX_TURN {
                 return Some(joint.first_row);
             }
             before = after;

@@ -24,10 +24,22 @@ impl<'e> Placement<'e> {
 
     /// A point of a joint in the inertial frame.
     pub(crate) fn point(&self, geometry: &Geometry) -> Option<[f64; 2]> {
+        let [u, v] = self.direction(geometry)?;
+        let Frame::Body(body) = geometry.frame else { return Some([u, v]) };
+        let [x, y, _] = self.pose(body);
+        Some([x + u, y + v])
+    }
+
+    /// An axis of a joint in the inertial frame.
+    pub(crate) fn direction(&self, geometry: &Geometry) -> Option<[f64; 2]> {
         let &[u, v] = self.numbers.get(geometry.offset..geometry.offset + 2)? else { return None };
         let Frame::Body(body) = geometry.frame else { return Some([u, v]) };
-        let [x, y, phi] = self.model.bodies[body].observables.map(|k| self.observables[k]);
-        let (sin, cos) = phi.sin_cos();
-        Some([x + cos * u - sin * v, y + sin * u + cos * v])
+        let (sin, cos) = self.pose(body)[2].sin_cos();
+        Some([cos * u - sin * v, sin * u + cos * v])
+    }
+
+    /// x, y and φ of a body.
+    fn pose(&self, body: usize) -> [f64; 3] {
+        self.model.bodies[body].observables.map(|k| self.observables[k])
     }
 }

@@ -62,10 +62,11 @@ pub(crate) struct Iteration {
 
 /// Length of a step after which the error is below machine precision, if convergence is quadratic, or cannot be reduced
 /// further.
-const LAST_STEP: f64 = 1e-9;
-/// Relative reduction of the residual over [`PATIENCE`] iterations below which the point counts as a local minimum.
-const PROGRESS: f64 = 1e-3;
-const PATIENCE: usize = 12;
+pub(crate) const LAST_STEP: f64 = 1e-9;
+/// Relative reduction of the residual over [`SLOW_ITERATIONS`] iterations below which the point counts as a local
+/// minimum.
+const MIN_PROGRESS: f64 = 1e-3;
+const SLOW_ITERATIONS: usize = 12;
 const LARGEST_RADIUS: f64 = 2.0;
 /// Reduction of the residual by one full step that only steps near a root bring about.
 const CONTRACTION: f64 = 1e-3;
@@ -148,9 +149,9 @@ pub(crate) fn solve(problem: &mut dyn Residual, q: &mut [f64], settings: &Newton
             }
         }
         history.push(residual.norm());
-        let before = history.len().checked_sub(PATIENCE + 1).map(|k| history[k]);
+        let before = history.len().checked_sub(SLOW_ITERATIONS + 1).map(|k| history[k]);
         let closed = is_closed(problem, settings, q, &residual, contracts);
-        if !closed && before.is_some_and(|before| residual.norm() > (1.0 - PROGRESS) * before) {
+        if !closed && before.is_some_and(|before| residual.norm() > (1.0 - MIN_PROGRESS) * before) {
             return Iteration { converged: false, ..outcome };
         }
     }
@@ -177,7 +178,8 @@ fn is_rounding(problem: &mut dyn Residual, q: &[f64], residual: &DVector<f64>) -
     problem.evaluate(q) && are_within(problem, residual, rounding(farthest(q, problem.columns()).max(1.0)))
 }
 
-/// True if every r is at most `allowed` times the smallest entry of its row that is not 0, or times 1 where that is larger.
+/// True if every r is at most `allowed` times the smallest entry of its row that is not 0, or times 1 where that is
+/// larger.
 fn are_within(problem: &dyn Residual, residual: &DVector<f64>, allowed: f64) -> bool {
     let jacobian = scale_columns(problem.jacobian(), problem.columns());
     let smallest = |row: usize| {

@@ -17,17 +17,17 @@ const DEGREE: usize = 12;
 /// rounds, which occur where values are known to fewer digits.
 const ROUNDING: [f64; 5] = [1e-14, 1e-13, 1e-12, 1e-11, 1e-10];
 /// The same, relative to the function's variation in the interval.
-const RESOLVED: f64 = 1e-11;
+const RESOLVED_VARIATION: f64 = 1e-11;
 /// Last coefficients above this, relative to the variation, mean that the interpolant does not represent the function.
-const ROUGH: f64 = 1e-3;
+const UNRESOLVED_VARIATION: f64 = 1e-3;
 /// Variations below this, relative to the size, are too small to show a shape.
-const FLAT: f64 = 1e-7;
+const FLAT_VARIATION: f64 = 1e-7;
 /// Intervals this small, relative to the whole range, in which a function is not smooth yet have a kink.
-const SMALLEST: f64 = 1e-12;
+const MIN_INTERVAL: f64 = 1e-12;
 /// Largest number of intervals, each within the one before.
 const ROUNDS: usize = 60;
 /// Number of values of an interpolant, per interval between its points, among which the greatest is sought.
-const FINE: usize = 8;
+const SAMPLES_PER_INTERVAL: usize = 8;
 
 /// The greatest value of a function.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -73,8 +73,8 @@ pub(crate) fn peak(
         let tail = coefficients[DEGREE - 2..].iter().fold(0.0_f64, |tail, c| tail.max(c.abs()));
         let [low, high] = values.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[l, h], v| [l.min(*v), h.max(*v)]);
         let (size, variation) = (low.abs().max(high.abs()), high - low);
-        let shows = variation > FLAT * size;
-        if tail <= ROUNDING[round.min(ROUNDING.len() - 1)] * size + RESOLVED * variation {
+        let shows = variation > FLAT_VARIATION * size;
+        if tail <= ROUNDING[round.min(ROUNDING.len() - 1)] * size + RESOLVED_VARIATION * variation {
             if rough && !shows {
                 // The function was not smooth in any interval until it became flat.
                 return best;
@@ -90,10 +90,10 @@ pub(crate) fn peak(
             return Some(Peak { at, value: evaluate(&coefficients, x), smooth: true, resolved: true });
         }
         if shows {
-            rough = tail > ROUGH * variation;
+            rough = tail > UNRESOLVED_VARIATION * variation;
         }
         (a, b) = (places[top.saturating_sub(1)], places[(top + 1).min(DEGREE)]);
-        if (b - a).abs() <= (SMALLEST * range.abs()).max(8.0 * f64::EPSILON * a.abs().max(b.abs())) {
+        if (b - a).abs() <= (MIN_INTERVAL * range.abs()).max(8.0 * f64::EPSILON * a.abs().max(b.abs())) {
             return best;
         }
     }
@@ -140,7 +140,7 @@ fn derivative(coefficients: &[f64; DEGREE + 1]) -> [f64; DEGREE + 1] {
 /// Where in [−1, 1] an interpolant is greatest.
 fn greatest(coefficients: &[f64; DEGREE + 1]) -> f64 {
     let slope = derivative(coefficients);
-    let count = FINE * DEGREE;
+    let count = SAMPLES_PER_INTERVAL * DEGREE;
     let place = |j: usize| -(core::f64::consts::PI * j as f64 / count as f64).cos();
     let value = |j: usize| evaluate(coefficients, place(j));
     let top = (0..=count).fold(0, |top, j| if value(j) > value(top) { j } else { top });

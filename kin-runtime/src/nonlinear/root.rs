@@ -16,7 +16,7 @@ pub(crate) struct Value {
 }
 
 /// Largest number of trials.
-const TRIALS: usize = 200;
+const MAX_TRIALS: usize = 200;
 
 /// The width at which a bracket around instants of size `t` counts as closed.
 pub(crate) fn tolerance(t: f64) -> f64 {
@@ -36,7 +36,7 @@ pub(crate) fn bracket(
     let [mut lo, mut hi] = [first, last];
     let mut widths = [f64::INFINITY; 2];
     let mut refused = 0;
-    for _ in 0..TRIALS {
+    for _ in 0..MAX_TRIALS {
         let width = (hi.t - lo.t).abs();
         if width <= tolerance || refused > 4 {
             break;

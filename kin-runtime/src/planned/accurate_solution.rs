@@ -12,7 +12,7 @@ use crate::signal::Instant;
 use crate::workspace::Array;
 
 /// The margin w² above which one solution is accurate: (3·10⁻⁹/w)² is then at most 10⁻¹⁴.
-const FAR: f64 = 1e-3;
+const MARGIN_OF_ONE_SOLUTION: f64 = 1e-3;
 
 /// Solves by the plan, and, if it iterates, once more where a margin is small.
 ///
@@ -30,7 +30,7 @@ pub(crate) fn solve_accurately<M: Mechanism, T: Scalar>(
     let Solved { q, q_dot, q_ddot, margins } = solved;
     let first = Solved { q: &mut *q, q_dot: &mut *q_dot, q_ddot: &mut *q_ddot, margins: &mut *margins };
     mechanism.solve_with(parameters, at, modes, start, depth, first)?;
-    let is_far = |margin: &T| (*margin - T::from_f64(1.0)).is_within(1.0 - FAR);
+    let is_far = |margin: &T| (*margin - T::from_f64(1.0)).is_within(1.0 - MARGIN_OF_ONE_SOLUTION);
     if !M::model().plan.iterates() || margins.iter().fold(true, |far, margin| far & is_far(margin)) {
         return Ok(());
     }

@@ -20,7 +20,7 @@
 //! enough, and the motion ends.
 
 use super::lists::{Distances, Modes};
-use super::mode_changes::CLOSE;
+use super::mode_changes::DIPPING_VALUE;
 use crate::mechanism::Mechanism;
 use crate::scalar::compare::Compare;
 
@@ -78,7 +78,7 @@ pub(super) fn first_uncertain(modes: &[f64], foretold: &[f64], found: &[f64]) ->
 
 /// True if a group may have reached its limit and returned within a step. The arguments are its distances at both ends.
 const fn may_dip(before: f64, after: f64) -> bool {
-    before < CLOSE || after < CLOSE
+    before < DIPPING_VALUE || after < DIPPING_VALUE
 }
 
 /// [`may_dip`] for any group.
@@ -88,7 +88,7 @@ pub(crate) fn may_have_touched_limit(before: &[f64], after: &[f64]) -> bool {
 
 /// Smallest w of a group within a step, with the sign that it has at the start, relative to the smaller |w| at both
 /// ends.
-const WITHIN: f64 = 0.25;
+const MIN_RATIO_WITHIN: f64 = 0.25;
 
 /// The first group that comes much nearer to its limit within a step than at its ends, of those that may have reached
 /// it. The arguments are w at both ends, and as predicted in the middle; between them w is the parabola through the
@@ -102,7 +102,7 @@ pub(crate) fn first_dip(
     let dips = |group: usize| {
         let kept = if before[group] < 0.0 { -middle[group] } else { middle[group] };
         let ends = [before[group].abs(), after[group].abs()];
-        let stays = least_of_parabola(ends, kept) >= WITHIN * ends[0].min(ends[1]);
+        let stays = least_of_parabola(ends, kept) >= MIN_RATIO_WITHIN * ends[0].min(ends[1]);
         !stays
     };
     let near = |group: &usize| may_dip(before[*group].abs(), after[*group].abs());

@@ -23,13 +23,13 @@ use crate::workspace::Array;
 const SAMPLES: usize = 7;
 
 /// Lower bounds of w of the farthest state, which are tried in turn.
-const WIDTHS: [f64; 9] = [0.02, 0.006, 0.002, 6e-4, 2e-4, 6e-5, 2e-5, 6e-6, 2e-6];
+const FARTHEST_DISTANCES: [f64; 9] = [0.02, 0.006, 0.002, 6e-4, 2e-4, 6e-5, 2e-5, 6e-6, 2e-6];
 
 /// Further bounds between these, which are tried where none of them is accurate.
 const FURTHER_WIDTHS: [f64; 8] = [0.011, 0.0035, 1.1e-3, 3.5e-4, 1.1e-4, 3.5e-5, 1.1e-5, 3.5e-6];
 
 /// The smallest w of the farthest state where the motion did not start farther away.
-const NARROWEST: f64 = 1e-6;
+const MIN_FARTHEST_DISTANCE: f64 = 1e-6;
 
 /// The largest w of a state near which an iteration may fail because of rounding errors alone.
 const WITHIN_ROUNDING: f64 = 1e-4;
@@ -38,7 +38,7 @@ const WITHIN_ROUNDING: f64 = 1e-4;
 const DOUBLINGS: usize = 60;
 
 /// Slope ds/dw at a limit, relative to that of the whole interval, below which it counts as zero.
-const FLAT: f64 = 0.1;
+const FLAT_SLOPE: f64 = 0.1;
 
 /// Largest change that leaving out one of the samples may cause, relative to 1 + |q_k| for a coordinate and to the
 /// interval for its parameter.
@@ -74,8 +74,8 @@ impl<M: Mechanism> PlanFollower<M> {
         // Narrow intervals avoid the influence of other limits, wide ones that of rounding; the one with the smallest
         // error is used.
         let mut best: Option<ExtrapolatedLimit<M>> = None;
-        for (k, width) in WIDTHS.into_iter().chain(FURTHER_WIDTHS).enumerate() {
-            if k == WIDTHS.len() && best.as_ref().is_some_and(|best| best.error <= AGREEMENT) {
+        for (k, width) in FARTHEST_DISTANCES.into_iter().chain(FURTHER_WIDTHS).enumerate() {
+            if k == FARTHEST_DISTANCES.len() && best.as_ref().is_some_and(|best| best.error <= AGREEMENT) {
                 break;
             }
             let found = self.extrapolate_from(mechanism, course, (group, at, width), blocked);
@@ -114,7 +114,7 @@ impl<M: Mechanism> PlanFollower<M> {
                 None => break,
             }
         }
-        if w < NARROWEST {
+        if w < MIN_FARTHEST_DISTANCE {
             return None;
         }
         let reach = at - s;
@@ -224,7 +224,7 @@ impl Interpolation {
         let (s, change) = self.value(parameters);
         // At a fold the slope ds/dw is 0, and w is proportional to the square root of the distance.
         let slopes = core::array::from_fn(|k| (parameters[k] - s) / self.w[k]);
-        let is_flat = dot(&self.all, &slopes).abs() < FLAT * slopes[SAMPLES - 1].abs();
+        let is_flat = dot(&self.all, &slopes).abs() < FLAT_SLOPE * slopes[SAMPLES - 1].abs();
         let [near, far] = [SAMPLES / 2, SAMPLES - 1].map(|k| (self.w[k], (parameters[k] - s).abs()));
         let is_root = far.1 * near.0 * Scalar::sqrt(near.0) > near.1 * far.0 * Scalar::sqrt(far.0);
         let kind = match (is_flat, is_root) {

@@ -37,7 +37,7 @@ pub(crate) fn most_turn(control: &Control, w: f64) -> f64 {
 }
 
 /// Corrections up to this size (rad) are always accepted, for motions that start from rest.
-pub(crate) const NEGLIGIBLE: f64 = 1e-4;
+pub(crate) const NEGLIGIBLE_CORRECTION: f64 = 1e-4;
 
 /// A solution by the plan: q, q̇, q̈ and margins.
 pub(crate) struct PlanSolution<M: Mechanism> {

@@ -10,8 +10,8 @@
 //!
 //! wₖ is the turn per unit of a coordinate ([`turns_with`](Mechanism::turns_with)), and the box contains the cubic
 //! through both ends (see [`interior`](super::interior)) over the part. A part in which the gradients turn little hides
-//! nothing. Any other part is halved, and the branch values are looked at in its middle; if the whole step is such a part,
-//! they are also looked at in the usual places.
+//! nothing. Any other part is halved, and the branch values are looked at in its middle; if the whole step is such a
+//! part, they are also looked at in the usual places.
 
 use super::inputs::write_inputs_within;
 use super::interior::{certainty_between, even_fractions, on_cubic, time_within};
@@ -25,23 +25,23 @@ use crate::workspace::Array;
 /// The largest number of parts of the same length. If more of them would have to be looked at, the step is too long.
 const PARTS: usize = MOST_PARTS;
 
-/// The largest number of parts that are looked at if there is no bound even over a part as short as [`SHORTEST`], as for a
-/// function that the program supplies, which has no enclosure.
+/// The largest number of parts that are looked at if there is no bound even over a part as short as [`MIN_PART`], as
+/// for a function that the program supplies, which has no enclosure.
 const PARTS_WITHOUT_BOUND: usize = 16;
-const SHORTEST: f64 = 1e-6;
+const MIN_PART: f64 = 1e-6;
 
 /// Width of the box along a coordinate that rests, relative to the coordinate, and the least width.
-const RESTING: f64 = 1e-12;
+const RESTING_WIDTH: f64 = 1e-12;
 const LEAST_WIDTH: f64 = 1e-100;
 
 /// The largest turn of a part that is not halved, relative to the largest rotation of a step.
-const SMALL: f64 = 2.0;
+const UNDIVIDED_TURN: f64 = 2.0;
 
 /// Writes enclosures of the turns per unit over a part of the step, given by its place and its box.
 pub(crate) type TurnsOver<'a> = dyn FnMut(Interval, &[Interval], &mut [Interval]) -> Result<(), LengthError> + 'a;
 
-/// True if `stays_at` is true wherever the gradients of the rows turn by more than [`SMALL`] times `rotation`. The buffers
-/// have a number for every coordinate.
+/// True if `stays_at` is true wherever the gradients of the rows turn by more than [`UNDIVIDED_TURN`] times `rotation`.
+/// The buffers have a number for every coordinate.
 pub(crate) fn stays_in_bends(
     span: Span<'_>,
     rotation: f64,
@@ -54,12 +54,12 @@ pub(crate) fn stays_in_bends(
         turns_over(Interval::new(start, start + width), box_of_part, turns)?;
         let turn_by = |(turn, along): (&Interval, &Interval)| {
             // A turn without a bound counts for a coordinate that rests, too, because the curve itself may move.
-            let least = RESTING * along.magnitude() + LEAST_WIDTH;
+            let least = RESTING_WIDTH * along.magnitude() + LEAST_WIDTH;
             turn.upper() * (along.upper() - along.lower()).max(least)
         };
         let mut all = turns.iter().zip(&*box_of_part).map(turn_by);
         let largest = all.try_fold(0.0, |largest: f64, turn| (!turn.is_nan()).then(|| largest.max(turn)));
-        Ok(largest.map(|largest| largest <= SMALL * rotation))
+        Ok(largest.map(|largest| largest <= UNDIVIDED_TURN * rotation))
     };
     if is_small(0.0, 1.0)? == Some(true) {
         return Ok(true);
@@ -69,7 +69,7 @@ pub(crate) fn stays_in_bends(
             return Ok(false);
         }
     }
-    let most = if is_small(0.5, SHORTEST)?.is_none() { PARTS_WITHOUT_BOUND } else { PARTS };
+    let most = if is_small(0.5, MIN_PART)?.is_none() { PARTS_WITHOUT_BOUND } else { PARTS };
     let mut excess = |start, width| Ok(if is_small(start, width)? == Some(true) { 0.0 } else { f64::INFINITY });
     // A step with so many bends is too long; without a bound no step would be short enough.
     Ok(halve(most, &mut excess, stays_at)?.unwrap_or(most < PARTS))

@@ -6,7 +6,7 @@
 //! cubic through q and q̇ of both ends (see [`interior`](super::interior)). Everywhere it must have a solution, and the
 //! solution must be near the cubic.
 
-use super::follower::{Control, NEGLIGIBLE, PlanFollower, PlanSolution};
+use super::follower::{Control, NEGLIGIBLE_CORRECTION, PlanFollower, PlanSolution};
 use super::inputs::spread_inputs;
 use super::interior::{IRREGULAR_FRACTIONS, on_cubic};
 use super::lists::{Margins, Modes};
@@ -158,7 +158,7 @@ impl<M: Mechanism> PlanFollower<M> {
         }
         let (tried, weights) = (self.trial(), self.weights.as_ref());
         let turn = largest_turn([here.q_dot.as_ref(), here.q_ddot.as_ref()], weights, interval[1] - interval[0]);
-        let allowed = control.correction * turn + NEGLIGIBLE;
+        let allowed = control.correction * turn + NEGLIGIBLE_CORRECTION;
         let ends = [here.q.as_ref(), here.q_dot.as_ref(), tried.q.as_ref(), tried.q_dot.as_ref()];
         let stretch = CourseStep { course, interval, ends };
         let is_near = |fraction: f64, modes: &Modes<M>| {

@@ -22,7 +22,7 @@ use crate::workspace::Array;
 pub(crate) const SAMPLES: u32 = 7;
 
 /// Smallest w accepted between the ends, relative to the smaller one of both ends.
-pub(crate) const LEAST: f64 = 0.5;
+pub(crate) const MIN_INTERIOR_RATIO: f64 = 0.5;
 
 /// Largest accepted deviation of the mean velocity in a step from the mean of the rates at its ends, relative to the
 /// larger rate.
@@ -107,7 +107,7 @@ pub(super) fn certainty_between<V: Compare>(modes: &[V], branch_values: [&[V]; 3
     let mut certainty = V::from_f64(1.0);
     for (group, mode) in modes.iter().enumerate().skip(first_group) {
         let [first, between, last] = branch_values.map(|list| *mode * list[group]);
-        certainty = least_or_nan(certainty, between - V::from_f64(LEAST) * first.least(last));
+        certainty = least_or_nan(certainty, between - V::from_f64(MIN_INTERIOR_RATIO) * first.least(last));
     }
     certainty
 }

@@ -9,13 +9,13 @@ use crate::plan::{Plan, StepKind};
 
 /// A group whose branch value at the prediction is smaller than this may have either sign. (The value is about the sine
 /// of half an angle.)
-const NEAR: f64 = 0.1;
+const UNDECIDED_VALUE: f64 = 0.1;
 
 /// A branch value this near to 0 may reach 0 and return within one step of the usual length.
-pub(crate) const CLOSE: f64 = 0.15;
+pub(crate) const DIPPING_VALUE: f64 = 0.15;
 
 /// Largest number of modes of which all combinations of signs are tried.
-const MOST: usize = 6;
+const MAX_COMBINED_MODES: usize = 6;
 
 /// Alternative signs of modes, tried where the current ones contradict the redundant rows.
 ///
@@ -25,7 +25,7 @@ pub(crate) struct Passed<'c> {
     /// The current signs.
     kept: &'c [f64],
     /// Indices of the modes that may have changed their sign.
-    near: [usize; MOST],
+    near: [usize; MAX_COMBINED_MODES],
     count: usize,
 }
 
@@ -34,10 +34,10 @@ impl<'c> Passed<'c> {
     /// modes with a non-zero element in `requested` were requested by the caller and do not change (an empty list
     /// requests nothing).
     pub(crate) fn new(kept: &'c [f64], branch_values: &[f64], requested: &[f64]) -> Self {
-        let (mut near, mut count) = ([0; MOST], 0);
+        let (mut near, mut count) = ([0; MAX_COMBINED_MODES], 0);
         for (index, (sign, value)) in kept.iter().zip(branch_values).enumerate() {
             let free = requested.get(index).is_none_or(|requested| *requested == 0.0);
-            if free && (value.abs() < NEAR || sign * value < 0.0) && count < MOST {
+            if free && (value.abs() < UNDECIDED_VALUE || sign * value < 0.0) && count < MAX_COMBINED_MODES {
                 near[count] = index;
                 count += 1;
             }

@@ -24,11 +24,11 @@ use crate::workspace::Array;
 const PARTS: usize = 16;
 
 /// Widths of an enclosure up to this hide nothing, relative to the range of the function in the step, and to the function.
-const USUAL: f64 = 8.0;
-const NEGLIGIBLE: f64 = 1e-9;
+const USUAL_WIDTH: f64 = 8.0;
+const NEGLIGIBLE_WIDTH: f64 = 1e-9;
 
 /// A function that has no enclosure even over a part as short as this, in the middle of the step, has none at all.
-const SHORTEST: f64 = 1e-6;
+const MIN_PART: f64 = 1e-6;
 
 /// Where the range is measured: at the ends of the step and at the middle one of the places at which it is looked into.
 const MEASURED: [f64; 3] = [0.0, IRREGULAR_FRACTIONS[3], 1.0];
@@ -73,7 +73,7 @@ pub(crate) fn narrow_curves_are_followed<M: Mechanism>(
         return Ok(true);
     }
     if !M::FUNCTIONS_IN_CURVES.is_empty() {
-        write_excesses(0.5, SHORTEST, in_the_middle.as_mut())?;
+        write_excesses(0.5, MIN_PART, in_the_middle.as_mut())?;
         // A formula without a value there has a gap.
         let formulas = nothing.as_ref().len() - M::FUNCTIONS_IN_CURVES.len();
         in_the_middle.as_mut()[..formulas].fill(0.0);
@@ -127,7 +127,7 @@ fn widen([least, most]: [&mut [f64]; 2], values: &[f64]) {
 /// Writes the widths of enclosures relative to those which hide nothing; infinity where one of them is not known.
 fn write_ratios(excesses: &mut [f64], enclosures: &[Interval], [least, most]: [&[f64]; 2]) {
     for ((excess, enclosure), (least, most)) in excesses.iter_mut().zip(enclosures).zip(least.iter().zip(most)) {
-        let usual = USUAL * (most - least) + NEGLIGIBLE * least.abs().max(most.abs()) + f64::MIN_POSITIVE;
+        let usual = USUAL_WIDTH * (most - least) + NEGLIGIBLE_WIDTH * least.abs().max(most.abs()) + f64::MIN_POSITIVE;
         let ratio = (enclosure.upper() - enclosure.lower()) / usual;
         *excess = if ratio.is_nan() { f64::INFINITY } else { ratio };
     }

@@ -22,16 +22,16 @@ pub(crate) enum RowEnd {
 }
 
 /// How far beyond the last place reached the rows are evaluated, relative to the length of the course.
-const BEYOND: f64 = 1e-9;
+const PROBE_DISTANCE: f64 = 1e-9;
 
 /// Largest change of a coordinate over this distance, relative to 1 + |q_k|.
-const LITTLE: f64 = 1e-6;
+const MAX_PROBE_CHANGE: f64 = 1e-6;
 
 /// The share of the distance over which a jump is as large as over the whole of it.
-const SHARE: f64 = 0.01;
+const JUMP_SHARE: f64 = 0.01;
 
 /// Smallest jump, relative to 1 + |q_k| of the largest coordinate; smaller differences may be rounding errors.
-const JUMP: f64 = 1e-9;
+const MIN_JUMP: f64 = 1e-9;
 
 /// The rows beyond the last place reached on a course, and around the configuration there.
 pub(crate) trait RowsBeyond {
@@ -49,14 +49,14 @@ pub(crate) fn row_end(
 ) -> Option<RowEnd> {
     let relative = q.iter().zip(q_dot).map(|(q, v)| v.abs() / (1.0 + q.abs()));
     let fastest = relative.fold(0.0, f64::max);
-    let distance = (BEYOND * length.abs()).min(LITTLE / fastest).copysign(length);
+    let distance = (PROBE_DISTANCE * length.abs()).min(MAX_PROBE_CHANGE / fastest).copysign(length);
     let count = phi.len();
     let mut write = |time: f64, share: f64, phi: &mut [f64]| {
         at.iter_mut().zip(q).zip(q_dot).for_each(|((at, q), v)| *at = q + share * distance * v);
         rows.write(time, at, phi)
     };
     // Where a coordinate goes to infinity, the distance is short; time alone may go farther.
-    for (time, share) in [(LITTLE * length, 0.0), (distance, 1.0)] {
+    for (time, share) in [(MAX_PROBE_CHANGE * length, 0.0), (distance, 1.0)] {
         // The comparison is written so that NaN is rejected.
         let is_far = time.abs() >= 8.0 * spacing;
         if !is_far || !write(time, share, phi) {
@@ -67,13 +67,13 @@ pub(crate) fn row_end(
         }
     }
     // The changes of a row over the whole distance to each side, and over a small share of it.
-    let least = JUMP * (1.0 + q.iter().fold(0.0, |most: f64, q| most.max(q.abs())));
+    let least = MIN_JUMP * (1.0 + q.iter().fold(0.0, |most: f64, q| most.max(q.abs())));
     let mut jumps = |row: usize, side: f64| {
         let mut change = |share: f64| {
             let is_known = write(0.0, share, phi) && write(0.0, 0.0, other);
             if is_known { (phi[row] - other[row]).abs() } else { f64::NAN }
         };
-        let (whole, part) = (change(side), change(SHARE * side));
+        let (whole, part) = (change(side), change(JUMP_SHARE * side));
         part > least && part >= 0.5 * whole
     };
     (0..count).find(|row| jumps(*row, 1.0) || jumps(*row, -1.0)).map(RowEnd::Jump)

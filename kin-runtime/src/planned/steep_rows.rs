@@ -17,7 +17,7 @@
 //! not. Rounding turns it by ε|x|w, which is the relative error of velocities.
 
 use super::follower::{PlanFollower, PlanSolution};
-use super::ill_conditioned::NOISE;
+use super::ill_conditioned::MAX_ACCELERATION_NOISE;
 use crate::mechanism::Mechanism;
 use crate::model::{Component, CoordinateKind, Model};
 use crate::plan::{LAST_CORRECTION, StepKind};
@@ -111,7 +111,7 @@ fn certainty<V: Compare>(kind: CoordinateKind, w: V, [x, v, a]: [V; 3]) -> V {
         CoordinateKind::Scalar => [w.least(one), (one + x.abs()).sqrt()],
     };
     let noise = V::from_f64(f64::EPSILON) * x.abs() * (w * v) * (w * v);
-    let of_rates = V::from_f64(NOISE) * a.abs().greatest(unit * v * v) - noise;
+    let of_rates = V::from_f64(MAX_ACCELERATION_NOISE) * a.abs().greatest(unit * v * v) - noise;
     least_or_nan(of_rates, V::from_f64(LARGEST_SLOPE_CHANGE) - V::from_f64(LAST_CORRECTION) * last * w)
 }
 

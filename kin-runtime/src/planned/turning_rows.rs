@@ -1,7 +1,7 @@
 //! The check of a step in which the gradients of rows turn otherwise than bodies do, for a single set of parameters and
 //! for several in lanes.
 
-use super::follower::{Control, NEGLIGIBLE};
+use super::follower::{Control, NEGLIGIBLE_CORRECTION};
 use super::gradient_turns::bends_are_followed;
 use super::inputs::{spread_inputs, write_lane_of_inputs};
 use super::interior::{certainty_at_samples, certainty_of_rates};
@@ -42,7 +42,7 @@ impl<M: Mechanism, V: Compare> TrialStep<'_, M, V> {
         let &Self { parameters, modes, turns, before: [q, q_dot, q_ddot], predicted, tried, inputs, h, at } = self;
         let (model, number) = (M::model(), V::from_f64);
         let turn = largest_turn([q_dot, q_ddot], turns, h);
-        let allowed = number(control.correction) * turn + number(NEGLIGIBLE);
+        let allowed = number(control.correction) * turn + number(NEGLIGIBLE_CORRECTION);
         let near = allowed - turned(tried[0], predicted, turns);
         let mut certainty = least_or_nan(number(control.rotation) - turn, near);
         if h == 0.0 {

@@ -9,7 +9,7 @@ use crate::certificate::Certificate;
 use crate::model::Model;
 
 /// Largest number of undecided cases that are listed one by one.
-const DOUBTS: usize = 8;
+const MAX_LISTED_DOUBTS: usize = 8;
 
 /// All closures, for JSON.
 pub(crate) fn records(all: &Assemblies) -> Vec<Record> {
@@ -65,7 +65,7 @@ pub(crate) fn doubts(all: &Assemblies) -> String {
     let lines = uncertified.map(|(k, why)| format!("  closure {} is not certified: {why}", k + 1));
     let lines: Vec<String> =
         lines.chain(all.undecided.iter().map(|left: &Undecided| format!("  undecided: {left}"))).collect();
-    let more = lines.len().saturating_sub(DOUBTS);
-    let said = lines.into_iter().take(DOUBTS).collect::<Vec<_>>().join("\n");
+    let more = lines.len().saturating_sub(MAX_LISTED_DOUBTS);
+    let said = lines.into_iter().take(MAX_LISTED_DOUBTS).collect::<Vec<_>>().join("\n");
     if more > 0 { format!("{said}\n  and {more} more") } else { said }
 }

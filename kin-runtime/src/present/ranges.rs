@@ -64,7 +64,7 @@ pub(crate) fn text(model: &Model, [from, to]: [f64; 2], all: &Ranges) -> String 
     let limits = Table::new()
         .right("t", all.limits.iter().map(t))
         .words("kind", all.limits.iter().map(kind))
-        .words("joints in line", all.limits.iter().map(|limit| limit.joints.join(", ")))
+        .words("joints", all.limits.iter().map(|limit| limit.joints.join(", ")))
         .words("drivers", all.limits.iter().map(drivers))
         .words("modes", all.limits.iter().map(RangeLimit::name))
         .words("proven", all.limits.iter().map(|limit| if limit.proven { "yes" } else { "no" }));

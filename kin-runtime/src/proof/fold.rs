@@ -28,8 +28,8 @@ use crate::scalar::Interval;
 use nalgebra::{DMatrix, DVector};
 
 /// Sizes of the boxes that are tried: a larger box leaves less to search, and a smaller one has narrower bounds.
-const LARGE: [f64; 6] = [3e-2, 1e-2, 1e-3, 1e-4, 1e-6, 1e-8];
-const SMALL: [f64; 4] = [1e-12, 1e-10, 1e-8, 1e-6];
+const COARSE_BOXES: [f64; 6] = [3e-2, 1e-2, 1e-3, 1e-4, 1e-6, 1e-8];
+const FINE_BOXES: [f64; 4] = [1e-12, 1e-10, 1e-8, 1e-6];
 /// Largest number of steps of Newton's method, and the relative correction after which it has converged.
 const STEPS: usize = 12;
 const CONVERGED: f64 = 1e-12;
@@ -143,8 +143,8 @@ pub(super) fn prove(equations: &mut ClosureEquations<'_>, near: &[f64], reach: f
             let trial = NearSolution { boxes, entries: &entries, centre: &y, sizes: &sizes, newton: &newton };
             trial.locate(&mut inverse, over, &mut Vec::new()).ok()?
         };
-        let unique = locate(&LARGE)?.unique(&y);
-        let place = locate(&SMALL)?.q[..=m].to_vec();
+        let unique = locate(&COARSE_BOXES)?.unique(&y);
+        let place = locate(&FINE_BOXES)?.q[..=m].to_vec();
         return Some(Proven { one, place, unique });
     }
     None

@@ -18,14 +18,14 @@ use crate::certificate::Uncertified;
 use crate::scalar::Interval;
 
 /// Largest number of examined boxes, and of undecided ones: more undecided boxes than that are a curve of singular places.
-const MOST: usize = 200_000;
-const UNDECIDED: usize = 200;
+const MAX_BOXES: usize = 200_000;
+const MAX_UNDECIDED: usize = 200;
 /// In boxes narrower than this a fold is sought.
-const NARROW: f64 = 0.003;
+const FOLD_WIDTH: f64 = 0.003;
 /// Boxes narrower than this are not divided any further.
-const NARROWEST: f64 = 1e-8;
+const MIN_WIDTH: f64 = 1e-8;
 /// How far from the middle of a box its fold may be found, relative to its width.
-const REACH: f64 = 4.0;
+const MAX_FOLD_OFFSET: f64 = 4.0;
 
 /// A fold: q over the intervals of the proof, and t.
 pub(crate) struct Fold {
@@ -64,13 +64,13 @@ pub(crate) fn folds(
     let sizes = places.iter().map(|&k| sizes[k]).chain([way.upper() - way.lower()]).collect();
     // A supplied function has no enclosure over any interval, however short.
     let middle: Vec<Interval> = start.iter().map(|x| Interval::from(x.midpoint())).collect();
-    equations.at(Interval::around(way.midpoint(), NARROWEST * (way.upper() - way.lower())));
+    equations.at(Interval::around(way.midpoint(), MIN_WIDTH * (way.upper() - way.lower())));
     equations.closure(&middle[..places.len()], true)?;
     equations.at(middle[places.len()]);
     let turns = equations.turns(&middle[..places.len()]);
     let is_bounded = |u: &usize| !turns[*u];
     let bounded = (0..places.len()).filter(is_bounded).map(|u| (places[u], region[places[u]])).collect();
-    let step = NewtonStep::new(places.len(), sizes, NARROWEST);
+    let step = NewtonStep::new(places.len(), sizes, MIN_WIDTH);
     let mut search = FoldSearch { equations, step, bound: None, proven: Vec::new(), undecided: Vec::new() };
     search.examine(start.clone());
     for u in (0..places.len()).filter(is_bounded) {
@@ -102,7 +102,7 @@ impl FoldSearch<'_> {
         let before = self.undecided.len();
         while let Some(now) = boxes.pop() {
             seen += 1;
-            if seen > MOST || self.undecided.len() > before + UNDECIDED {
+            if seen > MAX_BOXES || self.undecided.len() > before + MAX_UNDECIDED {
                 // What is left is reported as one box around all of it.
                 let left = boxes.drain(..).chain(self.undecided.drain(before..));
                 let hull =
@@ -144,10 +144,10 @@ impl FoldSearch<'_> {
             }
         }
         let width = self.step.width(&now);
-        if self.bound.is_none() && width < NARROW && self.is_covered(&now, width) {
+        if self.bound.is_none() && width < FOLD_WIDTH && self.is_covered(&now, width) {
             return;
         }
-        if width < NARROWEST {
+        if width < MIN_WIDTH {
             return self.undecided.push(now);
         }
         boxes.extend(self.step.halves(now, &smear).into_iter().flatten());
@@ -159,7 +159,9 @@ impl FoldSearch<'_> {
             return true;
         }
         let near: Vec<f64> = now.iter().map(|x| x.midpoint()).collect();
-        let Some(proven) = prove(&mut self.equations, &near, REACH * width, &self.step.sizes) else { return false };
+        let Some(proven) = prove(&mut self.equations, &near, MAX_FOLD_OFFSET * width, &self.step.sizes) else {
+            return false;
+        };
         let is_covered = proven.covers(&mut self.equations, now);
         let same = |other: &Proven| other.place.iter().zip(&proven.place).all(|(a, b)| a.intersection(*b).is_some());
         if !self.proven.iter().any(same) {

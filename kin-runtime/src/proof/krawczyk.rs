@@ -4,7 +4,7 @@ use super::contraction::Preconditioner;
 use super::enclosures::Enclosures;
 use super::located::{NearSolution, SolutionBox};
 use super::sizes::write_sizes;
-use crate::certificate::{Certificate, SINGULAR, Uncertified};
+use crate::certificate::{Certificate, SINGULAR_CONDITION, Uncertified};
 use crate::mechanism::LengthError;
 use crate::model::{JointKind, Level, Model};
 use crate::scalar::Interval;
@@ -277,7 +277,7 @@ impl<'s> Prover<'s> {
             // Near a singular configuration a large correction does not show that the state is wrong.
             let nearness = inverse.inverse_condition(&square.entries, matrix, sizes);
             return Err(match judged {
-                Err(wrong) if nearness >= SINGULAR => wrong,
+                Err(wrong) if nearness >= SINGULAR_CONDITION => wrong,
                 _ => Uncertified::Singular { nearness },
             });
         }

@@ -4,7 +4,7 @@ use super::contraction::Preconditioner;
 use crate::scalar::Interval;
 
 /// After a step that leaves less than this share of a box, another step is taken.
-const WORTHWHILE: f64 = 0.7;
+const MAX_KEPT_SHARE: f64 = 0.7;
 
 /// The result of a step on a box.
 pub(super) enum Shrunk {
@@ -84,7 +84,7 @@ impl NewtonStep {
             }
         }
         let width = self.width(now);
-        if width > WORTHWHILE * before || width < self.narrowest { Shrunk::Enough } else { Shrunk::Further }
+        if width > MAX_KEPT_SHARE * before || width < self.narrowest { Shrunk::Enough } else { Shrunk::Further }
     }
 
     /// The largest width of a box relative to the sizes.

@@ -9,7 +9,7 @@ use crate::scalar::Interval;
 use nalgebra::DMatrix;
 
 /// The largest factor of a row: sums of integers up to this size are exact.
-const LARGEST: f64 = 1_048_576.0;
+const MAX_FACTOR: f64 = 1_048_576.0;
 
 /// A sum of rows with integer factors.
 type Sum = Vec<(usize, f64)>;
@@ -33,7 +33,7 @@ impl Reduced {
         let mut constant = vec![true; n];
         let mut matrix = DMatrix::<f64>::zeros(n, n);
         for (&(row, column), value) in square.entries().iter().zip(square.constants()) {
-            match value.filter(|value| value.fract() == 0.0 && value.abs() <= LARGEST) {
+            match value.filter(|value| value.fract() == 0.0 && value.abs() <= MAX_FACTOR) {
                 Some(value) => matrix[(row, column)] += value,
                 None => constant[column] = false,
             }
@@ -52,7 +52,7 @@ impl Reduced {
                     added[(row, k)] -= factors[row] * sums[(pivot, k)];
                 }
             }
-            if reduced.iter().chain(added.iter()).any(|factor| factor.abs() > LARGEST) {
+            if reduced.iter().chain(added.iter()).any(|factor| factor.abs() > MAX_FACTOR) {
                 continue;
             }
             (matrix, sums) = (reduced, added);

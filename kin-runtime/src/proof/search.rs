@@ -13,12 +13,12 @@ use crate::certificate::{Certificate, Uncertified};
 use crate::scalar::Interval;
 
 /// Largest number of examined boxes, and of undecided ones: more undecided boxes than that are a curve of solutions.
-const MOST: usize = 400_000;
-const UNDECIDED: usize = 1000;
+const MAX_BOXES: usize = 400_000;
+const MAX_UNDECIDED: usize = 1000;
 /// In boxes narrower than this a certificate is tried.
-const NARROW: f64 = 1e-6;
+const CERTIFIED_WIDTH: f64 = 1e-6;
 /// Boxes narrower than this are not divided any further.
-const NARROWEST: f64 = 1e-11;
+const MIN_WIDTH: f64 = 1e-11;
 
 /// q, q̇, q̈ and the certificate of a solution.
 pub(crate) type Certified = ([Vec<f64>; 3], Certificate);
@@ -51,12 +51,12 @@ pub(crate) fn search(
     let start: Vec<Interval> = places.iter().map(|&k| region[k]).collect();
     let searched = places.into_iter().zip(start.iter().copied()).collect();
     let count = equations.count();
-    let mut search = BoxSearch { equations, step: NewtonStep::new(count, vec![1.0; count], NARROWEST) };
+    let mut search = BoxSearch { equations, step: NewtonStep::new(count, vec![1.0; count], MIN_WIDTH) };
     let mut outcome = SearchOutcome { searched, ..SearchOutcome::default() };
     let (mut boxes, mut seen) = (vec![start], 0);
     while let Some(now) = boxes.pop() {
         seen += 1;
-        if seen > MOST || outcome.undecided.len() > UNDECIDED {
+        if seen > MAX_BOXES || outcome.undecided.len() > MAX_UNDECIDED {
             outcome.unfinished = Some(seen);
             outcome.undecided.push(now);
             outcome.undecided.append(&mut boxes);
@@ -90,10 +90,10 @@ impl BoxSearch<'_> {
                 Shrunk::Enough => break,
             }
         }
-        if self.step.width(&now) < NARROW {
+        if self.step.width(&now) < CERTIFIED_WIDTH {
             match self.solution(&now, outcome, prove) {
                 true => return,
-                false if self.step.width(&now) < NARROWEST => return outcome.undecided.push(now),
+                false if self.step.width(&now) < MIN_WIDTH => return outcome.undecided.push(now),
                 false => {}
             }
         }

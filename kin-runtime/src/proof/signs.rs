@@ -6,7 +6,7 @@ use crate::plan::Plan;
 use crate::planned::{Sign, Step};
 
 /// Largest number of combinations that are examined.
-const MOST: usize = 1 << 16;
+const MAX_COMBINATIONS: usize = 1 << 16;
 
 /// A combination of signs, solved by the plan.
 pub(crate) enum Closing<C> {
@@ -34,7 +34,7 @@ pub(crate) fn combinations<C>(
     let mut signs = vec![1.0; count];
     let (mut closed, mut undecided) = (Vec::new(), Vec::new());
     for seen in 0.. {
-        if seen == MOST {
+        if seen == MAX_COMBINATIONS {
             undecided.push(Undecided::Unfinished { seen });
             break;
         }

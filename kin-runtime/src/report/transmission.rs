@@ -2,17 +2,21 @@
 //!
 //! At a revolute joint N between moving bodies i and j, every pair of other joints a on i and b on j that act at points
 //! gives one angle, between r_a − r_N and r_b − r_N. In a four-bar the one at the joint of coupler and rocker, between
-//! the crank's end and the rocker's pivot, is that of the textbooks. Joints of a body whose rotation is driven, and
-//! joints whose relative angle is driven, are left out: they are on the driving side. So are pairs of joints that
-//! belong to another loop than N: if the mechanism has a plan, N, a and b must be joints of one of its steps.
+//! the crank's end and the rocker's pivot, is that of the textbooks. A slider on a guide of the ground has the normal
+//! perp(u) of the guide in place of r_b − r_N, as a rocker of infinite length has. Joints of a body whose rotation is
+//! driven, of a slider that is driven, and joints whose relative angle is driven, are left out: they are on the driving
+//! side. So are pairs of joints that belong to another loop than N: if the mechanism has a plan, N, a and b must be
+//! joints of one of its steps.
 
 use crate::equations::placement::Placement;
 use crate::equations::{Equations, finite};
 use crate::error::SolveError;
 use crate::model::{Component, CoordinateKind, Frame, Geometry, JointInfo, JointKind, Model, Role};
+use crate::scalar::Scalar;
 use core::fmt;
 
-/// The angle at a revolute joint between the lines to the next joints of its two bodies.
+/// The angle at a revolute joint between the lines to the next joints of its two bodies; for a slider on a guide of the
+/// ground, to the normal of the guide.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct TransmissionAngle {
@@ -47,7 +51,7 @@ pub(crate) struct Pair {
     pub(crate) joint: usize,
     /// The neighbours on its first and on its second body.
     pub(crate) between: [usize; 2],
-    /// The points of the revolute joint and of its two neighbours.
+    /// The points of the revolute joint and of its two neighbours; the axis of a guide.
     pub(crate) places: [&'static Geometry; 3],
 }
 
@@ -73,16 +77,16 @@ pub(crate) fn angles(equations: &mut Equations<'_>, q: &[f64], pairs: &[Pair]) -
     let placement = Placement::at(equations, q)?;
     let angle = |pair: &Pair| {
         let [a, b] = pair.between;
-        let mut points = [[0.0; 2]; 3];
-        for ((geometry, joint), point) in pair.places.iter().zip([pair.joint, a, b]).zip(&mut points) {
-            let Some(r) = placement.point(geometry) else { return Ok(None) };
+        let mut vectors = [[0.0; 2]; 3];
+        for ((geometry, joint), vector) in pair.places.iter().zip([pair.joint, a, b]).zip(&mut vectors) {
+            let place = if is_axis(geometry) { placement.direction(geometry) } else { placement.point(geometry) };
+            let Some(r) = place else { return Ok(None) };
             for value in r {
                 finite("geometry", joint, model.joints[joint].name, value).map_err(|error| error.at(t))?;
             }
-            *point = r;
+            *vector = r;
         }
-        let [centre, a, b] = points;
-        Ok(angle_between(centre, a, b))
+        Ok(angle_between(pair, vectors).filter(|angle| angle.is_finite()))
     };
     pairs.iter().map(angle).collect()
 }
@@ -104,7 +108,8 @@ pub(crate) fn pairs(model: &Model) -> Vec<Pair> {
         let Some(centre) = at(i).find(|p| p.joint == index) else { continue };
         for a in at(i).filter(|p| p.joint != index) {
             for b in at(j).filter(|p| p.joint != index && p.joint != a.joint) {
-                if closed_together(model, [index, a.joint, b.joint]) {
+                let are_guides = is_axis(a.geometry) && is_axis(b.geometry);
+                if !are_guides && closed_together(model, [index, a.joint, b.joint]) {
                     let places = [centre.geometry, a.geometry, b.geometry];
                     found.push(Pair { joint: index, between: [a.joint, b.joint], places });
                 }
@@ -140,24 +145,50 @@ fn sorted(i: usize, j: usize) -> Vec<usize> {
     vec![i.min(j), i.max(j)]
 }
 
-/// The point of a joint on a moving body.
+/// The point of a joint on a moving body, or the axis of the guide of the ground on which the body slides.
 struct JointPoint {
     joint: usize,
     body: usize,
     geometry: &'static Geometry,
 }
 
-/// The points of all point-like joints on moving bodies.
+/// The points of all point-like joints on moving bodies, and the guides of sliders.
 fn places(model: &Model) -> Vec<JointPoint> {
     let mut places = Vec::new();
-    for (joint, info) in model.joints.iter().enumerate().filter(|(_, info)| is_point_like(info)) {
-        for geometry in info.geometry.iter().filter(|g| matches!(g.role, Role::P | Role::Q)) {
-            if let (Frame::Body(body), true) = (geometry.frame, stands_still(info, geometry)) {
-                places.push(JointPoint { joint, body, geometry });
+    for (joint, info) in model.joints.iter().enumerate() {
+        if is_point_like(info) {
+            for geometry in info.geometry.iter().filter(|g| matches!(g.role, Role::P | Role::Q)) {
+                if let (Frame::Body(body), true) = (geometry.frame, stands_still(info, geometry)) {
+                    places.push(JointPoint { joint, body, geometry });
+                }
             }
+        }
+        let axis = info.geometry.iter().find(|geometry| is_axis(geometry));
+        if let (Some(body), Some(geometry)) = (slider(info).filter(|body| !is_driven(model, *body)), axis) {
+            places.push(JointPoint { joint, body, geometry });
         }
     }
     places
+}
+
+/// The body that a translational joint guides on the ground.
+fn slider(joint: &JointInfo) -> Option<usize> {
+    match (joint.kind, joint.frames) {
+        (
+            JointKind::Translational,
+            [Some(Frame::Ground), Some(Frame::Body(body))] | [Some(Frame::Body(body)), Some(Frame::Ground)],
+        ) => Some(body),
+        _ => None,
+    }
+}
+
+/// True if a driving row has no other coordinates than those of this body.
+fn is_driven(model: &Model, body: usize) -> bool {
+    let is_own =
+        |column: usize| matches!(model.coordinates[column].kind, CoordinateKind::Pose { body: of, .. } if of == body);
+    let columns = |row: usize| model.constraint_pattern.entries.iter().filter(move |entry| entry.0 == row);
+    let moves_it = |row: usize| columns(row).next().is_some() && columns(row).all(|&(_, column)| is_own(column));
+    (0..model.rows.len()).any(|row| model.rows[row].driving && moves_it(row))
 }
 
 /// True for joints that act at a point.
@@ -178,10 +209,27 @@ fn stands_still(joint: &JointInfo, geometry: &Geometry) -> bool {
     joint.kind != JointKind::PointOnLine || geometry.role == Role::Q
 }
 
-/// The angle at `centre`, in [0, π]; `None` if an arm has no length.
-fn angle_between(centre: [f64; 2], a: [f64; 2], b: [f64; 2]) -> Option<f64> {
-    let [(ax, ay), (bx, by)] = [a, b].map(|p| (p[0] - centre[0], p[1] - centre[1]));
-    let (la, lb) = (ax.hypot(ay), bx.hypot(by));
+/// True for the axis of a guide.
+const fn is_axis(geometry: &Geometry) -> bool {
+    matches!(geometry.role, Role::Axis)
+}
+
+/// The arms of a pair: the vectors from its revolute joint to its neighbours, and the normal of a guide.
+pub(crate) fn arms<T: Scalar>(pair: &Pair, [centre, a, b]: [[T; 2]; 3]) -> [[T; 2]; 2] {
+    let arm = |geometry: &Geometry, [x, y]: [T; 2]| match is_axis(geometry) {
+        true => [-y, x],
+        false => [x - centre[0], y - centre[1]],
+    };
+    [arm(pair.places[1], a), arm(pair.places[2], b)]
+}
+
+/// The angle between the arms of a pair, in [0, π], whose points and axes are given; `None` if an arm has no length.
+fn angle_between(pair: &Pair, vectors: [[f64; 2]; 3]) -> Option<f64> {
+    let [[ax, ay], [bx, by]] = arms(pair, vectors);
+    let [of_a, of_b] = [ax.hypot(ay), bx.hypot(by)];
+    // The normal of a guide counts as long as the other arm.
+    let la = if is_axis(pair.places[1]) { of_b } else { of_a };
+    let lb = if is_axis(pair.places[2]) { of_a } else { of_b };
     (la > DEGENERATE * lb && lb > DEGENERATE * la).then(|| (ax * by - ay * bx).abs().atan2(ax * bx + ay * by))
 }
 
@@ -191,10 +239,17 @@ mod tests {
 
     #[test]
     fn angles_lie_between_zero_and_pi_and_degenerate_arms_have_none() {
-        let at = |b| angle_between([1.0, 1.0], [3.0, 1.0], b);
+        let geometry = |role| &*Box::leak(Box::new(Geometry { role, frame: Frame::Ground, offset: 0 }));
+        let pair = |role| Pair { joint: 0, between: [1, 2], places: [Role::P, Role::P, role].map(geometry) };
+        let at = |b| angle_between(&pair(Role::P), [[1.0, 1.0], [3.0, 1.0], b]);
         assert_eq!(at([1.0, 5.0]), Some(core::f64::consts::FRAC_PI_2));
         assert_eq!(at([1.0, -5.0]), Some(core::f64::consts::FRAC_PI_2));
         assert_eq!(at([0.0, 1.0]), Some(core::f64::consts::PI));
         assert_eq!(at([1.0, 1.0]), None);
+        // An arm of any length along a guide, and across it.
+        let guided = |a| angle_between(&pair(Role::Axis), [[1.0, 1.0], a, [1.0, 0.0]]);
+        assert_eq!(guided([1.0 + 1e-12, 1.0]), Some(core::f64::consts::FRAC_PI_2));
+        assert_eq!([guided([1.0, 4.0]), guided([1.0, -4.0])], [Some(0.0), Some(core::f64::consts::PI)]);
+        assert_eq!(guided([1.0, 1.0]), None);
     }
 }

@@ -59,7 +59,7 @@ impl fmt::Display for Certificate {
 
 /// With an inverse condition number of Φ_q below this, a large correction is reported as a singular configuration; from it
 /// on, rounding errors are what prevents a certificate.
-pub(crate) const SINGULAR: f64 = 1e-6;
+pub(crate) const SINGULAR_CONDITION: f64 = 1e-6;
 
 /// Why a state has no certificate.
 #[derive(Clone, Debug, PartialEq)]
@@ -130,7 +130,7 @@ impl fmt::Display for Uncertified {
                 "row {row} has no enclosure: it uses a supplied function, or is not continuous around the configuration"
             ),
             Self::Singular { nearness } if *nearness == 0.0 => f.write_str("Φ_q is singular"),
-            Self::Singular { nearness } if *nearness < SINGULAR => {
+            Self::Singular { nearness } if *nearness < SINGULAR_CONDITION => {
                 write!(f, "Φ_q is nearly singular: its inverse condition number is {nearness:.1e}")
             }
             Self::Singular { nearness } => write!(

@@ -1,7 +1,7 @@
 //! One objective, many parameters: the plan is evaluated once, its operations are recorded, and one backward pass gives
 //! the gradient.
 
-use super::variation::{LARGEST, modes_of};
+use super::variation::{MAX_STACK_COORDINATES, modes_of};
 use super::{is_integrated, is_same};
 use crate::error::SolveError;
 use crate::measure::{Measure, Needs};
@@ -67,7 +67,7 @@ impl<M: Mechanism> Solver<'_, M> {
         let model = M::model();
         let usable = self.settings.options.use_plan && self.settings.given.is_empty() && model.plan.exists();
         let determined = !is_integrated(model) && !model.plan.has_redundant_rows();
-        let backwards = usable && determined && have_derivatives(measures) && M::COORDINATES <= LARGEST;
+        let backwards = usable && determined && have_derivatives(measures) && M::COORDINATES <= MAX_STACK_COORDINATES;
         let mut work = Work::<M>::new(measures);
         let all: Vec<usize> = (0..M::PARAMETERS).collect();
         for (state, weights) in states.iter().zip(weights.chunks(measures.len())) {

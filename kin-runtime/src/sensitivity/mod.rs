@@ -33,14 +33,14 @@ use crate::solver::{AnySolver, Solver};
 use crate::state::State;
 use linear::Linear;
 #[cfg(any(feature = "simd", feature = "design"))]
-pub(crate) use variation::LARGEST;
+pub(crate) use variation::MAX_STACK_COORDINATES;
 #[cfg(feature = "simd")]
 pub(crate) use variation::modes_at;
 pub(crate) use variation::{Variation, Varying};
 
 /// Largest difference between the plan's q and that of the state, relative to the size of its numbers, with which both
 /// are the same configuration.
-const SAME: f64 = 1e-6;
+const SAME_CONFIGURATION: f64 = 1e-6;
 
 impl<M: Mechanism> Solver<'_, M> {
     /// Derivatives of q, q̇, q̈ and of all that is reported of a solved state (bodies, points, defines, joint
@@ -247,7 +247,7 @@ fn planned(
 /// Whether numbers with derivatives have the values of a state.
 pub(crate) fn is_same<V: Copy>(found: &[V], value: fn(V) -> f64, exact: &[f64]) -> bool {
     let size = exact.iter().fold(1.0, |size: f64, x| size.max(x.abs()));
-    found.iter().zip(exact).all(|(found, exact)| (value(*found) - exact).abs() <= SAME * size)
+    found.iter().zip(exact).all(|(found, exact)| (value(*found) - exact).abs() <= SAME_CONFIGURATION * size)
 }
 
 /// Writes the observables.

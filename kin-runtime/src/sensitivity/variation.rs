@@ -13,7 +13,7 @@ use crate::state::State;
 use crate::workspace::{Array, Subset};
 
 /// Largest number of coordinates whose numbers are on the stack: a plan computes about twenty values for each.
-pub(crate) const LARGEST: usize = 160;
+pub(crate) const MAX_STACK_COORDINATES: usize = 160;
 
 /// If the two closures of a group are nearer to one another than this, the mode of a configuration is undecided.
 const UNDECIDED: f64 = 1e-6;
@@ -130,7 +130,7 @@ impl<M: Mechanism> Variation for Varying<'_, M> {
     }
 
     fn solve(&mut self, state: &State, varied: &mut Varied) -> Result<bool, LengthError> {
-        if M::COORDINATES > LARGEST {
+        if M::COORDINATES > MAX_STACK_COORDINATES {
             return Ok(false);
         }
         let Some(modes) = modes_of(self.mechanism, state)? else { return Ok(false) };

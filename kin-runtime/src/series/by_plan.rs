@@ -11,14 +11,14 @@ use crate::workspace::Array;
 
 /// Largest number of coefficients of all coordinates together for which the series are on the stack: a plan computes
 /// about twenty values for each of them.
-const LARGEST: usize = 1500;
+const MAX_STACK_COEFFICIENTS: usize = 1500;
 
 /// Smallest power 2k − 1 of a margin for which rounding errors of order k stay below 1e-10: at a crossing of branches the
 /// error is about ε/w²ᵏ⁻¹, where w² is the margin.
-const ACCURATE: f64 = 5e-12;
+const MIN_MARGIN_POWER: f64 = 5e-12;
 
 /// How far the plan's q, q̇ and q̈ may be from those of the state, relative to the largest number of each.
-const SAME: f64 = 1e-8;
+const SAME_STATE: f64 = 1e-8;
 
 impl<M: Mechanism> Solver<'_, M> {
     /// The derivatives of q up to `order`, which is at least 3, at a state: the plan is evaluated over [`Taylor`] series,
@@ -33,7 +33,7 @@ impl<M: Mechanism> Solver<'_, M> {
             return None;
         }
         match order {
-            _ if M::COORDINATES * (order + 1) > LARGEST => None,
+            _ if M::COORDINATES * (order + 1) > MAX_STACK_COEFFICIENTS => None,
             ..4 => self.expand::<4>(state, order, further),
             4..6 => self.expand::<6>(state, order, further),
             6..11 => self.expand::<11>(state, order, further),
@@ -89,7 +89,7 @@ fn write_constants<const N: usize>(to: &mut [Taylor<N>], numbers: &[f64]) {
 /// more.
 fn are_accurate<const N: usize>(margins: &[Taylor<N>], order: usize) -> bool {
     let power = i32::try_from(2 * order - 1).unwrap_or(i32::MAX);
-    let is_accurate = |margin: f64| margin > 0.0 && margin.powi(power) >= ACCURATE;
+    let is_accurate = |margin: f64| margin > 0.0 && margin.powi(power) >= MIN_MARGIN_POWER;
     margins.iter().all(|margin| is_accurate(margin.coefficients()[0]))
 }
 
@@ -99,7 +99,7 @@ fn derivatives_of<const N: usize>(q: &[Taylor<N>], state: &State, order: usize) 
     let mut all = Vec::with_capacity(order + 1);
     for (k, known) in [&state.q, &state.q_dot, &state.q_ddot].into_iter().enumerate() {
         let largest = known.iter().fold(1.0, |largest: f64, x| largest.max(x.abs()));
-        if !derivative(k).zip(known).all(|(found, known)| (found - known).abs() <= SAME * largest) {
+        if !derivative(k).zip(known).all(|(found, known)| (found - known).abs() <= SAME_STATE * largest) {
             return None;
         }
         all.push(known.clone());

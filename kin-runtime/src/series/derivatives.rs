@@ -273,7 +273,7 @@ fn solve(
 }
 
 /// If a derivative exceeds this, a next one that is not finite is out of range; otherwise a divisor is 0.
-const HUGE: f64 = 1e200;
+const HUGE_DERIVATIVE: f64 = 1e200;
 
 /// The reason why the k-th derivatives of the rows are not finite, if they are not, given q⁽ᵏ⁻¹⁾.
 fn undefined(equations: &Equations<'_>, orders: &dyn Orders, k: usize, before: &[f64]) -> Option<SolveError> {
@@ -281,7 +281,7 @@ fn undefined(equations: &Equations<'_>, orders: &dyn Orders, k: usize, before: &
     let t = equations.t;
     // An unknown derivative is NaN; so is the difference of two infinite numbers.
     let missing = unknown(equations, orders.missing(), k).filter(|_| orders.right()[row].is_nan());
-    if missing.is_none() && before.iter().any(|x| x.abs() > HUGE) {
+    if missing.is_none() && before.iter().any(|x| x.abs() > HUGE_DERIVATIVE) {
         return Some(SolveError::OutOfRange { t, order: k });
     }
     let (row_name, joint) = (equations.row_name(row), equations.joint_name(row));

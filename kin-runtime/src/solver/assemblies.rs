@@ -21,7 +21,7 @@ use crate::signal::Instant;
 use crate::workspace::Subset;
 
 /// Half the width of the search for lengths that no row determines, relative to the size of the mechanism.
-const REACH: f64 = 16.0;
+const LENGTH_REACH: f64 = 16.0;
 
 /// Certifies q.
 type Prove<'a> = dyn FnMut(&[f64]) -> Result<Certificate, Uncertified> + 'a;
@@ -216,7 +216,7 @@ fn half_turn(angle: f64) -> Interval {
 /// The box, around the guesses, in which closures are searched.
 pub(super) fn region(model: &Model, guess: &[f64], length: f64) -> Vec<Interval> {
     let around = |(k, &guess): (usize, &f64)| match is_length(model, k) {
-        true => Interval::around(guess, REACH * length),
+        true => Interval::around(guess, LENGTH_REACH * length),
         false => half_turn(guess),
     };
     guess.iter().enumerate().map(around).collect()

@@ -9,7 +9,7 @@
 use super::guessed_modes::Guess;
 use super::{Position, Solver};
 use crate::analysis::poses::{coordinate_motions, write_poses};
-use crate::analysis::refinement::{ACCURATE, correct, refine};
+use crate::analysis::refinement::{ACCURATE_MARGIN, correct, refine};
 use crate::equations::residual::{
     RowSums, Tolerances, certainly_closed, closed, closed_position, write_lengths, write_sizes,
 };
@@ -183,7 +183,7 @@ impl<M: Mechanism> Solver<'_, M> {
     /// Refines a solution beside a limit of the plan's formulas; `None` if this fails.
     #[cold]
     fn refine(&self, at: &Instant<'_>, PlanSolution { q, q_dot, q_ddot, margins }: &mut PlanSolution<M>) -> Option<()> {
-        if all_above(margins.as_ref(), ACCURATE) {
+        if all_above(margins.as_ref(), ACCURATE_MARGIN) {
             return Some(());
         }
         let mut equations = self.equations(at).ok()?;
@@ -295,7 +295,7 @@ impl<M: Mechanism> Solver<'_, M> {
         {
             return None;
         }
-        if !all_above(margins.as_ref(), ACCURATE) {
+        if !all_above(margins.as_ref(), ACCURATE_MARGIN) {
             correct(&mut self.equations(at).ok()?, q.as_mut()).ok()?;
         }
         let mut workspace = M::workspace::<f64>();
@@ -306,7 +306,7 @@ impl<M: Mechanism> Solver<'_, M> {
 }
 
 /// The number of rows for which there is room on the stack.
-const FEW: usize = 64;
+const STACK_ROWS: usize = 64;
 
 /// Writes the mechanism's own guesses and those of the caller, which prevail; `None` if one of these is not finite or
 /// for a coordinate that does not exist.
@@ -360,7 +360,7 @@ pub(super) fn all_closed(
     tolerances: Tolerances,
 ) -> Option<f64> {
     // Usually the rows fit on the stack.
-    let mut few = [RowSums::default(); FEW];
+    let mut few = [RowSums::default(); STACK_ROWS];
     let mut many = Vec::new();
     let rows = match few.get_mut(..parts.phi.len()) {
         Some(rows) => rows,

@@ -19,9 +19,9 @@ use std::f64::consts::{PI, TAU};
 /// the choices lie a whole turn apart, the second shift reaches another one; if half a turn, one of the two shifts
 /// reaches one that differs by an odd number of half turns; if a third or less, the first shift reaches one that is
 /// less than a whole turn away.
-const STARTS: [f64; 2] = [PI + 0.3, 2.5 * PI];
+const START_SHIFTS: [f64; 2] = [PI + 0.3, 2.5 * PI];
 /// Numbers that differ by less, relative to their size, are the same but for rounding.
-const SAME: f64 = 1e-9;
+const SAME_NUMBER: f64 = 1e-9;
 /// Number of modes of which all combinations are tried until one closes.
 const VARIED: usize = 10;
 
@@ -70,20 +70,20 @@ impl dyn AnySolver + '_ {
             return Some(Vec::new());
         }
         // False for NaN, too.
-        let is_small = |k: usize, moved: f64| moved.abs() <= SAME * (1.0 + here[k].abs());
+        let is_small = |k: usize, moved: f64| moved.abs() <= SAME_NUMBER * (1.0 + here[k].abs());
         let is_turned = |k: usize, moved: f64| is_small(k, moved - TAU * (moved / TAU).round());
         let is_same = |k: usize, moved: f64| is_small(k, moved) || is_angle(model, k) && is_turned(k, moved);
         let moved = |there: &[f64], k: usize| there[k] - here[k];
         let all = 0..n;
         // Usually all starts lead to the same closure.
         let mut choices = false;
-        for shift in STARTS {
+        for shift in START_SHIFTS {
             solve(&signs, &|_| shift, there)?;
             choices |= !all.clone().all(|k| is_same(k, moved(there, k)));
         }
         let mut bounded = Vec::new();
         for k in all.clone().filter(|&k| choices && !is_length(model, k)) {
-            for shift in STARTS {
+            for shift in START_SHIFTS {
                 solve(&signs, &|other| if other == k { shift } else { 0.0 }, there)?;
                 if !is_turned(k, moved(there, k)) {
                     return None;

@@ -16,7 +16,7 @@ use crate::workspace::Array;
 use core::f64::consts::PI;
 
 /// The distance from its start, relative to its size, up to which a coordinate is near it.
-const NEAR: f64 = 0.25;
+const NEAR_START: f64 = 0.25;
 
 impl<M: Mechanism> Solver<'_, M> {
     /// True if no iteration of the plan left the surroundings of `start` on its way to the solution q. Of the coordinates
@@ -80,5 +80,5 @@ fn is_near(kind: CoordinateKind, start: f64, found: f64) -> bool {
         CoordinateKind::Pose { .. } => start.abs(),
         CoordinateKind::Scalar => start.abs().max(1.0),
     };
-    (found - start).abs() <= NEAR * size
+    (found - start).abs() <= NEAR_START * size
 }

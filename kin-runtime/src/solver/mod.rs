@@ -273,7 +273,7 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     }
 
     /// Transmission angles at the revolute joints between two moving bodies that each have another joint of the same dyad
-    /// or group that acts at a point.
+    /// or group that acts at a point, or is the guide of a slider on the ground.
     ///
     /// # Errors
     /// [`NonFinite`](SolveError::NonFinite) and [`Length`](SolveError::Length).

@@ -28,11 +28,11 @@ use std::time::{Duration, Instant, SystemTime};
 /// Rows of every task in the first wave, which measures how fast the cluster is.
 const FIRST: u64 = 256;
 /// How often a wave is tried while there are workers.
-const TRIES: usize = 5;
-/// How long a client waits for a wave: for the first wave `UNKNOWN`, for later ones `PATIENCE` more than four times the
-/// expected duration. Every further try may take twice as long as the one before.
-const PATIENCE: Duration = Duration::from_secs(20);
-const UNKNOWN: Duration = Duration::from_secs(120);
+const MAX_TRIES: usize = 5;
+/// How long a client waits for a wave: for the first wave `FIRST_WAIT`, for later ones `EXTRA_WAIT` more than four
+/// times the expected duration. Every further try may take twice as long as the one before.
+const EXTRA_WAIT: Duration = Duration::from_secs(20);
+const FIRST_WAIT: Duration = Duration::from_secs(120);
 /// How long a client still waits for a wave after a request to stop.
 const GRACE: Duration = Duration::from_secs(5);
 /// Largest number of tasks in a wave: each takes the scheduler some milliseconds.
@@ -206,7 +206,8 @@ impl Remote {
     /// that. The results of a lost worker are lost with it and are computed again by the remaining ones.
     fn answers(&self, rows: &Range<u64>) -> Result<Option<Vec<RecordBatch>>, StudyError> {
         let count = (rows.end - rows.start) as f64;
-        let mut patience = self.rate.map_or(UNKNOWN, |rate| PATIENCE + Duration::from_secs_f64(4.0 * count / rate));
+        let mut patience =
+            self.rate.map_or(FIRST_WAIT, |rate| EXTRA_WAIT + Duration::from_secs_f64(4.0 * count / rate));
         for tried in 1.. {
             let answer = self.runtime.block_on(async {
                 let plan = self.plan(rows).await?;
@@ -228,7 +229,7 @@ impl Remote {
             if self.is_far {
                 ready(&self.scheduler, &self.watch).map_err(resumable)?;
             }
-            if tried == TRIES || !self.is_far {
+            if tried == MAX_TRIES || !self.is_far {
                 let (scheduler, error) = (&self.scheduler, error.strip_backtrace());
                 return Err(resumable(StudyError::Cluster(format!("{scheduler}: {error}"))));
             }

@@ -11,7 +11,7 @@ use std::collections::BTreeSet;
 use std::sync::Arc;
 
 /// Largest number of bins of a histogram.
-const MOST: usize = 1_000_000;
+const MAX_BINS: usize = 1_000_000;
 
 /// A histogram, and the place of its column in the table.
 #[derive(Clone, Debug)]
@@ -34,9 +34,9 @@ impl Bins {
         let place = schema.fields().iter().position(|field| is_number(&field) && *field.name() == histogram.of);
         let column = place.ok_or_else(|| StudyError::description(unknown("column", &histogram.of, known)))?;
         let Histogram { from, to, bins, .. } = *histogram;
-        match from.is_finite() && to.is_finite() && from < to && (1..=MOST).contains(&bins) {
+        match from.is_finite() && to.is_finite() && from < to && (1..=MAX_BINS).contains(&bins) {
             true => Ok(Self { histogram: histogram.clone(), column }),
-            false => Err(StudyError::description(format!("a histogram needs from < to and 1 to {MOST} bins"))),
+            false => Err(StudyError::description(format!("a histogram needs from < to and 1 to {MAX_BINS} bins"))),
         }
     }
 

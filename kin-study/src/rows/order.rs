@@ -19,7 +19,7 @@ use futures::FutureExt;
 use std::sync::Arc;
 
 /// Largest number of best rows: they are held in memory.
-const MOST: usize = 1 << 31;
+const MAX_BEST_ROWS: usize = 1 << 31;
 
 /// Which rows are kept.
 #[derive(Clone, Debug)]
@@ -45,8 +45,8 @@ impl Best {
     /// order of their numbers.
     pub(super) fn new(count: usize, by: &str, schema: &SchemaRef) -> Result<Self, StudyError> {
         let wrong = |error: DataFusionError| StudyError::description(format!("`{by}`: {}", error.strip_backtrace()));
-        if !(1..=MOST).contains(&count) {
-            let message = format!("the best 1 to {MOST} rows can be kept; to keep none, write `rows = false`");
+        if !(1..=MAX_BEST_ROWS).contains(&count) {
+            let message = format!("the best 1 to {MAX_BEST_ROWS} rows can be kept; to keep none, write `rows = false`");
             return Err(StudyError::description(message));
         }
         let best = Self { count, by: by.to_owned(), keys: Vec::new() };

@@ -76,3 +76,20 @@ fn rows_of_less_rank_than_coordinates_make_no_plan() {
     assert_eq!(model.plan.absent, Some("6 rows of rank 5 leave 1 of 6 coordinates undetermined"));
     assert_eq!(SlottedArm::model().plan.absent, None);
 }
+
+/// A gate on a hydraulic cylinder, in millimetres: it closes with strokes from 545 to 1351 only.
+#[mechanism]
+#[bodies(gate)]
+#[input(stroke, unit = "mm")]
+#[revolute(hinge: ground @ (0, 0), gate @ (0, 0))]
+#[distance(cylinder: ground @ (-300, 900), gate @ (400, 50), length = stroke)]
+#[guess(gate.phi = -0.5)]
+struct Gate;
+
+#[test]
+fn inputs_without_values_are_drawn_around_those_that_fit_the_guess() {
+    for check in [Gate.solver().plan_check(&CrossCheckOptions::default()), Gate.cross_check()] {
+        let check = check.unwrap();
+        assert!(check.configurations >= 16 && check.max_error < 1e-10, "{check}");
+    }
+}

@@ -9,10 +9,10 @@ use crate::notation::{Name, Notation};
 use std::collections::{BTreeMap, BTreeSet, HashSet};
 
 /// Maximum number of symbols of an expression that is written in one line.
-const SHORT: usize = 64;
+const MAX_LINE_SYMBOLS: usize = 64;
 
 /// Minimum number of symbols of a shared part that gets a name.
-const WORTH: usize = 8;
+const MIN_NAMED_SYMBOLS: usize = 8;
 
 /// The user's names, and the names that the lines of a plan define.
 pub(super) struct Naming<'a> {
@@ -86,8 +86,8 @@ impl<'a> Naming<'a> {
             }
             let mut size = 1;
             graph.node(id).for_each_operand(|operand| size += sizes.get(&operand).copied().unwrap_or(1));
-            let often = uses.get(&id).copied().unwrap_or(0) > 1 && size >= WORTH;
-            if (often || size > SHORT) && !ids.contains(&id) && !matches!(graph.node(id), Node::Neg(_)) {
+            let often = uses.get(&id).copied().unwrap_or(0) > 1 && size >= MIN_NAMED_SYMBOLS;
+            if (often || size > MAX_LINE_SYMBOLS) && !ids.contains(&id) && !matches!(graph.node(id), Node::Neg(_)) {
                 let name = self.fresh("s", number);
                 found.push((name.clone(), id));
                 self.parts.insert(id, (self.order, name));
@@ -107,7 +107,7 @@ impl<'a> Naming<'a> {
             if size == 1 || self.part(id).is_none() {
                 graph.node(id).for_each_operand(|operand| open.push(operand));
             }
-            if size > SHORT {
+            if size > MAX_LINE_SYMBOLS {
                 return false;
             }
         }

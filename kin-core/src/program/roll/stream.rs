@@ -62,7 +62,7 @@ pub(super) enum ItemOperand {
 #[derive(PartialEq, Eq, Hash)]
 struct ItemKind {
     head: Head,
-    operands: [OperandKind; MOST],
+    operands: [OperandKind; MAX_OPERANDS],
 }
 
 /// The operation of an item without its operands.
@@ -81,7 +81,7 @@ enum OperandKind {
 }
 
 /// Maximum number of operands of an item.
-const MOST: usize = 2;
+const MAX_OPERANDS: usize = 2;
 
 pub(super) struct Stream {
     pub(super) actions: Vec<Action>,
@@ -167,7 +167,7 @@ struct Builder<'p> {
 impl Builder<'_> {
     fn compute(&mut self, value: ValueId) {
         let instruction = self.program.instructions[value.index()];
-        let (mut operands, mut count) = ([ItemOperand::Slot(0); MOST], 0);
+        let (mut operands, mut count) = ([ItemOperand::Slot(0); MAX_OPERANDS], 0);
         instruction.for_each_operand(|operand| {
             operands[count] = self.operand(operand);
             count += 1;
@@ -184,7 +184,7 @@ impl Builder<'_> {
 
     fn push(&mut self, action: Action, head: Head, operands: &[ItemOperand]) {
         let stream = &mut self.stream;
-        let mut kind = ItemKind { head, operands: [OperandKind::Number; MOST] };
+        let mut kind = ItemKind { head, operands: [OperandKind::Number; MAX_OPERANDS] };
         let mut k = 0;
         while k < operands.len() {
             kind.operands[k] = operand_kind(&operands[k]);

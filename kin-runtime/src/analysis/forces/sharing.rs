@@ -14,7 +14,7 @@ use crate::state::State;
 use nalgebra::{DMatrix, DVector};
 
 /// Changes along a null vector below this, relative to the largest one, count as zero.
-const CHANGE: f64 = 1e-9;
+const ZERO_CHANGE: f64 = 1e-9;
 
 /// The multipliers of rows that share a load.
 pub(super) struct Shared {
@@ -68,7 +68,7 @@ impl Shared {
             changes.set_column(k, &(moved - &here).component_mul(&weights));
         }
         let largest = changes.amax();
-        self.determined = changes.row_iter().map(|change| change.amax() <= CHANGE * largest).collect();
+        self.determined = changes.row_iter().map(|change| change.amax() <= ZERO_CHANGE * largest).collect();
         // Minimise Σ (numbers + changes z)² + Σ (y + null z)² over z, with the numbers of joints and the rows that
         // exert nothing.
         let other: Vec<usize> = (0..self.least.len()).filter(|&row| !exerts(equations.model, info, row)).collect();
@@ -105,7 +105,7 @@ impl Shared {
 
     /// Whether equilibrium determines the multiplier of a row.
     pub(super) fn is_determined(&self, row: usize) -> bool {
-        self.null.row(row).iter().all(|entry| entry.abs() <= CHANGE)
+        self.null.row(row).iter().all(|entry| entry.abs() <= ZERO_CHANGE)
     }
 }
 

@@ -11,10 +11,10 @@ use super::end::{End, Outcome};
 use crate::mechanism::Mechanism;
 use crate::plan::{Depth, Plan};
 use crate::planned::branch::{FAR_FROM_LIMITS, OUT_OF_REACH, certainty_of, resolves};
-use crate::planned::follower::{Control, NEGLIGIBLE, PlanFollower, has_scalars, rows_turn_alone};
+use crate::planned::follower::{Control, NEGLIGIBLE_CORRECTION, PlanFollower, has_scalars, rows_turn_alone};
 use crate::planned::inputs::write_lane_of_inputs;
 use crate::planned::lists::{BranchValues, Distances, Margins, Modes};
-use crate::planned::mode_changes::CLOSE;
+use crate::planned::mode_changes::DIPPING_VALUE;
 use crate::planned::predict::{parabola, turned, weights};
 use crate::planned::steep_rows::may_be_steep;
 use crate::planned::{Limit, PlanError, Step};
@@ -147,7 +147,7 @@ impl<M: Mechanism> BlockMotion<M> {
         let tried = &self.poses[1 - self.good];
         let away = turned(tried.q.as_ref(), self.predicted.as_ref(), self.weights.as_ref());
         let control = Control::USUAL;
-        let allowed = Octet::from_f64(control.correction) * turn + Octet::from_f64(NEGLIGIBLE);
+        let allowed = Octet::from_f64(control.correction) * turn + Octet::from_f64(NEGLIGIBLE_CORRECTION);
         // The least of all numbers that must not be negative.
         let rotation = Octet::from_f64(control.rotation) - turn;
         let mut least = rotation.least(allowed - away);
@@ -203,7 +203,7 @@ impl<M: Mechanism> BlockMotion<M> {
         let foretold = self.branch_values(mechanism, at, self.predicted.as_ref());
         let groups = foretold.as_ref().iter().zip(self.modes.as_ref()).zip(self.distances.as_ref());
         // If a group may have reached its limit and returned, the scalar follower checks the step.
-        let start = resolves(nearest, turn).least(nearest - Octet::from_f64(CLOSE));
+        let start = resolves(nearest, turn).least(nearest - Octet::from_f64(DIPPING_VALUE));
         groups.fold(start, |least, ((w, mode), now)| least.least(certainty_of(*now, *mode * *w)))
     }
 

@@ -32,7 +32,7 @@ use std::ops::Range;
 /// Number of steps without `--steps`.
 pub(super) const STEPS: usize = 360;
 /// Largest number of motions of one search, and what to do for more.
-const MOST: (usize, &str) = (100_000, "for more, see the crate kin-study");
+const MAX_MOTIONS: (usize, &str) = (100_000, "for more, see the crate kin-study");
 /// Largest number of driven quantities whose values are shown beside the time.
 const DRIVERS: usize = 3;
 
@@ -81,7 +81,7 @@ pub(super) fn run(args: &ExtremesArgs, engine: &mut dyn Engine, session: &mut Se
     let model = engine.model();
     let mut ledger = Ledger::default();
     let task = args.motion.read(&mut ledger, ("extremes", &args.output), (STEPS, ArcArgs::default()), engine, session);
-    let choices = ledger.take(args.vary.choices(model, MOST));
+    let choices = ledger.take(args.vary.choices(model, MAX_MOTIONS));
     let wanted = ledger.take(quantities(model, &args.what));
     let (task, (choices, wanted)) = ledger.close(task.zip(choices.zip(wanted)))?;
     let watch = session.watch();

@@ -14,7 +14,7 @@ const STRAIGHT: f64 = 0.01;
 /// Places within an interval that is looked at for the first time, relative to its length.
 const PLACES: [f64; 3] = [0.2175, 0.4602, 0.7423];
 /// Largest number of instants in all.
-const MOST: usize = 20_000;
+const MAX_INSTANTS: usize = 20_000;
 /// Largest number of times that an interval is divided.
 const DEPTH: usize = 14;
 
@@ -55,7 +55,7 @@ pub(super) fn refined(
         let (mut count, mut divided) = (rest.len(), false);
         while let Some(mut here) = rest.next() {
             let within = match rest.peek() {
-                Some(next) if here.open && count + places.len() <= MOST => {
+                Some(next) if here.open && count + places.len() <= MAX_INSTANTS => {
                     let within = between(walk, instants, [&here, next], places);
                     if within.is_none() {
                         unsolved.push([here.state.t, next.state.t]);

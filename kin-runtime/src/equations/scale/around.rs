@@ -16,7 +16,7 @@ const SWEEPS: usize = 6;
 
 /// Distance of the samples near a curve, relative to that of the others. If e is a polynomial of second degree, its gradient
 /// changes there in this ratio, so that the scale of its row remains the same.
-const NEAR: f64 = 1e-3;
+const NEAR_CURVE: f64 = 1e-3;
 
 /// Lower bound of the size of an angle's column, relative to the lengths in its rows: a smaller column is nearly
 /// singular.
@@ -46,7 +46,7 @@ impl Scale {
         let entries = equations.model.constraint_pattern.entries;
         let mut sizes = typical_sizes(equations, (q, &spread), kept);
         if !curves.is_empty() {
-            let narrow: Vec<f64> = spread.iter().map(|width| NEAR * width).collect();
+            let narrow: Vec<f64> = spread.iter().map(|width| NEAR_CURVE * width).collect();
             let near = typical_sizes(equations, (q, &narrow), &[]);
             let largest = |row: usize, sizes: &[f64]| {
                 entries
@@ -56,7 +56,7 @@ impl Scale {
                     .fold(0.0, |largest, (_, size)| size.max(largest))
             };
             for &row in curves {
-                let share = largest(row, &near) / (NEAR * largest(row, &sizes));
+                let share = largest(row, &near) / (NEAR_CURVE * largest(row, &sizes));
                 let own = sizes.iter_mut().zip(entries).filter(|(_, entry)| entry.0 == row && share < 1.0);
                 own.for_each(|(size, _)| *size *= share);
             }

@@ -10,7 +10,7 @@
 /// Smallest pivot, relative to the largest entry of its column.
 const THRESHOLD: f64 = 0.1;
 /// Number of the shortest rows that are searched for a pivot.
-const SEARCHED: usize = 4;
+const SEARCHED_ROWS: usize = 4;
 
 /// Row and column of every pivot of the n×n matrix with these entries (row, column) and values; `None` where it is
 /// singular.
@@ -65,13 +65,13 @@ impl Remainder {
 
     /// Row and column of the next pivot.
     fn choose(&self) -> Option<(usize, usize)> {
-        let mut shortest: Vec<(usize, usize)> = Vec::with_capacity(SEARCHED + 1);
+        let mut shortest: Vec<(usize, usize)> = Vec::with_capacity(SEARCHED_ROWS + 1);
         for &row in &self.open {
             let length = self.rows[row].len();
-            if shortest.len() < SEARCHED || length < shortest[SEARCHED - 1].0 {
+            if shortest.len() < SEARCHED_ROWS || length < shortest[SEARCHED_ROWS - 1].0 {
                 let place = shortest.partition_point(|other| other.0 <= length);
                 shortest.insert(place, (length, row));
-                shortest.truncate(SEARCHED);
+                shortest.truncate(SEARCHED_ROWS);
             }
         }
         // If none of the shortest rows has a suitable pivot, all rows are searched.

@@ -28,7 +28,7 @@ const TOUCHES: f64 = 1e-9;
 
 /// If the margin is below minus this at the place where its sign changes, it is discontinuous there, and so is the
 /// motion.
-const JUMP: f64 = 1e-6;
+const DISCONTINUOUS_MARGIN: f64 = 1e-6;
 
 impl<M: Mechanism> PlanFollower<M> {
     /// The error if the instant or a parameter is not finite.
@@ -135,7 +135,7 @@ impl<M: Mechanism> PlanFollower<M> {
             Spot { s, margin, least: margin }
         };
         let Spot { s, margin, least } = spot;
-        if has_two_closures && margin < -JUMP {
+        if has_two_closures && margin < -DISCONTINUOUS_MARGIN {
             // The margin is nowhere zero, so the motion jumps.
             return (PlanError::Jump { t: reached, t_refused: t }, last);
         }

@@ -16,7 +16,7 @@ use crate::workspace::Array;
 
 /// How much larger than before a solution is that goes to infinity; it is inversely proportional to the determinant,
 /// which at the limit is 0 but for rounding.
-const INFINITE: f64 = 1e3;
+const POLE_GROWTH: f64 = 1e3;
 
 /// How much larger a solution that goes to infinity becomes in an iteration, which is followed up to a distance from the
 /// limit of about the spacing of numbers.
@@ -24,7 +24,7 @@ const UNBOUNDED: f64 = 1e6;
 
 /// Smallest size of a solution before its limit, relative to the largest coordinate, that the size at the limit is
 /// compared with.
-const SMALL: f64 = 1e-3;
+const MIN_COMPARED_SIZE: f64 = 1e-3;
 
 impl<M: Mechanism> PlanFollower<M> {
     /// The error where the determinant of a linear group changes its sign, and the place on the course at which it does.
@@ -49,7 +49,7 @@ impl<M: Mechanism> PlanFollower<M> {
 
     /// True if a coordinate of a step is much larger at the limit, in the trial state, than at the last place reached.
     pub(super) fn goes_to_infinity(&self, step: Step, blocked: &Blocked<M>) -> bool {
-        is_larger(M::model(), step, [blocked.here.q.as_ref(), self.trial().q.as_ref()], INFINITE)
+        is_larger(M::model(), step, [blocked.here.q.as_ref(), self.trial().q.as_ref()], POLE_GROWTH)
     }
 
     /// True if a coordinate of an iterated step has grown without bound on the way to the last place reached.
@@ -76,7 +76,7 @@ fn is_larger(model: &Model, step: Step, [here, q]: [&[f64]; 2], factor: f64) -> 
     let own = || step.info().coordinates.iter().map(|of| of.0).filter(|k| !is_angle(*k));
     let larger = |largest: f64, x: &f64| largest.max(x.abs());
     let all = here.iter().fold(0.0, larger);
-    let before = own().filter_map(|k| here.get(k)).fold(SMALL * all, larger);
+    let before = own().filter_map(|k| here.get(k)).fold(MIN_COMPARED_SIZE * all, larger);
     let is_finite = own().all(|k| q.get(k).is_some_and(|x| x.abs() < factor * before));
     before > 0.0 && !is_finite
 }

@@ -5,11 +5,11 @@ pub(super) const NO_MARGIN: f64 = 1e-13;
 
 /// The first step of the search for a limit, relative to the length of the course, large enough not to be lost in
 /// rounding.
-const LITTLE: f64 = 1e-6;
+const FIRST_STEP: f64 = 1e-6;
 
 /// How many times as far a limit may be as the place at which a margin with the present slope would be zero: twice at a
 /// crossing, and with a reserve.
-const FARTHEST: f64 = 8.0;
+const SEARCH_REACH: f64 = 8.0;
 
 /// Numbers of bisections, and of golden sections in the search for a minimum, that suffice for all digits of a number.
 const HALVINGS: usize = 80;
@@ -38,28 +38,28 @@ impl Spot {
         let at_from = margin(from);
         // A margin may be zero at one place alone, as where the pins of two equal links coincide.
         if refused != from && margin(refused) <= 0.0 {
-            let least = depth(margin, (refused, 0.0), LITTLE * (refused - from));
+            let least = depth(margin, (refused, 0.0), FIRST_STEP * (refused - from));
             let (s, margin) = root(margin, from, refused);
             return Self { s, margin, least };
         }
         // The limit may lie beyond the end of the course; it is searched up to a course length beyond, or up to where
         // the margin, which is quadratic near a crossing, would be zero several times over.
         let slope = (margin(start) - at_from) / (from - start).abs();
-        let ahead = if slope > 0.0 { FARTHEST * at_from / slope } else { 0.0 };
-        let least = LITTLE * (end + (end - start) - from).abs();
+        let ahead = if slope > 0.0 { SEARCH_REACH * at_from / slope } else { 0.0 };
+        let least = FIRST_STEP * (end + (end - start) - from).abs();
         let end = end + direction * (end - start).abs().max(ahead);
         let stride = direction * (refused - from).abs().max(least).max(4.0 * f64::EPSILON * from.abs());
         let mut descent = Descent::from(margin, (from, at_from), end, stride);
         // Where the margin only grows from the end of a course, the motion has passed the minimum.
         if descent.at_c > 0.0 && descent.b == from && refused == from {
-            let behind = if slope < 0.0 { FARTHEST * at_from / -slope } else { 0.0 };
+            let behind = if slope < 0.0 { SEARCH_REACH * at_from / -slope } else { 0.0 };
             let earliest = from - direction * behind;
             let back = if (start - earliest) * direction > 0.0 && knows_past { earliest } else { start };
             descent = Descent::from(margin, (from, at_from), back, -stride);
         }
         let Descent { a, b, c, at_c, stride } = descent;
         if at_c <= 0.0 {
-            let least = depth(margin, (c, at_c), LITTLE * stride);
+            let least = depth(margin, (c, at_c), FIRST_STEP * stride);
             let (s, margin) = root(margin, b, c);
             return Self { s, margin, least };
         }
@@ -143,17 +143,17 @@ fn root(f: &mut dyn FnMut(f64) -> f64, mut a: f64, mut b: f64) -> (f64, f64) {
 
 /// The minimum of a function between two places by golden section search (Kiefer 1953), and its value there.
 fn minimum(f: &mut dyn FnMut(f64) -> f64, mut a: f64, mut b: f64) -> (f64, f64) {
-    const SHARE: f64 = 0.618_033_988_749_894_9;
-    let (mut c, mut d) = (b - SHARE * (b - a), a + SHARE * (b - a));
+    const GOLDEN_SECTION: f64 = 0.618_033_988_749_894_9;
+    let (mut c, mut d) = (b - GOLDEN_SECTION * (b - a), a + GOLDEN_SECTION * (b - a));
     let (mut at_c, mut at_d) = (f(c), f(d));
     for _ in 0..SECTIONS {
         if at_c < at_d {
             (b, d, at_d) = (d, c, at_c);
-            c = b - SHARE * (b - a);
+            c = b - GOLDEN_SECTION * (b - a);
             at_c = f(c);
         } else {
             (a, c, at_c) = (c, d, at_d);
-            d = a + SHARE * (b - a);
+            d = a + GOLDEN_SECTION * (b - a);
             at_d = f(d);
         }
     }

@@ -6,7 +6,7 @@
 //! followed in steps that resolve the bend, and a group that reaches its limit stops the walk just before it.
 
 use super::branch::{first_dip, may_have_touched_limit, resolves};
-use super::follower::{Control, NEGLIGIBLE, PlanFollower, PlanSolution, Rejection, most_turn};
+use super::follower::{Control, NEGLIGIBLE_CORRECTION, PlanFollower, PlanSolution, Rejection, most_turn};
 use super::lists::{BranchValues, Modes};
 use super::predict::{parabola, turned};
 use super::rates::{largest_angle, turning};
@@ -30,7 +30,7 @@ pub(crate) struct Blocked<M: Mechanism> {
 }
 
 /// If no step is short enough, the limit of a group is the reason if the group is nearer to it than this.
-const BESIDE: f64 = 1e-3;
+const BLAMED_DISTANCE: f64 = 1e-3;
 
 /// Rates grow without bound if the length of a step that they allow, relative to the rest of the course, is below this.
 const UNBOUNDED: f64 = 1e-4;
@@ -151,7 +151,7 @@ impl<M: Mechanism> PlanFollower<M> {
         let weights = self.weights;
         let turn = parabola(self.predicted.as_mut(), rates, weights.as_ref(), h);
         let modes = self.branch.modes;
-        let allowed = control.correction * turn + NEGLIGIBLE;
+        let allowed = control.correction * turn + NEGLIGIBLE_CORRECTION;
         let turn = self.with_rows(turn, here, h);
         let judged = self.judge(mechanism, course, [s, next], inputs, (here, &modes), [allowed, turn, nearest]);
         let result = judged.and_then(|effort| {
@@ -263,7 +263,7 @@ impl<M: Mechanism> PlanFollower<M> {
     fn fault_of_short_steps(&self, here: &PlanSolution<M>, share: f64) -> Rejection {
         let distances = self.branch.distances.as_ref();
         let group = index_of_least(distances);
-        if distances.get(group).is_some_and(|distance| *distance < BESIDE) {
+        if distances.get(group).is_some_and(|distance| *distance < BLAMED_DISTANCE) {
             return Rejection::Group(group);
         }
         let unbounded = if share < UNBOUNDED { self.first_of_largest_rate(here) } else { None };

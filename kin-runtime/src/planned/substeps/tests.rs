@@ -85,9 +85,9 @@ fn a_solution_that_is_not_where_it_was_predicted_does_not_count() {
         assert!(step(&mut follower, &here, &mechanism, h, &GENEROUS).is_ok());
         let found = follower.trial();
         let away = turned(found.q.as_ref(), follower.predicted.as_ref(), follower.weights.as_ref());
-        assert!(away > 4.0 * NEGLIGIBLE && away < 0.03, "{away}");
+        assert!(away > 4.0 * NEGLIGIBLE_CORRECTION && away < 0.03, "{away}");
         for (factor, expected) in [(1.01, None), (0.99, Some(Rejection::Coarse))] {
-            let control = Control { correction: (factor * away - NEGLIGIBLE) / 0.3, ..GENEROUS };
+            let control = Control { correction: (factor * away - NEGLIGIBLE_CORRECTION) / 0.3, ..GENEROUS };
             assert_eq!(expected, step(&mut follower, &here, &mechanism, h, &control).err(), "{factor}");
         }
     }

@@ -8,9 +8,9 @@
 
 use super::branch::{OUT_OF_REACH, resolves};
 use super::error::PlanError;
-use super::follower::{Control, NEGLIGIBLE, PlanFollower, PlanSolution, most_turn};
+use super::follower::{Control, NEGLIGIBLE_CORRECTION, PlanFollower, PlanSolution, most_turn};
 use super::group_limit::Limit;
-use super::ill_conditioned::NEAR;
+use super::ill_conditioned::CHECKED_DISTANCE;
 use super::lists::{BranchValues, Modes};
 use super::predict::{beyond_parabola, parabola, turned, weights};
 use crate::course::{Between, Course, PathShape, kind};
@@ -310,7 +310,7 @@ impl<M: Mechanism> PlanFollower<M> {
         }
         let tried = self.trial();
         let away = turned(tried.q.as_ref(), self.predicted.as_ref(), self.weights.as_ref());
-        let is_expected = away <= control.correction * turn + NEGLIGIBLE;
+        let is_expected = away <= control.correction * turn + NEGLIGIBLE_CORRECTION;
         let here = &self.states[self.accepted];
         if !is_expected
             || !self.rows_are_followed(mechanism, at, here, (self.inputs.as_ref(), at.t - self.t), control)?
@@ -325,7 +325,7 @@ impl<M: Mechanism> PlanFollower<M> {
         let turn = self.with_rows(turn, here, at.t - self.t);
         let nearest = self.measure();
         let least = f64::min(nearest, self.nearest);
-        let far = least >= OUT_OF_REACH * turn && least >= NEAR;
+        let far = least >= OUT_OF_REACH * turn && least >= CHECKED_DISTANCE;
         let stays = match far {
             true => !self.checks_determinant_signs || self.keeps_orientations(mechanism, at)?,
             false => self.stays_on_its_branch(mechanism, at, resolves(least, turn))?,

@@ -85,9 +85,9 @@ fn a_solution_that_is_not_where_it_was_predicted_does_not_count() {
         let mut found = from;
         assert!(found.try_one_step(&mechanism, &Instant::at(h), turn, &GENEROUS, None).unwrap());
         let away = turned(found.state().q.as_ref(), found.predicted.as_ref(), found.weights.as_ref());
-        assert!(away > 4.0 * NEGLIGIBLE && away < 0.1 * turn, "{away}");
+        assert!(away > 4.0 * NEGLIGIBLE_CORRECTION && away < 0.1 * turn, "{away}");
         for (factor, expected) in [(1.01, true), (0.99, false)] {
-            let control = Control { correction: (factor * away - NEGLIGIBLE) / turn, ..GENEROUS };
+            let control = Control { correction: (factor * away - NEGLIGIBLE_CORRECTION) / turn, ..GENEROUS };
             let counts = |mut follower: PlanFollower<PlannedFourBar>| {
                 follower.try_one_step(&mechanism, &Instant::at(h), turn, &control, None).unwrap()
             };

@@ -11,7 +11,7 @@ const INSTANTS: usize = 12;
 /// Pixels between two points of a bar that a name should not cover.
 const STEP: f64 = 6.0;
 /// With more names than this collisions are not avoided: such drawings are read enlarged.
-const MOST: usize = 150;
+const MAX_PLACED_NAMES: usize = 150;
 /// Cost of a collision with another name, in points of a bar.
 const NAME: f64 = 40.0;
 /// Cost of leaving the picture, in points of a bar.
@@ -42,7 +42,7 @@ pub(super) fn sides(scene: &Scene, view: &View, symbol: f64) -> Vec<Side> {
         _ => None,
     });
     let names: Vec<(usize, f64, LabelKind)> = names.collect();
-    if names.len() > MOST {
+    if names.len() > MAX_PLACED_NAMES {
         return sides;
     }
     let count = scene.times.len();

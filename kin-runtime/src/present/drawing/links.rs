@@ -8,7 +8,7 @@ use super::teeth::Wheel;
 use crate::model::{Frame, JointKind, OriginKind, Role};
 
 /// Places nearer than this, relative to the size of the mechanism, are one.
-const SAME: f64 = 1e-6;
+const SAME_PLACE: f64 = 1e-6;
 
 /// The parts of the bodies and of the ground that have been collected so far.
 pub(super) struct Links {
@@ -76,7 +76,7 @@ impl Links {
     }
 
     fn place(&mut self, frame: Frame, at: [f64; 2], held: bool) {
-        let same = SAME * self.size;
+        let same = SAME_PLACE * self.size;
         let Some(body) = self.body(frame) else { return };
         match body.attached.iter_mut().find(|other| distance(other.at, at) <= same) {
             Some(other) => other.held |= held,
@@ -180,7 +180,7 @@ fn axle(attached: &[Attachment], outline: &[[f64; 2]]) -> Option<[f64; 2]> {
     let extent = outline.iter().map(|&corner| distance(corner, outline[0])).fold(0.0, f64::max);
     let within = |p: [f64; 2]| {
         let sides = outline.iter().zip(outline.iter().cycle().skip(1));
-        outline.len() > 2 && sides.into_iter().all(|(&a, &b)| turn(a, b, p) > SAME * extent * extent)
+        outline.len() > 2 && sides.into_iter().all(|(&a, &b)| turn(a, b, p) > SAME_PLACE * extent * extent)
     };
     let corners_held = attached.iter().filter(|place| outline.contains(&place.at)).all(|place| place.held);
     attached.iter().find(|place| corners_held && place.held && within(place.at)).map(|place| place.at)
@@ -196,7 +196,7 @@ fn nearest([from, to]: &[[f64; 2]; 2], places: &[Attachment]) -> Option<([f64; 2
     };
     let ways = places.iter().map(|place| (foot(place.at), place.at));
     let shortest = ways.min_by(|(a, b), (c, d)| distance(*a, *b).total_cmp(&distance(*c, *d)));
-    shortest.filter(|(a, b)| distance(*a, *b) > SAME * length)
+    shortest.filter(|(a, b)| distance(*a, *b) > SAME_PLACE * length)
 }
 
 /// The convex hull, counter-clockwise; of places on a line the two ends (Andrew's monotone chain).
@@ -218,7 +218,7 @@ fn chain(places: impl Iterator<Item = [f64; 2]>, extent: f64) -> Vec<[f64; 2]> {
     let mut side: Vec<[f64; 2]> = Vec::new();
     for p in places {
         while let [.., a, b] = side[..]
-            && turn(a, b, p) <= SAME * extent * extent
+            && turn(a, b, p) <= SAME_PLACE * extent * extent
         {
             side.pop();
         }

@@ -22,10 +22,10 @@ const LOAD: &str = "#0284c7";
 /// The head of an arrow, its tip at the origin.
 const HEAD: &str = "M0,0L-10,4L-8,0L-10,-4Z";
 /// The radius of the arrow of the largest couple.
-const TURN: f64 = 18.0;
+const COUPLE_RADIUS: f64 = 18.0;
 
 /// Largest length of the arrow that shows the scale of forces, relative to the picture.
-const SCALE: f64 = 0.2;
+const MAX_SCALE_ARROW: f64 = 0.2;
 
 /// Style of names.
 const STYLE: &str = "<style>.name{font:12px system-ui,sans-serif;paint-order:stroke;stroke:#fff;stroke-width:3px;\
@@ -106,7 +106,7 @@ fn exact(x: f64) -> String {
 /// An arrow that is as long as a force of 1, 2 or 5 times a power of ten, in the lower right corner.
 pub(crate) fn force_scale(view: &View, scale: &ForceScale, unit: Option<&str>) -> String {
     let by_force = scale.length / scale.largest * view.scale;
-    let force = round_below((SCALE * view.size[0] / by_force).min(scale.largest));
+    let force = round_below((MAX_SCALE_ARROW * view.size[0] / by_force).min(scale.largest));
     let (long, [right, low]) = (force * by_force, view.size.map(|size| size.round() - 10.0));
     let [from, text] = [right - long, low - 6.0].map(short);
     let shaft = short(right - 5.0);
@@ -272,7 +272,7 @@ impl Pen<'_> {
             Part::Head(own) => write!(out, "<path d=\"{HEAD}\" fill=\"{}\" class=\"force\"/>", self.ink(*own)),
             Part::Turn { clockwise, ink: own } => {
                 // Three quarters of a circle, from its right; y points down.
-                let (c, r, up) = (self.ink(*own), TURN, if *clockwise { 1.0 } else { -1.0 });
+                let (c, r, up) = (self.ink(*own), COUPLE_RADIUS, if *clockwise { 1.0 } else { -1.0 });
                 let (sweep, y) = (u8::from(*clockwise), -up * r);
                 let head = 6.0 * up;
                 write!(

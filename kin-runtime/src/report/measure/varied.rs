@@ -1,12 +1,12 @@
 //! The values of quantities over numbers that carry derivatives with respect to parameters.
 
 use super::{Measure, Of, Source};
-use crate::model::{Frame, Geometry, Model};
+use crate::model::{Frame, Geometry, Model, Role};
 use crate::plan::Depth;
 use crate::results::varied::Varied;
 use crate::scalar::Scalar;
 use crate::signal::Signal;
-use crate::transmission::Pair;
+use crate::transmission::{Pair, arms};
 
 /// What the values of quantities require besides q.
 #[derive(Clone, Copy, Debug)]
@@ -92,20 +92,20 @@ impl Measure {
     }
 }
 
-/// The angle at the centre of a pair, in [0, π].
+/// The angle between the arms of a pair, in [0, π].
 fn transmission<T: Scalar>(model: &Model, pair: &Pair, varied: &Varied<T>) -> Option<T> {
-    let [centre, a, b] = pair.places.map(|geometry| point(model, geometry, varied));
-    let (centre, a, b) = (centre?, a?, b?);
-    let [(ax, ay), (bx, by)] = [a, b].map(|p| (p[0] - centre[0], p[1] - centre[1]));
+    let [centre, a, b] = pair.places.map(|geometry| place(model, geometry, varied));
+    let [[ax, ay], [bx, by]] = arms(pair, [centre?, a?, b?]);
     Some((ax * by - ay * bx).abs().atan2(ax * bx + ay * by))
 }
 
-/// A point of a joint in the inertial frame.
-fn point<T: Scalar>(model: &Model, geometry: &Geometry, varied: &Varied<T>) -> Option<[T; 2]> {
+/// A point or an axis of a joint in the inertial frame.
+fn place<T: Scalar>(model: &Model, geometry: &Geometry, varied: &Varied<T>) -> Option<[T; 2]> {
     let &[u, v] = varied.geometry.get(geometry.offset..geometry.offset + 2)? else { return None };
     let Frame::Body(body) = geometry.frame else { return Some([u, v]) };
     let [x, y, phi] = model.bodies[body].observables.map(|index| Some(varied.observed.get(index)?.value));
     let (x, y) = (x?, y?);
     let (sin, cos) = phi?.sin_cos();
-    Some([x + cos * u - sin * v, y + sin * u + cos * v])
+    let [u, v] = [cos * u - sin * v, sin * u + cos * v];
+    Some(if geometry.role == Role::Axis { [u, v] } else { [x + u, y + v] })
 }

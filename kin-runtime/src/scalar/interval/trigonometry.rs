@@ -21,7 +21,7 @@ const HALF_PI: [f64; 3] = [
     f64::from_bits(0x3ba3_198a_2e00_0000),
 ];
 /// Larger angles are not reduced.
-const LARGEST: f64 = 1_048_576.0;
+const MAX_REDUCED_ANGLE: f64 = 1_048_576.0;
 /// 4 u, the bound of relative rounding errors.
 const RELATIVE: f64 = 2.0 * f64::EPSILON;
 /// 2⁻⁸⁰, the bound of the absolute error of range reduction.
@@ -29,7 +29,7 @@ const ABSOLUTE: f64 = f64::from_bits((1023 - 80) << 52);
 
 /// On intervals up to this radius functions are bounded by their value and slope in the middle: the result is wider by
 /// a fraction of about this size, and takes one evaluation instead of two.
-const NARROW: f64 = 1e-4;
+const MAX_LINEAR_RADIUS: f64 = 1e-4;
 
 /// 1/3!, 1/5!, … with signs.
 const SINE: [f64; 8] = [
@@ -69,7 +69,7 @@ fn near(value: f64, error: f64) -> Interval {
     Interval { lower: sum_down(value, -error).max(-1.0), upper: sum_up(value, error).min(1.0) }
 }
 
-/// Sine and cosine of an angle of at most [`LARGEST`].
+/// Sine and cosine of an angle of at most [`MAX_REDUCED_ANGLE`].
 #[inline]
 fn turned(x: f64) -> Turned {
     if x == 0.0 {
@@ -131,12 +131,12 @@ pub(super) fn sin_cos(x: Interval) -> (Interval, Interval) {
     if !x.is_defined() {
         return (Interval::UNDEFINED, Interval::UNDEFINED);
     }
-    if x.magnitude() > LARGEST {
+    if x.magnitude() > MAX_REDUCED_ANGLE {
         let all = Interval { lower: -1.0, upper: 1.0 };
         return (all, all);
     }
     let radius = x.radius();
-    if radius <= NARROW {
+    if radius <= MAX_LINEAR_RADIUS {
         let middle = turned(x.midpoint());
         return (widened(middle.sin, middle.cos, radius), widened(middle.cos, middle.sin, radius));
     }

@@ -36,7 +36,7 @@ const P: [f64; 12] = [
 const PI_REST: f64 = 3.898_171_832_519_375_5e-17;
 
 /// Largest component of a vector for which num + den cannot overflow.
-const LONG: f64 = f64::MAX / 8.0;
+const MAX_COMPONENT: f64 = f64::MAX / 8.0;
 
 /// atan2(y, x) of the lanes, in [−π, π], and whether a vector was too long for the result to be valid.
 #[inline(always)]
@@ -46,7 +46,7 @@ pub(super) fn angle<V: Compared>(y: V, x: V) -> (V, bool) {
     let steep = up.above(across);
     let den = steep.select(up, across);
     let num = steep.select(across, up);
-    let long = den.above(k(LONG)).any();
+    let long = den.above(k(MAX_COMPONENT)).any();
     let diagonal = (num + num).above(den);
     // The zero vector has the angle of the half-axis that its signs indicate.
     let den = den.vanishes().select(k(1.0), den);
@@ -163,7 +163,7 @@ fn of_long(y: f64x4, x: f64x4, angle: f64x4) -> f64x4 {
 #[inline(never)]
 pub(super) fn beyond(y: &[f64], x: &[f64], angles: &mut [f64]) {
     for ((y, x), angle) in y.iter().zip(x).zip(angles) {
-        if y.abs() > LONG || x.abs() > LONG {
+        if y.abs() > MAX_COMPONENT || x.abs() > MAX_COMPONENT {
             *angle = standard::atan2(*y, *x);
         }
     }

@@ -104,7 +104,7 @@ fn one_beyond(angle: f64) -> (f64, f64) {
 /// Largest number of angles that are computed by code inlined into the caller. More angles are worth a call of code
 /// that is compiled once in kin-runtime and not once per mechanism. Where only a call reaches AVX2, three angles are
 /// worth it.
-const FEW: usize =
+const MAX_INLINED_ANGLES: usize =
     if cfg!(all(feature = "dispatch", target_arch = "x86_64", not(target_feature = "avx2"))) { 2 } else { 4 };
 
 /// Sine and cosine of every angle.
@@ -115,7 +115,7 @@ const FEW: usize =
 pub(crate) fn sin_cos_all<const N: usize>(angles: [f64; N]) -> [(f64, f64); N] {
     let lane = |k: usize| if k < N { angles[k] } else { 0.0 };
     let mut out = [(0.0, 0.0); N];
-    if const { N > FEW } {
+    if const { N > MAX_INLINED_ANGLES } {
         let of_four = |first: usize| of_four(lane(first), lane(first + 1), lane(first + 2), lane(first + 3));
         let mut first = 0;
         let (fours, rest) = out.as_chunks_mut();
@@ -257,7 +257,7 @@ mod tests {
         for (angle, (sin, cos)) in angles.into_iter().zip(sin_cos_all(angles)) {
             let exact = angle.sin_cos();
             // More angles than that may be computed by another instruction set.
-            assert!(N > FEW || (sin, cos) == sin_cos_one(angle), "{angle}");
+            assert!(N > MAX_INLINED_ANGLES || (sin, cos) == sin_cos_one(angle), "{angle}");
             assert!(ulps(sin, exact.0) <= 1 && ulps(cos, exact.1) <= 1, "{angle}: {sin} {cos} and {exact:?}");
         }
     }

@@ -11,11 +11,11 @@ use crate::scalar::Interval;
 use crate::signal::{Instant, Signal};
 
 /// Smallest width of an undecided stretch, and of a stretch with a limit, relative to the whole interval of t.
-const NARROWEST: [f64; 2] = [1e-8, 1e-12];
+const MIN_WIDTHS: [f64; 2] = [1e-8, 1e-12];
 /// Largest number of stretches that are examined in one combination of modes, and at one limit.
-const MOST: [usize; 2] = [50_000, 4_000];
+const MAX_STRETCHES: [usize; 2] = [50_000, 4_000];
 /// How far from a limit the motion towards it begins, relative to the range.
-const BEFORE: f64 = 1e-2;
+const APPROACH: f64 = 1e-2;
 
 impl dyn AnySolver + '_ {
     /// The ranges in all combinations of modes. The plan is evaluated over intervals of t. Where all its margins are
@@ -24,14 +24,14 @@ impl dyn AnySolver + '_ {
     pub(super) fn ranges_by_plan(&self, from: &Instant<'_>, to: f64, guess: &[f64]) -> Ranges {
         let plan = &self.model().plan;
         let way = [from.t.min(to), from.t.max(to)];
-        let narrowest = NARROWEST.map(|narrowest| narrowest * (way[1] - way[0]));
+        let narrowest = MIN_WIDTHS.map(|narrowest| narrowest * (way[1] - way[0]));
         let mut all = Collected { ranges: Vec::new(), limits: Vec::new() };
         for code in 0..1_usize << plan.modes.len() {
             let signs: Vec<f64> =
                 (0..plan.modes.len()).map(|index| if code >> index & 1 == 0 { 1.0 } else { -1.0 }).collect();
             let look = &mut |a: f64, b: f64| self.look([a, b], from, &signs, guess);
-            let found = stretches(way, narrowest[0], MOST[0], look);
-            let found = refined(&found, narrowest, MOST[1], look);
+            let found = stretches(way, narrowest[0], MAX_STRETCHES[0], look);
+            let found = refined(&found, narrowest, MAX_STRETCHES[1], look);
             for (index, stretch) in found.iter().enumerate() {
                 match stretch.seen {
                     MarginSign::Closed => all.ranges.push((signs.clone(), *stretch)),
@@ -119,9 +119,11 @@ impl dyn AnySolver + '_ {
         let [before, after] = neighbours;
         let proven = (closed(&before).is_some() && open(&after)) || (open(&before) && closed(&after).is_some());
         let (inside, beyond) = match (closed(&before), closed(&after)) {
-            (Some(range), _) => (range.to - BEFORE * (range.to - range.from), after.map_or(stretch.to, |side| side.to)),
+            (Some(range), _) => {
+                (range.to - APPROACH * (range.to - range.from), after.map_or(stretch.to, |side| side.to))
+            }
             (None, Some(range)) => {
-                (range.from + BEFORE * (range.to - range.from), before.map_or(stretch.from, |side| side.from))
+                (range.from + APPROACH * (range.to - range.from), before.map_or(stretch.from, |side| side.from))
             }
             (None, None) => (stretch.from, stretch.from),
         };

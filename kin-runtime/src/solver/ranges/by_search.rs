@@ -18,17 +18,17 @@ use crate::signal::{Instant, Signal};
 
 /// Configurations that differ by less than this, relative to a radian and to the size of the mechanism, are the same:
 /// the first for closures and proven folds, the second for undecided places.
-const SAME: [f64; 2] = [1e-7, 1e-3];
+const SAME_CONFIGURATION: [f64; 2] = [1e-7, 1e-3];
 
 /// How far from the ends of a gap its closures are followed, relative to half of the gap.
-const NEAR: f64 = 1e-3;
+const FOLLOWED_FROM_END: f64 = 1e-3;
 
 /// If the configuration at the end of a motion is not known, the one this far before the end of the gap is used,
 /// relative to half of the gap.
-const SHORTLY: f64 = 1e-6;
+const BEFORE_END: f64 = 1e-6;
 /// The nearest place is the limit of a motion if its distance is below this fraction of the distance of the second
 /// nearest.
-const CLEARLY: f64 = 0.2;
+const NEAREST_RATIO: f64 = 0.2;
 
 /// A place at which closures come together, or something is undecided.
 struct FoldPlace {
@@ -84,7 +84,7 @@ impl dyn AnySolver + '_ {
         for place in all.found.into_iter().map(place(true)).chain(all.undecided.into_iter().map(place(false))) {
             // A place is found twice where an angle is half a turn from its guess, and in several boxes if it is
             // undecided.
-            let most = SAME[usize::from(!place.proven)];
+            let most = SAME_CONFIGURATION[usize::from(!place.proven)];
             let same = |other: &&mut FoldPlace| {
                 other.t.intersection(place.t).is_some() && difference(model, &other.q, &place.q, length) < most
             };
@@ -148,7 +148,7 @@ impl RangeSearch<'_> {
     /// outside of it a closure can meet another at a place that was not found.
     fn pass_gaps(&mut self) {
         for gap in self.gaps.iter_mut().filter(|_| !self.bounded.is_empty()) {
-            let ends = [gap.from, gap.to].map(|end| end + NEAR * (gap.middle() - end));
+            let ends = [gap.from, gap.to].map(|end| end + FOLLOWED_FROM_END * (gap.middle() - end));
             let is_inside = |q: &Vec<f64>| self.bounded.iter().all(|&(k, region)| region.contains(q[k]));
             let mut ways = gap.closures.iter().flat_map(|closure| ends.map(|end| (closure, end)));
             gap.complete &= ways.all(|(closure, end)| {
@@ -194,7 +194,8 @@ impl RangeSearch<'_> {
         let (from, to) = (&self.gaps[gap], &self.gaps[other]);
         let q = &from.closures[closure].q;
         let reached = self.solver.moved_from(self.start, q, [from.middle(), to.middle()])?;
-        let same = |other: &Assembly| difference(self.solver.model(), &other.q, &reached, self.length) < SAME[0];
+        let same =
+            |other: &Assembly| difference(self.solver.model(), &other.q, &reached, self.length) < SAME_CONFIGURATION[0];
         Ok(to.closures.iter().position(same))
     }
 
@@ -222,7 +223,9 @@ impl RangeSearch<'_> {
         let gap = &self.gaps[gap];
         let end = if is_later { gap.to } else { gap.from };
         let q = &gap.closures[closure].q;
-        self.solver.moved_from(self.start, q, [gap.middle(), end + SHORTLY * (gap.middle() - end)]).unwrap_or_default()
+        self.solver
+            .moved_from(self.start, q, [gap.middle(), end + BEFORE_END * (gap.middle() - end)])
+            .unwrap_or_default()
     }
 
     /// The place whose configuration is much nearer than those of the others.
@@ -231,7 +234,7 @@ impl RangeSearch<'_> {
         let mut all: Vec<(f64, usize)> = among.iter().map(|&place| (away(place), place)).collect();
         all.sort_by(|a, b| a.0.total_cmp(&b.0));
         match all[..] {
-            [(least, place), (next, _), ..] if !q.is_empty() && least < CLEARLY * next => Some(place),
+            [(least, place), (next, _), ..] if !q.is_empty() && least < NEAREST_RATIO * next => Some(place),
             _ => None,
         }
     }

@@ -12,7 +12,7 @@ const CORRECTIONS: usize = 8;
 /// Largest ratio of the length of a correction to the length of the one before.
 const CONTRACTION: f64 = 0.3;
 /// A correction shorter than this is the last; Newton's iteration then is at the level of rounding.
-const LAST: f64 = 1e-9;
+const LAST_CORRECTION: f64 = 1e-9;
 /// Corrections that do not contract any more are due to rounding up to this length.
 const ROUNDING: f64 = 1e-7;
 /// Smallest relative pivot at which the sign of the determinant is above rounding.
@@ -205,7 +205,7 @@ impl Bordered {
             if !is_near {
                 return None;
             }
-            if length <= LAST {
+            if length <= LAST_CORRECTION {
                 return Some(());
             }
             if length > CONTRACTION * before {

@@ -16,16 +16,16 @@ use core::f64::consts::TAU;
 /// Length of the first step, on the common scale.
 const FIRST: f64 = 0.05;
 /// If only steps shorter than this are accepted, the curve ends, or another branch crosses it.
-const SHORTEST: f64 = 1e-7;
+const MIN_STEP: f64 = 1e-7;
 /// Relative pivot below which the rows count as dependent where steps become too short.
 const CROSSING: f64 = 1e-5;
 /// Largest number of steps in one direction.
-const MOST: usize = 20_000;
+const MAX_STEPS: usize = 20_000;
 /// Cosines of the angle between neighbouring tangents: below the first a step is rejected, above the second the next
 /// one is longer.
 const COSINES: [f64; 2] = [0.95, 0.99];
 /// Largest distance from its origin at which the curve counts as closed, on the common scale.
-const SAME: f64 = 1e-7;
+const CLOSED_DISTANCE: f64 = 1e-7;
 /// The width to which places on the curve are enclosed.
 const ENCLOSED: f64 = 1e-12;
 /// Smallest share of q in the unit tangent at which the mechanism counts as moving.
@@ -95,7 +95,7 @@ fn listed_once(leg: &mut ArcLeg) {
     let length = leg.nodes.last().map_or(0.0, |node| node.s);
     if let [first, .., last] = &leg.places[..]
         && first.kind == last.kind
-        && (last.s - length - first.s).abs() <= SHORTEST
+        && (last.s - length - first.s).abs() <= MIN_STEP
     {
         leg.places.pop();
     }
@@ -110,7 +110,7 @@ fn joined(back: ArcLeg, onwards: ArcLeg) -> ArcLeg {
     places.iter_mut().for_each(|place| place.s = -place.s);
     places.extend(onwards.places);
     // A place at the start is in both legs.
-    places.dedup_by(|a, b| a.kind == b.kind && (a.s - b.s).abs() <= SHORTEST);
+    places.dedup_by(|a, b| a.kind == b.kind && (a.s - b.s).abs() <= MIN_STEP);
     ArcLeg { nodes, places, end: onwards.end }
 }
 
@@ -128,7 +128,7 @@ impl ArcFollower<'_> {
         let (mut length, mut shortened) = (FIRST, false);
         // The first place at which the mechanism moves; the curve is closed when it returns there.
         let mut origin: Option<ArcNode> = None;
-        for _ in 0..MOST {
+        for _ in 0..MAX_STEPS {
             let here = leg.nodes[leg.nodes.len() - 1].clone();
             equations.observed.pass(here.t())?;
             if origin.is_none() && self.moves(&here) {
@@ -147,11 +147,11 @@ impl ArcFollower<'_> {
                 continue;
             }
             (length, shortened) = (0.5 * length, true);
-            if length < SHORTEST {
+            if length < MIN_STEP {
                 leg.end = if self.bordered.is_singular(equations, &here.z, CROSSING) {
                     let before = leg.nodes.len().saturating_sub(5);
                     let kind = ArcPlaceKind::BranchPoint;
-                    let place = singular_place(equations, kind, &leg.nodes[before], &here, (0.0, SHORTEST));
+                    let place = singular_place(equations, kind, &leg.nodes[before], &here, (0.0, MIN_STEP));
                     leg.places.push(place);
                     ArcEnd::BranchPoint
                 } else {
@@ -216,7 +216,7 @@ impl ArcFollower<'_> {
         for (piece, place) in pieces {
             let here = leg.nodes[leg.nodes.len() - 1].clone();
             if let Some(last) = self.bound(equations, &here, &piece) {
-                if last.s > here.s + SHORTEST {
+                if last.s > here.s + MIN_STEP {
                     cusps(equations, self.bordered, (&here, &last), leg.nodes.len() == 1, ENCLOSED, &mut leg.places);
                     leg.nodes.push(last);
                 }
@@ -252,7 +252,7 @@ impl ArcFollower<'_> {
         direction[a.q().len()] = self.bordered.columns[a.q().len()] * a.t_rate().signum();
         let mut at_bound = last.z.clone();
         at_bound[a.q().len()] = bound;
-        if let Some(node) = self.bordered.node(equations, &at_bound, &direction, SAME.sqrt()) {
+        if let Some(node) = self.bordered.node(equations, &at_bound, &direction, CLOSED_DISTANCE.sqrt()) {
             let sign = self.bordered.dot(&node.tangent, &last.tangent).signum();
             last.tangent = node.tangent.iter().map(|x| sign * x).collect();
             last.z = node.z;
@@ -266,11 +266,11 @@ impl ArcFollower<'_> {
         let (bordered, n) = (self.bordered, origin.q().len());
         let along = |node: &ArcNode| bordered.dot(&self.apart(origin, node), &origin.tangent[..n]);
         let is_passed = along(a) < 0.0 && along(b) >= 0.0;
-        if !is_passed || bordered.norm(&self.apart(origin, b)) > 2.0 * (b.s - a.s) + SAME {
+        if !is_passed || bordered.norm(&self.apart(origin, b)) > 2.0 * (b.s - a.s) + CLOSED_DISTANCE {
             return None;
         }
         let found = self.root(equations, a, b, along)?;
-        let same_place = bordered.norm(&self.apart(origin, &found)) <= SAME;
+        let same_place = bordered.norm(&self.apart(origin, &found)) <= CLOSED_DISTANCE;
         let same_way = bordered.dot(&found.tangent[..n], &origin.tangent[..n]) > 0.0;
         (same_place && same_way).then_some(found)
     }
@@ -318,7 +318,9 @@ fn angles(equations: &mut Equations<'_>, q: &[f64]) -> Result<Vec<bool>, SolveEr
                 turned[k] += TAU;
                 let evaluated = equations.evaluate(Subset::PHI, &turned, None).is_ok();
                 turned[k] = q[k];
-                let same = |&row: &usize| (equations.phi[row] - here[row]).abs() * equations.scale.rows[row] <= SAME;
+                let same = |&row: &usize| {
+                    (equations.phi[row] - here[row]).abs() * equations.scale.rows[row] <= CLOSED_DISTANCE
+                };
                 evaluated && rows.iter().all(same)
             }
         });

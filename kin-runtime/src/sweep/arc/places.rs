@@ -10,23 +10,23 @@ use crate::signal::Instant;
 use crate::workspace::Subset;
 
 /// Largest number of places between two that are looked at in the search for the least rate of t.
-const TRIALS: usize = 60;
+const MAX_TRIALS: usize = 60;
 /// If the least rate of t between two places may be below this fraction of the rates at both, it is looked for.
 const MUCH_SMALLER: f64 = 0.5;
 /// Ratio of the rates at two places below which the places between them are looked at.
-const UNEVEN: f64 = 0.2;
+const UNEVEN_RATIO: f64 = 0.2;
 /// Rate of t, on the common scale, below which t stands still.
 const STANDING: f64 = 1e-9;
 /// How far a place between two others may be from the cubic through them, relative to their distance.
-const NEAR: f64 = 0.1;
+const MAX_CUBIC_ERROR: f64 = 0.1;
 /// Relative pivot below which rows of Φ_q count as dependent.
-const SINGULAR: f64 = 1e-5;
+const DEPENDENT_PIVOT: f64 = 1e-5;
 /// Largest speed of a point at a cusp, per length of arc, relative to its speed beside the cusp.
-const STILL: f64 = 1e-6;
+const CUSP_SPEED: f64 = 1e-6;
 /// How far on both sides of a cusp its tangents are compared.
-const BESIDE: f64 = 1e-3;
+const TANGENT_OFFSET: f64 = 1e-3;
 /// If the unit velocities before and after a place add up to less than this, the point returns along its own path,
-/// which is no cusp. At a cusp the sum is about as long as `BESIDE`.
+/// which is no cusp. At a cusp the sum is about as long as `TANGENT_OFFSET`.
 const RETRACED: f64 = 1e-5;
 
 /// The place on the curve at a length s between two neighbours: predicted by the cubic through both with their
@@ -50,7 +50,7 @@ pub(super) fn between(
     }
     let length = bordered.norm(&direction);
     direction.iter_mut().for_each(|x| *x /= length);
-    Some(bordered.node(equations, &z, &direction, NEAR * h.abs())?.at(s))
+    Some(bordered.node(equations, &z, &direction, MAX_CUBIC_ERROR * h.abs())?.at(s))
 }
 
 /// The places at which t turns back: one where its rate has different signs at both ends, and two where it has the same sign
@@ -63,7 +63,7 @@ pub(super) fn turnings(
     within: f64,
 ) -> Vec<([ArcNode; 2], f64)> {
     let mut ends = vec![a.clone(), b.clone()];
-    if let Some(low) = reversal(equations, bordered, a, b, &mut { TRIALS }) {
+    if let Some(low) = reversal(equations, bordered, a, b, &mut { MAX_TRIALS }) {
         ends.insert(1, low);
     }
     let turning = |pair: &[ArcNode]| {
@@ -91,7 +91,7 @@ fn reversal(
     let place = match least_rate(sign, a, b) {
         _ if !is_moving => return None,
         Some((place, least)) if least <= MUCH_SMALLER * low => place,
-        _ if low < UNEVEN * high => 0.5 * (a.s + b.s),
+        _ if low < UNEVEN_RATIO * high => 0.5 * (a.s + b.s),
         _ => return None,
     };
     *trials = trials.checked_sub(1)?;
@@ -159,7 +159,7 @@ pub(super) fn singular_place(
         }
     } else if equations.move_to(here.t()).is_ok() && equations.evaluate(Subset::JACOBIAN, &q, None).is_ok() {
         let all: Vec<usize> = (0..equations.rows()).collect();
-        let left = null_space(&equations.scaled(&all).transpose(), SINGULAR);
+        let left = null_space(&equations.scaled(&all).transpose(), DEPENDENT_PIVOT);
         let largest = left.amax();
         let dependent = (0..left.nrows()).filter(|&row| left.row(row).amax() > 1e-3 * largest);
         joints = dependent.map(|row| equations.joint_name(row)).collect();
@@ -187,7 +187,7 @@ pub(super) fn cusps(
         let [from, to] = [before[place], after[place]];
         let (first, last) = (from[0].hypot(from[1]), to[0].hypot(to[1]));
         let along = |rate: [f64; 2]| rate[0] * from[0] + rate[1] * from[1];
-        let (node, within, size) = if at_start && first <= STILL * last {
+        let (node, within, size) = if at_start && first <= CUSP_SPEED * last {
             (a.clone(), 0.0, last)
         } else if along(to) < 0.0 {
             let value = |s: f64, rate: [f64; 2]| Value { t: s, f: along(rate), rate: f64::NAN };
@@ -203,7 +203,7 @@ pub(super) fn cusps(
         };
         let rate = rates(equations, &node).map_or(f64::NAN, |all| all[place][0].hypot(all[place][1]));
         // A path that returns along itself has the same tangents on both sides.
-        let turn = [-BESIDE, BESIDE].map(|beside| {
+        let turn = [-TANGENT_OFFSET, TANGENT_OFFSET].map(|beside| {
             let node = between(equations, bordered, a, b, node.s + beside)?;
             let [x, y] = rates(equations, &node)?[place];
             let length = x.hypot(y);
@@ -211,7 +211,7 @@ pub(super) fn cusps(
         });
         let [Some(before), Some(after)] = turn else { continue };
         let turn = (before[0] + after[0]).hypot(before[1] + after[1]);
-        if rate <= STILL * size && turn > RETRACED {
+        if rate <= CUSP_SPEED * size && turn > RETRACED {
             let (t, s, q) = (node.t(), node.s, node.q().to_vec());
             places.push(ArcPlace { kind, t, s, within, q, joints: Vec::new(), drivers: Vec::new() });
         }

@@ -12,7 +12,7 @@ use crate::state::State;
 use crate::workspace::Subset;
 
 /// Places nearer to one another than this along the arc are the same.
-const SAME: f64 = 1e-9;
+const SAME_PLACE: f64 = 1e-9;
 
 /// `steps` + 1 states at equal distances, a single one if the curve is a point, and the special places and ends of the
 /// curve.
@@ -30,12 +30,12 @@ pub(super) fn states(
     places.iter_mut().for_each(|place| place.s -= first);
     let length = nodes.last().map_or(0.0, |node| node.s);
     let mut states = Vec::with_capacity(steps + 1);
-    let count = if length > SAME { steps } else { 0 };
+    let count = if length > SAME_PLACE { steps } else { 0 };
     for k in 0..=count {
         let s = if k == count { length } else { length * k as f64 / count as f64 };
-        let next = nodes.partition_point(|node| node.s < s - SAME).min(nodes.len() - 1);
+        let next = nodes.partition_point(|node| node.s < s - SAME_PLACE).min(nodes.len() - 1);
         let node = match next.checked_sub(1) {
-            Some(before) if nodes[next].s > s + SAME => {
+            Some(before) if nodes[next].s > s + SAME_PLACE => {
                 let (a, b) = (&nodes[before], &nodes[next]);
                 // Near a crossing of branches there may be no place in between, so the nearer neighbour is used.
                 between(equations, bordered, a, b, s)

@@ -2,7 +2,7 @@
 
 use super::step::Node;
 use crate::analysis::poses::poses;
-use crate::analysis::refinement::{ACCURATE, refine};
+use crate::analysis::refinement::{ACCURATE_MARGIN, refine};
 use crate::equations::Equations;
 use crate::equations::contact;
 use crate::equations::residual::{RowSums, Tolerances, closed, closed_position, write_lengths, write_sizes};
@@ -163,7 +163,7 @@ impl CheckedPlan {
         state: &mut State,
     ) -> Result<bool, SolveError> {
         if least_margin < rates_are_accurate_above(equations) {
-            refine(equations, least_margin < ACCURATE, [&mut state.q, &mut state.q_dot, &mut state.q_ddot])?;
+            refine(equations, least_margin < ACCURATE_MARGIN, [&mut state.q, &mut state.q_dot, &mut state.q_ddot])?;
         }
         let at = Instant { t: equations.t, inputs: &equations.inputs };
         equations.system.evaluate(Subset::ALL, &at, &state.q, &state.q_dot)?;
@@ -209,5 +209,5 @@ impl CheckedPlan {
 /// The margin above which the plan's rates need no refinement. A state without a preceding motion needs
 /// [`FAR_FROM_LIMITS`] for its branch; with redundant rows the rates do.
 fn rates_are_accurate_above(equations: &Equations<'_>) -> f64 {
-    if equations.model.plan.has_redundant_rows() { FAR_FROM_LIMITS } else { ACCURATE }
+    if equations.model.plan.has_redundant_rows() { FAR_FROM_LIMITS } else { ACCURATE_MARGIN }
 }

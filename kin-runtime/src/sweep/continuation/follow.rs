@@ -21,7 +21,7 @@ use crate::trajectory::Fallback;
 use crate::workspace::Subset;
 
 /// Condition of Φ_q above which a configuration that the plan calls a limit is one of the mechanism, too.
-const SINGULAR: f64 = 1e5;
+const SINGULAR_CONDITION: f64 = 1e5;
 
 /// A branch and the instant reached on it. Nodes and buffers are reused from step to step.
 pub(crate) struct Continuation {
@@ -273,7 +273,9 @@ impl Continuation {
                 }
                 // The iteration must also converge fully at a limit that the plan has found: two solutions may meet there.
                 match (self.step)(equations, scratch, start, next, s, s == aim) {
-                    Ok(_) if s == aim && s != target && next.state.condition.is_some_and(|c| c > SINGULAR) => {
+                    Ok(_)
+                        if s == aim && s != target && next.state.condition.is_some_and(|c| c > SINGULAR_CONDITION) =>
+                    {
                         let fault = Fault::Coarse(0.5);
                         return Err(refusal(equations, (last_instant, &start), [s, target], fault, (limit, jumps)));
                     }

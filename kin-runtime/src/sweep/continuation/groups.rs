@@ -9,31 +9,31 @@ use crate::equations::Equations;
 use crate::planned::branch::{OUT_OF_REACH, certainty_of, first_dip, may_have_touched_limit, resolves};
 use crate::planned::gradient_turns::stays_in_bends;
 use crate::planned::inputs::write_inputs_within;
-use crate::planned::interior::{LEAST, even_fractions, on_cubic, time_within};
+use crate::planned::interior::{MIN_INTERIOR_RATIO, even_fractions, on_cubic, time_within};
 use crate::planned::parts::Span;
 use crate::planned::predict::weight;
 use crate::scalar::{Interval, Scalar};
 use crate::signal::{Instant, Signal};
 
 /// Size of a branch value below which rounding no longer allows a group to be assigned to either closure.
-const SMALLEST: f64 = 1e-6;
+const MIN_BRANCH_VALUE: f64 = 1e-6;
 
 /// Largest difference between a prediction and the configuration found, relative to the distance of the nearest other
 /// solution.
-const CERTAIN: f64 = 0.5;
+const MAX_PREDICTION_ERROR: f64 = 0.5;
 
-/// With redundant rows the motion may pass a limit of a group. `PASSING` is the largest deviation of the group's branch
-/// value from its prediction, relative to the larger of the two; `FLAT` is the size below which the deviation is not
-/// checked.
-const PASSING: f64 = 0.5;
-const FLAT: f64 = 1e-3;
+/// With redundant rows the motion may pass a limit of a group. `MAX_PASSING_DEVIATION` is the largest deviation of the
+/// group's branch value from its prediction, relative to the larger of the two; `UNCHECKED_DEVIATION` is the size below
+/// which the deviation is not checked.
+const MAX_PASSING_DEVIATION: f64 = 0.5;
+const UNCHECKED_DEVIATION: f64 = 1e-3;
 
 /// The largest angle by which a displacement, or a rate, turns a body at q, in radians.
 ///
 /// Where branch values and the turns of rows show how far the groups are from their limits, lengths do not count: a
-/// solution may go to infinity, in steps as long as the way to it. Otherwise lengths count by the size of the mechanism,
-/// except those that only rows of velocity level contain: a vehicle may go far, and the error of its integration limits
-/// the steps.
+/// solution may go to infinity, in steps as long as the way to it. Otherwise lengths count by the size of the
+/// mechanism, except those that only rows of velocity level contain: a vehicle may go far, and the error of its
+/// integration limits the steps.
 pub(super) fn turn_of_bodies(equations: &Equations<'_>, q: &[f64], displacement: &[f64]) -> f64 {
     let plan = &equations.model.plan;
     if equations.given() > 0 || !plan.exists() || plan.has_redundant_rows() {
@@ -60,7 +60,8 @@ pub(super) fn turn_of_bodies(equations: &Equations<'_>, q: &[f64], displacement:
 /// ignored.
 ///
 /// With redundant rows a group of the rows used by the plan may reach a limit that the mechanism as a whole passes.
-/// Then only the deviation from the prediction is checked, and values below [`FLAT`] may have either sign.
+/// Then only the deviation from the prediction is checked, and values below [`UNCHECKED_DEVIATION`] may have either
+/// sign.
 pub(super) fn stay([before, predicted, found]: [&[f64]; 3], turn: f64, is_redundant: bool) -> bool {
     before.iter().zip(predicted).zip(found).all(|((before, predicted), found)| {
         if [before, predicted, found].iter().all(|w| w.is_nan()) {
@@ -68,28 +69,28 @@ pub(super) fn stay([before, predicted, found]: [&[f64]; 3], turn: f64, is_redund
         }
         if is_redundant {
             let size = found.abs().max(predicted.abs());
-            return (found - predicted).abs() <= PASSING * size || size <= FLAT;
+            return (found - predicted).abs() <= MAX_PASSING_DEVIATION * size || size <= UNCHECKED_DEVIATION;
         }
         let sign = before.signum();
         let nearest = f64::min(sign * found, sign * before);
-        sign * found > SMALLEST
+        sign * found > MIN_BRANCH_VALUE
             && (nearest >= OUT_OF_REACH * turn || resolves(nearest, turn) >= 0.0)
             && certainty_of(sign * found, sign * predicted) >= 0.0
     })
 }
 
-/// True if a step cannot have led to another solution, where branch values do not show that: with prescribed coordinates,
-/// without a plan, or where the plan divides by 0. `distance` is the smaller reciprocal of the condition of the scaled Φ_q at
-/// both ends, which is no larger than the angle between two solutions that meet where Φ_q is singular; `correction` is the
-/// difference between the prediction and the configuration found.
+/// True if a step cannot have led to another solution, where branch values do not show that: with prescribed
+/// coordinates, without a plan, or where the plan divides by 0. `distance` is the smaller reciprocal of the condition
+/// of the scaled Φ_q at both ends, which is no larger than the angle between two solutions that meet where Φ_q is
+/// singular; `correction` is the difference between the prediction and the configuration found.
 ///
 /// The sign of a determinant alone does not suffice: it stays where two pairs of solutions meet at once.
 pub(super) fn stay_apart(distance: f64, turn: f64, correction: f64) -> bool {
-    distance >= OUT_OF_REACH * turn || resolves(distance, turn) >= 0.0 && correction <= CERTAIN * distance
+    distance >= OUT_OF_REACH * turn || resolves(distance, turn) >= 0.0 && correction <= MAX_PREDICTION_ERROR * distance
 }
 
-/// True if a group comes much nearer to its limit within a step than at its ends, at which the branch values are `before` and
-/// `found`: it may have reached the limit and returned.
+/// True if a group comes much nearer to its limit within a step than at its ends, at which the branch values are
+/// `before` and `found`: it may have reached the limit and returned.
 pub(super) fn dip_between(equations: &Equations<'_>, [before, found]: [&[f64]; 2], span: Span<'_>) -> bool {
     let distances = [before, found].map(|values| values.iter().map(|w| w.abs()).collect::<Vec<f64>>());
     if !may_have_touched_limit(&distances[0], &distances[1]) {
@@ -129,7 +130,7 @@ pub(super) fn stay_between(equations: &Equations<'_>, [before, found]: [&[f64]; 
         let mut all = groups.iter().zip(before).zip(found).skip(iterated);
         all.all(|((w, before), found)| {
             let sign = before.signum();
-            before.is_nan() || sign * w >= LEAST * f64::min(sign * before, sign * found)
+            before.is_nan() || sign * w >= MIN_INTERIOR_RATIO * f64::min(sign * before, sign * found)
         })
     };
     let is_curved = equations.system.iterates_on_curves();
@@ -221,7 +222,7 @@ mod tests {
         assert!(of(0.1, -0.1, -0.1) && of(0.1, 0.1, 0.1) && !of(0.1, 0.1, -0.1) && !of(0.1, -0.1, 0.1));
         // The deviation may be half of the larger value.
         assert!(of(0.1, 0.2, 0.101) && of(0.1, 0.101, 0.2) && !of(0.1, 0.2, 0.099) && !of(0.1, 0.099, 0.2));
-        // Values below `FLAT` may have either sign.
+        // Values below `UNCHECKED_DEVIATION` may have either sign.
         assert!(of(0.1, 0.99e-3, -0.99e-3) && of(0.1, -0.99e-3, 0.99e-3));
         assert!(!of(0.1, 1.01e-3, -0.5e-3) && !of(0.1, 0.5e-3, -1.01e-3));
         assert!(!of(0.1, f64::NAN, 0.1) && !of(0.1, 0.1, f64::NAN));

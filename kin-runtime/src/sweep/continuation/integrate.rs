@@ -30,7 +30,7 @@ use crate::workspace::Subset;
 /// Safety factor of the step length that the error estimate allows.
 const SAFETY: f64 = 0.9;
 /// Factor by which a correction onto Φ = 0 may exceed the tolerance of one step.
-const DRIFT: f64 = 1e3;
+const MAX_DRIFT: f64 = 1e3;
 
 /// Writes the node at the place `s` to `to`; returns the factor by which the next step may be longer.
 pub(super) fn integrate(
@@ -54,10 +54,10 @@ pub(super) fn integrate(
     equations.move_to(s)?;
     let size = 1.0 + equations.scale.size(&result.y);
     scratch.predicted = result.y;
-    let corrected = correct(equations, scratch, &mut to.state.q, DRIFT * tolerance * size, 1e-9)?;
+    let corrected = correct(equations, scratch, &mut to.state.q, MAX_DRIFT * tolerance * size, 1e-9)?;
     settle(equations, scratch, from, to, corrected, s, last)?;
     let ends = [q, from.q_dot, &to.state.q, &to.state.q_dot];
-    let is_regular = follows_cubic(equations, rank, ends, [from.s, s], DRIFT * tolerance)?;
+    let is_regular = follows_cubic(equations, rank, ends, [from.s, s], MAX_DRIFT * tolerance)?;
     equations.move_to(s)?;
     if is_regular { Ok(factor.clamp(0.5, 4.0)) } else { Err(Fault::Coarse(0.5)) }
 }

@@ -21,14 +21,14 @@ const NEARLY_SINGULAR: f64 = 1e-4;
 
 /// Largest spacing of floating-point numbers near t, relative to the longest step that the options allow: with a larger
 /// spacing, the rounding of t moves the mechanism visibly.
-const COARSEST: f64 = 1e-2;
+const MAX_TIME_SPACING: f64 = 1e-2;
 
 /// Largest distance of a limit from the last instant tried, relative to the longest step that the options allow.
-const BESIDE: f64 = 1e-3;
+const LIMIT_DISTANCE: f64 = 1e-3;
 
 /// The same beyond which a limit is not the one at which the motion ends, but one that the plan found before full Newton
 /// went on. Steps shrink with the distance from a dead centre, and motions end less than ten of them before it.
-const ELSEWHERE: f64 = 100.0;
+const OTHER_LIMIT_DISTANCE: f64 = 100.0;
 
 /// The error with the reason why the motion cannot go from `start` to the place `refused` on its way from the last instant
 /// to `target`.
@@ -61,7 +61,7 @@ pub(super) fn refusal(
     };
     let spacing = f64::EPSILON * start.s.abs();
     let natural = natural_step(equations, [&start.node.state.q, start.q_dot, start.q_ddot], 1.0, &start.basis.turns);
-    let is_coarse = spacing > COARSEST * natural;
+    let is_coarse = spacing > MAX_TIME_SPACING * natural;
     let jumps = jumps && !is_coarse;
     let reason = match reason {
         _ if is_coarse => Refusal::TimeTooCoarse,
@@ -80,7 +80,7 @@ pub(super) fn refusal(
     // A limit that was looked for on the way from the last instant is the first one, however early full Newton ends, but
     // not one that full Newton has passed: redundant rows lead through branch points of the rows that the plan solves.
     let ahead = (t_refused - t_here).signum();
-    let is_passed = |at: f64| step.is_finite() && (t_here - at) * ahead > ELSEWHERE * step;
+    let is_passed = |at: f64| step.is_finite() && (t_here - at) * ahead > OTHER_LIMIT_DISTANCE * step;
     let located = located.filter(|limit| match equations.options.use_plan {
         true => is_here(limit),
         false => !limit.at().is_some_and(is_passed),
@@ -94,7 +94,7 @@ pub(super) fn refusal(
     // The instant of the limit itself is reported if the motion was followed up to it.
     let t = limit
         .and_then(|limit| limit.at())
-        .filter(|at| is_between(*at, t_here, t_refused, BESIDE * step))
+        .filter(|at| is_between(*at, t_here, t_refused, LIMIT_DISTANCE * step))
         .unwrap_or(equations.t);
     let all: Vec<usize> = (0..equations.rows()).collect();
     let columns = &equations.scale.columns;
@@ -186,7 +186,7 @@ fn end_of_row(equations: &mut Equations<'_>, start: &StepStart<'_>, target: f64)
 /// True for the time of a limit at which a motion that ends between these two times cannot end. `step` is the longest step
 /// there; it is not finite where it has no bound or time stands still, so that no limit is known to be elsewhere.
 fn is_elsewhere(t: f64, [from, refused]: [f64; 2], step: f64) -> bool {
-    step.is_finite() && !is_between(t, from, refused, ELSEWHERE * step)
+    step.is_finite() && !is_between(t, from, refused, OTHER_LIMIT_DISTANCE * step)
 }
 
 /// True for a time between two others, or outside of them by no more than `beside` and rounding.

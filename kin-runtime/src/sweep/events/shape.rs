@@ -66,21 +66,21 @@ pub(super) fn doubt(a: &Sample, m: &Sample, b: &Sample) -> f64 {
     // A difference within rounding does not count.
     let noise = a.noise.max(m.noise).max(b.noise);
     let missed = if missed <= 2.0 * noise { 0.0 } else { missed };
-    CAUTION * missed / off_centre.powi(3)
+    SAFETY_FACTOR * missed / off_centre.powi(3)
 }
 
 /// Safety factor between the difference at the third sample and the bound of the error elsewhere.
-const CAUTION: f64 = 8.0;
+const SAFETY_FACTOR: f64 = 8.0;
 
 /// True if the bound `doubt` is small compared with the change of g between the samples.
 pub(super) fn is_known(a: &Sample, b: &Sample, doubt: f64) -> bool {
     let h = b.t - a.t;
     let swing: f64 = [a, b].iter().map(|s| (h * s.rate).abs() + (h * h * s.acceleration).abs()).sum();
-    doubt <= KNOWN * swing
+    doubt <= MAX_DOUBT * swing
 }
 
 /// The largest ratio of `doubt` to the change of g that [`is_known`] accepts.
-const KNOWN: f64 = 0.1;
+const MAX_DOUBT: f64 = 0.1;
 
 /// The course of g between two samples, whose interpolation is accurate to `doubt`.
 pub(super) fn shape(a: &Sample, b: &Sample, doubt: f64) -> CurveShape {

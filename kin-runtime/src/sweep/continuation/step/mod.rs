@@ -13,7 +13,7 @@ use crate::equations::scale::largest_product;
 use crate::error::SolveError;
 use crate::linear::Factorization;
 use crate::nonlinear::newton::{largest, rounding};
-use crate::planned::follower::NEGLIGIBLE;
+use crate::planned::follower::NEGLIGIBLE_CORRECTION;
 use crate::planned::parts::Span;
 use crate::planned::step_length::growth;
 use crate::state::State;
@@ -121,7 +121,7 @@ pub(crate) fn step(
     let StepBuffers { motion, predicted, .. } = &mut *scratch;
     fill(motion, from.q_dot.iter().zip(from.q_ddot).map(|(v, a)| h * (v + 0.5 * h * a)));
     fill(predicted, from.node.state.q.iter().zip(motion.iter()).map(|(q, d)| q + d));
-    let allowed = equations.options.prediction_tolerance * equations.scale.size(motion) + NEGLIGIBLE;
+    let allowed = equations.options.prediction_tolerance * equations.scale.size(motion) + NEGLIGIBLE_CORRECTION;
     let corrected = correct(equations, scratch, &mut to.state.q, allowed, if last { 1e-9 } else { 1e-6 })?;
     let (effort, worst) = (corrected.correction / allowed, corrected.worst);
     settle(equations, scratch, from, to, corrected, s, last)?;
@@ -186,7 +186,8 @@ pub(super) fn settle(
         let of_rows = farthest(&|rates| largest_product(rates, turns));
         turn = turn.max(of_rows);
         fill(motion, state.q.iter().zip(&*predicted).map(|(a, b)| a - b));
-        let is_near = largest_product(motion, turns) <= equations.options.prediction_tolerance * of_rows + NEGLIGIBLE;
+        let is_near =
+            largest_product(motion, turns) <= equations.options.prediction_tolerance * of_rows + NEGLIGIBLE_CORRECTION;
         if !is_near {
             return Err(Fault::Coarse(0.5));
         }
@@ -214,7 +215,7 @@ pub(super) fn settle(
         return Err(Fault::Coarse(0.5));
     }
     fill(motion, from.q_dot.iter().zip(from.q_ddot).map(|(v, a)| h * (v + 0.5 * h * a)));
-    let allowed = equations.options.prediction_tolerance * equations.scale.size(motion) + NEGLIGIBLE;
+    let allowed = equations.options.prediction_tolerance * equations.scale.size(motion) + NEGLIGIBLE_CORRECTION;
     if !hides_nothing(equations, [from.s, s], ends, &found, allowed)? {
         return Err(Fault::Coarse(0.5));
     }
