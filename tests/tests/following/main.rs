@@ -6,7 +6,6 @@ mod coincident;
 mod controller;
 mod curves_at_long_arms;
 mod default_motion;
-mod default_motion;
 mod guesses;
 mod guides;
 mod hidden;
