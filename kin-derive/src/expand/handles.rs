@@ -117,8 +117,9 @@ fn handle_name(name: &str, span: Span, lowered: &Lowered) -> Ident {
         }
         return Ident::new(&free, span);
     }
-    // `gen` is a keyword since edition 2024.
+    // `gen` is a keyword since edition 2024. These four are no raw identifiers, which the compiler says itself.
     match syn::parse_str::<Ident>(name) {
+        _ if matches!(name, "self" | "Self" | "super" | "crate") => Ident::new(&format!("{name}_"), span),
         Ok(_) if name != "gen" => Ident::new(name, span),
         _ => Ident::new_raw(name, span),
     }

@@ -1,9 +1,11 @@
 //! Solutions by the plan, for analyses that compare them with Φ.
 
 use crate::equations::Equations;
+use crate::error::SolveError;
 use crate::plan::{Depth, Plan, Solved};
 use crate::planned::{Limit, Step};
 use crate::signal::Instant;
+use crate::workspace::Subset;
 
 /// If the two closures of a group are nearer to one another than this, the mode of a configuration is undecided.
 const UNDECIDED: f64 = 1e-6;
@@ -99,6 +101,24 @@ pub(crate) fn limit(equations: &mut Equations<'_>, q: &[f64]) -> Option<Limit> {
     let mut signs = Vec::new();
     modes(equations, q, &mut signs);
     limit_in(equations, &signs, q)
+}
+
+/// Why a row has no value or no derivative at the solution of the plan in the modes of q, if no group is at a limit there:
+/// the reason why no iteration closes the rows.
+pub(crate) fn undefined(equations: &mut Equations<'_>, q: &[f64]) -> Option<SolveError> {
+    if !exists(equations) || equations.model.plan.iterates() {
+        return None;
+    }
+    let mut signs = Vec::new();
+    modes(equations, q, &mut signs);
+    signs.iter_mut().filter(|sign| **sign == 0.0).for_each(|sign| *sign = 1.0);
+    let mut answer = Answer::new(equations);
+    if let Err(Some(_)) = answer.solve(equations, &signs, q, Depth::Position) {
+        return None;
+    }
+    // What a row without a value determines is no number either, and so are rows with that.
+    answer.q.iter_mut().filter(|x| !x.is_finite()).for_each(|x| *x = 0.0);
+    equations.evaluate(Subset::ALL, &answer.q, None).err().filter(|error| matches!(error, SolveError::NonFinite { .. }))
 }
 
 /// [`limit`] in the modes given by the signs of these numbers; 0 counts as +.

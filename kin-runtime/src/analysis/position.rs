@@ -101,16 +101,20 @@ pub(crate) fn finish(
     if let Some(conflict) = given_conflict(equations) {
         return Err(conflict);
     }
+    let (residual, limit) = (equations.phi.get(outcome.worst).copied().unwrap_or(0.0), by_plan::limit(equations, &q));
+    if let Some(undefined) = by_plan::undefined(equations, &q) {
+        return Err(undefined);
+    }
     Err(SolveError::NotAssembled {
         t: equations.t,
         gap: outcome.gap,
-        residual: equations.phi.get(outcome.worst).copied().unwrap_or(0.0),
+        residual,
         row: outcome.worst,
         row_name: equations.row_name(outcome.worst),
         joint: equations.joint_name(outcome.worst),
         iterations: outcome.iterations as u32,
         all_guessed: false,
-        limit: by_plan::limit(equations, &q),
+        limit,
     })
 }
 
