@@ -101,7 +101,7 @@ The closed forms of Φ_q, Φ_t and γ are compared with automatic differentiatio
 the plan with full Newton, and the power supplied with the rate of the energy. The residuals of the
 solution are computed for positions, velocities and accelerations. The status is 0 only when
 everything passes. Where inputs have no value (--input), no solution is checked; where the drivers
-leave degrees of freedom open, it is that of least norm. With masses, a note tells of contacts whose
+leave degrees of freedom open, it is that of least norm. With masses, a note names contacts whose
 normal force is negative.",
 };
 

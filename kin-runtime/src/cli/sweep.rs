@@ -128,7 +128,7 @@ pub(super) fn run(args: &SweepArgs, engine: &mut dyn Engine, session: &mut Sessi
         }
     }
     watch.end();
-    motions.tell(model, run.outcomes, session)
+    motions.report(model, run.outcomes, session)
 }
 
 /// The task of a sweep: a motion for every combination of the varied parameters.
@@ -200,7 +200,7 @@ impl SweepTask<'_> {
     }
 
     /// Prints the notes of all motions; returns the first failure.
-    fn tell(&self, model: &'static Model, all: Vec<MotionOutcome>, session: &mut Session<'_>) -> Result<(), Failure> {
+    fn report(&self, model: &'static Model, all: Vec<MotionOutcome>, session: &mut Session<'_>) -> Result<(), Failure> {
         let mut failure = None;
         let finished = all.len();
         for (MotionOutcome { rows, instants, moved }, choice) in all.into_iter().zip(&self.choices) {

@@ -1,7 +1,7 @@
 //! Parts of a step, over which quantities are enclosed in interval arithmetic.
 //!
 //! Between its ends q₀ and q₁ a step is followed along the cubic through both (see [`interior`](super::interior)). A box
-//! that contains the cubic over a part of the step gives enclosures there; a part of which they tell too little is halved.
+//! that contains the cubic over a part of the step gives enclosures there; a part in which they are too wide is halved.
 
 use crate::mechanism::LengthError;
 use crate::scalar::Interval;

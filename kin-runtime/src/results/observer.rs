@@ -73,15 +73,15 @@ impl<'a> Observed<'a> {
     /// Counts one more as finished; an error if the observer ends the analysis before the last one.
     pub(crate) fn finish(&mut self, t: f64, state: Option<&State>) -> Result<(), SolveError> {
         self.done += 1;
-        self.tell(t, state)
+        self.call(t, state)
     }
 
     /// Reports an internal step; an error if the observer ends the analysis.
     pub(crate) fn pass(&self, t: f64) -> Result<(), SolveError> {
-        self.tell(t, None)
+        self.call(t, None)
     }
 
-    fn tell(&self, t: f64, state: Option<&State>) -> Result<(), SolveError> {
+    fn call(&self, t: f64, state: Option<&State>) -> Result<(), SolveError> {
         let Self { observer: Some(observer), done, total } = *self else { return Ok(()) };
         match observer(Reached { done, total, t, state }) {
             // An observer that stops after the last one changes nothing: all are finished.

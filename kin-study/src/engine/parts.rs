@@ -67,7 +67,7 @@ impl Parts {
                 if error.kind() == ErrorKind::NotFound && self.files(ROWS).is_ok_and(|files| !files.is_empty()) =>
             {
                 Err(StudyError::Directory(format!(
-                    "{} holds rows, but no {IDENTITY}, which tells of which study; choose another directory",
+                    "{} holds rows, but no {IDENTITY}, which says of which study; choose another directory",
                     self.directory.display()
                 )))
             }

@@ -65,8 +65,8 @@ pub(in crate::cli) const HELP: Help = Help {
 Derivatives are exact; instant, inputs and assembly mode are held. Units are those of the
 quantity by those of the parameter.
 
-With names of quantities (those of `sweep`), or with --from, --to, --steps or --times, it tells of
-every quantity which parameter matters most and when; with --tolerance the greatest deviations and
+With names of quantities (those of `sweep`), or with --from, --to, --steps or --times, it says
+of every quantity which parameter matters most and when; with --tolerance the greatest deviations and
 when. Its csv and json have the numbers of all instants, and `plot --tolerance` draws them.",
 };
 

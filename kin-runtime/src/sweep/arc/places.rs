@@ -75,7 +75,7 @@ pub(super) fn turnings(
 
 /// A place between two at which t runs in the other direction, if it runs in the same one at both. It is looked for where the
 /// cubic through both suggests that the rate is much smaller in between, and where the rates at both differ so much that this
-/// cubic tells little.
+/// cubic says little.
 fn reversal(
     equations: &mut Equations<'_>,
     bordered: &Bordered,
