@@ -210,8 +210,8 @@ fn searched(
     let watch = session.watch();
     watch.begin("descents", args.starts + (args.starts / 4).max(12) + 12);
     let step = watch.shared();
-    let watch = |progress: crate::design::Progress| step(progress.done);
-    let search = Search { starts: args.starts, seed: args.seed, watch: Some(&watch) };
+    let each_design = |progress: crate::design::Progress| step(progress.done);
+    let search = Search { starts: args.starts, seed: args.seed, watch: Some(&each_design) };
     let found = engine.design(setup, wishes, &search);
     watch.end();
     found.map_err(|error| match error {

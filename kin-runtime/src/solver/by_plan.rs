@@ -20,6 +20,7 @@ use crate::motion::BodyMotion;
 use crate::plan::{Depth, Solved};
 #[cfg(feature = "design")]
 use crate::planned::PlanError;
+use crate::planned::accurate_solution::solve_accurately;
 use crate::planned::branch::FAR_FROM_LIMITS;
 use crate::planned::follower::{PlanFollower, PlanSolution};
 use crate::planned::lists::{BranchValues, Margins, Modes};
@@ -140,7 +141,7 @@ impl<M: Mechanism> Solver<'_, M> {
         let solved = Solved { q, q_dot: q_dot.as_mut(), q_ddot: q_ddot.as_mut(), margins: margins.as_mut() };
         // Margins of iterations and of redundant rows need velocities.
         let depth = if M::model().plan.iterates() { Depth::Velocity } else { Depth::Position };
-        self.mechanism.solve_with(parameters.as_ref(), at, modes, start, depth, solved).ok()
+        solve_accurately(self.mechanism, parameters.as_ref(), (at, modes), start, depth, solved).ok()
     }
 
     /// The state that the plan finds at an instant, if it satisfies all rows.
@@ -166,7 +167,7 @@ impl<M: Mechanism> Solver<'_, M> {
             Solved { q: q.as_mut(), q_dot: q_dot.as_mut(), q_ddot: q_ddot.as_mut(), margins: margins.as_mut() };
         let modes = start.modes.of_closures();
         let depth = Depth::Acceleration;
-        self.mechanism.solve_with(parameters.as_ref(), at, modes, start.q.as_ref(), depth, solved).ok()?;
+        solve_accurately(self.mechanism, parameters.as_ref(), (at, modes), start.q.as_ref(), depth, solved).ok()?;
         if !all_above(margins.as_ref(), FAR_FROM_LIMITS) {
             // Near a limit of the rows that the plan uses, redundant rows may determine the motion better.
             if M::model().plan.has_redundant_rows() {

@@ -107,3 +107,39 @@ fn an_iteration_goes_on_until_all_coordinates_are_accurate() {
         }
     }
 }
+
+/// The rod turns by about 1/b of the cranks' angles, however far its group is from singular configurations.
+#[test]
+fn cranks_on_a_long_rod_are_accurate() {
+    for b in [3.0, 1e2, 1e3, 1e4, 1e5] {
+        let bar = Sum { b, c: 1.1, d: b + 0.3 };
+        // The rounding of the rod's angle.
+        let allowed = 1e-15 * b.max(10.0);
+        let times: Vec<f64> = (0..=20).map(|k| 0.05 * f64::from(k)).collect();
+        let states = bar.solver().sweep(&times).expect("it closes");
+        let start = states.states[0].q.clone();
+        let mut planned = Planned::new(&bar, &Instant::at(0.0), &start).expect("it closes");
+        for state in states.iter() {
+            let at = Instant::at(state.t);
+            let [alone, near] =
+                [bar.state_at(&at), bar.solver().state_from(&at, &state.q)].map(|state| state.expect("it closes").q);
+            let position = bar.position_analysis(&at, &state.q).expect("it closes");
+            planned.at(&at).expect("it closes");
+            for q in [&state.q, planned.q(), &alone, &near, &position] {
+                assert!(bar.gap(q) <= allowed, "{b}, {}: {:e}", state.t, bar.gap(q));
+            }
+        }
+        let columns: Vec<Column<'_>> = start.iter().map(|q| Column::Shared(*q)).collect();
+        let parameters = [bar.b, bar.c, bar.d].map(Column::Shared);
+        let mut found = Solutions::<Sum>::new(times.len());
+        let t = Column::Each(&times);
+        let problems = Problems { parameters: &parameters, t, inputs: &[], modes: Modes::OfStart, start: &columns };
+        batch::solve(&bar, Depth::Acceleration, &problems, &mut found, &batch::always).expect("the columns fit");
+        let solved: Vec<bool> = found.solved().collect();
+        assert!(solved[0], "{b}");
+        for index in (0..times.len()).filter(|index| solved[*index]) {
+            let q = configuration(&found, index);
+            assert!(bar.gap(&q) <= allowed, "{b}, {}: {:e}", times[index], bar.gap(&q));
+        }
+    }
+}
