@@ -89,7 +89,10 @@ impl fmt::Display for FunctionError {
                 write!(f, "segment {segment} holds a number that is not finite")
             }
             Self::Duration { segment, duration } => {
-                write!(f, "the duration of segment {segment} is {duration}; it must be greater than 0")
+                write!(
+                    f,
+                    "the duration of segment {segment} is {duration}; it must exceed 0 and the rounding of its start"
+                )
             }
             Self::Jump { segment, by } => write!(
                 f,

@@ -1,6 +1,7 @@
 //! Unilateral conditions: the events agree with closed forms, in either direction of time, and the motion is not
 //! changed.
 
+mod bells;
 mod corners;
 mod fast;
 mod one_step;

@@ -40,9 +40,9 @@ use segment::Segment;
 ///
 /// The position is continuous. Velocity and acceleration may jump where two laws meet, see
 /// [`junctions`](Self::junctions); then q̇ or q̈ of a driven coordinate jumps as well, and at the junction itself the
-/// later segment applies. A periodic sequence repeats forever in both directions. Any other sequence continues straight
-/// before its start and after its end with the velocity that it has there, which is zero beside a dwell. An argument of
-/// NaN gives NaN.
+/// later segment applies, and at the end of a sequence that does not repeat the last one. A periodic sequence repeats
+/// forever in both directions. Any other sequence continues straight before its start and after its end with the
+/// velocity that it has there, which is zero beside a dwell. An argument of NaN gives NaN.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sequence {
     segments: Vec<Segment>,
@@ -99,7 +99,8 @@ impl Sequence {
 }
 
 impl ScalarFunction for Sequence {
-    /// Writes derivatives of any order. Where a derivative of a law jumps, the value is that of the later piece.
+    /// Writes derivatives of any order. Where a derivative of a law jumps, the value is that of the later piece; at the
+    /// end of a sequence that does not repeat it is that of the last one.
     fn derivatives(&self, x: f64, out: &mut [f64]) -> usize {
         match self.segment_at(x) {
             Some((segment, x)) => segment.derivatives(x, out),

@@ -166,7 +166,8 @@ impl CubicSpline {
 
 impl ScalarFunction for CubicSpline {
     /// Writes derivatives of any order: f‴ is constant within a piece, and higher ones are 0. At a knot, where f‴
-    /// jumps, the value is that of the later piece.
+    /// jumps, the value is that of the later piece, and at the end of a spline that does not repeat that of the last
+    /// one.
     fn derivatives(&self, x: f64, out: &mut [f64]) -> usize {
         let (start, end) = self.domain();
         let inside = match self.outside {

@@ -101,6 +101,7 @@ impl<M: Mechanism> PlanFollower<M> {
                         return Err(blocked(if is_coarse { self.fault_of_short_steps(&here, share) } else { fault }));
                     }
                     proposed = 0.5 * walked;
+                    self.hides_motion |= fault == Rejection::Coarse;
                     if hides {
                         refused = next;
                     }

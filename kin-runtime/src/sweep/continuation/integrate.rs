@@ -124,13 +124,13 @@ fn velocity(equations: &mut Equations<'_>, rank: usize, [from, since]: [f64; 2],
 }
 
 /// Largest estimated error of a coordinate on the common scale, relative to the size of the coordinate where that
-/// exceeds 1.
+/// exceeds 1; NaN where a coordinate is not finite.
 fn error(equations: &Equations<'_>, before: &[f64], result: &StepResult) -> f64 {
     let mut largest = 0.0;
     for (k, d) in equations.scale.columns.iter().enumerate() {
         let size = 1.0 + before[k].abs().max(result.y[k].abs()) / d;
         let error = (result.error[k] / d).abs() / size;
-        if error.is_nan() {
+        if error.is_nan() || !result.y[k].is_finite() {
             return f64::NAN;
         }
         largest = f64::max(largest, error);
