@@ -16,11 +16,11 @@ use nalgebra::DVector;
 
 /// The state at an assembled position, and the factorised Φ_q there.
 pub(crate) fn state(equations: &mut Equations<'_>, position: Position) -> Result<(State, Factorization), SolveError> {
-    let Position { mut q, iterations, residual } = position;
+    let Position { mut q, iterations, mut residual } = position;
     equations.scale = Scale::around(equations, &q);
     let (mut q_dot, mut factor) = velocity(equations, &q, None)?;
     if let Some(closer) = closer(equations, (&q, residual), &factor)? {
-        q = closer;
+        (q, residual) = closer;
         (q_dot, factor) = velocity(equations, &q, None)?;
     }
     let mut q_ddot = acceleration(equations, &q, &q_dot, &factor)?;
@@ -44,9 +44,9 @@ pub(crate) fn state(equations: &mut Equations<'_>, position: Position) -> Result
     Ok((state, factor))
 }
 
-/// q after one more Newton step, if it leaves larger residuals than rounding does and the step makes them smaller. Where a
-/// row has no derivative at the solution, an iteration stops beside it, at a distance that is small for q and not for
-/// rates that become infinite there.
+/// q after one more Newton step and its largest |Φ_i|, if q leaves larger residuals than rounding does and the step
+/// makes them smaller. Where a row has no derivative at the solution, an iteration stops beside it, at a distance that
+/// is small for q and not for rates that become infinite there.
 ///
 /// # Errors
 /// [`NonFinite`](SolveError::NonFinite) if a row or its derivatives are not defined where the step leads.
@@ -54,7 +54,7 @@ fn closer(
     equations: &mut Equations<'_>,
     (q, residual): (&[f64], f64),
     factor: &Factorization,
-) -> Result<Option<Vec<f64>>, SolveError> {
+) -> Result<Option<(Vec<f64>, f64)>, SolveError> {
     let steepest = equations.scale.rows.iter().fold(0.0, |most: f64, scale| most.max(*scale));
     let allowed = rounding(equations.scale.size(q).max(1.0));
     if residual * steepest <= allowed {
@@ -67,7 +67,9 @@ fn closer(
     }
     let ahead: Vec<f64> = q.iter().zip(step.iter()).map(|(x, step)| x - step).collect();
     let then = open_rows(equations, &ahead)?;
-    Ok((then.amax() < 0.5 * open.amax()).then_some(ahead))
+    let rows = equations.rows_where(Equations::holonomic);
+    let residual = rows.iter().map(|&row| equations.phi[row].abs()).fold(0.0, f64::max);
+    Ok((then.amax() < 0.5 * open.amax()).then_some((ahead, residual)))
 }
 
 /// Φ on the common scale, with 0 for rows of velocity level.
