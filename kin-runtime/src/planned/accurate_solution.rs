@@ -59,8 +59,10 @@ fn follow_evenly<T: Scalar>(model: &Model, q_dot: &[T]) -> bool {
         }
         let rates = own.iter().fold(T::from_f64(f64::from(f32::MIN_POSITIVE)), |sum, &(k, _)| sum + q_dot[k].abs());
         let inverse = T::from_f64(1.0) / rates;
-        let is_even = |k: usize| is_length(k) || (q_dot[k] * inverse).is_within(FACTOR_OF_ONE_SOLUTION);
-        if !others.iter().all(|&(k, _)| is_even(k)) {
+        let is_even = |rate: T| (rate * inverse).is_within(FACTOR_OF_ONE_SOLUTION);
+        // Mostly nothing at all is much faster, which takes less time to see.
+        let all_even = q_dot.iter().fold(true, |all, rate| all & is_even(*rate));
+        if !all_even && !others.iter().all(|&(k, _)| is_length(k) || is_even(q_dot[k])) {
             return false;
         }
     }
