@@ -92,8 +92,7 @@ pub(crate) fn finish(
     // This evaluation fails with an error if a number is not finite at the best configuration found.
     equations.evaluate(Subset::POSITION, &q, None)?;
     if outcome.converged {
-        let rows = equations.rows_where(Equations::holonomic);
-        let residual = rows.iter().map(|&row| equations.phi[row].abs()).fold(0.0, f64::max);
+        let residual = largest_residual(equations);
         let still = vec![0.0; q.len()];
         equations.check_slopes([&q, &still, &still])?;
         return Ok(Position { q, iterations: outcome.iterations, residual });
@@ -116,6 +115,12 @@ pub(crate) fn finish(
         all_guessed: false,
         limit,
     })
+}
+
+/// The largest |Φ_i| of the rows of position level, where they were evaluated last.
+pub(crate) fn largest_residual(equations: &Equations<'_>) -> f64 {
+    let rows = equations.rows_where(Equations::holonomic);
+    rows.iter().map(|&row| equations.phi[row].abs()).fold(0.0, f64::max)
 }
 
 /// The first prescribed coordinate whose row adds no rank, at the Jacobian evaluated last.

@@ -62,7 +62,7 @@ pub(crate) struct Iteration {
 
 /// Length of a step after which the error is below machine precision, if convergence is quadratic, or cannot be reduced
 /// further.
-pub(crate) const LAST_STEP: f64 = 1e-9;
+const LAST_STEP: f64 = 1e-9;
 /// Relative reduction of the residual over [`SLOW_ITERATIONS`] iterations below which the point counts as a local
 /// minimum.
 const MIN_PROGRESS: f64 = 1e-3;

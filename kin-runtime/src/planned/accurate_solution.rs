@@ -7,7 +7,7 @@
 //!
 //! The same holds where other angles follow from the unknown with a large factor k, however large the margin is: cranks on a
 //! rod that is k times as long, whose angle is the unknown. The next correction is then about k δ², and the angles are off by
-//! k² δ². The rates show the factor.
+//! k² δ². The rates show the factor; where nothing moves, nothing shows it.
 
 use crate::mechanism::{LengthError, Mechanism};
 use crate::model::Model;
@@ -23,7 +23,8 @@ const MARGIN_OF_ONE_SOLUTION: f64 = 1e-3;
 /// most 10⁻¹³.
 const FACTOR_OF_ONE_SOLUTION: f64 = 100.0;
 
-/// Solves by the plan, and, if it iterates, once more where a margin is small or an angle much faster than the unknowns.
+/// Solves by the plan, and, if it iterates, once more where a margin is small, where an angle is much faster than the
+/// unknowns, and at rest.
 ///
 /// # Errors
 /// [`LengthError`] for a list of the wrong length.
@@ -48,7 +49,7 @@ pub(crate) fn solve_accurately<M: Mechanism, T: Scalar>(
     solve_again(mechanism, parameters, (at, modes), depth, Solved { q, q_dot, q_ddot, margins })
 }
 
-/// True if no angle of an iterated group is much faster than its unknowns.
+/// True if the unknowns of every iterated group move, and no other angle of the group moves much faster.
 fn follow_evenly<T: Scalar>(model: &Model, q_dot: &[T]) -> bool {
     let is_length = |k: usize| model.coordinates[k].kind.is_length();
     for step in model.plan.steps {
@@ -57,7 +58,8 @@ fn follow_evenly<T: Scalar>(model: &Model, q_dot: &[T]) -> bool {
         if own.iter().any(|&(k, _)| is_length(k)) {
             continue;
         }
-        let rates = own.iter().fold(T::from_f64(f64::from(f32::MIN_POSITIVE)), |sum, &(k, _)| sum + q_dot[k].abs());
+        let rates = own.iter().fold(T::from_f64(0.0), |sum, &(k, _)| sum + q_dot[k].abs());
+        // At rest this is no number, which is within no bound.
         let inverse = T::from_f64(1.0) / rates;
         let is_even = |rate: T| (rate * inverse).is_within(FACTOR_OF_ONE_SOLUTION);
         // Mostly nothing at all is much faster, which takes less time to see.

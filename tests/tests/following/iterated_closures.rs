@@ -4,7 +4,7 @@
 
 use kin_runtime::batch::{self, Column, Modes, Problems, Solutions};
 use kin_runtime::plan::Depth;
-use kin_runtime::{Instant, Kinematics, Mechanism, Options, PlanError, Planned, mechanism};
+use kin_runtime::{Instant, Kinematics, Mechanism, Options, PlanError, Planned, Signal, mechanism};
 
 #[mechanism]
 #[body(left, x = 0, y = 0)]
@@ -50,6 +50,22 @@ fn largest_difference(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
 }
 
+/// Asserts that a batch from one start closes the pins wherever it solves, and solves at the start.
+fn assert_accurate_in_batch(bar: &Sum, times: &[f64], start: &[f64], allowed: f64) {
+    let columns: Vec<Column<'_>> = start.iter().map(|q| Column::Shared(*q)).collect();
+    let parameters = [bar.b, bar.c, bar.d].map(Column::Shared);
+    let mut found = Solutions::<Sum>::new(times.len());
+    let t = Column::Each(times);
+    let problems = Problems { parameters: &parameters, t, inputs: &[], modes: Modes::OfStart, start: &columns };
+    batch::solve(bar, Depth::Acceleration, &problems, &mut found, &batch::always).expect("the columns fit");
+    let solved: Vec<bool> = found.solved().collect();
+    assert!(solved[0], "{}", bar.b);
+    for index in (0..times.len()).filter(|index| solved[*index]) {
+        let q = configuration(&found, index);
+        assert!(bar.gap(&q) <= allowed, "{}, {}: {:e}", bar.b, times[index], bar.gap(&q));
+    }
+}
+
 #[test]
 fn a_start_leads_to_its_own_closure() {
     for k in [0.1, -0.1, 0.03, 1e-2, 1e-3, -1e-3, 1e-4, 1e-6, -1e-6] {
@@ -92,19 +108,8 @@ fn an_iteration_goes_on_until_all_coordinates_are_accurate() {
                 assert!(bar.gap(planned.q()) <= allowed, "{k}, {t}: {:e}", bar.gap(planned.q()));
             }
         }
-        let columns: Vec<Column<'_>> = start.iter().map(|q| Column::Shared(*q)).collect();
         let times: Vec<f64> = (0..=40).map(|step| 0.025 * f64::from(step)).collect();
-        let parameters = [bar.b, bar.c, bar.d].map(Column::Shared);
-        let mut found = Solutions::<Sum>::new(times.len());
-        let t = Column::Each(&times);
-        let problems = Problems { parameters: &parameters, t, inputs: &[], modes: Modes::OfStart, start: &columns };
-        batch::solve(&bar, Depth::Acceleration, &problems, &mut found, &batch::always).expect("the columns fit");
-        let solved: Vec<bool> = found.solved().collect();
-        assert!(solved[0], "{k}");
-        for index in (0..times.len()).filter(|index| solved[*index]) {
-            let q = configuration(&found, index);
-            assert!(bar.gap(&q) <= allowed, "{k}, {}: {:e}", times[index], bar.gap(&q));
-        }
+        assert_accurate_in_batch(&bar, &times, &start, allowed);
     }
 }
 
@@ -128,17 +133,40 @@ fn cranks_on_a_long_rod_are_accurate() {
                 assert!(bar.gap(q) <= allowed, "{b}, {}: {:e}", state.t, bar.gap(q));
             }
         }
-        let columns: Vec<Column<'_>> = start.iter().map(|q| Column::Shared(*q)).collect();
-        let parameters = [bar.b, bar.c, bar.d].map(Column::Shared);
-        let mut found = Solutions::<Sum>::new(times.len());
-        let t = Column::Each(&times);
-        let problems = Problems { parameters: &parameters, t, inputs: &[], modes: Modes::OfStart, start: &columns };
-        batch::solve(&bar, Depth::Acceleration, &problems, &mut found, &batch::always).expect("the columns fit");
-        let solved: Vec<bool> = found.solved().collect();
-        assert!(solved[0], "{b}");
-        for index in (0..times.len()).filter(|index| solved[*index]) {
-            let q = configuration(&found, index);
-            assert!(bar.gap(&q) <= allowed, "{b}, {}: {:e}", times[index], bar.gap(&q));
+        assert_accurate_in_batch(&bar, &times, &start, allowed);
+    }
+}
+
+/// The same rod, moved by a measured sum of the angles.
+#[mechanism]
+#[body(left, x = 0, y = 0)]
+#[bodies(coupler)]
+#[body(right, x = b + 0.3, y = 0)]
+#[input(sum)]
+#[revolute(A: left @ (1, 0), coupler @ (0, 0))]
+#[revolute(B: coupler @ (b, 0), right @ (1.1, 0))]
+#[driver(push: left.phi + right.phi = sum)]
+#[guess(left.phi = 1, right.phi = 1, coupler.phi = 0)]
+struct Measured {
+    b: f64,
+}
+
+/// Inputs without rates leave the mechanism at rest, where rates do not show how much faster the cranks turn.
+#[test]
+fn cranks_on_a_long_rod_are_accurate_at_rest() {
+    for b in [1e3, 1e4, 1e5] {
+        let (rod, bar) = (Measured { b }, Sum { b, c: 1.1, d: b + 0.3 });
+        let inputs = |sum: f64| [Signal::constant(sum)];
+        let mut before = rod.state_at(&Instant { t: 0.0, inputs: &inputs(2.0) }).expect("it closes").q;
+        for step in 1..=20 {
+            let at = Instant { t: 0.0, inputs: &inputs(2.0 + 0.05 * f64::from(step)) };
+            let state = rod.solver().state_from(&at, &before).expect("it closes");
+            let position = rod.position_analysis(&at, &before).expect("it closes");
+            let planned = Planned::new(&rod, &at, &before).expect("it closes");
+            for q in [&state.q, &position, planned.q()] {
+                assert!(bar.gap(q) <= 1e-15 * b, "{b}, {step}: {:e}", bar.gap(q));
+            }
+            before = state.q;
         }
     }
 }

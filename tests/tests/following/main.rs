@@ -3,6 +3,7 @@
 mod batch;
 mod close_folds;
 mod coincident;
+mod contradictions;
 mod controller;
 mod curves_at_long_arms;
 mod default_motion;

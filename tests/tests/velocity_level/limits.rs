@@ -215,3 +215,20 @@ fn events_are_located_on_an_integrated_motion() {
     close("time", expected, event.t, 1e-10);
     close("y", 3.0, event.state.q[1], 1e-10);
 }
+
+/// A car on a straight line whose speed grows with t.
+#[mechanism]
+#[bodies(car)]
+#[knife_edge(rear: car @ (0, 0))]
+#[knife_edge(front: car @ (2.5, 0), angle = 0)]
+#[speed(engine: car @ (0, 0), value = 1 + 0.3 * t)]
+struct Endless;
+
+/// The way over 1e300 seconds is no number.
+#[test]
+fn a_way_that_overflows_is_an_error() {
+    for times in [[1e300, 0.0], [0.0, 1e300]] {
+        let error = Endless.kinematic_analysis(&times).expect_err("the way is no number");
+        assert!(error.trajectory.states.iter().all(|state| state.q.iter().all(|x| x.is_finite())), "{times:?}");
+    }
+}
