@@ -107,8 +107,8 @@ fn negative(key: &str, found: Option<(f64, Origin)>, errors: &mut Vec<ModelError
     if let Some((value, origin)) = found
         && value < 0.0
     {
-        let what = if key == "mass" { "a mass" } else { "a moment of inertia" };
-        errors.push(ModelError::new(origin, format!("{what} must not be negative; this one is {value}")));
+        let quantity = if key == "mass" { "a mass" } else { "a moment of inertia" };
+        errors.push(ModelError::new(origin, format!("{quantity} must not be negative; this one is {value}")));
     }
 }
 

@@ -48,10 +48,10 @@ struct Walk<'a> {
 }
 
 impl Walk<'_> {
-    fn error(&mut self, origin: Origin, what: &str) -> Option<Origin> {
+    fn error(&mut self, origin: Origin, fault: &str) -> Option<Origin> {
         let right = "a row of velocity level is linear in every `dot(…)`: each stands by itself or times a factor \
                      without `dot`";
-        self.errors.push(ModelError::new(origin, format!("{what}; {right}")));
+        self.errors.push(ModelError::new(origin, format!("{fault}; {right}")));
         None
     }
 

@@ -54,9 +54,9 @@ impl Assembly<'_> {
     }
 
     /// Reports that an operand of a joint is degenerate; the message names the member of a family.
-    pub(crate) fn degenerate(&mut self, origin: Origin, what: &str, message: impl core::fmt::Display) {
+    pub(crate) fn degenerate(&mut self, origin: Origin, quantity: &str, message: impl core::fmt::Display) {
         let member = self.member.as_ref().map_or(String::new(), |name| format!(" of `{name}`"));
-        self.error_once(origin, format!("{what}{member} {message}"));
+        self.error_once(origin, format!("{quantity}{member} {message}"));
     }
 
     /// The radius of a disc or gear, which must not be 0. A literal 0 has been rejected by a rule before.
@@ -66,11 +66,11 @@ impl Assembly<'_> {
     }
 
     /// A value that must not be 0; `what` it is and what is `right` are parts of the message.
-    pub(crate) fn nonzero(&mut self, value: &Value, what: &str, right: &str) -> ExprId {
+    pub(crate) fn nonzero(&mut self, value: &Value, quantity: &str, right: &str) -> ExprId {
         let before = self.errors.len();
         let formula = self.formula(&value.value);
         if self.graph.is_zero(formula) && self.errors.len() == before {
-            self.degenerate(value.origin, what, format_args!("is 0; {right}"));
+            self.degenerate(value.origin, quantity, format_args!("is 0; {right}"));
         }
         formula
     }

@@ -39,12 +39,12 @@ impl Assembly<'_> {
     /// Builds a define after the defines that it uses. The search is iterative, so that a long chain cannot overflow
     /// the stack.
     fn build_with_uses(&mut self, named: Named) {
-        let mut met = HashSet::from([named]);
+        let mut visited = HashSet::from([named]);
         let mut open = vec![(named, self.uses(named))];
         while let Some((_, uses)) = open.last_mut() {
             match uses.pop() {
                 Some(next) => {
-                    if met.insert(next) && !self.defines.contains_key(&next) {
+                    if visited.insert(next) && !self.defines.contains_key(&next) {
                         open.push((next, self.uses(next)));
                     }
                 }

@@ -82,15 +82,15 @@ impl<N: Names> fmt::Display for Shown<'_, N> {
                 Text(text) => f.write_str(text)?,
                 Owned(text) => f.write_str(&text)?,
                 Operand(..) if operands == MAX_OPERANDS => return f.write_str("…"),
-                Operand(id, outer) => {
+                Operand(id, outer_precedence) => {
                     operands += 1;
                     let part = if operands > 1 { self.names.part(id) } else { None };
                     if let Some(name) = part {
                         f.write_str(name)?;
                         continue;
                     }
-                    let (own, pieces) = self.pieces(id);
-                    let parentheses = own < outer;
+                    let (precedence, pieces) = self.pieces(id);
+                    let parentheses = precedence < outer_precedence;
                     waiting.extend(parentheses.then_some(Text(")")));
                     waiting.extend(pieces.into_iter().rev());
                     waiting.extend(parentheses.then_some(Text("(")));
@@ -142,11 +142,11 @@ impl<N: Names> Shown<'_, N> {
     }
 
     /// `factor*of(angle)`; empty for a literal zero.
-    fn term(&self, factor: ExprId, of: &'static str, angle: ExprId) -> Vec<PendingItem> {
+    fn term(&self, factor: ExprId, function: &'static str, angle: ExprId) -> Vec<PendingItem> {
         match self.graph.literal(factor) {
             Some(0.0) => Vec::new(),
-            Some(1.0) => call(of.to_owned(), &[angle]),
-            _ => [Operand(factor, UNARY), Text("*")].into_iter().chain(call(of.to_owned(), &[angle])).collect(),
+            Some(1.0) => call(function.to_owned(), &[angle]),
+            _ => [Operand(factor, UNARY), Text("*")].into_iter().chain(call(function.to_owned(), &[angle])).collect(),
         }
     }
 

@@ -367,16 +367,16 @@ fn rotated(graph: &mut Graph, is_x: bool, angle: ExprId, rho: [ExprId; 2], phi: 
 /// The derivatives of c = u·d and z = u×d with u̇ = φ̇ perp(u): ċ = φ̇ z + u·ḋ, ż = −φ̇ c + u×ḋ, c̈ = φ̈ z − φ̇²
 /// c + 2φ̇ u×ḋ + u·d̈, z̈ = −φ̈ c − φ̇² z − 2φ̇ u·ḋ + u×d̈.
 fn turning(graph: &mut Graph, is_dot: bool, u: [ExprId; 2], [dot, cross]: [ExprId; 2], phi: &Jet, d: [&Jet; 2]) -> Jet {
-    let (own, other) = if is_dot { (dot, cross) } else { (cross, graph.neg(dot)) };
+    let (value, derivative) = if is_dot { (dot, cross) } else { (cross, graph.neg(dot)) };
     let minus_u_y = graph.neg(u[1]);
     let mut out = if is_dot {
-        linear(graph, &[(Some(other), phi), (Some(u[0]), d[0]), (Some(u[1]), d[1])])
+        linear(graph, &[(Some(derivative), phi), (Some(u[0]), d[0]), (Some(u[1]), d[1])])
     } else {
-        linear(graph, &[(Some(other), phi), (Some(u[0]), d[1]), (Some(minus_u_y), d[0])])
+        linear(graph, &[(Some(derivative), phi), (Some(u[0]), d[1]), (Some(minus_u_y), d[0])])
     };
     if !graph.is_zero(phi.rate) {
         let square = graph.square(phi.rate);
-        let centripetal = graph.mul(own, square);
+        let centripetal = graph.mul(value, square);
         out.rest = graph.sub(out.rest, centripetal);
         let d_dot = [d[0].rate, d[1].rate];
         let across = if is_dot {

@@ -96,8 +96,8 @@ pub(super) fn carrier_is_a_third_body(
     if mechanism.common_member(joint.range, gears[0], gears[1]).is_some() {
         return;
     }
-    let own = |gear| own_carrier(mechanism, joint, gear, carrier);
-    errors.extend(gears.into_iter().find_map(own).map(|(origin, message)| ModelError::new(origin, message)));
+    let fault = |gear| own_carrier(mechanism, joint, gear, carrier);
+    errors.extend(gears.into_iter().find_map(fault).map(|(origin, message)| ModelError::new(origin, message)));
 }
 
 /// If a gear is its own carrier, the origin and the message of the error.
@@ -128,6 +128,6 @@ pub(super) fn coupled_angles(joint: &NamedJoint<'_>, sign: &'static str) -> Vec<
         ]
     };
     let (a, b) = (arc("a", terms.i.phi()), arc("b", terms.j.phi()));
-    let both = a.into_iter().chain([EquationPiece::Op(sign)]).chain(b).collect();
-    vec![equals(both, terms.scalar("e"))]
+    let arcs = a.into_iter().chain([EquationPiece::Op(sign)]).chain(b).collect();
+    vec![equals(arcs, terms.scalar("e"))]
 }

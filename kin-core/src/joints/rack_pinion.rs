@@ -95,14 +95,14 @@ pub(super) fn stroke_by_angle(
 pub(super) fn guide_does_not_turn(
     guide: BodyRef,
     turning: BodyRef,
-    what: &str,
+    role: &str,
     joint: &Statement,
     mechanism: &Mechanism,
     errors: &mut Vec<ModelError>,
 ) {
     if let Some(body) = mechanism.common_member(joint.range, guide, turning) {
         let (keyword, name) = (joint.operands.keyword(), &joint.name);
-        let message = format!("`{body}` is the guide of {keyword} `{name}`, so that it cannot also be the {what}");
+        let message = format!("`{body}` is the guide of {keyword} `{name}`, so that it cannot also be the {role}");
         errors.push(ModelError::new(turning.origin(), message));
     }
 }

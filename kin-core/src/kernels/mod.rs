@@ -114,9 +114,9 @@ fn arguments(system: &KinematicSystem) -> Vec<(usize, ExprId)> {
         let entries = equation.phi_q.iter().map(|(_, entry)| *entry);
         entries.chain([equation.phi, equation.phi_t, equation.gamma])
     });
-    let others = set.geometry.iter().copied().chain(set.guesses.iter().map(|(_, value)| *value));
+    let other_expressions = set.geometry.iter().copied().chain(set.guesses.iter().map(|(_, value)| *value));
     let mut all = Vec::new();
-    for id in graph.reachable(differentiated.chain(others)) {
+    for id in graph.reachable(differentiated.chain(other_expressions)) {
         if let Node::Supplied(function, _, argument) = graph.node(id)
             && !all.contains(&(function as usize, argument))
         {

@@ -67,8 +67,9 @@ fn member_by_member(
     let longest = families.iter().map(|family| family.members).max().unwrap_or_default();
     let member = |index: &usize| {
         let row = row_of(outputs[*index].0);
-        let own = |family: &&Family| (family.first..family.first + family.members * family.stride).contains(&row);
-        match families.iter().find(own) {
+        let contains_row =
+            |family: &&Family| (family.first..family.first + family.members * family.stride).contains(&row);
+        match families.iter().find(contains_row) {
             // A family of joints between neighbouring members has one member fewer; its first member is lowered with
             // the second members.
             Some(family) => longest - family.members + (row - family.first) / family.stride,

@@ -187,8 +187,8 @@ pub(super) fn all_acting(bodies: &mut FreeBodies<'_>) -> (Vec<Acting>, Vec<Sprin
     let (mut all, mut springs) = (Vec::new(), Vec::new());
     let loads = &bodies.a.mechanism.loads;
     let is_field = |kind| kind == StatementKind::Load(LoadKind::Gravity);
-    let (fields, others): (Vec<_>, Vec<_>) = loads.iter().partition(|load| is_field(load.operands.kind()));
-    for load in fields.into_iter().chain(others) {
+    let (fields, other_loads): (Vec<_>, Vec<_>) = loads.iter().partition(|load| is_field(load.operands.kind()));
+    for load in fields.into_iter().chain(other_loads) {
         for (shown, index) in Assembly::instances(load.range) {
             bodies.a.index = index;
             let Some(mut acting) = acts(bodies, &load.operands) else { continue };

@@ -52,11 +52,11 @@ impl LoadType for Mass {
         acting.outside = [weight[0], weight[1], graph.plain_cross(posed.r, weight)];
         let (v_squared, turn_squared) = (graph.plain_dot(v, v), graph.square(phi.rate));
         let [linear, angular] = [graph.mul(mass, v_squared), graph.mul(inertia, turn_squared)];
-        let (both, half) = (graph.add(linear, angular), graph.number(0.5));
+        let (doubled_energy, half) = (graph.add(linear, angular), graph.number(0.5));
         if !weight.iter().all(|force| graph.is_zero(*force)) {
             acting.exerted = vec![Exerted::force(posed.frame, posed.r, weight)];
         }
-        acting.kinetic = graph.mul(half, both);
+        acting.kinetic = graph.mul(half, doubled_energy);
         let work = graph.plain_dot(weight, posed.r);
         acting.gravity = graph.neg(work);
         acting

@@ -40,8 +40,8 @@ impl LoadType for TorsionSpring {
             let couple = work.force;
             let [on_a, on_b] = [&self.a, &self.b].map(|body| bodies.a.frame(body));
             let back = bodies.a.graph.neg(couple);
-            let both = [on_a.zip(Some(back)), on_b.zip(Some(couple))];
-            acting.exerted = both.into_iter().flatten().map(|(on, couple)| Exerted::couple(on, couple)).collect();
+            let couples = [on_a.zip(Some(back)), on_b.zip(Some(couple))];
+            acting.exerted = couples.into_iter().flatten().map(|(on, couple)| Exerted::couple(on, couple)).collect();
         }
         acting
     }

@@ -48,12 +48,12 @@ pub(crate) fn defines_in(formula: &Formula) -> impl Iterator<Item = &Member> {
 /// True if the formula, or a define that it uses, contains t or an input. Poses of bodies are not followed: a held
 /// coordinate that varies with time belongs to the body.
 pub(crate) fn contains_signal(mechanism: &Mechanism, formula: &Formula) -> bool {
-    let (mut open, mut met) = (vec![formula], BTreeSet::new());
+    let (mut open, mut visited) = (vec![formula], BTreeSet::new());
     while let Some(formula) = open.pop() {
         for node in nodes(formula) {
             match node {
                 Formula::Time | Formula::Input(_) => return true,
-                Formula::Define(member) if met.insert(member.family) => {
+                Formula::Define(member) if visited.insert(member.family) => {
                     open.extend(mechanism.defines.get(member.family).map(|define| &define.formula));
                 }
                 _ => {}
@@ -73,8 +73,8 @@ impl Mechanism {
             {
                 let range = range.unwrap_or(Range { start: 0, end: 1 });
                 let body = self.bodies.get(family)?;
-                let met = range.indices().find_map(|i| index.at(i).filter(|k| with.at(i) == Some(*k)));
-                met.map(|k| if body.len.is_some() { format!("{}[{k}]", body.name) } else { body.name.clone() })
+                let common = range.indices().find_map(|i| index.at(i).filter(|k| with.at(i) == Some(*k)));
+                common.map(|k| if body.len.is_some() { format!("{}[{k}]", body.name) } else { body.name.clone() })
             }
             _ => None,
         }

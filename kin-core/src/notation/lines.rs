@@ -80,14 +80,14 @@ impl FormulaTree {
                 let longest = sums.max_by_key(|&k| factors[k].columns());
                 let plain = |k: usize| !factors[..k].iter().any(|factor| matches!(factor, Self::Call(..)));
                 let Some(k) = longest.filter(|&k| plain(k)) else { return out.push(lead + &self.write(notation)) };
-                let of = |some: &[Self]| Self::Product(some.to_vec()).write(notation);
-                let before = if k > 0 { of(&factors[..k]) + marks.times } else { String::new() };
+                let product = |some: &[Self]| Self::Product(some.to_vec()).write(notation);
+                let before = if k > 0 { product(&factors[..k]) + marks.times } else { String::new() };
                 factors[k].pieces((notation, width), format!("{lead}{before}{}", marks.open), out);
                 if let Some(last) = out.last_mut() {
                     last.push_str(marks.close);
                     if k + 1 < factors.len() {
                         last.push_str(marks.times);
-                        last.push_str(&of(&factors[k + 1..]));
+                        last.push_str(&product(&factors[k + 1..]));
                     }
                 }
             }

@@ -65,12 +65,12 @@ impl Name {
             Some(stem) => (stem, 2),
             None => written.strip_suffix("_dot").map_or((written, 0), |stem| (stem, 1)),
         };
-        let (owner, own) = match stem.rsplit_once('.') {
-            Some((owner, own)) => (Some(owner), own),
+        let (owner, name) = match stem.rsplit_once('.') {
+            Some((owner, name)) => (Some(owner), name),
             None => (None, stem),
         };
-        let (own, place) = element(own);
-        let (base, digits) = symbol(own);
+        let (name, place) = element(name);
+        let (base, digits) = symbol(name);
         let owner = owner.into_iter().flat_map(|owner| {
             let (owner, place) = element(owner);
             [Some(owner.to_owned()), place.map(str::to_owned)].into_iter().flatten()

@@ -62,9 +62,9 @@ impl<'t> FormulaParser<'t> {
 
     fn take(&mut self, mark: char) -> bool {
         self.spaces();
-        let there = self.rest().starts_with(mark);
-        self.at += if there { mark.len_utf8() } else { 0 };
-        there
+        let found = self.rest().starts_with(mark);
+        self.at += if found { mark.len_utf8() } else { 0 };
+        found
     }
 
     fn error<T>(&self, expected: &'static str) -> Result<T, ParseError> {

@@ -18,7 +18,7 @@ pub(super) fn terms(
     signs: &SumSigns,
     within: impl Fn(&FormulaTree, u8) -> String,
 ) -> Vec<String> {
-    let one = |(index, (minus, term)): (usize, &(bool, FormulaTree))| {
+    let written_term = |(index, (minus, term)): (usize, &(bool, FormulaTree))| {
         let sign = match (index, minus) {
             (0, false) => "",
             (0, true) => signs.first,
@@ -27,7 +27,7 @@ pub(super) fn terms(
         };
         format!("{sign}{}", within(term, if *minus || index > 0 { 2 } else { 1 }))
     };
-    terms.iter().enumerate().map(one).collect()
+    terms.iter().enumerate().map(written_term).collect()
 }
 
 /// The factors of a product. A function without brackets around its argument (`is_open`) must be followed by functions
@@ -38,8 +38,8 @@ pub(super) fn factors(
     within: impl Fn(&FormulaTree, u8) -> String,
 ) -> Vec<String> {
     let closes = |index: usize| factors.get(index + 1).is_none_or(|next| matches!(next, FormulaTree::Call(..)));
-    let one = |(index, factor): (usize, &FormulaTree)| {
+    let written_factor = |(index, factor): (usize, &FormulaTree)| {
         within(factor, if is_open(factor) && !closes(index) { u8::MAX } else { 2 })
     };
-    factors.iter().enumerate().map(one).collect()
+    factors.iter().enumerate().map(written_factor).collect()
 }

@@ -101,7 +101,7 @@ fn sum(terms: Vec<(bool, FormulaTree)>) -> FormulaTree {
     let mut flat: Vec<(bool, FormulaTree)> = Vec::new();
     for (minus, term) in terms {
         match term {
-            FormulaTree::Sum(inner) => flat.extend(inner.into_iter().map(|(own, term)| (own != minus, term))),
+            FormulaTree::Sum(inner) => flat.extend(inner.into_iter().map(|(negative, term)| (negative != minus, term))),
             FormulaTree::Minus(inner) => flat.push((!minus, *inner)),
             other => flat.push((minus, other)),
         }

@@ -50,8 +50,8 @@ impl Reduction<'_> {
         unknowns: &BTreeSet<u32>,
     ) -> Option<(PairValue, ExprId)> {
         let zero = self.graph.zero();
-        let of = |form: &TermSum| form.terms.get(key).copied().unwrap_or([zero; 2]);
-        let ([c1, s1], [c2, s2]) = (of(f), of(g));
+        let coefficients = |form: &TermSum| form.terms.get(key).copied().unwrap_or([zero; 2]);
+        let ([c1, s1], [c2, s2]) = (coefficients(f), coefficients(g));
         let without = |form: &TermSum| {
             let mut form = form.clone();
             form.terms.remove(key);
@@ -130,10 +130,10 @@ impl Reduction<'_> {
         candidates.into_iter().find_map(|(_, k, key, with)| {
             let two = self.shortest_loop(&with, forms, &key)?;
             let (value, row) = self.without_angle(two.map(|row| &forms[&row]), k, &key, unknowns)?;
-            let others = with.into_iter().filter(|row| !two.contains(row));
+            let other_rows = with.into_iter().filter(|row| !two.contains(row));
             let mut exchanges = Vec::new();
             let mut replaced = Vec::new();
-            for other in others {
+            for other in other_rows {
                 let (exchange, row) = self.exchange(other, two, forms, &key, unknowns)?;
                 replaced.push((other, row));
                 exchanges.push(exchange);
@@ -190,10 +190,10 @@ impl Reduction<'_> {
         let minus_one = graph.number(-1.0);
         // In most cases the loops share a joint of the rotating body, so that h is ±a or ±b.
         for (factor, test) in [(one, true), (minus_one, false)] {
-            for (index, own) in [a, b].into_iter().enumerate() {
+            for (index, vector) in [a, b].into_iter().enumerate() {
                 let same = (0..2).all(|k| match test {
-                    true => zero_test.equal(graph, h[k], own[k]),
-                    false => zero_test.opposite(graph, h[k], own[k]),
+                    true => zero_test.equal(graph, h[k], vector[k]),
+                    false => zero_test.opposite(graph, h[k], vector[k]),
                 });
                 if same {
                     return if index == 0 { [factor, zero] } else { [zero, factor] };

@@ -53,17 +53,18 @@ pub(super) fn choose(system: &KinematicSystem, graph: &mut Graph) -> Option<Chos
     for (places, named) in named {
         for found in &named {
             // Rows declared last are tried first. Driving rows are always kept.
-            let mut others: Vec<usize> = found.circuit.clone();
-            others.retain(|&row| !system.classes[row].driving);
-            others.sort_by_key(|&row| std::cmp::Reverse(places[row]));
-            for row in others {
+            let mut alternatives: Vec<usize> = found.circuit.clone();
+            alternatives.retain(|&row| !system.classes[row].driving);
+            alternatives.sort_by_key(|&row| std::cmp::Reverse(places[row]));
+            for row in alternatives {
                 let done = best.as_ref().is_some_and(|best| best.score.iterated == 0);
                 if done || tries == 0 {
                     return best;
                 }
                 tries -= 1;
-                let kept = best.iter().flat_map(|best| &best.left_out).copied().filter(|&other| other != found.row);
-                let preferred: Vec<usize> = kept.chain([row]).collect();
+                let still_left_out =
+                    best.iter().flat_map(|best| &best.left_out).copied().filter(|&other| other != found.row);
+                let preferred: Vec<usize> = still_left_out.chain([row]).collect();
                 let next =
                     search.best_without(removable.rows(&places, &preferred).iter().map(|found| found.row).collect());
                 if cost(&next) < cost(&best) {
@@ -92,8 +93,8 @@ impl TreeSearch<'_> {
             return None;
         }
         let beside = |&row: &usize| {
-            let mut others = (0..rows.len()).filter(|other| !left_out.contains(other));
-            others.find(|&other| rows[other].joint == rows[row].joint).map(|other| (other, row))
+            let mut kept_rows = (0..rows.len()).filter(|other| !left_out.contains(other));
+            kept_rows.find(|&other| rows[other].joint == rows[row].joint).map(|other| (other, row))
         };
         let beside: BTreeMap<usize, usize> = left_out.iter().filter_map(beside).collect();
         let alone = self.tree(&left_out, BTreeMap::new());

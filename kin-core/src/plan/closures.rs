@@ -25,16 +25,16 @@ const DIMENSION_WEIGHT: f64 = 1e-12;
 pub(super) fn whole_of_divisor(
     graph: &mut Graph,
     square: ExprId,
-    others: &[ExprId],
+    other_entries: &[ExprId],
     parts: &[ExprId],
 ) -> Option<ExprId> {
     let is_term = |graph: &mut Graph, part: ExprId| sum_of_squared_terms(graph, part, 8) == graph.square(part);
     let terms = parts.iter().all(|&part| is_term(graph, part));
-    if terms && others.is_empty() {
+    if terms && other_entries.is_empty() {
         return None;
     }
     let mut rest = graph.zero();
-    for &other in others {
+    for &other in other_entries {
         let other = graph.square(other);
         rest = graph.add(rest, other);
     }
@@ -95,11 +95,11 @@ fn with_squared_terms_of_circles(graph: &mut Graph, size: ExprId, [e, radius, n2
     let between = graph.div(n2, e);
     let between = graph.mul(quarter, between);
     // r₂² differs from r₁² by the other terms.
-    let own = [first, between, off].map(|term| graph.square(term));
-    let own = own.into_iter().reduce(|a, b| graph.add(a, b)).unwrap_or(least);
+    let squares = [first, between, off].map(|term| graph.square(term));
+    let squares = squares.into_iter().reduce(|a, b| graph.add(a, b)).unwrap_or(least);
     let written = sum_of_squared_terms(graph, off, 8);
     let written = graph.mul(share, written);
-    let terms = graph.add(own, written);
+    let terms = graph.add(squares, written);
     let terms = graph.mul(share, terms);
     let terms = graph.add(terms, least);
     graph.add(size, terms)

@@ -160,19 +160,19 @@ impl Build<'_> {
     fn angle(&mut self, k: u32, turn: &[(u32, i32)], [x, y]: [ExprId; 2], scale: ExprId) {
         let graph = &mut self.graph;
         let [cos, sin] = [x, y].map(|e| graph.mul(e, scale)).map(|e| graph.opaque(e));
-        let (mut start, mut others) = (graph.zero(), graph.zero());
-        let (mut pair, mut own) = ([cos, sin], 1);
+        let (mut start, mut other_angles) = (graph.zero(), graph.zero());
+        let (mut pair, mut multiple) = ([cos, sin], 1);
         for &(other, n) in turn {
             let factor = graph.number(f64::from(n));
             if other == k {
-                own = n;
+                multiple = n;
                 let symbol = graph.symbol(Symbol::Start(k));
                 start = graph.mul(factor, symbol);
                 continue;
             }
             let value = self.known.values.get(&other).copied().unwrap_or(factor);
             let term = graph.mul(factor, value);
-            others = graph.add(others, term);
+            other_angles = graph.add(other_angles, term);
             if let Some(turn) = self.known.turns.get(&other).copied() {
                 // The rotation by each of the other angles is undone.
                 let (c, s) = (turn.cos(graph), turn.sin(graph));
@@ -183,14 +183,14 @@ impl Build<'_> {
                 }
             }
         }
-        let (angle, near) = (graph.atan2(y, x), graph.add(start, others));
+        let (angle, near) = (graph.atan2(y, x), graph.add(start, other_angles));
         let angle = graph.nearest(angle, near);
-        let rest = graph.sub(angle, others);
-        let part = graph.number(1.0 / f64::from(own));
+        let rest = graph.sub(angle, other_angles);
+        let part = graph.number(1.0 / f64::from(multiple));
         let value = graph.mul(part, rest);
-        let sin = if own < 0 { graph.neg(pair[1]) } else { pair[1] };
+        let sin = if multiple < 0 { graph.neg(pair[1]) } else { pair[1] };
         // The cosine and sine of a multiple of the angle are not those of the angle.
-        self.record_solution(k, value, (own.abs() == 1).then_some(Turned::Pair([pair[0], sin])));
+        self.record_solution(k, value, (multiple.abs() == 1).then_some(Turned::Pair([pair[0], sin])));
     }
 
     fn core(&mut self, core: &Core) {

@@ -115,9 +115,13 @@ fn walk(set: &ConstraintSet, joints: &[usize], bodies: &BTreeSet<usize>) -> Opti
     let start = entered.iter().flatten().next().copied();
     let along = || std::iter::once(first).chain(inner.iter().copied()).chain(std::iter::once(last));
     for (index, hinge) in along().enumerate() {
-        let own = ends(hinge);
+        let bodies_of_hinge = ends(hinge);
         let is_last = index == inner.len() + 1;
-        let forwards = if index == 0 { own[1].is_some() } else { is_last && own[0].is_some() || own[0] == start };
+        let forwards = if index == 0 {
+            bodies_of_hinge[1].is_some()
+        } else {
+            is_last && bodies_of_hinge[0].is_some() || bodies_of_hinge[0] == start
+        };
         let Some(joint) = hinge.joint else {
             letters.push('R');
             continue;

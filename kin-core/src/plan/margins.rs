@@ -48,17 +48,17 @@ impl Build<'_> {
             CoordinateKind::Scalar => None,
         };
         for Divisor { step, rows, unknown, square, parts, signed } in std::mem::take(&mut self.divisors) {
-            let mut others = Vec::new();
+            let mut other_entries = Vec::new();
             if let Some(kind) = is_length(unknown) {
                 let entries = rows.iter().flat_map(|&row| &system.equations[row].phi_q);
                 let entries = entries.filter(|(k, _)| *k != unknown && is_length(*k) == Some(kind));
-                others = entries.map(|(_, entry)| *entry).collect();
+                other_entries = entries.map(|(_, entry)| *entry).collect();
             }
-            let known: Vec<ExprId> = others.iter().map(|&entry| self.known_value(entry)).collect();
+            let known: Vec<ExprId> = other_entries.iter().map(|&entry| self.known_value(entry)).collect();
             // The sign of a divisor is that of the divisor relative to its size at a given q.
             let of_sign = signed.map(|divisor| {
                 let square = self.graph.square(divisor);
-                let whole = closures::whole_of_divisor(&mut self.graph, square, &others, &[divisor])
+                let whole = closures::whole_of_divisor(&mut self.graph, square, &other_entries, &[divisor])
                     .unwrap_or_else(|| closures::whole_of_varying(&mut self.graph, square, divisor));
                 (divisor, square, whole)
             });

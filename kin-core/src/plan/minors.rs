@@ -92,7 +92,7 @@ impl Minors {
     pub(super) fn replaced(&mut self, graph: &mut Graph, right: &[ExprId]) -> Vec<ExprId> {
         let n = self.rows.len();
         let right: Vec<ExprId> = self.order.iter().map(|&i| right[i]).collect();
-        let own = self.known.clone();
+        let known_before = self.known.clone();
         let found = (0..n).map(|j| {
             // The new column stands last instead of in column j.
             let columns = self.all() & !(1 << j) | 1 << n;
@@ -101,7 +101,7 @@ impl Minors {
             self.signed(graph, minor)
         });
         let found = found.collect();
-        self.known = own;
+        self.known = known_before;
         found
     }
 

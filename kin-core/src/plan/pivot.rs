@@ -23,11 +23,20 @@ impl Reduction<'_> {
         unknowns: &BTreeSet<u32>,
         removable: &[usize],
     ) -> Option<Block> {
-        let state = |of: &mut Self| (of.rows.clone(), of.source_rows.clone(), of.replaced.clone(), of.paired.clone());
-        let restore = |of: &mut Self, state| (of.rows, of.source_rows, of.replaced, of.paired) = state;
+        let state = |reduction: &mut Self| {
+            (
+                reduction.rows.clone(),
+                reduction.source_rows.clone(),
+                reduction.replaced.clone(),
+                reduction.paired.clone(),
+            )
+        };
+        let restore = |reduction: &mut Self, state| {
+            (reduction.rows, reduction.source_rows, reduction.replaced, reduction.paired) = state
+        };
         let iterations = |block: &Option<Block>| {
-            let own = |core: &Core| usize::from(matches!(core.method, SolutionMethod::Newton { .. }));
-            block.as_ref().map_or(usize::MAX, |block| block.sum(&own))
+            let is_iterated = |core: &Core| usize::from(matches!(core.method, SolutionMethod::Newton { .. }));
+            block.as_ref().map_or(usize::MAX, |block| block.sum(&is_iterated))
         };
         let before = state(self);
         (self.guides.skipped, self.guides.found) = (true, false);
@@ -73,10 +82,11 @@ impl Reduction<'_> {
             let of_rest = form.rest.map_or_else(BTreeSet::new, |rest| {
                 self.unknowns(&TermSum { rest: Some(rest), ..TermSum::default() }, unknowns)
             });
-            let own = self.unknowns(form, unknowns);
+            let row_unknowns = self.unknowns(form, unknowns);
             let guides = self.is_guide(form, unknowns);
             self.guides.found |= guides;
-            let left = guides && self.guides.skipped || self.closes_with_another((row, &own), rows, unknowns, forms);
+            let left =
+                guides && self.guides.skipped || self.closes_with_another((row, &row_unknowns), rows, unknowns, forms);
             for (key, [coefficient, _]) in &form.terms {
                 let &[(coordinate, 1)] = key.powers.as_slice() else { continue };
                 let alone = key.angle.is_empty()
@@ -90,7 +100,7 @@ impl Reduction<'_> {
                     }
                     None => continue,
                 };
-                let score = (rank, own.len(), row, coordinate);
+                let score = (rank, row_unknowns.len(), row, coordinate);
                 if alone && best.is_none_or(|other| score < other) {
                     best = Some(score);
                 }
@@ -119,20 +129,22 @@ impl Reduction<'_> {
     /// and y.
     fn closes_with_another(
         &mut self,
-        (row, own): (usize, &BTreeSet<u32>),
+        (row, row_unknowns): (usize, &BTreeSet<u32>),
         rows: &[usize],
         unknowns: &BTreeSet<u32>,
         forms: &BTreeMap<usize, TermSum>,
     ) -> bool {
         let is_open = |&k: &u32| self.coefficient(&forms[&row], k).is_some_and(|id| self.is_open(id));
-        if own.len() != 2 || !own.iter().all(is_open) {
+        if row_unknowns.len() != 2 || !row_unknowns.iter().all(is_open) {
             return false;
         }
-        let others = rows.iter().filter(|&&other| other != row && self.unknowns(&forms[&other], unknowns) == *own);
-        let others: Vec<usize> = others.copied().collect();
-        let mut closes =
-            |other| recognise(&mut TermReader::new(self.graph, self.memory, own), &[row, other], forms).is_some();
-        others.into_iter().any(&mut closes)
+        let partners =
+            rows.iter().filter(|&&other| other != row && self.unknowns(&forms[&other], unknowns) == *row_unknowns);
+        let partners: Vec<usize> = partners.copied().collect();
+        let mut closes = |other| {
+            recognise(&mut TermReader::new(self.graph, self.memory, row_unknowns), &[row, other], forms).is_some()
+        };
+        partners.into_iter().any(&mut closes)
     }
 
     /// True if a factor is a sum or difference, which may be 0 although none of its terms is (r₁ − r₂ for equal
@@ -150,10 +162,10 @@ impl Reduction<'_> {
     pub(super) fn solved_for(&mut self, form: &TermSum, coordinate: u32) -> ExprId {
         let key = TermKey::power(coordinate, 1);
         let coefficient = form.terms[&key][0];
-        let mut others = form.clone();
-        others.terms.remove(&key);
+        let mut other_terms = form.clone();
+        other_terms.terms.remove(&key);
         let nothing = BTreeSet::new();
-        let rest = TermReader::new(self.graph, self.memory, &nothing).written(&others);
+        let rest = TermReader::new(self.graph, self.memory, &nothing).written(&other_terms);
         let minus = self.graph.neg(rest);
         self.graph.div(minus, coefficient)
     }

@@ -130,8 +130,8 @@ impl<'g> Rates<'g> {
         for (k, entry) in self.entries[other].clone() {
             if k != but {
                 let product = self.graph.mul(factor, entry);
-                let own = self.entries[row].entry(k).or_insert(zero);
-                *own = self.graph.sub(*own, product);
+                let entry_of_row = self.entries[row].entry(k).or_insert(zero);
+                *entry_of_row = self.graph.sub(*entry_of_row, product);
             }
         }
         let product = self.graph.mul(factor, self.right[other]);
@@ -223,8 +223,8 @@ impl<'g> Rates<'g> {
             }
             let inverse = self.graph.number(1.0 / f64::max(count, 1.0));
             let mean = self.graph.mul(sum, inverse);
-            let others = self.graph.mul(sum_of_products, mean);
-            sum_of_products = self.graph.add(others, product);
+            let sum_with_mean = self.graph.mul(sum_of_products, mean);
+            sum_of_products = self.graph.add(sum_with_mean, product);
             product = self.graph.mul(product, mean);
         }
         // Slightly less, so that the mean does not exceed 1 after rounding.
@@ -272,9 +272,9 @@ impl<'g> Rates<'g> {
             _ => self.graph.plain_dot([p, q], [p, q]),
         };
         let mut rights = [zero; 2];
-        for ((right, row), (mut entries, own)) in rights.iter_mut().zip(pair.rows).zip(before) {
+        for ((right, row), (mut entries, right_before)) in rights.iter_mut().zip(pair.rows).zip(before) {
             entries.remove(&pair.coordinate);
-            (self.entries[row], self.right[row]) = (entries, own);
+            (self.entries[row], self.right[row]) = (entries, right_before);
             self.fold(row);
             *right = self.right[row];
         }

@@ -80,11 +80,11 @@ fn circle(reader: &mut TermReader<'_>, forms: [&TermSum; 2], [x, y]: [u32; 2]) -
     if !forms.iter().all(|form| only(form, &keys)) {
         return None;
     }
-    let of = |reader: &mut TermReader<'_>, form: &TermSum| {
+    let coefficients = |reader: &mut TermReader<'_>, form: &TermSum| {
         let [e, e_y, l_x, l_y, k] = [0, 1, 2, 3, 4].map(|index: usize| coefficient(reader, form, &keys[index])[0]);
         reader.memory.zero_test.equal(reader.graph, e, e_y).then_some((e, [l_x, l_y], k))
     };
-    let (first, second) = (of(reader, forms[0])?, of(reader, forms[1])?);
+    let (first, second) = (coefficients(reader, forms[0])?, coefficients(reader, forms[1])?);
     let zero = reader.graph.zero();
     let ((e, l, k), (f, n, m)) = if first.0 == zero { (second, first) } else { (first, second) };
     if f == zero {

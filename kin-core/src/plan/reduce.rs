@@ -105,8 +105,8 @@ impl Reduction<'_> {
                 if holds {
                     let mut replaced = Replaced { coordinate, value };
                     self.rows[other] = rewrite(self.graph, self.rows[other], &mut self.rewritten, &mut replaced);
-                    let own = self.source_rows[row].clone();
-                    self.source_rows[other].extend(own);
+                    let sources = self.source_rows[row].clone();
+                    self.source_rows[other].extend(sources);
                     if rows.contains(&other) {
                         let form = self.form(other, &unknowns);
                         forms.insert(other, form);
@@ -164,8 +164,8 @@ impl Reduction<'_> {
         };
         let [first, second] = pair_rows;
         for exchange in &exchanges {
-            let own: Vec<usize> = pair_rows.iter().flat_map(|&row| self.source_rows[row].iter().copied()).collect();
-            self.source_rows[exchange.row].extend(own);
+            let sources: Vec<usize> = pair_rows.iter().flat_map(|&row| self.source_rows[row].iter().copied()).collect();
+            self.source_rows[exchange.row].extend(sources);
         }
         let replaced = pair_rows.iter().any(|row| self.replaced.contains(row));
         let value = match value {
@@ -179,8 +179,8 @@ impl Reduction<'_> {
         };
         self.replaced.insert(first);
         self.rows[first] = row;
-        let own = self.source_rows[second].clone();
-        self.source_rows[first].extend(own);
+        let sources = self.source_rows[second].clone();
+        self.source_rows[first].extend(sources);
         let rest: Vec<usize> = rows.iter().copied().filter(|&other| other != second).collect();
         let mut unknowns = unknowns.clone();
         unknowns.remove(&coordinate);

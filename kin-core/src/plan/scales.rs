@@ -23,13 +23,13 @@ pub(super) fn squared_scales(graph: &mut Graph, matrix: &[Vec<ExprId>], kinds: &
         lengths.iter().for_each(|&column| scales[column] = Some(unit));
     }
     // Scalars are compared with bodies or lengths; without these, with the first scalar.
-    let others: Vec<usize> = angles.into_iter().chain(lengths).collect();
-    let (others, rest) = match scalars.split_first() {
-        Some((first, rest)) if others.is_empty() => (vec![*first], rest),
-        _ => (others, scalars.as_slice()),
+    let references: Vec<usize> = angles.into_iter().chain(lengths).collect();
+    let (references, rest) = match scalars.split_first() {
+        Some((first, rest)) if references.is_empty() => (vec![*first], rest),
+        _ => (references, scalars.as_slice()),
     };
     for &scalar in rest {
-        scales[scalar] = ratio_of_sizes(graph, matrix, (&others, scalar), (kinds, &scales));
+        scales[scalar] = ratio_of_sizes(graph, matrix, (&references, scalar), (kinds, &scales));
     }
     scales
 }
@@ -77,11 +77,11 @@ fn ratio(
 fn ratio_of_sizes(
     graph: &mut Graph,
     matrix: &[Vec<ExprId>],
-    (others, scalar): (&[usize], usize),
+    (references, scalar): (&[usize], usize),
     (kinds, scales): (&[UnknownKind], &[Option<ExprId>]),
 ) -> Option<ExprId> {
-    let own = [scalar];
-    let rows: Vec<_> = shared_rows(graph, matrix, [others, &own]).collect();
+    let scalar_column = [scalar];
+    let rows: Vec<_> = shared_rows(graph, matrix, [references, &scalar_column]).collect();
     let (mut above, mut below) = (graph.zero(), graph.number(DENOMINATOR_FLOOR));
     for [of_others, of_scalar] in &rows {
         let squares = match of_others.as_slice() {

@@ -44,7 +44,7 @@ struct SectionPlaces {
 impl SectionPlaces {
     /// Assigns an expression to the first section that contains it. A section that rotates a vector also computes the
     /// sine and cosine of the angle.
-    fn own(&mut self, graph: &mut Graph, id: ExprId, section: usize) {
+    fn assign(&mut self, graph: &mut Graph, id: ExprId, section: usize) {
         let turned = match graph.node(id) {
             Node::RotX(r) | Node::RotY(r) => [Some(graph.sin(r.angle)), Some(graph.cos(r.angle))],
             _ => [None, None],
@@ -111,7 +111,7 @@ pub(super) fn sections(graph: &mut Graph, stages: Vec<Stage>, first: u32) -> (Ve
         match stage {
             Stage::Closed(outputs) => {
                 for id in graph.reachable(outputs.iter().map(|(_, id)| *id)) {
-                    places.own(graph, id, number);
+                    places.assign(graph, id, number);
                 }
             }
             Stage::Newton { unknowns, corrections, .. } => {
@@ -152,7 +152,7 @@ fn assign_constants(
         if moves {
             moving.insert(id, ());
         } else {
-            places.own(graph, id, number.saturating_sub(1));
+            places.assign(graph, id, number.saturating_sub(1));
         }
     }
 }

@@ -80,8 +80,8 @@ fn squared_size_for_angle(
     for (k, derivative) in gradient {
         let is_angle = kinds(coordinates, &[k]) == [UnknownKind::Angle];
         if is_angle && k != single.unknown && is_known(graph, derivative) {
-            let own = graph.square(derivative);
-            square = graph.add(square, own);
+            let derivative_square = graph.square(derivative);
+            square = graph.add(square, derivative_square);
         }
     }
     let (size, rounding) = (smaller(graph, terms, square), graph.number(ROUNDING));

@@ -226,11 +226,11 @@ fn sum_of_sizes(
     is_position: fn(&Graph, ExprId) -> bool,
     size: fn(&mut Graph, ExprId, usize) -> ExprId,
 ) -> ExprId {
-    let (mut position, mut others) = (None, Vec::new());
-    write_terms(graph, (id, depth, false), is_position, (&mut position, &mut others));
+    let (mut position, mut other_terms) = (None, Vec::new());
+    write_terms(graph, (id, depth, false), is_position, (&mut position, &mut other_terms));
     let position = position.unwrap_or_else(|| graph.zero());
     let square = graph.square(position);
-    others.into_iter().fold(square, |sum, (term, depth)| {
+    other_terms.into_iter().fold(square, |sum, (term, depth)| {
         let term = size(graph, term, depth);
         graph.add(sum, term)
     })

@@ -69,14 +69,14 @@ impl StepList {
         }
     }
 
-    fn block(&mut self, of: (&KinematicSystem, &Graph), block: &Block, source_rows: &[BTreeSet<usize>]) {
-        let (system, graph) = of;
+    fn block(&mut self, system_and_graph: (&KinematicSystem, &Graph), block: &Block, source_rows: &[BTreeSet<usize>]) {
+        let (system, graph) = system_and_graph;
         for part in &block.parts {
             match part {
                 BlockPart::Core(core) => self.add(system, core, source_rows),
-                BlockPart::Block(block) => self.block(of, block, source_rows),
+                BlockPart::Block(block) => self.block(system_and_graph, block, source_rows),
                 BlockPart::Pair(pair) => {
-                    self.block(of, &pair.inner, source_rows);
+                    self.block(system_and_graph, &pair.inner, source_rows);
                     if let (Some(letters), Some(step)) = (letters_of_pair(graph, pair), self.steps.last_mut()) {
                         step.closed_as = Some(letters);
                     }
@@ -156,9 +156,9 @@ impl StepList {
         order.iter().enumerate().for_each(|(index, &found)| indices[found] = index);
         let mut next = 0;
         for (number, step) in self.steps.iter_mut().enumerate() {
-            let own = self.of_margins.iter().filter(|step| step.index() == number).count();
-            step.margins = next..next + own;
-            next += own;
+            let count = self.of_margins.iter().filter(|step| step.index() == number).count();
+            step.margins = next..next + count;
+            next += count;
         }
         self.modes.iter_mut().for_each(|mode| mode.margin = indices[mode.margin]);
         self.indices.clone_from(&indices);

@@ -288,8 +288,8 @@ impl<'a> TermReader<'a> {
             }
         }
         if let Some(rest) = b.rest {
-            let own = out.rest.unwrap_or(zero);
-            out.rest = Some(plus(self.graph, own, rest));
+            let rest_of_a = out.rest.unwrap_or(zero);
+            out.rest = Some(plus(self.graph, rest_of_a, rest));
         }
         Some(out)
     }

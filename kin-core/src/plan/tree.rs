@@ -106,11 +106,11 @@ pub(super) enum SolutionMethod {
 
 impl Block {
     /// The sum of a number over all cores.
-    pub(super) fn sum(&self, of: &impl Fn(&Core) -> usize) -> usize {
+    pub(super) fn sum(&self, number: &impl Fn(&Core) -> usize) -> usize {
         let part = |part: &BlockPart| match part {
-            BlockPart::Core(core) => of(core),
-            BlockPart::Block(block) => block.sum(of),
-            BlockPart::Pair(pair) => pair.inner.sum(of),
+            BlockPart::Core(core) => number(core),
+            BlockPart::Block(block) => block.sum(number),
+            BlockPart::Pair(pair) => pair.inner.sum(number),
         };
         self.parts.iter().map(part).sum()
     }

@@ -68,8 +68,8 @@ pub(super) fn turns(graph: &mut Graph, tree: &Block, set: &ConstraintSet) -> Gra
     let Found { mut squares, by_time, by_coordinate, iterates, iterated_angles } = found;
     let closeness = add_turns(graph, set, &iterated_angles, &mut squares);
     let zero = graph.zero();
-    let of = |(k, _): (u32, &Coordinate)| squares.get(&k).map_or(zero, |&square| graph.call(Function::Sqrt, square));
-    let by_coordinates = if squares.is_empty() { Vec::new() } else { (0..).zip(coordinates).map(of).collect() };
+    let turn = |(k, _): (u32, &Coordinate)| squares.get(&k).map_or(zero, |&square| graph.call(Function::Sqrt, square));
+    let by_coordinates = if squares.is_empty() { Vec::new() } else { (0..).zip(coordinates).map(turn).collect() };
     GradientTurns { by_coordinates, looks_within: by_time || by_coordinate && iterates, closeness }
 }
 
@@ -120,16 +120,16 @@ fn of_core(graph: &mut Graph, core: &Core, coordinates: &[Coordinate], found: &m
         found.by_time |= is_closed && gradient.values().flatten().any(with_time);
         let changes: Vec<(Vec<ExprId>, Vec<Jet>)> =
             gradient.into_values().map(|entries| (entries.clone(), total_derivatives(graph, &entries))).collect();
-        for (&of, members) in members.iter().filter(|((_, unit), _)| *unit != UnitOfUnknown::Angle || curves) {
+        for (&group, members) in members.iter().filter(|((_, unit), _)| *unit != UnitOfUnknown::Angle || curves) {
             if let Some(share) = turn(graph, &changes, members) {
                 found.by_coordinate |= is_closed;
-                let sum = squares.get(&of).copied().unwrap_or_else(|| graph.zero());
-                squares.insert(of, graph.add(sum, share));
+                let sum = squares.get(&group).copied().unwrap_or_else(|| graph.zero());
+                squares.insert(group, graph.add(sum, share));
             }
         }
     }
-    for (of, square) in squares {
-        for &k in &members[&of] {
+    for (group, square) in squares {
+        for &k in &members[&group] {
             let sum = found.squares.get(&k).copied().unwrap_or_else(|| graph.zero());
             found.squares.insert(k, graph.add(sum, square));
         }

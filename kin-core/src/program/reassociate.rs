@@ -51,12 +51,12 @@ pub(super) fn early_terms_first(program: Program) -> Program {
 fn depends_on_function(instructions: &[Instruction]) -> Vec<bool> {
     let mut depends_on_function = vec![false; instructions.len()];
     for (index, instruction) in instructions.iter().enumerate() {
-        let mut own = matches!(
+        let mut depends = matches!(
             instruction,
             Instruction::SinCos(_) | Instruction::Call(..) | Instruction::Atan2(..) | Instruction::Supplied(..)
         );
-        instruction.for_each_operand(|operand| own |= depends_on_function[operand.index()]);
-        depends_on_function[index] = own;
+        instruction.for_each_operand(|operand| depends |= depends_on_function[operand.index()]);
+        depends_on_function[index] = depends;
     }
     depends_on_function
 }
@@ -73,8 +73,8 @@ fn partial_sums(program: &Program) -> Vec<bool> {
         });
     }
     program.outputs.iter().for_each(|(_, value)| uses[value.index()] += 2);
-    let own = program.instructions.iter().zip(uses.into_iter().zip(in_sum));
-    own.map(|(instruction, (uses, in_sum))| is_sum(instruction) && uses == 1 && in_sum).collect()
+    let instructions = program.instructions.iter().zip(uses.into_iter().zip(in_sum));
+    instructions.map(|(instruction, (uses, in_sum))| is_sum(instruction) && uses == 1 && in_sum).collect()
 }
 
 /// The terms of a sum from left to right, and the partial sums that it is made of.

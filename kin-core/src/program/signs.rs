@@ -102,13 +102,13 @@ impl Votes {
 fn deciding(graph: &Graph, order: &[ExprId]) -> Vec<bool> {
     let mut decides = vec![false; graph.len()];
     for &id in order {
-        let of = |id: ExprId| decides[id.index()];
+        let decides_sign = |id: ExprId| decides[id.index()];
         decides[id.index()] = match graph.node(id) {
             Node::RotX(_) | Node::RotY(_) | Node::Sub(..) | Node::Cross(_) => true,
-            Node::Neg(a) | Node::Div(a, _) => of(a),
-            Node::Mul(a, b) => of(a) || of(b),
-            Node::Add(a, b) => of(a) && of(b),
-            Node::Dot(t) => t.d.into_iter().all(of),
+            Node::Neg(a) | Node::Div(a, _) => decides_sign(a),
+            Node::Mul(a, b) => decides_sign(a) || decides_sign(b),
+            Node::Add(a, b) => decides_sign(a) && decides_sign(b),
+            Node::Dot(t) => t.d.into_iter().all(decides_sign),
             _ => false,
         };
     }

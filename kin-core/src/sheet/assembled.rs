@@ -46,15 +46,19 @@ impl Sheet {
             name
         };
         let zero = ShownFormula::Formula(FormulaTree::Number(0.0));
-        let column =
-            |rows: &[&Row], entry: &mut dyn FnMut(&ShownFormula, usize) -> String, of: fn(&Row) -> &ShownFormula| {
-                rows.iter().map(|row| vec![entry(of(row), ENTRY[1])]).collect::<Vec<_>>()
-            };
+        let column = |rows: &[&Row],
+                      entry: &mut dyn FnMut(&ShownFormula, usize) -> String,
+                      expression: fn(&Row) -> &ShownFormula| {
+            rows.iter().map(|row| vec![entry(expression(row), ENTRY[1])]).collect::<Vec<_>>()
+        };
         let positions: Vec<&Row> = rows.iter().copied().filter(|row| row.position).collect();
         let phi = column(&positions, &mut entry, |row| &row.phi);
         let of_row = |row: &&Row| {
-            let of = |coordinate: &String| row.phi_q.iter().find(|(name, _)| name == coordinate);
-            self.coordinates.iter().map(|name| entry(of(name).map_or(&zero, |(_, shown)| shown), ENTRY[0])).collect()
+            let entry_by = |coordinate: &String| row.phi_q.iter().find(|(name, _)| name == coordinate);
+            self.coordinates
+                .iter()
+                .map(|name| entry(entry_by(name).map_or(&zero, |(_, shown)| shown), ENTRY[0]))
+                .collect()
         };
         let phi_q = rows.iter().map(of_row).collect();
         let phi_t = column(&rows, &mut entry, |row| &row.phi_t);
@@ -135,8 +139,8 @@ fn matrix(name: &str, head: Option<&[String]>, rows: &[Vec<String>], names: &[St
             _ => ("⎢", "⎥"),
         };
         let before = if index == 0 { format!("{name} = ") } else { indent.clone() };
-        let own = names.get(index).map_or("", String::as_str);
-        out.push_str(&format!("    {before}{open} {} {close}  {own}\n", line(row)));
+        let row_name = names.get(index).map_or("", String::as_str);
+        out.push_str(&format!("    {before}{open} {} {close}  {row_name}\n", line(row)));
     }
     out
 }

@@ -82,7 +82,7 @@ pub struct Joint {
     /// Names of other members of its family with the same equations, which are not written out.
     pub alike: Vec<String>,
     /// Its equations in vectors.
-    pub(super) own: Vec<Equation>,
+    pub(super) vector_equations: Vec<Equation>,
     /// Its rows.
     pub rows: Vec<Row>,
 }
@@ -96,7 +96,7 @@ impl Joint {
             true => keyword.to_owned(),
             false => format!("{keyword}, {}", frames.join(" – ")),
         };
-        let (name, own) = (joint.name.to_owned(), joints::vector_equations(joint));
-        Self { name, what, alike: Vec::new(), own, rows: Vec::new() }
+        let (name, vector_equations) = (joint.name.to_owned(), joints::vector_equations(joint));
+        Self { name, what, alike: Vec::new(), vector_equations, rows: Vec::new() }
     }
 }

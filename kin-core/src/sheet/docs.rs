@@ -5,7 +5,7 @@
 
 use super::content::{Joint, Sheet};
 use super::html::{STYLE, WIDTH, html_step, math, own_equations, table};
-use super::lines::{derivatives, own};
+use super::lines::{derivatives, row_equation};
 use super::shown::symbol;
 use crate::notation::Notation::MathMl;
 use crate::notation::escaped;
@@ -99,7 +99,7 @@ const OWN: &str = "\
 .kin-sheet details{margin:0 0 .4rem}";
 
 fn section(joint: &Joint) -> String {
-    let first = table(joint.rows.iter().map(|row| own(row, MathMl, WIDTH)));
+    let first = table(joint.rows.iter().map(|row| row_equation(row, MathMl, WIDTH)));
     let folded: String = joint.rows.iter().map(|row| table(derivatives(row, MathMl, WIDTH).into_iter())).collect();
     let alike = match joint.alike.as_slice() {
         [] => String::new(),

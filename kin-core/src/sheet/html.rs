@@ -1,7 +1,7 @@
 //! A sheet as a page with MathML, which browsers show without scripts.
 
 use super::content::{Joint, Sheet};
-use super::lines::{EquationLine, derivatives, own};
+use super::lines::{EquationLine, derivatives, row_equation};
 use super::steps::SheetStep;
 use crate::notation::Notation::MathMl;
 use crate::notation::escaped;
@@ -86,7 +86,7 @@ fn section(joint: &Joint) -> String {
     let rows: String = joint
         .rows
         .iter()
-        .map(|row| table(std::iter::once(own(row, MathMl, WIDTH)).chain(derivatives(row, MathMl, WIDTH))))
+        .map(|row| table(std::iter::once(row_equation(row, MathMl, WIDTH)).chain(derivatives(row, MathMl, WIDTH))))
         .collect();
     format!(
         "<section>\n<h2>{} <span>{}</span></h2>\n{}{rows}</section>\n",
@@ -98,10 +98,11 @@ fn section(joint: &Joint) -> String {
 
 /// A joint's own equations, one below the other.
 pub(super) fn own_equations(joint: &Joint) -> String {
-    if joint.own.is_empty() {
+    if joint.vector_equations.is_empty() {
         return String::new();
     }
-    let lines = joint.own.iter().map(|equation| format!("<p>{}</p>", math(&vectors::write(equation, MathMl))));
+    let lines =
+        joint.vector_equations.iter().map(|equation| format!("<p>{}</p>", math(&vectors::write(equation, MathMl))));
     format!("<div class=\"kin-eq\">{}</div>\n", lines.collect::<String>())
 }
 

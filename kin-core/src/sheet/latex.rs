@@ -1,7 +1,7 @@
 //! A sheet as LaTeX: a document, or a fragment to be included in one.
 
 use super::content::{Joint, Sheet};
-use super::lines::{EquationLine, derivatives, own};
+use super::lines::{EquationLine, derivatives, row_equation};
 use super::steps::ORDERS;
 use crate::notation::Notation::Latex;
 use crate::vectors;
@@ -64,9 +64,11 @@ impl Sheet {
 }
 
 fn joint(joint: &Joint) -> String {
-    let vectors = joint.own.iter().map(|equation| format!("& {}", vectors::write(equation, Latex)));
+    let vectors = joint.vector_equations.iter().map(|equation| format!("& {}", vectors::write(equation, Latex)));
     let rows = joint.rows.iter().flat_map(|row| {
-        std::iter::once(own(row, Latex, WIDTH)).chain(derivatives(row, Latex, WIDTH)).map(|line| equation(&line))
+        std::iter::once(row_equation(row, Latex, WIDTH))
+            .chain(derivatives(row, Latex, WIDTH))
+            .map(|line| equation(&line))
     });
     let lines: Vec<String> = vectors.chain(rows).collect();
     format!("\\paragraph{{{}}} {}\n{}", prose(&joint.name), prose(&joint.what), display(&lines))

@@ -31,7 +31,7 @@ pub(super) fn zero(notation: Notation) -> &'static str {
 }
 
 /// The equation Φ = 0 of a row.
-pub(super) fn own(row: &Row, notation: Notation, width: usize) -> EquationLine {
+pub(super) fn row_equation(row: &Row, notation: Notation, width: usize) -> EquationLine {
     let mut right = row.phi.lines(notation, width);
     if let Some(last) = right.last_mut() {
         last.push_str(zero(notation));

@@ -31,9 +31,9 @@ impl Sheet {
             }
         }
         let coordinates: Vec<String> = set.coordinates.iter().map(|coordinate| coordinate.name.clone()).collect();
-        let dynamics = dynamics(mechanism, system).map(|of| {
-            let mass = of.mass.iter().map(|(row, column, entry)| (*row, *column, entry.as_str()));
-            Dynamics::new(&coordinates, mass, of.forces.iter().map(String::as_str))
+        let dynamics = dynamics(mechanism, system).map(|terms| {
+            let mass = terms.mass.iter().map(|(row, column, entry)| (*row, *column, entry.as_str()));
+            Dynamics::new(&coordinates, mass, terms.forces.iter().map(String::as_str))
         });
         let (steps, unsolved) = (SheetStep::of_plan(plan), String::new());
         Self {
@@ -71,17 +71,17 @@ fn of_joint(system: &KinematicSystem, joint: &JointInstance) -> Joint {
     let frames = joint.frames.map(|frame| frame.map(name));
     let points = [point(Role::P), point(Role::Q)];
     let named = NamedJoint { kind: joint.kind, name: &joint.name, frames, points };
-    let mut of = Joint::new(&named);
+    let mut out = Joint::new(&named);
     let rows = joint.first_row..joint.first_row + joint.rows;
     let classes = rows.clone().map(|row| &system.classes[row]);
     let [mut driving, mut rheonomic] = [false; 2];
     for class in classes {
         (driving, rheonomic) = (driving || class.driving, rheonomic || class.rheonomic);
     }
-    of.what.push_str(if rheonomic { "; rheonomic" } else { "; scleronomic" });
-    of.what.push_str(if driving && joint.kind != JointKind::Driver { ", driving" } else { "" });
-    of.rows = rows.map(|row| of_row(system, row)).collect();
-    of
+    out.what.push_str(if rheonomic { "; rheonomic" } else { "; scleronomic" });
+    out.what.push_str(if driving && joint.kind != JointKind::Driver { ", driving" } else { "" });
+    out.rows = rows.map(|row| of_row(system, row)).collect();
+    out
 }
 
 fn of_row(system: &KinematicSystem, row: usize) -> Row {

@@ -1,7 +1,7 @@
 //! A sheet as aligned text.
 
 use super::content::{Joint, Sheet};
-use super::lines::{EquationLine, derivatives, own};
+use super::lines::{EquationLine, derivatives, row_equation};
 use super::shown::Row;
 use crate::notation::Notation::Unicode;
 use crate::vectors;
@@ -50,7 +50,7 @@ impl Sheet {
 
 fn joint(joint: &Joint) -> String {
     let mut out = format!("\n{}  {}\n", joint.name, joint.what);
-    for equation in &joint.own {
+    for equation in &joint.vector_equations {
         out.push_str(&format!("    {}\n", vectors::write(equation, Unicode)));
     }
     for row in &joint.rows {
@@ -61,7 +61,7 @@ fn joint(joint: &Joint) -> String {
 }
 
 fn of_row(row: &Row) -> String {
-    let first = own(row, Unicode, usize::MAX);
+    let first = row_equation(row, Unicode, usize::MAX);
     let first = EquationLine { left: format!("{}  {}", first.left, row.name), ..first };
     aligned(std::iter::once(first).chain(derivatives(row, Unicode, usize::MAX)).collect())
 }

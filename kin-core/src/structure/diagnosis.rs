@@ -73,8 +73,8 @@ pub fn diagnose(system: &KinematicSystem) -> Structure {
     }
     // A single random pose may have a smaller rank than the generic one, with a probability of about 1e-15; the
     // largest rank of several poses is taken.
-    let others = POSE_SEEDS[1..].iter().map(|seed| at(system, Draw(*seed)));
-    others.fold(first, |best, other| if other.rank > best.rank { other } else { best })
+    let other_poses = POSE_SEEDS[1..].iter().map(|seed| at(system, Draw(*seed)));
+    other_poses.fold(first, |best, other| if other.rank > best.rank { other } else { best })
 }
 
 /// Φ_q at a random pose, row by row.

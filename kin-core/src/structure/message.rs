@@ -46,18 +46,18 @@ fn message(
 ) -> String {
     let set = &system.set;
     let joint_of = |row: usize| set.rows[row].joint;
-    let own = distinct(redundant.iter().map(|r| joint_of(r.row)));
+    let joints = distinct(redundant.iter().map(|r| joint_of(r.row)));
     let circuit = redundant.iter().flat_map(|r| &r.circuit).map(|row| joint_of(*row));
-    let mut others: Vec<usize> = distinct(circuit.filter(|joint| !own.contains(joint)));
-    others.sort_unstable();
-    let names = quoted(own.iter().map(|joint| set.joints[*joint].name.as_str()), "and");
-    let with = quoted(others.iter().map(|joint| set.joints[*joint].name.as_str()), "and");
+    let mut other_joints: Vec<usize> = distinct(circuit.filter(|joint| !joints.contains(joint)));
+    other_joints.sort_unstable();
+    let names = quoted(joints.iter().map(|joint| set.joints[*joint].name.as_str()), "and");
+    let with = quoted(other_joints.iter().map(|joint| set.joints[*joint].name.as_str()), "and");
     let driving = redundant.iter().all(|r| system.classes[r.row].driving);
     let (n, s, rank) = (structure.coordinates, structure.rows, structure.rank);
-    let advice = advice(set, &own, redundant, driving);
-    let plural = own.len() > 1;
+    let advice = advice(set, &joints, redundant, driving);
+    let plural = joints.len() > 1;
     if redundant.iter().all(|r| r.circuit.is_empty()) {
-        return redundant_by_itself(set, &own, redundant, &advice, held);
+        return redundant_by_itself(set, &joints, redundant, &advice, held);
     }
     let held = match held.len() {
         0 => String::new(),
@@ -71,11 +71,11 @@ fn message(
             1 => "1 degree of freedom".to_owned(),
             _ => format!("{freedom} degrees of freedom"),
         };
-        let said = if plural { "prescribe" } else { "prescribes" };
-        let already = if others.is_empty() {
+        let verb = if plural { "prescribe" } else { "prescribes" };
+        let already = if other_joints.is_empty() {
             "what the other members of its family already do".to_owned()
         } else {
-            format!("what {with} already {}", if others.len() > 1 { "determine" } else { "determines" })
+            format!("what {with} already {}", if other_joints.len() > 1 { "determine" } else { "determines" })
         };
         let rows = if drivers == 1 { "1 driving row".to_owned() } else { format!("{drivers} driving rows") };
         // If joints are redundant for special lengths, the mechanism has more degrees of freedom than the generic rank
@@ -85,23 +85,23 @@ fn message(
             let is_angle = set.meanings(joint).iter().all(|meaning| *meaning == RowMeaning::Angle);
             !is_angle && !system.classes[joint.first_row].driving
         };
-        let by_lengths = others.iter().any(has_lengths);
+        let by_lengths = other_joints.iter().any(has_lengths);
         let unless = if by_lengths { ", if special lengths give the mechanism more degrees of freedom," } else { "" };
         return format!(
-            "the mechanism has {freedom} and {rows}: {names} {said} {already}; {advice}, or{unless} write \
+            "the mechanism has {freedom} and {rows}: {names} {verb} {already}; {advice}, or{unless} write \
              `#[mechanism(allow_redundant)]`{held}"
         );
     }
-    let rows = rows(set, &own, redundant);
+    let rows = rows(set, &joints, redundant);
     let several_rows = rows.starts_with("rows");
-    let said = if plural || several_rows { "repeat or contradict" } else { "repeats or contradicts" };
-    let already = match others.len() {
+    let verb = if plural || several_rows { "repeat or contradict" } else { "repeats or contradicts" };
+    let already = match other_joints.len() {
         0 => "itself".to_owned(),
         1 => format!("what joint {with} already prescribes"),
         _ => format!("what joints {with} already prescribe"),
     };
     format!(
-        "{rows}{names} {said} {already}, for all dimensions: {n} coordinates, {s} rows, rank {rank}; {advice}, or \
+        "{rows}{names} {verb} {already}, for all dimensions: {n} coordinates, {s} rows, rank {rank}; {advice}, or \
          write `#[mechanism(allow_redundant)]`{held}"
     )
 }
@@ -113,23 +113,23 @@ fn names_of(held: &BTreeSet<HeldCoordinate>) -> String {
 /// The message for rows that are redundant by themselves: their residuals depend on no coordinate.
 fn redundant_by_itself(
     set: &ConstraintSet,
-    own: &[usize],
+    joints: &[usize],
     redundant: &[&Redundancy],
     advice: &str,
     held: &BTreeSet<HeldCoordinate>,
 ) -> String {
     let (rows, names) =
-        (rows(set, own, redundant), quoted(own.iter().map(|joint| set.joints[*joint].name.as_str()), "and"));
-    let plural = own.len() > 1;
+        (rows(set, joints, redundant), quoted(joints.iter().map(|joint| set.joints[*joint].name.as_str()), "and"));
+    let plural = joints.len() > 1;
     let residual = |row: usize| set.rows[row].velocity.map_or(set.rows[row].phi, |velocity| velocity.eta);
     let is_equation = |joint: &usize| set.joints[*joint].kind.is_free_equation();
     let same_sides = redundant.iter().all(|r| set.graph.is_zero(residual(r.row)));
-    if same_sides && own.iter().all(is_equation) {
-        let (constrains, each, it) =
+    if same_sides && joints.iter().all(is_equation) {
+        let (constrains, each, pronoun) =
             if plural { ("constrain", "of each", "them") } else { ("constrains", "of it", "it") };
         return format!(
             "{names} {constrains} nothing: both sides {each} are the same; write the intended value on the right \
-             side, or remove {it}"
+             side, or remove {pronoun}"
         );
     }
     let (constrains, residual) = if plural {
@@ -137,22 +137,22 @@ fn redundant_by_itself(
     } else {
         ("constrains", "its residual does not depend")
     };
-    let said = format!(
+    let text = format!(
         "{rows}{names} {constrains} nothing: {residual} on any coordinate; {advice}, or write \
          `#[mechanism(allow_redundant)]`"
     );
-    let (names, that) = match held.len() {
-        0 => return said,
+    let (names, freed) = match held.len() {
+        0 => return text,
         1 => (format!("coordinate {}", names_of(held)), "that coordinate"),
         _ => (format!("coordinates {}", names_of(held)), "one of them"),
     };
     let it_is = if plural { "they are" } else { "it is" };
-    format!("{said}; because of the held {names} {it_is} either always or never satisfied: leave {that} free instead")
+    format!("{text}; because of the held {names} {it_is} either always or never satisfied: leave {freed} free instead")
 }
 
 /// `row `N.angle` of `, or nothing if all rows of the joint are redundant.
-fn rows(set: &ConstraintSet, own: &[usize], redundant: &[&Redundancy]) -> String {
-    let [joint] = own else { return String::new() };
+fn rows(set: &ConstraintSet, joints: &[usize], redundant: &[&Redundancy]) -> String {
+    let [joint] = joints else { return String::new() };
     let joint = &set.joints[*joint];
     if redundant.len() == joint.rows {
         return String::new();
@@ -162,14 +162,14 @@ fn rows(set: &ConstraintSet, own: &[usize], redundant: &[&Redundancy]) -> String
 }
 
 /// The correction to suggest, which depends on the kinds of the joints and on which of their rows are redundant.
-fn advice(set: &ConstraintSet, own: &[usize], redundant: &[&Redundancy], driving: bool) -> String {
-    let it = if own.len() > 1 { "them" } else { "it" };
+fn advice(set: &ConstraintSet, redundant_joints: &[usize], redundant: &[&Redundancy], driving: bool) -> String {
+    let pronoun = if redundant_joints.len() > 1 { "them" } else { "it" };
     if driving {
-        return format!("remove {it}");
+        return format!("remove {pronoun}");
     }
     // Members of a family may differ in which of their rows are redundant.
     let mut kinds: Vec<(Option<&str>, Vec<usize>)> = Vec::new();
-    for &joint in own {
+    for &joint in redundant_joints {
         let instead = instead_of(set, joint, redundant);
         match kinds.iter_mut().find(|(known, _)| *known == instead) {
             Some((_, joints)) => joints.push(joint),
@@ -177,7 +177,7 @@ fn advice(set: &ConstraintSet, own: &[usize], redundant: &[&Redundancy], driving
         }
     }
     if let [(None, _)] = kinds[..] {
-        return format!("remove {it}");
+        return format!("remove {pronoun}");
     }
     // The shorter part of the advice, a removal, comes first.
     kinds.sort_by_key(|(instead, _)| instead.is_some());

@@ -189,18 +189,18 @@ fn equations(system: &KinematicSystem, turns: &PoseTurns, unknowns: &mut Unknown
     let mut pairs: Vec<Vec<(Residue, Linear)>> = Vec::new();
     let equal = |a: Linear, b: Linear| vec![(plus, a), (-plus, b)];
     for (index, body) in set.bodies.iter().enumerate() {
-        let own = [0, 1].map(|c| (vec![(Unknowns::origin(index) + c, plus)], Residue::ZERO));
+        let origin = [0, 1].map(|c| (vec![(Unknowns::origin(index) + c, plus)], Residue::ZERO));
         match (body.carried_by, body.carried_at) {
             (Some(carrier), Some([x, y])) => {
                 let [x, y] = unknowns.point(graph, (carrier, x, y));
-                let [own_x, own_y] = own;
+                let [own_x, own_y] = origin;
                 pairs.push(equal(own_x, x));
                 pairs.push(equal(own_y, y));
             }
             _ => {
-                for (c, own) in own.into_iter().enumerate() {
+                for (c, origin) in origin.into_iter().enumerate() {
                     if body.coordinates[c].is_none() {
-                        pairs.push(equal(own, unknowns.value(graph, body.pose[c])));
+                        pairs.push(equal(origin, unknowns.value(graph, body.pose[c])));
                     }
                 }
             }
@@ -223,7 +223,7 @@ fn equations(system: &KinematicSystem, turns: &PoseTurns, unknowns: &mut Unknown
                     if let Some([ux, uy]) = fixed_direction(set, turns, joint).filter(|_| through) {
                         // The row perp(u)·(r_Q − r_P) = 0.
                         let terms = [(-uy, qx), (uy, px), (ux, qy), (-ux, py)];
-                        pairs.push(terms.map(|(factor, of)| (factor, of.clone())).to_vec());
+                        pairs.push(terms.map(|(factor, coordinate)| (factor, coordinate.clone())).to_vec());
                     }
                 }
                 _ => {}

@@ -117,12 +117,12 @@ impl Elimination {
     pub(super) fn solve(&self, free: impl Fn(usize) -> Residue) -> Vec<Residue> {
         let columns = self.pivot_of.len();
         let mut x: Vec<Residue> = (0..columns).map(free).collect();
-        if let Some(one) = x.last_mut() {
-            *one = Residue::ONE;
+        if let Some(constant) = x.last_mut() {
+            *constant = Residue::ONE;
         }
         for pivot in self.pivots.iter().rev() {
-            let others = pivot.entries.iter().filter(|(column, _)| *column != pivot.column);
-            x[pivot.column] = others.fold(Residue::ZERO, |sum, &(column, value)| sum - value * x[column]);
+            let other_entries = pivot.entries.iter().filter(|(column, _)| *column != pivot.column);
+            x[pivot.column] = other_entries.fold(Residue::ZERO, |sum, &(column, value)| sum - value * x[column]);
         }
         x
     }

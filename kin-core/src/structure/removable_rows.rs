@@ -101,8 +101,8 @@ impl<'a> RemovableRows<'a> {
         let coordinates = &self.system.set.coordinates;
         let node = |k: u32| match coordinates[k as usize].kind {
             CoordinateKind::Pose(body, _) => {
-                let own = |kind| matches!(kind, CoordinateKind::Pose(other, _) if other == body);
-                coordinates.iter().position(|coordinate| own(coordinate.kind)).unwrap_or(k as usize)
+                let is_of_body = |kind| matches!(kind, CoordinateKind::Pose(other, _) if other == body);
+                coordinates.iter().position(|coordinate| is_of_body(coordinate.kind)).unwrap_or(k as usize)
             }
             CoordinateKind::Scalar => k as usize,
         };
@@ -136,10 +136,10 @@ fn doubled(system: &KinematicSystem, jacobian: &RandomJacobian<'_>) -> BTreeSet<
     for mut joints in between.into_values().filter(|joints| joints.len() > 1) {
         let rows = |joint: usize| (0..set.rows.len()).filter(move |&row| set.rows[row].joint == joint);
         joints.sort_by_key(|&joint| std::cmp::Reverse(rows(joint).count()));
-        let mut own: Vec<usize> = Vec::new();
+        let mut rows_of_pair: Vec<usize> = Vec::new();
         for (k, joint) in joints.into_iter().enumerate() {
-            own.extend(rows(joint));
-            if k > 0 && jacobian.rank_of(&own) == 3 {
+            rows_of_pair.extend(rows(joint));
+            if k > 0 && jacobian.rank_of(&rows_of_pair) == 3 {
                 out.extend(rows(joint));
             }
         }

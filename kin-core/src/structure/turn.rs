@@ -157,11 +157,11 @@ impl PoseTurns {
             });
             let mut open = vec![root];
             while let Some(index) = open.pop() {
-                let Some(here) = rotations[index] else { continue };
+                let Some(rotation) = rotations[index] else { continue };
                 for (next, TurnRow { ends: [(_, sign), (_, next_sign)], rest }) in &relations[index] {
                     if rotations[*next].is_none() {
                         // Solves for φ_next = −next_sign (sign φ + rest).
-                        rotations[*next] = Some(here.times(*sign).compose(*rest).times(-next_sign));
+                        rotations[*next] = Some(rotation.times(*sign).compose(*rest).times(-next_sign));
                         open.push(*next);
                     }
                 }

@@ -26,7 +26,7 @@ pub(super) struct Checker<'m> {
     /// The written units of parameters, scalar coordinates, inputs and defines.
     pub(super) written: [Vec<Option<WrittenUnit>>; 4],
     /// The units with which scalar coordinates and inputs without a unit are compared.
-    pub(super) met: [Vec<Met>; 2],
+    pub(super) compared: [Vec<ComparedUnit>; 2],
     /// The unit of positions.
     pub(super) length: Unit,
     /// The first name whose unit contains that unit, in words: ``the unit of `l1` ``.
@@ -52,7 +52,7 @@ pub(super) struct WrittenUnit {
 
 /// The unit with which a name without a unit is compared in equations.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) enum Met {
+pub(super) enum ComparedUnit {
     #[default]
     Nothing,
     One(WrittenUnit),
@@ -73,8 +73,9 @@ pub(super) enum Named {
 pub(super) fn texts(mechanism: &Mechanism) -> impl Iterator<Item = (&str, &str)> {
     let m = mechanism;
     let parameters = m.parameters.iter().map(|p| (&p.name, &p.unit));
-    let others = m.scalars.iter().map(|s| (&s.name, &s.unit)).chain(m.inputs.iter().map(|u| (&u.name, &u.unit)));
-    let all = parameters.chain(others).chain(m.defines.iter().map(|d| (&d.name, &d.unit)));
+    let scalars_and_inputs =
+        m.scalars.iter().map(|s| (&s.name, &s.unit)).chain(m.inputs.iter().map(|u| (&u.name, &u.unit)));
+    let all = parameters.chain(scalars_and_inputs).chain(m.defines.iter().map(|d| (&d.name, &d.unit)));
     all.filter_map(|(name, unit)| Some((name.as_str(), unit.as_deref()?)))
 }
 
@@ -124,11 +125,11 @@ impl<'m> Checker<'m> {
                 m.inputs.iter().map(|u| written(&u.unit)).collect(),
                 m.defines.iter().map(|d| written(&d.unit)).collect(),
             ],
-            met: [vec![Met::Nothing; m.scalars.len()], vec![Met::Nothing; m.inputs.len()]],
+            compared: [vec![ComparedUnit::Nothing; m.scalars.len()], vec![ComparedUnit::Nothing; m.inputs.len()]],
             length: Unit { powers: [1.0, 0.0, 0.0], scale: length.map(|base| base.scale) },
             first_length: length.map(|base| {
-                let what = if base.alone { "the unit" } else { "the length in the unit" };
-                format!("{what} of `{}`", base.name)
+                let words = if base.alone { "the unit" } else { "the length in the unit" };
+                format!("{words} of `{}`", base.name)
             }),
             time: Unit { powers: [0.0, 1.0, 0.0], scale: Some(time.map_or(1.0, |base| base.scale)) },
             mass: Unit { powers: [0.0, 0.0, 1.0], scale: mass.map(|base| base.scale) },
@@ -156,13 +157,13 @@ impl<'m> Checker<'m> {
             Formula::Input(member) => (Named::Input, member),
             _ => return,
         };
-        if let Some(met) = self.met[named as usize - 1].get_mut(member.family) {
-            *met = match *met {
-                Met::Nothing => Met::One(WrittenUnit { unit, angle }),
-                Met::One(other) if other.unit.agrees(unit) => {
-                    Met::One(WrittenUnit { angle: other.angle.max(angle), ..other })
+        if let Some(unit_met) = self.compared[named as usize - 1].get_mut(member.family) {
+            *unit_met = match *unit_met {
+                ComparedUnit::Nothing => ComparedUnit::One(WrittenUnit { unit, angle }),
+                ComparedUnit::One(other) if other.unit.agrees(unit) => {
+                    ComparedUnit::One(WrittenUnit { angle: other.angle.max(angle), ..other })
                 }
-                _ => Met::Several,
+                _ => ComparedUnit::Several,
             };
         }
     }

@@ -1,7 +1,7 @@
 //! The units of a mechanism: those that are written, and those that follow from them.
 
 use super::checker::{
-    Checker, Met,
+    Checker, ComparedUnit,
     QuantityUnit::{Of, Plain},
     WrittenUnit, base, texts,
 };
@@ -32,26 +32,35 @@ pub fn derive(mechanism: &Mechanism) -> Units {
     let any = are_written(mechanism);
     let symbol = |kind| base(mechanism, kind).map(|base| base.symbol.to_owned());
     let mut units = Units { length: symbol(0), time: symbol(1).or(any.then(|| "s".to_owned())), named: Vec::new() };
-    let of = |name: &str, own: &Option<String>, derived: Option<String>| {
-        own.clone().or(derived).map(|unit| (name.to_owned(), unit))
+    let named_unit = |name: &str, written: &Option<String>, derived: Option<String>| {
+        written.clone().or(derived).map(|unit| (name.to_owned(), unit))
     };
-    let met = |met: Option<&Met>| match met {
-        Some(Met::One(WrittenUnit { unit, angle })) => text(&units, &checker, *unit, *angle),
+    let compared_unit = |compared_unit: Option<&ComparedUnit>| match compared_unit {
+        Some(ComparedUnit::One(WrittenUnit { unit, angle })) => text(&units, &checker, *unit, *angle),
         _ => None,
     };
     let mut named = Vec::new();
     named.extend(
-        mechanism.scalars.iter().zip(0..).filter_map(|(s, k)| of(&s.name, &s.unit, met(checker.met[0].get(k)))),
+        mechanism
+            .scalars
+            .iter()
+            .zip(0..)
+            .filter_map(|(s, k)| named_unit(&s.name, &s.unit, compared_unit(checker.compared[0].get(k)))),
     );
-    named
-        .extend(mechanism.inputs.iter().zip(0..).filter_map(|(u, k)| of(&u.name, &u.unit, met(checker.met[1].get(k)))));
+    named.extend(
+        mechanism
+            .inputs
+            .iter()
+            .zip(0..)
+            .filter_map(|(u, k)| named_unit(&u.name, &u.unit, compared_unit(checker.compared[1].get(k)))),
+    );
     for (k, define) in mechanism.defines.iter().enumerate() {
         let derived = match checker.defines.get(k).copied().flatten() {
             Some((Of(unit), angle)) => text(&units, &checker, unit, angle),
             Some((Plain, 1.0)) => Some("rad".to_owned()),
             _ => None,
         };
-        named.extend(of(&define.name, &define.unit, derived));
+        named.extend(named_unit(&define.name, &define.unit, derived));
     }
     units.named = named;
     units
@@ -61,8 +70,8 @@ pub fn derive(mechanism: &Mechanism) -> Units {
 fn text(units: &Units, checker: &Checker<'_>, unit: Unit, angle: f64) -> Option<String> {
     let [length, time, mass] = unit.powers;
     let scale = checker.length.scale.unwrap_or(1.0).powf(length) * checker.time.scale.unwrap_or(1.0).powf(time);
-    let own = mass.abs() < 1e-9 && unit.scale.is_none_or(|found| near(found, scale));
-    if !own {
+    let is_in_base_units = mass.abs() < 1e-9 && unit.scale.is_none_or(|found| near(found, scale));
+    if !is_in_base_units {
         return Some(symbol_of(unit).map_or_else(|| unit.to_string(), str::to_owned));
     }
     let is_angle = !unit.has_length() && near(angle, 1.0);

@@ -55,7 +55,7 @@ impl Checker<'_> {
                 Some(_) => unit.to_string(),
             };
             let like = match &self.first_length {
-                Some(of) if unit == self.length && found.is_like(unit) => format!(", {of},"),
+                Some(first_length) if unit == self.length && found.is_like(unit) => format!(", {first_length},"),
                 _ => String::new(),
             };
             // Forces and couples have no scale of their own. A number before a rate is no coefficient of damping.
@@ -74,26 +74,28 @@ impl Checker<'_> {
     /// Checks that both formulas have one unit, and returns it. An error points at the second if it contains a name.
     pub(super) fn same(&mut self, a: &Formula, b: &Formula) -> QuantityUnit {
         let (left, right) = (self.quantity(a), self.quantity(b));
-        for ((of, quantity, own), other) in [((a, right, left), b), ((b, left, right), a)] {
+        for ((formula, quantity, quantity_of_formula), other) in [((a, right, left), b), ((b, left, right), a)] {
             let angle = self.angle(other);
             if angle == 1.0 {
-                self.report_turns(of, own);
+                self.report_turns(formula, quantity_of_formula);
             }
             match quantity {
-                Of(unit) => self.meets(of, unit, angle),
-                Plain if angle != 0.0 => self.meets(of, Unit::NUMBER, angle),
+                Of(unit) => self.meets(formula, unit, angle),
+                Plain if angle != 0.0 => self.meets(formula, Unit::NUMBER, angle),
                 _ => {}
             }
         }
         match (left, right) {
             (Of(one), Of(other)) if !one.agrees(other) => {
-                let (this, that, origin) = match (first_origin(a), first_origin(b)) {
+                let (found, found_in_other, origin) = match (first_origin(a), first_origin(b)) {
                     (_, Some(origin)) => (other, one, origin),
                     (Some(origin), None) => (one, other, origin),
                     (None, None) => (other, one, self.at),
                 };
-                let hint = conversion(this, that);
-                let message = format!("the units do not agree: this is {this}, but the other quantity is {that}{hint}");
+                let hint = conversion(found, found_in_other);
+                let message = format!(
+                    "the units do not agree: this is {found}, but the other quantity is {found_in_other}{hint}"
+                );
                 self.errors.push(ModelError::new(origin, message));
                 // `Any` agrees with every unit, so that no further errors follow.
                 Any

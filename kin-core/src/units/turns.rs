@@ -34,7 +34,7 @@ const DEPTH: usize = 4;
 fn turns(mechanism: &Mechanism, formula: &Formula, depth: usize) -> f64 {
     let m = mechanism;
     let written = |unit: &Option<String>| unit.as_deref().map_or(0.0, hertz);
-    let own = |named: Named, k: usize| match named {
+    let turns_of_name = |named: Named, k: usize| match named {
         Named::Parameter => m.parameters.get(k).map_or(0.0, |p| written(&p.unit)),
         Named::Scalar => m.scalars.get(k).map_or(0.0, |s| written(&s.unit)),
         Named::Input => m.inputs.get(k).map_or(0.0, |u| written(&u.unit)),
@@ -43,19 +43,21 @@ fn turns(mechanism: &Mechanism, formula: &Formula, depth: usize) -> f64 {
             (unit, _) => written(unit),
         }),
     };
-    let of = |formula: &Formula| turns(m, formula, depth);
+    let turns_of = |formula: &Formula| turns(m, formula, depth);
     match formula {
-        Formula::Parameter(member) => own(Named::Parameter, member.family),
-        Formula::Scalar(member) => own(Named::Scalar, member.family),
-        Formula::Input(member) => own(Named::Input, member.family),
-        Formula::Define(member) => own(Named::Define, member.family),
-        Formula::Neg(a) => of(a),
-        Formula::Add(a, b) | Formula::Sub(a, b) => Some(of(a)).filter(|turns| *turns != 0.0).unwrap_or_else(|| of(b)),
+        Formula::Parameter(member) => turns_of_name(Named::Parameter, member.family),
+        Formula::Scalar(member) => turns_of_name(Named::Scalar, member.family),
+        Formula::Input(member) => turns_of_name(Named::Input, member.family),
+        Formula::Define(member) => turns_of_name(Named::Define, member.family),
+        Formula::Neg(a) => turns_of(a),
+        Formula::Add(a, b) | Formula::Sub(a, b) => {
+            Some(turns_of(a)).filter(|turns| *turns != 0.0).unwrap_or_else(|| turns_of(b))
+        }
         Formula::Mul(a, b) if converts(a) || converts(b) => 0.0,
         Formula::Div(a, b, _) if converts(a) || converts(b) => 0.0,
-        Formula::Mul(a, b) => of(a) + of(b),
-        Formula::Div(a, b, _) => of(a) - of(b),
-        Formula::Pow(a, n) => n * of(a),
+        Formula::Mul(a, b) => turns_of(a) + turns_of(b),
+        Formula::Div(a, b, _) => turns_of(a) - turns_of(b),
+        Formula::Pow(a, n) => n * turns_of(a),
         _ => 0.0,
     }
 }

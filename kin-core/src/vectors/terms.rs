@@ -77,10 +77,10 @@ impl<'a> Terms<'a> {
     }
 
     /// The equation φ_j − φ_i = `what`.
-    pub(crate) fn turned_by(&self, what: Equation) -> Equation {
+    pub(crate) fn turned_by(&self, angle: Equation) -> Equation {
         equals(
             vec![EquationPiece::Scalar(self.j.phi()), EquationPiece::Op(" − "), EquationPiece::Scalar(self.i.phi())],
-            what,
+            angle,
         )
     }
 

@@ -6,7 +6,7 @@ use crate::notation::{Notation, escaped};
 /// Writes an equation in a notation.
 pub(crate) fn write(pieces: &[EquationPiece], notation: Notation) -> String {
     let texts: Vec<(bool, String)> =
-        pieces.iter().map(|piece| (!matches!(piece, EquationPiece::Op(_)), one(piece, notation))).collect();
+        pieces.iter().map(|piece| (!matches!(piece, EquationPiece::Op(_)), written_piece(piece, notation))).collect();
     let mut out = String::new();
     for (index, (symbol, text)) in texts.iter().enumerate() {
         // Adjacent factors are separated by a small space.
@@ -22,11 +22,11 @@ pub(crate) fn write(pieces: &[EquationPiece], notation: Notation) -> String {
     out
 }
 
-fn one(piece: &EquationPiece, notation: Notation) -> String {
+fn written_piece(piece: &EquationPiece, notation: Notation) -> String {
     match piece {
-        EquationPiece::Vector(own) | EquationPiece::Scalar(own) => symbol(own, "", notation),
-        EquationPiece::Transposed(own) => symbol(own, "ᵀ", notation),
-        EquationPiece::Squared(own) => symbol(own, "²", notation),
+        EquationPiece::Vector(letter) | EquationPiece::Scalar(letter) => symbol(letter, "", notation),
+        EquationPiece::Transposed(letter) => symbol(letter, "ᵀ", notation),
+        EquationPiece::Squared(letter) => symbol(letter, "²", notation),
         EquationPiece::Marked(inner, mark) => {
             let inner = write(inner, notation);
             match notation {
@@ -62,49 +62,49 @@ fn latex_mark(mark: &str) -> &'static str {
     }
 }
 
-fn symbol(own: &Letter, mark: &str, notation: Notation) -> String {
-    let prime = if own.primed { "′" } else { "" };
-    let above = own.above.as_deref().unwrap_or_default();
+fn symbol(letter: &Letter, mark: &str, notation: Notation) -> String {
+    let prime = if letter.primed { "′" } else { "" };
+    let above = letter.above.as_deref().unwrap_or_default();
     match notation {
         Notation::Unicode => {
-            let index = own.index.as_ref().map_or_else(String::new, |index| format!("_{index}"));
+            let index = letter.index.as_ref().map_or_else(String::new, |index| format!("_{index}"));
             let above = if above.is_empty() { String::new() } else { format!("^{above}") };
-            format!("{}{prime}{index}{above}{mark}", own.letter)
+            format!("{}{prime}{index}{above}{mark}", letter.letter)
         }
         Notation::Latex => {
-            let letter = match own.letter {
+            let base = match letter.letter {
                 "φ" => r"\varphi".to_owned(),
                 "v̂" => r"\hat{\mathbf{v}}".to_owned(),
                 "ṙ" => r"\dot{\mathbf{r}}".to_owned(),
-                letter if own.bold => format!(r"\mathbf{{{letter}}}"),
-                letter => letter.to_owned(),
+                base if letter.bold => format!(r"\mathbf{{{base}}}"),
+                base => base.to_owned(),
             };
             let escape = |text: &str| text.replace('_', r"\_");
             let mut upper: Vec<String> = Vec::new();
-            upper.extend(own.primed.then(|| r"\prime".to_owned()));
+            upper.extend(letter.primed.then(|| r"\prime".to_owned()));
             upper.extend((!above.is_empty()).then(|| format!(r"\mathrm{{{}}}", escape(above))));
             upper.extend((!mark.is_empty()).then(|| latex_mark(mark).to_owned()));
-            let index = own.index.as_ref().map_or_else(String::new, |i| format!(r"_{{\mathrm{{{}}}}}", escape(i)));
+            let index = letter.index.as_ref().map_or_else(String::new, |i| format!(r"_{{\mathrm{{{}}}}}", escape(i)));
             let upper = if upper.is_empty() { String::new() } else { format!("^{{{}}}", upper.join(r"\,")) };
-            format!("{letter}{index}{upper}")
+            format!("{base}{index}{upper}")
         }
         Notation::MathMl => {
-            let letter = match own.letter {
+            let base = match letter.letter {
                 "v̂" => accented('v', '^'),
                 "ṙ" => accented('r', '˙'),
-                letter if own.bold => format!("<mi>{}</mi>", letter.chars().map(bold).collect::<String>()),
-                letter => format!("<mi>{letter}</mi>"),
+                base if letter.bold => format!("<mi>{}</mi>", base.chars().map(bold).collect::<String>()),
+                base => format!("<mi>{base}</mi>"),
             };
-            let index = own
+            let index = letter
                 .index
                 .as_ref()
                 .map_or_else(String::new, |i| format!("<mi mathvariant=\"normal\">{}</mi>", escaped(i)));
             let upper = escaped(&format!("{prime}{above}{mark}"));
             match (index.is_empty(), upper.is_empty()) {
-                (true, true) => letter,
-                (false, true) => format!("<msub>{letter}{index}</msub>"),
-                (true, false) => format!("<msup>{letter}<mtext>{upper}</mtext></msup>"),
-                _ => format!("<msubsup>{letter}{index}<mtext>{upper}</mtext></msubsup>"),
+                (true, true) => base,
+                (false, true) => format!("<msub>{base}{index}</msub>"),
+                (true, false) => format!("<msup>{base}<mtext>{upper}</mtext></msup>"),
+                _ => format!("<msubsup>{base}{index}<mtext>{upper}</mtext></msubsup>"),
             }
         }
     }

@@ -35,9 +35,9 @@ impl fmt::Display for OperationCount {
         let names = ["mul", "add", "neg", "div", "sqrt", "sincos", "function"];
         let counts = [mul, add, neg, div, sqrt, sincos, function];
         write!(f, "{}", counts.iter().sum::<usize>())?;
-        let there = counts.iter().zip(names).filter(|(count, _)| **count > 0);
-        there
+        let occurring = counts.iter().zip(names).filter(|(count, _)| **count > 0);
+        occurring
             .enumerate()
-            .try_for_each(|(k, (count, what))| write!(f, "{} {count} {what}", if k == 0 { ":" } else { "," }))
+            .try_for_each(|(k, (count, operation))| write!(f, "{} {count} {operation}", if k == 0 { ":" } else { "," }))
     }
 }

@@ -18,7 +18,7 @@ const MIN_NAMED_SYMBOLS: usize = 8;
 pub(super) struct Naming<'a> {
     set: &'a ConstraintSet,
     /// Names of the symbols [`Symbol::Right`], which stand for names that a line has defined.
-    pub(super) own: Vec<String>,
+    pub(super) defined: Vec<String>,
     /// Names of the modes.
     pub(super) modes: BTreeMap<u32, String>,
     /// Names of parts, each with the order of derivative of the line that defines it.
@@ -33,7 +33,7 @@ pub(super) struct Naming<'a> {
 impl Names for Naming<'_> {
     fn symbol(&self, symbol: Symbol) -> String {
         match symbol {
-            Symbol::Right(k) => self.own.get(k as usize).cloned().unwrap_or_default(),
+            Symbol::Right(k) => self.defined.get(k as usize).cloned().unwrap_or_default(),
             Symbol::Mode(k) => self.modes.get(&k).cloned().unwrap_or_default(),
             // The lines are written before any value is saved, so that this symbol can stand for an
             // acceleration.
@@ -56,7 +56,7 @@ impl<'a> Naming<'a> {
         let coordinates = set.coordinates.iter().map(|coordinate| &coordinate.name);
         let users = coordinates.chain(&set.parameters).chain(&set.inputs).map(String::as_str).chain(["t", "pi"]);
         let taken = users.map(|name| Name::new(name).write(Notation::Latex)).collect();
-        Self { set, own: Vec::new(), modes: BTreeMap::new(), parts: BTreeMap::new(), order: 0, taken }
+        Self { set, defined: Vec::new(), modes: BTreeMap::new(), parts: BTreeMap::new(), order: 0, taken }
     }
 
     /// The name `letter_number`, with a second index if it is taken.

@@ -43,8 +43,8 @@ pub(super) fn write(
 impl FormulaWriter<'_> {
     fn item(&mut self, item: &Item) {
         if self.out.last().is_none_or(|last| last.step != item.step) {
-            let what = self.what(item.step);
-            self.out.push(Formulas { step: item.step, what, lines: Default::default() });
+            let description = self.description(item.step);
+            self.out.push(Formulas { step: item.step, what: description, lines: Default::default() });
         }
         let number = item.step.number();
         match &item.method {
@@ -78,29 +78,29 @@ impl FormulaWriter<'_> {
     }
 
     /// The description of a step in words.
-    fn what(&self, step: StepId) -> String {
+    fn description(&self, step: StepId) -> String {
         let Step { kind, group, joints, modes, singular, .. } = self.listed.step(step);
         let names: Vec<&str> = joints.iter().map(|&joint| self.system.set.joints[joint].name.as_str()).collect();
-        let mut what = names.join(", ");
+        let mut description = names.join(", ");
         match kind {
-            StepKind::Explicit => what.push_str(": by formula"),
-            StepKind::Linear(1) if group.is_empty() => what.push_str(": a linear equation"),
-            StepKind::Linear(n) if group.is_empty() => what.push_str(&format!(": {n} linear equations")),
-            StepKind::Closure if group.is_empty() => what.push_str(": in closed form"),
+            StepKind::Explicit => description.push_str(": by formula"),
+            StepKind::Linear(1) if group.is_empty() => description.push_str(": a linear equation"),
+            StepKind::Linear(n) if group.is_empty() => description.push_str(&format!(": {n} linear equations")),
+            StepKind::Closure if group.is_empty() => description.push_str(": in closed form"),
             StepKind::Newton(n) => {
                 let unknowns = if *n == 1 { "unknown" } else { "unknowns" };
-                what.push_str(&format!(": {n} {unknowns} by Newton's iteration, which brings g to 0"));
+                description.push_str(&format!(": {n} {unknowns} by Newton's iteration, which brings g to 0"));
             }
-            _ => what.push_str(&format!(": dyad {group}, in closed form")),
+            _ => description.push_str(&format!(": dyad {group}, in closed form")),
         }
         for index in modes.clone() {
             let name = &self.listed.modes[index].name;
-            what.push_str(&format!(", σ = ±1 the sign of mode {name}"));
+            description.push_str(&format!(", σ = ±1 the sign of mode {name}"));
         }
         if !singular.is_empty() {
-            what.push_str(&format!("; singular with {singular}"));
+            description.push_str(&format!("; singular with {singular}"));
         }
-        what
+        description
     }
 
     fn push(&mut self, order: usize, line: Line) {
@@ -204,8 +204,8 @@ impl FormulaWriter<'_> {
     /// Writes a line that defines a name, and returns the symbol of the name.
     fn define(&mut self, order: usize, name: String, value: ExprId) -> ExprId {
         self.equation(order, name.clone(), value);
-        self.naming.own.push(name);
-        self.graph.symbol(Symbol::Right(self.naming.own.len() as u32 - 1))
+        self.naming.defined.push(name);
+        self.graph.symbol(Symbol::Right(self.naming.defined.len() as u32 - 1))
     }
 
     /// Defines w = σ √inside.
@@ -357,18 +357,18 @@ impl FormulaWriter<'_> {
         let second = graph.sub(second, lost);
         let (first, second) = (graph.div(first, below), graph.div(second, below));
         for (order, value) in [theta, first, second].into_iter().enumerate() {
-            let (mut rest, mut own) = (value, 1);
+            let (mut rest, mut multiple) = (value, 1);
             for &(other, n) in turn {
                 if other == k {
-                    own = n;
+                    multiple = n;
                     continue;
                 }
                 let (n, symbol) = (self.graph.number(f64::from(n)), self.symbol(other, order));
                 let term = self.graph.mul(n, symbol);
                 rest = self.graph.sub(rest, term);
             }
-            let own = self.graph.number(f64::from(own));
-            let value = self.graph.div(rest, own);
+            let multiple = self.graph.number(f64::from(multiple));
+            let value = self.graph.div(rest, multiple);
             self.equation(order, self.coordinate(k, order), value);
         }
     }

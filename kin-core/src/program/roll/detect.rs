@@ -112,9 +112,9 @@ impl LoopSearch<'_> {
         let mut at = start;
         while at + period < kinds.len() && kinds[at] == kinds[at + period] {
             if at >= start + period {
-                let [before, here, after] = [starts[at - period], starts[at], starts[at + period]];
-                for k in 0..starts[at + 1] - here {
-                    if addresses[before + k] + addresses[after + k] != 2 * addresses[here + k] {
+                let [before, current, after] = [starts[at - period], starts[at], starts[at + period]];
+                for k in 0..starts[at + 1] - current {
+                    if addresses[before + k] + addresses[after + k] != 2 * addresses[current + k] {
                         return at - start;
                     }
                 }
@@ -194,11 +194,11 @@ impl LoopSearch<'_> {
             let straight = |index: i64| index >= 0 && self.loop_of[index as usize].is_none();
             return (step == span.period as i64 && before.map(at).all(straight)).then_some(count);
         }
-        let of = |k: usize| self.loop_of.get(at(k) as usize).copied().flatten();
-        let source = (0..count).find_map(of)?;
+        let loop_at = |k: usize| self.loop_of.get(at(k) as usize).copied().flatten();
+        let source = (0..count).find_map(loop_at)?;
         if step % self.loops[source].period as i64 != 0 {
             return None;
         }
-        Some((0..count).take_while(|k| of(*k).is_none_or(|other| other == source)).count())
+        Some((0..count).take_while(|k| loop_at(*k).is_none_or(|other| other == source)).count())
     }
 }

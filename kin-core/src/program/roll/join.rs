@@ -29,15 +29,15 @@ impl Rolled {
             })
             .collect();
         let steps = steps?;
-        let own: Vec<usize> = steps.iter().flat_map(|step| step.keeps).map(|keep| keep.array).collect();
-        steps.iter().all(|step| self.is_known_before(step.angle, &own)).then_some((*count, steps))
+        let arrays: Vec<usize> = steps.iter().flat_map(|step| step.keeps).map(|keep| keep.array).collect();
+        steps.iter().all(|step| self.is_known_before(step.angle, &arrays)).then_some((*count, steps))
     }
 
     /// True if the angle is neither an element of the arrays `own` nor a sine or cosine computed in the same
     /// iteration.
-    fn is_known_before(&self, angle: ValueId, own: &[usize]) -> bool {
+    fn is_known_before(&self, angle: ValueId, arrays: &[usize]) -> bool {
         match self.sources[angle.index()] {
-            OperandSource::Element { array, .. } => !own.contains(&array),
+            OperandSource::Element { array, .. } => !arrays.contains(&array),
             OperandSource::Local(_, part) => part == ResultPart::Whole,
             _ => true,
         }

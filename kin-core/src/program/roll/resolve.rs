@@ -31,7 +31,7 @@ pub(super) fn resolve(program: &Program, stream: &Stream, loops: &[Span]) -> Rol
         members: vec![None; stream.len()],
         ranges: BTreeMap::new(),
         outside: BTreeSet::new(),
-        kept: BTreeMap::new(),
+        keeps: BTreeMap::new(),
         rolled: Rolled::default(),
     };
     for span in loops {
@@ -56,7 +56,7 @@ struct Resolver<'a> {
     /// Items of straight code that are stored as elements of a loop's array: (item, template, part, iteration).
     outside: BTreeSet<(usize, usize, ResultPart, i64)>,
     /// The arrays in which parts of an item are stored.
-    kept: BTreeMap<usize, Vec<Keep>>,
+    keeps: BTreeMap<usize, Vec<Keep>>,
     rolled: Rolled,
 }
 
@@ -93,9 +93,9 @@ impl Resolver<'_> {
         if step == 0 {
             return self.members[first];
         }
-        let own = (span.start..span.start + span.period).contains(&first) && step == span.period as i64;
+        let is_itself = (span.start..span.start + span.period).contains(&first) && step == span.period as i64;
         let at = |k: usize| (first as i64 + k as i64 * step) as usize;
-        if own { None } else { (0..span.count).find_map(|k| self.members[at(k)]) }
+        if is_itself { None } else { (0..span.count).find_map(|k| self.members[at(k)]) }
     }
 
     fn find_arrays(&mut self, loops: &[Span]) {
@@ -107,12 +107,12 @@ impl Resolver<'_> {
                     let Some(member) = self.array(span, first, step) else { continue };
                     let iteration =
                         |k: usize| (first as i64 + k as i64 * step - member.template as i64) / member.period as i64;
-                    let (one, other) = (iteration(0), iteration(span.count - 1));
+                    let (first_iteration, last_iteration) = (iteration(0), iteration(span.count - 1));
                     let number = self.ranges.len();
                     let range =
                         self.ranges.entry((member.template, part)).or_insert(LoopArray { number, first: 0, last: 0 });
-                    range.first = range.first.min(one).min(other);
-                    range.last = range.last.max(one).max(other);
+                    range.first = range.first.min(first_iteration).min(last_iteration);
+                    range.last = range.last.max(first_iteration).max(last_iteration);
                     for k in 0..span.count {
                         let read = (first as i64 + k as i64 * step) as usize;
                         if self.members[read].is_none() {
@@ -142,10 +142,10 @@ impl Resolver<'_> {
         };
         for (&(template, part), range) in &self.ranges {
             self.rolled.arrays[range.number] = (range.last - range.first + 1) as usize;
-            self.kept.entry(template).or_default().push(keep((template, part), 0));
+            self.keeps.entry(template).or_default().push(keep((template, part), 0));
         }
         for &(item, template, part, iteration) in &self.outside {
-            self.kept.entry(item).or_default().push(keep((template, part), iteration));
+            self.keeps.entry(item).or_default().push(keep((template, part), iteration));
         }
     }
 
@@ -173,7 +173,7 @@ impl Resolver<'_> {
                     next.set(next.get() + 1);
                     operands[next.get() - 1]
                 });
-                RolledStep::Compute { value, instruction, keeps: self.kept.get(&item).cloned().unwrap_or_default() }
+                RolledStep::Compute { value, instruction, keeps: self.keeps.get(&item).cloned().unwrap_or_default() }
             }
             // The first operand of a written output is its slot.
             Action::Write(slot, _) => RolledStep::Write { slot, step: self.step(span, item, 0), source: operands[1] },
