@@ -77,8 +77,8 @@ struct Call {
 impl Call {
     /// True if the elements of `next` directly follow these in the same arrays.
     fn is_before(&self, next: &Self) -> bool {
-        let behind = |one: Option<(usize, usize)>, other: Option<(usize, usize)>| {
-            one.is_some() && one.map(|(array, first)| (array, first + self.count)) == other
+        let behind = |early: Option<(usize, usize)>, late: Option<(usize, usize)>| {
+            early.is_some() && early.map(|(array, first)| (array, first + self.count)) == late
         };
         behind(self.sines, next.sines) && behind(self.cosines, next.cosines)
     }
@@ -172,9 +172,9 @@ impl Emitter<'_> {
             loops.iter().flat_map(|(count, steps)| steps.iter().map(|step| (*count, step)))
         {
             uses.extend(local_value(self.rolled, *angle));
-            let kept =
+            let array_of =
                 |part: ResultPart| keeps.iter().find(|keep| keep.part == part).map(|keep| (keep.array, keep.first));
-            let call = Call { sines: kept(ResultPart::Sin), cosines: kept(ResultPart::Cos), count };
+            let call = Call { sines: array_of(ResultPart::Sin), cosines: array_of(ResultPart::Cos), count };
             let (angles, first) = kept_in(call.sines);
             let (place, angle) = (self.member.index(first, 1), self.operand(*angle));
             let fill = members(count, &quote! { #angles[#place] = #angle; });
@@ -251,18 +251,18 @@ impl Emitter<'_> {
         let (mut defines, mut function) = (Vec::new(), "sin_cos_all");
         for step in steps {
             let RolledStep::Compute { value, instruction, keeps } = step else { continue };
-            let own = names_of(*value, instruction);
+            let results = names_of(*value, instruction);
             if let Instruction::Atan2(y, x) = *instruction {
                 let (y, x) = (self.operand(y), self.operand(x));
                 operands.push(quote! { (#y, #x) });
-                names.push(quote! { #(#own),* });
+                names.push(quote! { #(#results),* });
                 function = "atan2_all";
             } else {
                 instruction.for_each_operand(|angle| operands.push(self.operand(angle)));
-                names.push(quote! { (#(#own),*) });
+                names.push(quote! { (#(#results),*) });
             }
             keep.extend(keeps.iter().map(|keep| self.keep(keep, *value)));
-            defines.push((*value, own));
+            defines.push((*value, results));
         }
         let function = Ident::new(function, Span::call_site());
         let tokens = quote! { let [#(#names),*] = __kin::Scalar::#function([#(#operands),*]); #keep };

@@ -38,22 +38,22 @@ pub(super) fn equations(system: &KinematicSystem) -> Vec<TokenStream> {
 
 /// The text of M and Q: entries of M that are not 0, and all of Q.
 pub(super) fn dynamics(mechanism: &Mechanism, system: &KinematicSystem) -> [Vec<TokenStream>; 2] {
-    let Some(of) = DERIVATION_AS_TEXT.then(|| loads::dynamics(mechanism, system)).flatten() else {
+    let Some(texts) = DERIVATION_AS_TEXT.then(|| loads::dynamics(mechanism, system)).flatten() else {
         return Default::default();
     };
-    let mass = of.mass.iter().map(|(row, column, entry)| quote! { (#row, #column, #entry) });
-    [mass.collect(), of.forces.iter().map(|force| quote! { #force }).collect()]
+    let mass = texts.mass.iter().map(|(row, column, entry)| quote! { (#row, #column, #entry) });
+    [mass.collect(), texts.forces.iter().map(|force| quote! { #force }).collect()]
 }
 
 /// The text of the plan's closed forms, step by step.
 pub(super) fn solution(plan: &SolutionPlan) -> impl Iterator<Item = TokenStream> {
     plan.formulas.iter().map(|formulas| {
-        let (step, what) = (formulas.step.index(), &formulas.what);
+        let (step, description) = (formulas.step.index(), &formulas.what);
         let lines = formulas.lines.iter().map(|lines| {
             let lines = lines.iter().map(line);
             quote! { &[#(#lines),*] }
         });
-        quote! { __kin::StepText { step: #step, what: #what, lines: [#(#lines),*] } }
+        quote! { __kin::StepText { step: #step, what: #description, lines: [#(#lines),*] } }
     })
 }
 

@@ -10,14 +10,15 @@ use quote::quote;
 pub(super) fn joints(system: &KinematicSystem, writer: Writer) -> TokenStream {
     let joints = &system.set.joints;
     let geometry = joints.iter().map(|joint| {
-        joint.geometry.iter().map(|of| (of.role, [Cell::Frame(of.frame), Cell::Word(of.offset)])).collect()
+        joint.geometry.iter().map(|entry| (entry.role, [Cell::Frame(entry.frame), Cell::Word(entry.offset)])).collect()
     });
     let geometry = writer.lists("geometry", geometry, |role, [frame, offset]| {
         let role = variant("Role", role.variant());
         quote! { __kin::Geometry { role: #role, frame: #frame, offset: #offset } }
     });
-    let quantities =
-        joints.iter().map(|joint| joint.quantities.iter().map(|of| (of.name, [Cell::Word(of.observable)])).collect());
+    let quantities = joints.iter().map(|joint| {
+        joint.quantities.iter().map(|quantity| (quantity.name, [Cell::Word(quantity.observable)])).collect()
+    });
     let quantities = writer.lists("quantities", quantities, |name, [observable]| {
         quote! { __kin::DefineInfo { name: #name, observable: #observable, varies: true } }
     });

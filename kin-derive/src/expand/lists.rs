@@ -9,7 +9,7 @@ use quote::quote;
 
 /// One method for every list.
 pub(super) fn lists(lowered: &Lowered, kernels: &Kernels) -> TokenStream {
-    kernels.lists.iter().map(|of| list(lowered, of)).collect()
+    kernels.lists.iter().map(|list_of_kernels| list(lowered, list_of_kernels)).collect()
 }
 
 /// The data from which lists are computed: for each the argument, the local variable and the type of the array with the
@@ -26,7 +26,8 @@ const KNOWN: [(Given, [&str; 3], &str); 6] = [
 fn list(lowered: &Lowered, list: &List) -> TokenStream {
     let printed = kernel(lowered, &list.kernel);
     let (item, call, length, name) = (printed.item, printed.call, list.length, list.name);
-    let (item, call) = match list.of_multipliers.as_ref().map(|of| kernel(lowered, of)) {
+    let (item, call) = match list.of_multipliers.as_ref().map(|multipliers_kernel| kernel(lowered, multipliers_kernel))
+    {
         None => (item, call),
         Some(given) => {
             let (of_given, call_given) = (given.item, given.call);
@@ -42,7 +43,7 @@ fn list(lowered: &Lowered, list: &List) -> TokenStream {
     };
     let [method, argument] = [list.method, name].map(|name| Ident::new(name, Span::call_site()));
     let (mut arguments, mut lengths, mut locals) = (Vec::new(), Vec::new(), Vec::new());
-    for (given, names, what) in KNOWN.iter().filter(|(given, ..)| *given <= list.given) {
+    for (given, names, words) in KNOWN.iter().filter(|(given, ..)| *given <= list.given) {
         let [argument, local, array] = names.map(|name| Ident::new(name, Span::call_site()));
         let (ty, value) = match given {
             Given::Instant => (quote! { &__kin::Instant<'_, __T> }, quote! { #argument.inputs }),
@@ -51,7 +52,7 @@ fn list(lowered: &Lowered, list: &List) -> TokenStream {
         arguments.push(quote! { #argument: #ty });
         // If the multipliers are not read, they may be an empty list.
         if *given != Given::Multipliers || list.kernel.reads().contains(&Symbol::Right(0)) {
-            lengths.push(quote! { let #local: &#array<__T> = __kin::fixed(#what, #value)?; });
+            lengths.push(quote! { let #local: &#array<__T> = __kin::fixed(#words, #value)?; });
         }
         locals.push(local);
     }
@@ -75,8 +76,8 @@ pub(super) fn curves(lowered: &Lowered, kernels: &Kernels) -> TokenStream {
     if kernels.curves.is_empty() {
         return TokenStream::new();
     }
-    let arms = kernels.curves.iter().map(|(joint, of)| {
-        let printed = kernel(lowered, of);
+    let arms = kernels.curves.iter().map(|(joint, program)| {
+        let printed = kernel(lowered, program);
         let (item, call) = (printed.item, printed.call);
         quote! { #joint => { #item #call } }
     });

@@ -113,7 +113,7 @@ fn mechanism(
     let (helpers, functions) = (supplied::helpers(lowered), supplied::access(lowered));
     let scalar = Ident::new("__T", Span::call_site());
     let [position_lengths, lengths] = [position_lengths(&scalar, "q"), lengths(&scalar)];
-    let (lists, curves, kept) =
+    let (lists, curves, kept_lengths) =
         (lists::lists(lowered, kernels), lists::curves(lowered, kernels), set.kept_lengths().count());
     let turning = kernels.turns_rows().then(|| quote! { const ROWS_TURN: bool = true; });
     let distances = (!plan.closeness.outputs.is_empty()).then(|| quote! { const DISTANCES_IN_ROWS: bool = true; });
@@ -174,7 +174,7 @@ fn mechanism(
             const ROWS: usize = #s;
             const PARAMETERS: usize = #p;
             const INPUTS: usize = #u;
-            const LENGTHS: usize = #kept;
+            const LENGTHS: usize = #kept_lengths;
             #turning #distances #within
             #curving
             #hiding

@@ -97,7 +97,7 @@ fn solve(lowered: &Lowered, solution: &SolutionKernels, n: usize, margins: usize
 /// The methods that factorise Φ_q and that solve for one right-hand side after another.
 fn resolve(lowered: &Lowered, solution: &SolutionKernels, factors: usize, n: usize) -> Planned {
     let lengths = position_lengths(&Ident::new("__T", Span::call_site()), "q");
-    let [factorise, solve] = [&solution.factorise, &solution.solve].map(|of| kernel(lowered, of));
+    let [factorise, solve] = [&solution.factorise, &solution.solve].map(|program| kernel(lowered, program));
     let items = [factorise.item, solve.item];
     let (factorise, solve) = (factorise.call, solve.call);
     let factorise = method(

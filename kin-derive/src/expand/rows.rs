@@ -62,7 +62,7 @@ pub(super) struct Evaluations {
 pub(super) fn evaluations(lowered: &Lowered, kernels: &Kernels, parameters: usize) -> Evaluations {
     let Kernels { values, values_and_jacobian, jacobian_and_rates, everything, observe, .. } = kernels;
     let [values, position, velocity, all, observe] =
-        [values, values_and_jacobian, jacobian_and_rates, everything, observe].map(|one| kernel(lowered, one));
+        [values, values_and_jacobian, jacobian_and_rates, everything, observe].map(|program| kernel(lowered, program));
     let items = [&values, &position, &velocity, &all, &observe].map(|kernel| &kernel.item);
     let items = quote! { #(#items)* };
     let (values, observe) = (values.call, observe.call);

@@ -19,9 +19,10 @@ pub(crate) fn helpers(lowered: &Lowered) -> TokenStream {
         let (index, function) = match field.len {
             None => (None, quote! { &self.#ident }),
             Some(len) => {
-                let others = (0..len - 1).map(Literal::usize_unsuffixed);
+                let all_but_last = (0..len - 1).map(Literal::usize_unsuffixed);
                 let last = Literal::usize_unsuffixed(len - 1);
-                let function = quote! { match k { #(#others => &self.#ident[#others],)* _ => &self.#ident[#last] } };
+                let function =
+                    quote! { match k { #(#all_but_last => &self.#ident[#all_but_last],)* _ => &self.#ident[#last] } };
                 (Some(quote! { k: usize, }), function)
             }
         };

@@ -34,12 +34,12 @@ impl Cell<'_> {
             Cell::Name(name) => name.to_token_stream(),
             Cell::Word(word) => word.to_token_stream(),
             Cell::Place(place) => optional(*place),
-            Cell::Frame(of) => frame(*of),
-            Cell::End(of) => optional(of.map(frame)),
+            Cell::Frame(body) => frame(*body),
+            Cell::End(end) => optional(end.map(frame)),
             Cell::Origin(None) => quote! { __kin::OriginKind::Free },
-            Cell::Origin(Some(of)) => {
-                let of = frame(*of);
-                quote! { __kin::OriginKind::Carried(#of) }
+            Cell::Origin(Some(carrier)) => {
+                let carrier = frame(*carrier);
+                quote! { __kin::OriginKind::Carried(#carrier) }
             }
             Cell::List(_, tokens) => tokens.clone(),
         }

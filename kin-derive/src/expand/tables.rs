@@ -72,8 +72,8 @@ pub(crate) fn model(tables: &Tables<'_>) -> TokenStream {
     let geometry = set.geometry.len();
     let has_curves = set.joints.iter().any(|joint| joint.kind.follows_curve());
     let has_sizes = set.joints.iter().any(|joint| {
-        let has_second_point = joint.geometry.iter().any(|of| of.role == Role::Q);
-        joint.geometry.iter().any(|of| joint.kind.may_degenerate(of.role, has_second_point))
+        let has_second_point = joint.geometry.iter().any(|entry| entry.role == Role::Q);
+        joint.geometry.iter().any(|entry| joint.kind.may_degenerate(entry.role, has_second_point))
     });
     let operations = operations(tables.kernels.operations);
     let forces = match tables.kernels.force_operations {
@@ -280,10 +280,10 @@ pub(super) fn operations(count: OperationCount) -> TokenStream {
 fn structure(system: &KinematicSystem, structure: &Structure) -> TokenStream {
     let set = &system.set;
     let redundant = structure.redundant.iter().map(|redundancy| {
-        let (row, own) = (redundancy.row, set.rows[redundancy.row].joint);
+        let (row, joint_of_row) = (redundancy.row, set.rows[redundancy.row].joint);
         let mut joints: Vec<usize> = redundancy.circuit.iter().map(|row| set.rows[*row].joint).collect();
         joints.dedup();
-        let names = joints.iter().filter(|joint| **joint != own).map(|joint| &set.joints[*joint].name);
+        let names = joints.iter().filter(|joint| **joint != joint_of_row).map(|joint| &set.joints[*joint].name);
         quote! { __kin::GenericRedundancy { row: #row, circuit: &[#(#names),*] } }
     });
     let Structure { rank, rank_without_driving, rank_of_position, .. } = structure;

@@ -95,7 +95,7 @@ impl Lowerer<'_> {
                 }
                 Named::Define(number, decl) => {
                     self.reached = Class::Constant;
-                    let scope = Scope { what: "a define", allow: Allow::Everything, range: &range };
+                    let scope = Scope { place: "a define", allow: Allow::Everything, range: &range };
                     if let Some(formula) = self.formula(&decl.value, &scope) {
                         self.constants[*number] = self.constant(&formula);
                         mechanism.defines[*number].formula = formula;
@@ -132,7 +132,7 @@ impl Lowerer<'_> {
         let carried = decl.carried.as_ref().map(|(key, point)| (key, self.place(point, &range)));
         let (mut x, mut y) = (None, None);
         for (key, value) in &decl.held {
-            let scope = Scope { what: "a held coordinate", allow: Allow::Scalars, range: &range };
+            let scope = Scope { place: "a held coordinate", allow: Allow::Scalars, range: &range };
             let formula = self.formula(value, &scope);
             match text(key).as_str() {
                 "phi" => body.phi = formula,

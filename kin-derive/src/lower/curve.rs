@@ -34,11 +34,11 @@ impl Lowerer<'_> {
                     let word = (member.family, member.index, written(parameter));
                     self.inside = Inside { parameter: Some(word), ..Inside::default() };
                 }
-                let scope = Scope { what: "a curve", allow: Allow::Signals, range };
+                let scope = Scope { place: "a curve", allow: Allow::Signals, range };
                 // Without its parameter, every use of the parameter would be reported as another error.
                 let components = member.map(|_| [x, y].map(|component| self.formula(component, &scope)));
                 self.inside = Inside::default();
-                let scope = Scope { what: "`roller`", allow: Allow::Parameters, range };
+                let scope = Scope { place: "`roller`", allow: Allow::Parameters, range };
                 let roller = roller.as_ref().map(|roller| self.formula(roller, &scope));
                 let [x, y] = components?;
                 let roller = match roller {
@@ -57,7 +57,7 @@ impl Lowerer<'_> {
 
     fn inside(&mut self, expr: &Expr, variables: &'static [CurveVariable], range: &IndexRange) -> Option<Formula> {
         self.inside = Inside { variables, parameter: None };
-        let formula = self.formula(expr, &Scope { what: "a curve", allow: Allow::Signals, range });
+        let formula = self.formula(expr, &Scope { place: "a curve", allow: Allow::Signals, range });
         self.inside = Inside::default();
         formula
     }
@@ -92,7 +92,7 @@ impl Lowerer<'_> {
         if self.names_missing || self.names.find(&name).is_some() {
             return false;
         }
-        let whose = match name.as_str() {
+        let explanation = match name.as_str() {
             "theta" => {
                 "`theta` is the variable of a polar curve or a support function, and is used after `polar(theta) =` or \
                  `support(theta) =` only"
@@ -103,12 +103,12 @@ impl Lowerer<'_> {
             _ => return false,
         };
         let words = self.inside.words();
-        let own = match words.len() {
+        let own_variables = match words.len() {
             0 => String::new(),
             1 => format!("; the variable of this curve is {}", quoted(words, "and")),
             _ => format!("; the variables of this curve are {}", quoted(words, "and")),
         };
-        self.report.error(used.ident.span(), format!("{whose}{own}"));
+        self.report.error(used.ident.span(), format!("{explanation}{own_variables}"));
         true
     }
 

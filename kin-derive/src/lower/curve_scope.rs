@@ -18,7 +18,7 @@ impl Inside {
 
     /// True for the parameter of the curve.
     pub(super) fn is_parameter(&self, family: usize, index: Index) -> bool {
-        self.parameter.as_ref().is_some_and(|(own, at, _)| (*own, *at) == (family, index))
+        self.parameter.as_ref().is_some_and(|(parameter_family, at, _)| (*parameter_family, *at) == (family, index))
     }
 
     /// The words that the formula of the curve may contain besides numbers, parameters and `t`; empty outside of

@@ -58,7 +58,7 @@ impl Lowerer<'_> {
                 Formula::Atan2(Box::new(y?), Box::new(x?))
             }
             ExprKind::Dot(name, a) => {
-                let inside = Scope { what: "`dot`", allow: Allow::InsideDot, range: scope.range };
+                let inside = Scope { place: "`dot`", allow: Allow::InsideDot, range: scope.range };
                 let a = self.formula(a, &inside);
                 match scope.allow {
                     Allow::Rates => Formula::Dot(Box::new(a?), self.origin(name.span())),
@@ -71,7 +71,7 @@ impl Lowerer<'_> {
                         let message = format!(
                             "`dot` is a rate, and {} cannot contain rates; `dot(…)` is allowed only in `nonholonomic`, \
                              `force` and `torque`: `#[nonholonomic(N: dot(a.x) = v)]`",
-                            scope.what
+                            scope.place
                         );
                         return self.refuse(name.span(), message);
                     }
@@ -334,8 +334,8 @@ impl Lowerer<'_> {
             None if other_function(&word).is_some() => other_function(&word).unwrap_or_default(),
             None => {
                 let has_rates = matches!(scope.allow, Allow::Rates | Allow::InsideDot);
-                let others = ["atan2", "pow", "distance"].into_iter().chain(has_rates.then_some("dot"));
-                let known = Function::ALL.iter().map(|f| f.name()).chain(others).chain(self.names.functions());
+                let more_functions = ["atan2", "pow", "distance"].into_iter().chain(has_rates.then_some("dot"));
+                let known = Function::ALL.iter().map(|f| f.name()).chain(more_functions).chain(self.names.functions());
                 let suggestion = match word.as_str() {
                     "log" => "; the natural logarithm is `ln`".to_owned(),
                     rate if is_rate(rate) && has_rates => "; a rate is written `dot(…)`".to_owned(),
@@ -374,7 +374,7 @@ impl Lowerer<'_> {
                 format!("numbers, parameters, `t`, inputs and {} only", quoted(words, "and"))
             }
         };
-        self.report.error_between(first, last, format!("{found}; {} takes {right}", scope.what));
+        self.report.error_between(first, last, format!("{found}; {} takes {right}", scope.place));
         None
     }
 }

@@ -100,11 +100,11 @@ impl Names {
     }
 
     /// The message for an unknown name, where one of the `wanted` kinds is expected.
-    pub(super) fn unknown(&self, name: &str, what: &str, wanted: fn(Symbol) -> bool) -> String {
+    pub(super) fn unknown(&self, name: &str, noun: &str, wanted: fn(Symbol) -> bool) -> String {
         if wanted(Symbol::Parameter(0)) {
             match name {
-                "T" | "time" => return format!("no {what} named `{name}`; time is `t`"),
-                "PI" | "Pi" | "π" => return format!("no {what} named `{name}`; the number π is `pi`"),
+                "T" | "time" => return format!("no {noun} named `{name}`; time is `t`"),
+                "PI" | "Pi" | "π" => return format!("no {noun} named `{name}`; the number π is `pi`"),
                 _ => {}
             }
         }
@@ -112,16 +112,16 @@ impl Names {
         // `ground` is a body without a declaration.
         let ground = wanted(Symbol::Body(0)).then_some("ground");
         if let Some(best) = nearest(name, fitting().chain(ground)) {
-            return format!("no {what} named `{name}`; did you mean `{best}`?");
+            return format!("no {noun} named `{name}`; did you mean `{best}`?");
         }
         if wanted(Symbol::Body(0))
             && matches!(name, "world" | "base" | "frame" | "fixed" | "origin" | "earth" | "inertial")
         {
-            return format!("no {what} named `{name}`; the fixed body is called `ground`");
+            return format!("no {noun} named `{name}`; the fixed body is called `ground`");
         }
-        let others = self.all.iter().filter(|d| !wanted(d.symbol));
-        if let Some(best) = nearest(name, others.map(|d| d.name.as_str())).and_then(|best| self.find(best)) {
-            return format!("no {what} named `{name}`; there is {} `{}`", best.symbol.noun(), best.name);
+        let of_other_kinds = self.all.iter().filter(|d| !wanted(d.symbol));
+        if let Some(best) = nearest(name, of_other_kinds.map(|d| d.name.as_str())).and_then(|best| self.find(best)) {
+            return format!("no {noun} named `{name}`; there is {} `{}`", best.symbol.noun(), best.name);
         }
         if fitting().next().is_none() {
             let right = match () {
@@ -132,8 +132,8 @@ impl Names {
                 }
                 () => "; coordinates are declared with `#[coordinates(u, …)]`",
             };
-            return format!("no {what} named `{name}`; none is declared{right}");
+            return format!("no {noun} named `{name}`; none is declared{right}");
         }
-        format!("no {what} named `{name}`; there are {}", quoted(fitting(), "and"))
+        format!("no {noun} named `{name}`; there are {}", quoted(fitting(), "and"))
     }
 }

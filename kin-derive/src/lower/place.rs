@@ -17,7 +17,7 @@ pub(super) const fn placeholder(origin: Origin) -> Place {
 
 impl Lowerer<'_> {
     /// The declaration of a used name; for an unknown name an error that says what is expected.
-    pub(super) fn resolve(&mut self, used: &NameUse, what: &str, wanted: fn(Symbol) -> bool) -> Option<Declared> {
+    pub(super) fn resolve(&mut self, used: &NameUse, noun: &str, wanted: fn(Symbol) -> bool) -> Option<Declared> {
         let name = used.text();
         if self.names.is_ambiguous(&name) {
             return None;
@@ -35,8 +35,8 @@ impl Lowerer<'_> {
         } else if !self.names_missing {
             // Points stand alone in operands; in formulas their coordinates are meant.
             let is_formula = wanted(Symbol::Parameter(0)) || wanted(Symbol::Body(0)) && wanted(Symbol::Point(0));
-            let row = self.row_names.used_as(&name, what, is_formula);
-            let message = row.unwrap_or_else(|| self.names.unknown(&name, what, wanted));
+            let row = self.row_names.used_as(&name, noun, is_formula);
+            let message = row.unwrap_or_else(|| self.names.unknown(&name, noun, wanted));
             self.report.error(used.ident.span(), message);
         }
         None
@@ -79,7 +79,7 @@ impl Lowerer<'_> {
             PointExpr::Named(used) => self.named_point(used, range),
             PointExpr::At { body, x, y } => {
                 let origin = self.origin(body.ident.span());
-                let scope = Scope { what: "a body-fixed point", allow: Allow::Parameters, range };
+                let scope = Scope { place: "a body-fixed point", allow: Allow::Parameters, range };
                 let body = self.body(body, range);
                 let x = self.formula(x, &scope);
                 let y = self.formula(y, &scope);

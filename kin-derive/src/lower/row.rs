@@ -89,22 +89,22 @@ impl Lowerer<'_> {
     }
 
     fn value_of(&mut self, row: &Statement, slot: &OperandSlot, expr: &Expr, range: &IndexRange) -> Option<Formula> {
-        let what = match slot.written {
+        let place = match slot.written {
             Written::Right => format!("the right-hand side of `{}`", row.keyword),
             _ => format!("`{}`", slot.key),
         };
         let scope = match slot.takes {
             OperandType::Support => return self.support(expr, range),
             OperandType::Side if slot.written == Written::Option => {
-                Scope { what: &what, allow: Allow::Everything, range }
+                Scope { place: &place, allow: Allow::Everything, range }
             }
-            OperandType::Side => Scope { what: "an equation", allow: Allow::Everything, range },
+            OperandType::Side => Scope { place: "an equation", allow: Allow::Everything, range },
             OperandType::SideOfRates if row.form.kind.is_load() => {
-                Scope { what: "a couple", allow: Allow::Rates, range }
+                Scope { place: "a couple", allow: Allow::Rates, range }
             }
-            OperandType::SideOfRates => Scope { what: "an equation", allow: Allow::Rates, range },
-            OperandType::Radius | OperandType::Constant => Scope { what: &what, allow: Allow::Parameters, range },
-            _ => Scope { what: &what, allow: Allow::Signals, range },
+            OperandType::SideOfRates => Scope { place: "an equation", allow: Allow::Rates, range },
+            OperandType::Radius | OperandType::Constant => Scope { place: &place, allow: Allow::Parameters, range },
+            _ => Scope { place: &place, allow: Allow::Signals, range },
         };
         self.formula(expr, &scope)
     }
@@ -115,7 +115,7 @@ impl Lowerer<'_> {
 
     fn condition(&mut self, decl: &ConditionDecl, range: &IndexRange) -> Option<Condition> {
         let (keyword, origin) = (self.origin(decl.keyword.span()), self.origin(decl.name.ident.span()));
-        let scope = Scope { what: "a condition", allow: Allow::Everything, range };
+        let scope = Scope { place: "a condition", allow: Allow::Everything, range };
         let (left, right) = (self.formula(&decl.left, &scope), self.formula(&decl.right, &scope));
         Some(Condition {
             name: text(&decl.name.ident),
@@ -130,7 +130,7 @@ impl Lowerer<'_> {
     }
 
     fn pair(&mut self, takes: OperandType, pair: &PairExpr, range: &IndexRange) -> Option<Operand> {
-        let (what, allow) = match takes {
+        let (place, allow) = match takes {
             OperandType::Vector => ("a force", Allow::Rates),
             OperandType::Radii => ("`radii`", Allow::Parameters),
             _ => ("an axis", Allow::Parameters),
@@ -138,7 +138,7 @@ impl Lowerer<'_> {
         let origin = self.origin(pair.span);
         let mut component = |expr: &Expr| {
             let origin = self.origin(expr.span);
-            Some(Value { value: self.formula(expr, &Scope { what, allow, range })?, origin })
+            Some(Value { value: self.formula(expr, &Scope { place: place, allow, range })?, origin })
         };
         let (x, y) = (component(&pair.x), component(&pair.y));
         let (x, y) = (x?, y?);
@@ -152,7 +152,7 @@ impl Lowerer<'_> {
     fn guess(&mut self, guess: &GuessDecl, range: &IndexRange) -> Option<Guess> {
         let origin = self.origin(guess.target.ident.span());
         let target = self.target(guess, range);
-        let scope = Scope { what: "a guess", allow: Allow::Parameters, range };
+        let scope = Scope { place: "a guess", allow: Allow::Parameters, range };
         let value = self.formula(&guess.value, &scope);
         Some(Guess { target: target?, value: value?, range: range.model(), origin })
     }

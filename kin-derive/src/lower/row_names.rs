@@ -27,14 +27,14 @@ impl RowNames {
     }
 
     /// The message for the use of a row's name where `what` is expected; `is_formula` where this is a part of a formula.
-    pub(super) fn used_as(&self, name: &str, what: &str, is_formula: bool) -> Option<String> {
+    pub(super) fn used_as(&self, name: &str, noun: &str, is_formula: bool) -> Option<String> {
         let (keyword, in_formulas) = self.all.get(name)?;
         let right = if is_formula {
             in_formulas
         } else {
             "a point is written `body @ (x, y)`, or gets a name with `#[point(p = body @ (x, y))]`"
         };
-        Some(format!("no {what} named `{name}`; `{name}` is the name of a `{keyword}`, and {right}"))
+        Some(format!("no {noun} named `{name}`; `{name}` is the name of a `{keyword}`, and {right}"))
     }
 }
 

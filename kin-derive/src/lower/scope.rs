@@ -33,7 +33,7 @@ impl Allow {
 /// The place of an expression.
 pub(super) struct Scope<'s> {
     /// A description for messages: "a body-fixed point", "`length`".
-    pub(super) what: &'s str,
+    pub(super) place: &'s str,
     pub(super) allow: Allow,
     pub(super) range: &'s IndexRange,
 }

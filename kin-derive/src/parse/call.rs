@@ -57,8 +57,8 @@ pub(super) fn is_function(name: &Ident) -> Result<()> {
 pub(super) fn of_points(name: &Ident) -> Option<Error> {
     let word = text(name);
     let message = function_of_places(&word).or_else(|| {
-        let meant = nearest(&word, ["distance"])?;
-        Some(format!("there is no function `{word}`; did you mean `{meant}`?"))
+        let nearest_name = nearest(&word, ["distance"])?;
+        Some(format!("there is no function `{word}`; did you mean `{nearest_name}`?"))
     });
     message.map(|message| Error::new(name.span(), message))
 }

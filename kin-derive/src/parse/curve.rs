@@ -101,8 +101,8 @@ impl Parts<'_> {
         let [key] = &given[..] else {
             match given.get(1) {
                 Some(second) => {
-                    let others = format!("a curve is written in one way; this row has `{}` already", given[0]);
-                    self.report.error(second.span(), others);
+                    let message = format!("a curve is written in one way; this row has `{}` already", given[0]);
+                    self.report.error(second.span(), message);
                 }
                 None if !self.lost_option => {
                     let message = format!(

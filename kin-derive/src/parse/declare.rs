@@ -42,13 +42,13 @@ pub(super) fn coordinates(input: ParseStream, keyword: &Ident, report: &Report, 
         }
         let name = new_name(input, report)?;
         if name.ident == "default" && input.peek(Token![=]) {
-            let of = items[first..].iter().find_map(|item| match item {
+            let first_scalar = items[first..].iter().find_map(|item| match item {
                 Item::Scalar(scalar) => Some(text(&scalar.name.ident)),
                 _ => None,
             });
             let message = format!(
                 "`coordinates` has no option `default`; the start of a coordinate is given with `#[guess({} = 0)]`",
-                of.as_deref().unwrap_or("s")
+                first_scalar.as_deref().unwrap_or("s")
             );
             return Err(Error::new(name.ident.span(), message));
         }

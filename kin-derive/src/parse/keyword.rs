@@ -121,19 +121,19 @@ pub(super) fn near_miss(name: &str) -> Option<(String, bool)> {
     if FOREIGN.contains(&name) {
         return None;
     }
-    let synonym = SYNONYMS.iter().find(|(word, _)| *word == name).map(|(_, meant)| *meant);
+    let synonym = SYNONYMS.iter().find(|(word, _)| *word == name).map(|(_, keyword)| *keyword);
     // `x` and `y` are too short to be recognised as misspelt.
-    let meant = match synonym {
-        Some(meant) => vec![meant],
+    let candidates = match synonym {
+        Some(keyword) => vec![keyword],
         None => near(name, words().map(|(word, _)| word).filter(|word| word.len() > 2)),
     };
-    let declares = meant.iter().any(|word| find(word).is_some_and(Keyword::declares));
+    let declares = candidates.iter().any(|word| find(word).is_some_and(Keyword::declares));
     let right = match synonym {
         // A damper has no keyword of its own.
         Some("spring") => "it is a `spring` with `damping = c`, and without `stiffness`".to_owned(),
-        Some(meant) => format!("it is called `{meant}`"),
-        None if meant.is_empty() => return None,
-        None => format!("did you mean {}?", quoted(meant, "or")),
+        Some(keyword) => format!("it is called `{keyword}`"),
+        None if candidates.is_empty() => return None,
+        None => format!("did you mean {}?", quoted(candidates, "or")),
     };
     Some((format!("no attribute `{name}` in kin; {right}"), declares))
 }

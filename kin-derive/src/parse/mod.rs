@@ -93,11 +93,11 @@ fn describe(item: &mut ItemStruct, flags: Flags, report: &Report) -> Option<Desc
     report.ok(index::letters(&item.ident));
     let mut names_missing = false;
     let mut items = Vec::new();
-    let mut kept = Vec::new();
+    let mut other_attributes = Vec::new();
     let has_others = item.attrs.iter().any(guessed::derives_of_others);
     for attribute in std::mem::take(&mut item.attrs) {
         let Some(word) = attribute.path().get_ident().cloned() else {
-            kept.push(attribute);
+            other_attributes.push(attribute);
             continue;
         };
         let name = text(&word);
@@ -110,10 +110,10 @@ fn describe(item: &mut ItemStruct, flags: Flags, report: &Report) -> Option<Desc
             report.error(word.span(), message);
             names_missing |= declares;
         } else {
-            kept.push(attribute);
+            other_attributes.push(attribute);
         }
     }
-    item.attrs = kept;
+    item.attrs = other_attributes;
     let functions: Vec<String> = (items.iter())
         .filter_map(|item| match item {
             Item::Function(decl) => Some(text(&decl.name.ident)),

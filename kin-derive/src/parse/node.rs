@@ -115,11 +115,12 @@ fn with_suffix(literal: &Lit, digits: &str, suffix: &str) -> String {
         }
         "rad" | "radian" | "radians" => format!("angles are in radians, which are not written: `{digits}`"),
         _ if units::parse(suffix).is_ok() => {
-            let said = format!("numbers have no units; a parameter has one, `#[param({digits}, unit = \"{suffix}\")]`");
+            let message =
+                format!("numbers have no units; a parameter has one, `#[param({digits}, unit = \"{suffix}\")]`");
             // A single letter may also be a name.
             let or_product =
                 if suffix.len() == 1 { format!("; a product is written `{digits}*{suffix}`") } else { String::new() };
-            said + &or_product
+            message + &or_product
         }
         _ if is_type || !is_decimal || matches!(suffix, "e" | "E") => {
             format!("the suffix `{suffix}` has no meaning here; numbers are written `40`, `0.1` or `1e-3`")

@@ -30,15 +30,15 @@ pub(super) struct Parts<'a> {
 
 /// The required options that no other kind of the keyword has.
 fn own_options(kinds: &[&'static StatementForm], form: &'static StatementForm) -> Vec<&'static str> {
-    let others = || kinds.iter().filter(|other| **other != form).flat_map(|other| other.slots);
+    let other_slots = || kinds.iter().filter(|other| **other != form).flat_map(|other| other.slots);
     let required = form.written(Written::Option).filter(|slot| !slot.or_zero && slot.takes != OperandType::Carrier);
-    required.map(|slot| slot.key).filter(|key| others().all(|slot| slot.key != *key)).collect()
+    required.map(|slot| slot.key).filter(|key| other_slots().all(|slot| slot.key != *key)).collect()
 }
 
 impl Parts<'_> {
     /// The form of the statement, and the operands in its slots.
     pub(super) fn operands(mut self) -> (&'static StatementForm, Vec<OperandExpr>) {
-        self.form = self.meant();
+        self.form = self.chosen_form();
         let form = self.form;
         let operands = form.slots.iter().map(|slot| self.operand(slot)).collect();
         (form, operands)
@@ -98,17 +98,17 @@ impl Parts<'_> {
     }
 
     /// Determines the form of the statement: where several forms share the keyword, by the options.
-    fn meant(&mut self) -> &'static StatementForm {
+    fn chosen_form(&mut self) -> &'static StatementForm {
         let kinds: &'static [&'static StatementForm] = &self.keyword_form.kinds;
         let [first, _, ..] = kinds else { return kinds[0] };
         // If options of several kinds are given, the first option determines the kind.
         let place = |form| {
-            let own = own_options(kinds, form);
-            self.options.iter().position(|(key, _)| own.contains(&text(key).as_str()))
+            let options_of_form = own_options(kinds, form);
+            self.options.iter().position(|(key, _)| options_of_form.contains(&text(key).as_str()))
         };
-        let mut meant: Vec<_> = kinds.iter().filter_map(|form| Some((place(form)?, *form))).collect();
-        meant.sort_by_key(|(place, _)| *place);
-        let message = match meant.as_slice() {
+        let mut chosen: Vec<_> = kinds.iter().filter_map(|form| Some((place(form)?, *form))).collect();
+        chosen.sort_by_key(|(place, _)| *place);
+        let message = match chosen.as_slice() {
             [] if self.lost_option => None,
             [] => Some((self.keyword.span(), first.choice.to_owned())),
             [_] => None,
@@ -122,6 +122,6 @@ impl Parts<'_> {
             self.report.error(span, message);
             self.lost_option = true;
         }
-        meant.first().map_or(*first, |(_, form)| *form)
+        chosen.first().map_or(*first, |(_, form)| *form)
     }
 }
