@@ -90,7 +90,7 @@ impl From<DataFusionError> for StudyError {
     fn from(error: DataFusionError) -> Self {
         match error {
             DataFusionError::External(inner) => match inner.downcast::<Self>() {
-                Ok(own) => *own,
+                Ok(error) => *error,
                 Err(inner) => Self::Engine(Box::new(DataFusionError::External(inner))),
             },
             DataFusionError::Context(_, inner) => Self::from(*inner),

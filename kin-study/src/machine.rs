@@ -191,8 +191,8 @@ impl<M: Mechanism + Send + Sync + 'static> Machine for Bound<M> {
 
     fn sweep(&self, parameters: &[Column<'_>], signs: &[Column<'_>], count: usize) -> Result<Scored, BatchError> {
         let start: Vec<Column<'_>> = self.start.iter().map(|number| Column::Shared(*number)).collect();
-        let part = |k: usize, of: fn(&Signal<f64>) -> f64| -> Vec<f64> {
-            self.inputs.iter().skip(k).step_by(M::INPUTS.max(1)).map(of).collect()
+        let part = |k: usize, element: fn(&Signal<f64>) -> f64| -> Vec<f64> {
+            self.inputs.iter().skip(k).step_by(M::INPUTS.max(1)).map(element).collect()
         };
         let numbers: Vec<[Vec<f64>; 3]> =
             (0..M::INPUTS).map(|k| [part(k, |u| u.value), part(k, |u| u.rate), part(k, |u| u.acceleration)]).collect();

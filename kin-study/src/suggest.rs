@@ -6,16 +6,16 @@ use strsim::damerau_levenshtein;
 const LISTED: usize = 12;
 
 /// The message that a name is unknown, with the most similar known name or, if they are few, all known names.
-pub(crate) fn unknown<'a>(what: &str, name: &str, known: impl Iterator<Item = &'a str>) -> String {
+pub(crate) fn unknown<'a>(noun: &str, name: &str, known: impl Iterator<Item = &'a str>) -> String {
     let known: Vec<&str> = known.collect();
     let far = name.chars().count().max(3) / 3;
     let near = known.iter().map(|other| (damerau_levenshtein(name, other), other)).min();
     match near {
-        Some((distance, other)) if distance <= far => format!("no {what} named `{name}`; did you mean `{other}`?"),
-        _ if known.is_empty() => format!("no {what} named `{name}`; there are none"),
+        Some((distance, other)) if distance <= far => format!("no {noun} named `{name}`; did you mean `{other}`?"),
+        _ if known.is_empty() => format!("no {noun} named `{name}`; there are none"),
         _ => {
             let more = if known.len() > LISTED { ", …" } else { "" };
-            format!("no {what} named `{name}`; there are {}{more}", known[..known.len().min(LISTED)].join(", "))
+            format!("no {noun} named `{name}`; there are {}{more}", known[..known.len().min(LISTED)].join(", "))
         }
     }
 }

@@ -8,23 +8,23 @@ use std::sync::OnceLock;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 /// The flag that the first signal sets during a run.
-static ASKED: OnceLock<Arc<AtomicBool>> = OnceLock::new();
+static STOP_REQUESTED: OnceLock<Arc<AtomicBool>> = OnceLock::new();
 
 /// The flag that a signal sets from now on. If the system refuses a handler, a signal ends the program at once, as it
 /// does by default.
 pub(super) fn listen() -> Arc<AtomicBool> {
     let install = || {
-        let asked = Arc::new(AtomicBool::new(false));
+        let stop_requested = Arc::new(AtomicBool::new(false));
         for signal in [SIGINT, SIGTERM] {
             // In this order: if the flag is set already, the first handler ends the program, as a signal does by
             // default.
-            let installed = flag::register_conditional_default(signal, Arc::clone(&asked))
-                .and_then(|_| flag::register(signal, Arc::clone(&asked)));
+            let installed = flag::register_conditional_default(signal, Arc::clone(&stop_requested))
+                .and_then(|_| flag::register(signal, Arc::clone(&stop_requested)));
             drop(installed);
         }
-        asked
+        stop_requested
     };
-    let asked = Arc::clone(ASKED.get_or_init(install));
-    asked.store(false, Ordering::SeqCst);
-    asked
+    let stop_requested = Arc::clone(STOP_REQUESTED.get_or_init(install));
+    stop_requested.store(false, Ordering::SeqCst);
+    stop_requested
 }

@@ -121,7 +121,7 @@ fn ran(
         }
         Place::Here(threads) => runtime.block_on(embedded(&function, *threads))?,
     };
-    let own = Arc::clone(&prepared);
+    let shared = Arc::clone(&prepared);
     let tasks = match &cluster.place {
         Place::Scheduler(_) => cluster.tasks,
         // A worker in the same process takes a task every tenth of a second.
@@ -134,7 +134,7 @@ fn ran(
     let session = format!("kin-study-{}-{}", std::process::id(), since.as_nanos());
     #[rustfmt::skip]
     let mut remote = Remote {
-        prepared: own, function, text, scheduler, session, is_far, tasks, runtime, watch: watching, next, rate: None,
+        prepared: shared, function, text, scheduler, session, is_far, tasks, runtime, watch: watching, next, rate: None,
     };
     cover(&prepared, directory, part, &mut remote, watch)
 }
@@ -181,8 +181,8 @@ impl Workers for Remote {
         }
         let mut batches = Vec::new();
         for parcel in parcels.into_values() {
-            let (own, found) = unpacked(parcel, &self.prepared).map_err(DataFusionError::from)?;
-            batches.extend(own);
+            let (rows_of_parcel, found) = unpacked(parcel, &self.prepared).map_err(DataFusionError::from)?;
+            batches.extend(rows_of_parcel);
             summary.and(&found);
         }
         if summary.tally.tried != count {
@@ -254,7 +254,7 @@ impl Remote {
         let schema = Arc::new(Schema::new(vec![number("start"), number("end")]));
         let largest = self.prepared.rows_of_piece(NUMBERS);
         let task = |pieces: Vec<Range<u64>>| {
-            let numbers = |of: fn(&Range<u64>) -> u64| UInt64Array::from_iter_values(pieces.iter().map(of));
+            let numbers = |end_of: fn(&Range<u64>) -> u64| UInt64Array::from_iter_values(pieces.iter().map(end_of));
             let [starts, ends] = [numbers(|piece| piece.start), numbers(|piece| piece.end)];
             Ok(vec![RecordBatch::try_new(Arc::clone(&schema), vec![Arc::new(starts), Arc::new(ends)])?])
         };

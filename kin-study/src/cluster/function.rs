@@ -106,8 +106,8 @@ impl Hash for Function {
 /// A hash of this program's file, which distinguishes it from other programs: FNV-1a with words of eight bytes and a
 /// rotation.
 fn program() -> Result<u64, StudyError> {
-    let own = std::env::current_exe().map_err(|error| StudyError::file(Path::new("this program"), error))?;
-    let bytes = std::fs::read(&own).map_err(|error| StudyError::file(&own, error))?;
+    let file = std::env::current_exe().map_err(|error| StudyError::file(Path::new("this program"), error))?;
+    let bytes = std::fs::read(&file).map_err(|error| StudyError::file(&file, error))?;
     let step = |hash: u64, word: u64| (hash ^ word).wrapping_mul(0x0000_0100_0000_01b3).rotate_left(23);
     let (words, rest) = bytes.as_chunks::<8>();
     let words = words.iter().map(|word| u64::from_le_bytes(*word));

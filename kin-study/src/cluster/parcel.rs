@@ -34,10 +34,10 @@ pub(super) fn unpacked(bytes: &[u8], prepared: &Prepared) -> Result<(Vec<RecordB
     let tally = Tally::of(|key| metadata.get(key)?.parse().ok());
     let counts = metadata.get(COUNTS).map_or("", String::as_str);
     let counts = Counts::of(&prepared.bins, counts.split(',').filter_map(|count| count.parse().ok()));
-    let own = |batch: Result<RecordBatch, ArrowError>| {
+    let with_schema = |batch: Result<RecordBatch, ArrowError>| {
         let batch = batch?;
         let options = RecordBatchOptions::new().with_row_count(Some(batch.num_rows()));
         RecordBatch::try_new_with_options(Arc::clone(&prepared.schema), batch.columns().to_vec(), &options)
     };
-    Ok((reader.map(own).collect::<Result<_, _>>()?, Summary { tally, counts }))
+    Ok((reader.map(with_schema).collect::<Result<_, _>>()?, Summary { tally, counts }))
 }

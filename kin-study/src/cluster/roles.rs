@@ -217,8 +217,8 @@ fn ports(listen: &Listen) -> io::Result<[u16; 2]> {
         return Ok([listen.port, listen.port.saturating_add(1)]);
     }
     let free = [0; 2].map(|port| TcpListener::bind(SocketAddr::new(listen.bind, port)));
-    let [one, other] = free;
-    Ok([one?.local_addr()?.port(), other?.local_addr()?.port()])
+    let [worker, next] = free;
+    Ok([worker?.local_addr()?.port(), next?.local_addr()?.port()])
 }
 
 /// Starts a scheduler and a worker within this process; returns the address of the scheduler.

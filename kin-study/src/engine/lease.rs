@@ -23,9 +23,9 @@ impl Lease {
         if whole {
             return Ok(Self { _files: vec![locked(directory, STUDY, File::try_lock)?] });
         }
-        let own = format!("{ROWS}{:016}-{:016}.lock", rows.start, rows.end);
+        let name = format!("{ROWS}{:016}-{:016}.lock", rows.start, rows.end);
         let study = locked(directory, STUDY, File::try_lock_shared)?;
-        Ok(Self { _files: vec![study, locked(directory, &own, File::try_lock)?] })
+        Ok(Self { _files: vec![study, locked(directory, &name, File::try_lock)?] })
     }
 }
 

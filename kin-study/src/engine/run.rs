@@ -124,7 +124,7 @@ pub(crate) struct Part {
 ///
 /// # Errors
 /// The study does not fit the mechanism, or the directory holds another study or cannot be read.
-pub fn missing<M>(study: &Study, directory: &Path, of: NonZero<u64>) -> Result<Vec<u64>, StudyError>
+pub fn missing<M>(study: &Study, directory: &Path, count: NonZero<u64>) -> Result<Vec<u64>, StudyError>
 where
     M: Mechanism + Default + Send + Sync + 'static,
 {
@@ -135,25 +135,25 @@ where
     for gap in gaps(0..prepared.rows, &covered) {
         let mut row = gap.start;
         while row < gap.end {
-            let index = part_with(row, prepared.rows, of);
+            let index = part_with(row, prepared.rows, count);
             if indices.last() != Some(&index) {
                 indices.push(index);
             }
-            row = part(prepared.rows, index, of).end;
+            row = part(prepared.rows, index, count).end;
         }
     }
     Ok(indices)
 }
 
 /// The rows of a part.
-fn part(rows: u64, index: u64, of: NonZero<u64>) -> Range<u64> {
-    let bound = |k: u64| (u128::from(rows) * u128::from(k) / u128::from(of.get())) as u64;
+fn part(rows: u64, index: u64, parts: NonZero<u64>) -> Range<u64> {
+    let bound = |k: u64| (u128::from(rows) * u128::from(k) / u128::from(parts.get())) as u64;
     bound(index)..bound(index + 1)
 }
 
 /// The index of the part with a row.
-fn part_with(row: u64, rows: u64, of: NonZero<u64>) -> u64 {
-    (((u128::from(row) + 1) * u128::from(of.get()) - 1) / u128::from(rows)) as u64
+fn part_with(row: u64, rows: u64, parts: NonZero<u64>) -> u64 {
+    (((u128::from(row) + 1) * u128::from(parts.get()) - 1) / u128::from(rows)) as u64
 }
 
 /// Computes the rows that no part covers yet and writes them; not generic over the mechanism.
@@ -171,7 +171,7 @@ pub(crate) fn cover(
     let covered = parts.covered()?;
     let gaps = gaps(rows.clone(), &covered);
     watch.total.store(gaps.iter().map(|gap| gap.end - gap.start).sum(), Ordering::Relaxed);
-    let mut own = 0;
+    let mut computed = 0;
     'gaps: for gap in gaps {
         if !resume && gap != rows {
             return Err(StudyError::Directory(format!(
@@ -186,7 +186,7 @@ pub(crate) fn cover(
                 break 'gaps;
             }
             next = found.rows.end;
-            own += found.rows.end - found.rows.start;
+            computed += found.rows.end - found.rows.start;
             if !prepared.bins.is_empty() {
                 let table = found.summary.counts.table(&prepared.bins);
                 let table = table.map_err(|error| StudyError::Engine(Box::new(error.into())))?;
@@ -204,7 +204,7 @@ pub(crate) fn cover(
         }
     }
     let Tally { solved, ended, passed, .. } = sum;
-    Ok(Report { rows, done, solved, ended, passed, own, time: began.elapsed() })
+    Ok(Report { rows, done, solved, ended, passed, own: computed, time: began.elapsed() })
 }
 
 #[cfg(test)]

@@ -106,10 +106,10 @@ impl Wave {
 
     fn piece(&self, rows: Range<u64>) -> Result<RecordBatch, StudyError> {
         let count = rows.end - rows.start;
-        let (kept, summary) = solve(&self.prepared, rows)?;
+        let (batch, summary) = solve(&self.prepared, rows)?;
         self.summary.lock().unwrap_or_else(PoisonError::into_inner).and(&summary);
         self.progress.fetch_add(count, Ordering::Relaxed);
-        Ok(kept)
+        Ok(batch)
     }
 
     /// Solves the pieces of the wave in `partitions` partitions.

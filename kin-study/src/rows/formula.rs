@@ -78,8 +78,8 @@ impl Formula {
                 let half = count / 2;
                 let [first, second] =
                     [batch.slice(0, half), batch.slice(half, count - half)].map(|part| self.values(&part));
-                let both = concat(&[first?.as_ref(), second?.as_ref()]);
-                both.map_err(|error| StudyError::Engine(Box::new(error.into())))
+                let values = concat(&[first?.as_ref(), second?.as_ref()]);
+                values.map_err(|error| StudyError::Engine(Box::new(error.into())))
             }
         }
     }
@@ -185,10 +185,10 @@ pub(crate) fn meeting(batch: RecordBatch, conditions: &[Formula]) -> Result<Reco
     let mut batch = batch;
     for condition in conditions {
         let values = condition.values(&batch)?;
-        let Some(met) = values.as_any().downcast_ref::<BooleanArray>() else { continue };
-        let met = if met.nulls().is_some() { prep_null_mask_filter(met) } else { met.clone() };
-        if met.true_count() < batch.num_rows() {
-            let filtered = filter_record_batch(&batch, &met);
+        let Some(mask) = values.as_any().downcast_ref::<BooleanArray>() else { continue };
+        let mask = if mask.nulls().is_some() { prep_null_mask_filter(mask) } else { mask.clone() };
+        if mask.true_count() < batch.num_rows() {
+            let filtered = filter_record_batch(&batch, &mask);
             batch = filtered.map_err(|error| StudyError::Engine(Box::new(error.into())))?;
         }
     }

@@ -54,8 +54,8 @@ pub(super) fn first_repeated(all: &[Bins]) -> Option<(usize, String)> {
     let mut known = BTreeSet::new();
     let mut repeated = |bins: &Bins, [from, to]: [f64; 2]| {
         let is_new = known.insert((bins.column, [from, to].map(f64::to_bits)));
-        let of = &bins.histogram.of;
-        (!is_new).then(|| format!("two histograms of `{of}` have a bin from {from} to {to}; choose other bins"))
+        let column = &bins.histogram.of;
+        (!is_new).then(|| format!("two histograms of `{column}` have a bin from {from} to {to}; choose other bins"))
     };
     all.iter().enumerate().find_map(|(place, bins)| Some((place, bins.ends().find_map(|ends| repeated(bins, ends))?)))
 }
@@ -86,7 +86,7 @@ impl Counts {
     /// Adds the counts of other rows.
     pub(crate) fn and(&mut self, other: &Self) {
         let pairs = self.0.iter_mut().flatten().zip(other.0.iter().flatten());
-        pairs.for_each(|(own, other)| *own += other);
+        pairs.for_each(|(count, other)| *count += other);
     }
 
     /// The counts of all bins of one histogram after another.
@@ -99,16 +99,16 @@ impl Counts {
     #[cfg(feature = "cluster")]
     pub(crate) fn of(bins: &[Bins], numbers: impl IntoIterator<Item = u64>) -> Self {
         let mut counts = Self::new(bins);
-        counts.0.iter_mut().flatten().zip(numbers).for_each(|(own, number)| *own = number);
+        counts.0.iter_mut().flatten().zip(numbers).for_each(|(count, number)| *count = number);
         counts
     }
 
     /// The table of all counts.
     pub(crate) fn table(&self, bins: &[Bins]) -> Result<RecordBatch, ArrowError> {
-        let (mut of, mut from, mut to, mut count) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+        let (mut columns, mut from, mut to, mut count) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
         for (counts, bins) in self.0.iter().zip(bins) {
             for (counted, [start, end]) in counts.iter().zip(bins.ends()) {
-                of.push(bins.histogram.of.as_str());
+                columns.push(bins.histogram.of.as_str());
                 from.push(start);
                 to.push(end);
                 count.push(*counted);
@@ -117,7 +117,7 @@ impl Counts {
         RecordBatch::try_new(
             counts_schema(),
             vec![
-                Arc::new(StringArray::from(of)),
+                Arc::new(StringArray::from(columns)),
                 Arc::new(Float64Array::from(from)),
                 Arc::new(Float64Array::from(to)),
                 Arc::new(UInt64Array::from(count)),

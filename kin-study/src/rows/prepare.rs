@@ -141,11 +141,11 @@ impl Prepared {
         let mut columns: Vec<Field> = shown.iter().map(|place| fields[*place].clone()).collect();
         columns.extend((motion.modes.len() > 1).then(|| Field::new("mode", DataType::Utf8, false)));
         columns.extend(study.scores.iter().map(|(name, score)| {
-            let of = match score.list(motion.times.len()) {
+            let data_type = match score.list(motion.times.len()) {
                 Some(width) => DataType::FixedSizeList(item(), width as i32),
                 None => DataType::Float64,
             };
-            Field::new(name, of, true)
+            Field::new(name, data_type, true)
         }));
         columns.push(number("margin"));
         columns.push(Field::new("ended", DataType::Float64, true));

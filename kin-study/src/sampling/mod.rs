@@ -54,8 +54,8 @@ impl Sampler {
             let mut count = 1_u64;
             for (stride, range) in strides.iter_mut().zip(&ranges).rev() {
                 *stride = count;
-                let own = range.count().ok_or("a grid needs a list, or `values`, for every parameter")?;
-                count = count.checked_mul(own).ok_or("the grid has more points than can be counted")?;
+                let values = range.count().ok_or("a grid needs a list, or `values`, for every parameter")?;
+                count = count.checked_mul(values).ok_or("the grid has more points than can be counted")?;
             }
             return match rows {
                 Some(rows) if rows != count => {

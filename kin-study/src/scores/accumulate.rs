@@ -166,14 +166,14 @@ impl<M: Mechanism + 'static> Scoring<M> {
 
 /// The rule of a score; the names of its quantities are added to the list.
 fn rule<M: Mechanism>(score: &Score, times: &[f64], names: &mut Vec<String>) -> Result<Rule, String> {
-    let (of, rule) = match score {
-        Score::Least(of) => (of, Rule::Least),
-        Score::Greatest(of) => (of, Rule::Greatest),
-        Score::Mean(of) => (of, Rule::Mean),
-        Score::Range(of) => (of, Rule::Range),
-        Score::TimeOfLeast(of) => (of, Rule::TimeOfLeast),
-        Score::TimeOfGreatest(of) => (of, Rule::TimeOfGreatest),
-        Score::At { of, t } => (of, Rule::At(instant(times, *t)?)),
+    let (quantity, rule) = match score {
+        Score::Least(quantity) => (quantity, Rule::Least),
+        Score::Greatest(quantity) => (quantity, Rule::Greatest),
+        Score::Mean(quantity) => (quantity, Rule::Mean),
+        Score::Range(quantity) => (quantity, Rule::Range),
+        Score::TimeOfLeast(quantity) => (quantity, Rule::TimeOfLeast),
+        Score::TimeOfGreatest(quantity) => (quantity, Rule::TimeOfGreatest),
+        Score::At { of: quantity, t } => (quantity, Rule::At(instant(times, *t)?)),
         Score::Path { point, .. } => {
             names.extend(coordinates::<M>(point)?);
             return Ok(Rule::Path(times.len()));
@@ -186,7 +186,7 @@ fn rule<M: Mechanism>(score: &Score, times: &[f64], names: &mut Vec<String>) -> 
             return Ok(Rule::Distance(to.clone(), *measure));
         }
     };
-    names.push(of.clone());
+    names.push(quantity.clone());
     Ok(rule)
 }
 

@@ -168,13 +168,13 @@ impl fmt::Debug for Study {
 
 impl fmt::Display for Study {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let counted = |count: usize, what: &str| match count {
-            1 => format!("1 {what}"),
-            count => format!("{count} {what}s"),
+        let counted = |count: usize, noun: &str| match count {
+            1 => format!("1 {noun}"),
+            count => format!("{count} {noun}s"),
         };
         let [parameters, scores, instants] =
             [(self.parameters.len(), "parameter"), (self.scores.len(), "score"), (self.times.len(), "instant")]
-                .map(|(count, what)| counted(count, what));
+                .map(|(count, noun)| counted(count, noun));
         write!(f, "a study of {parameters} and {scores} at {instants}")
     }
 }

@@ -25,7 +25,7 @@ impl Study {
             Sampling::Grid => "grid",
         };
         writeln!(f, "seed = {}\nsampling = \"{sampling}\"", self.seed)?;
-        table(f, "parameters", self.parameters.iter().map(|(name, of)| (name, range(of))))?;
+        table(f, "parameters", self.parameters.iter().map(|(name, parameter)| (name, range(parameter))))?;
         table(f, "derived", self.derived.iter().map(|(name, formula)| (name, quoted(formula))))?;
         let texts = |texts: &[String]| list(texts.iter().map(|text| quoted(text)));
         writeln!(f, "\n[conditions]\nbefore = {}\nafter = {}", texts(&self.before), texts(&self.after))?;
@@ -46,13 +46,19 @@ impl Study {
                 .map(|(name, ramp)| pair((name, format!("{{ from = {:?}, to = {:?} }}", ramp.from, ramp.to))));
             writeln!(f, "inputs = {{ {} }}", inputs.collect::<Vec<_>>().join(", "))?;
         }
-        table(f, "scores", self.scores.iter().map(|(name, of)| (name, score(of))))?;
+        table(f, "scores", self.scores.iter().map(|(name, definition)| (name, score(definition))))?;
         writeln!(f, "\n[keep]\nrows = {}", !self.no_rows)?;
         if let Some((count, by)) = &self.best {
             writeln!(f, "best = {count}\nby = {}", quoted(by))?;
         }
-        let histograms = self.histograms.iter().map(|of| {
-            format!("{{ of = {}, from = {:?}, to = {:?}, bins = {} }}", quoted(&of.of), of.from, of.to, of.bins)
+        let histograms = self.histograms.iter().map(|histogram| {
+            format!(
+                "{{ of = {}, from = {:?}, to = {:?}, bins = {} }}",
+                quoted(&histogram.of),
+                histogram.from,
+                histogram.to,
+                histogram.bins
+            )
         });
         writeln!(f, "histograms = {}", list(histograms))
     }
@@ -83,14 +89,14 @@ fn range(range: &Range) -> String {
 }
 
 fn score(score: &Score) -> String {
-    let of = |rule: &str, name: &str| format!("{{ {rule} = {} }}", quoted(name));
+    let written = |rule: &str, name: &str| format!("{{ {rule} = {} }}", quoted(name));
     match score {
-        Score::Least(name) => of("least", name),
-        Score::Greatest(name) => of("greatest", name),
-        Score::Mean(name) => of("mean", name),
-        Score::Range(name) => of("range", name),
-        Score::TimeOfLeast(name) => of("time_of_least", name),
-        Score::TimeOfGreatest(name) => of("time_of_greatest", name),
+        Score::Least(name) => written("least", name),
+        Score::Greatest(name) => written("greatest", name),
+        Score::Mean(name) => written("mean", name),
+        Score::Range(name) => written("range", name),
+        Score::TimeOfLeast(name) => written("time_of_least", name),
+        Score::TimeOfGreatest(name) => written("time_of_greatest", name),
         Score::At { of, t } => format!("{{ at = {t:?}, of = {} }}", quoted(of)),
         Score::Path { point, normalised } => format!("{{ path = {}, normalised = {normalised} }}", quoted(point)),
         Score::Distance { point, to, measure } => {

@@ -68,14 +68,14 @@ pub(super) fn score(node: &Node<'_>) -> Result<Score, StudyError> {
     let expected = "a score is { least = \"tip.x\" }, likewise greatest, mean, range, time_of_least, time_of_greatest; \
                     { at = 0.5, of = \"tip.x\" }; { distance = \"tip\", to = [[0, 1]] }; or { path = \"tip\" }";
     for (name, make) in RULES {
-        if let Some(of) = node.get(name) {
+        if let Some(quantity) = node.get(name) {
             node.only(&[name])?;
-            return Ok(make(of.text()?));
+            return Ok(make(quantity.text()?));
         }
     }
-    if let (Some(at), Some(of)) = (node.get("at"), node.get("of")) {
+    if let (Some(at), Some(quantity)) = (node.get("at"), node.get("of")) {
         node.only(&["at", "of"])?;
-        return Ok(Score::At { of: of.text()?, t: at.number()? });
+        return Ok(Score::At { of: quantity.text()?, t: at.number()? });
     }
     if let Some(point) = node.get("path") {
         node.only(&["path", "normalised"])?;
@@ -123,11 +123,11 @@ pub(super) fn ramp(node: &Node<'_>) -> Result<Ramp, StudyError> {
 /// A histogram.
 pub(super) fn histogram(node: &Node<'_>) -> Result<Histogram, StudyError> {
     node.only(&["of", "from", "to", "bins"])?;
-    let (Some(of), Some(from), Some(to), Some(bins)) =
+    let (Some(column), Some(from), Some(to), Some(bins)) =
         (node.get("of"), node.get("from"), node.get("to"), node.get("bins"))
     else {
         return Err(node.wrong("a histogram is { of = \"swing\", from = 0, to = 1, bins = 20 }"));
     };
     let bins = usize::try_from(bins.count()?).unwrap_or(usize::MAX);
-    Ok(Histogram { of: of.text()?, from: from.number()?, to: to.number()?, bins })
+    Ok(Histogram { of: column.text()?, from: from.number()?, to: to.number()?, bins })
 }
