@@ -88,7 +88,7 @@ pub(super) fn run(args: &AnimateArgs, engine: &mut dyn Engine, session: &mut Ses
     let task = args.motion.read(&mut ledger, ("animate", &args.output), (STEPS, args.arc), engine, session);
     let targets = args.targets.as_ref().map_or(Ok(Vec::new()), |file| places("--targets", file));
     let targets = ledger.take(targets);
-    let (MotionTask { asked, setup, output }, targets) = ledger.close(task.zip(targets))?;
+    let (MotionTask { requested, setup, output }, targets) = ledger.close(task.zip(targets))?;
     let engine = &*engine;
     let model = engine.model();
     if model.bodies.is_empty() && model.points.is_empty() {
@@ -98,7 +98,7 @@ pub(super) fn run(args: &AnimateArgs, engine: &mut dyn Engine, session: &mut Ses
     if args.forces && model.forces.is_none() {
         return Err(analysis(engine, &SolveError::NoLoads { mechanism: model.name }));
     }
-    let instants = asked.instants(engine, &setup)?;
+    let instants = requested.instants(engine, &setup)?;
     // A page has no room for velocity ratios.
     let measures: Vec<Measure> = Measure::all(model).split_off(1);
     let watch = session.watch();
@@ -108,33 +108,34 @@ pub(super) fn run(args: &AnimateArgs, engine: &mut dyn Engine, session: &mut Ses
     let room = NUMBERS / (model.coordinates.len() * instants.len()).max(1);
     let most = if one { 0 } else { (closures::MAX_MOTIONS - 1).min(room) };
     watch.begin("instants", (1 + most) * instants.len());
-    let walk = args.motion.walk(engine, (&asked, &setup, &instants), &measures, &watch);
+    let walk = args.motion.walk(engine, (&requested, &setup, &instants), &measures, &watch);
     let walk = FollowedMotion { reported: true, tells_missing: args.forces, ..walk };
-    let moved = walk.kept()?;
+    let moved = walk.with_states()?;
     note_motion(session, &moved);
     let Moved { trajectory, motions, columns, mut ended, left, .. } = moved;
     note_freedom(session, left);
     let Some(first) = trajectory.states.first() else { return ended.map_or(Ok(()), Err) };
     let choice = match one || ended.is_some() {
-        true => ChosenClosures::one(engine, first),
+        true => ChosenClosures::requested_alone(engine, first),
         false => ChosenClosures::all(engine, &setup, first, most),
     };
     let note = ended.as_ref().map(|failure| early(model, failure));
     let degrees = args.motion.angles.degrees;
     let drawn = Drawn { engine, targets: &targets, forces: args.forces };
-    let mut runs = vec![drawn.run(&setup, (&trajectory.states, &motions, along_arc), columns, choice.own, note)?];
-    for (index, (name, asked)) in choice.others.iter().enumerate() {
+    let mut runs = vec![drawn.run(&setup, (&trajectory.states, &motions, along_arc), columns, choice.name, note)?];
+    for (index, (name, other_setup)) in choice.other_motions.iter().enumerate() {
         watch.go_on((1 + index) * instants.len());
         // Other modes that do not close are left out. That is no error, since the requested motion exists.
-        let Ok(also) = (FollowedMotion { setup: asked, ..walk }).kept() else { continue };
+        let Ok(also) = (FollowedMotion { setup: other_setup, ..walk }).with_states() else { continue };
         let states = &also.trajectory.states;
         if watch.interrupted() {
-            ended = Some(Failure::Interrupted(format!("{index} of {} other modes finished", choice.others.len())));
+            ended =
+                Some(Failure::Interrupted(format!("{index} of {} other modes finished", choice.other_motions.len())));
             break;
         }
         if states.len() > 1 {
             let note = also.ended.as_ref().map(|failure| early(model, failure));
-            runs.push(drawn.run(asked, (states, &also.motions, false), also.columns, name.clone(), note)?);
+            runs.push(drawn.run(other_setup, (states, &also.motions, false), also.columns, name.clone(), note)?);
         }
     }
     watch.end();

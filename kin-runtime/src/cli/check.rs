@@ -156,8 +156,9 @@ pub(super) fn find(
         }
         error => analysis(engine, &error),
     };
-    let here = |s: &State| Configuration { t, q: s.q.clone(), q_dot: s.q_dot.clone(), inputs: s.inputs.clone() };
-    let given = state.map(here).into_iter().collect();
+    let configuration =
+        |s: &State| Configuration { t, q: s.q.clone(), q_dot: s.q_dot.clone(), inputs: s.inputs.clone() };
+    let given = state.map(configuration).into_iter().collect();
     let options = CrossCheckOptions { configurations, given, ..CrossCheckOptions::default() };
     // Both checks go through all configurations.
     let all = options.given.len() + configurations;
@@ -198,7 +199,7 @@ pub(super) fn find(
 /// The power that flows to and fro within the mechanism, also where its powers add up to 0: the kinetic energy times the
 /// fastest relative rate of a body.
 fn power_within(forces: &Forces, state: &State) -> f64 {
-    let largest = |of: &dyn Fn(&BodyMotion) -> f64| state.bodies.iter().map(of).fold(0.0, f64::max);
+    let largest = |number: &dyn Fn(&BodyMotion) -> f64| state.bodies.iter().map(number).fold(0.0, f64::max);
     let turns = largest(&|body| body.phi_dot.abs());
     let [size, speed] = [largest(&|body| body.x.hypot(body.y)), largest(&|body| body.x_dot.hypot(body.y_dot))];
     forces.kinetic * if size > 0.0 { turns.max(speed / size) } else { turns }

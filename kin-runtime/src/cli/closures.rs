@@ -19,8 +19,9 @@ pub(super) fn settled(engine: &dyn Engine, setup: Setup, t: f64) -> Result<Setup
     match number.checked_sub(1).and_then(|k| all.found.get(k)) {
         Some(found) => Ok(Setup { guesses: guesses(found), closure: None, ..setup }),
         None => {
-            let what = format!("there is no closure {number} at t = {}; `modes` lists {}", rounded(t), all.found.len());
-            Err(Failure::option("--mode", what))
+            let message =
+                format!("there is no closure {number} at t = {}; `modes` lists {}", rounded(t), all.found.len());
+            Err(Failure::option("--mode", message))
         }
     }
 }
@@ -42,15 +43,15 @@ const SAME_CONFIGURATION: f64 = 1e-6;
 
 /// The name of the requested motion, and the names and setups of other motions.
 pub(super) struct ChosenClosures {
-    pub(super) own: String,
-    pub(super) others: Vec<(String, Setup)>,
+    pub(super) name: String,
+    pub(super) other_motions: Vec<(String, Setup)>,
 }
 
 impl ChosenClosures {
     /// The requested motion alone.
-    pub(super) fn one(engine: &dyn Engine, first: &State) -> Self {
-        let own = signs(engine, first);
-        Self { own: mode_name(engine.model(), &own, &own), others: Vec::new() }
+    pub(super) fn requested_alone(engine: &dyn Engine, first: &State) -> Self {
+        let chosen_signs = signs(engine, first);
+        Self { name: mode_name(engine.model(), &chosen_signs, &chosen_signs), other_motions: Vec::new() }
     }
 
     /// The requested motion and at most `most` others: closures that are proven to exist if they can be found quickly,
@@ -77,14 +78,15 @@ impl ChosenClosures {
                 Self::searched(setup, first, &all, most)
             }
             all => {
-                let own = signs(engine, first);
-                let others = combinations(&own).into_iter().filter(|signs| closes(model, all.as_ref(), signs));
-                let asked = |signs: Vec<Sign>| {
+                let chosen_signs = signs(engine, first);
+                let combinations =
+                    combinations(&chosen_signs).into_iter().filter(|signs| closes(model, all.as_ref(), signs));
+                let named_setup = |signs: Vec<Sign>| {
                     let modes = signs.iter().copied().enumerate().collect();
-                    (mode_name(model, &own, &signs), Setup { modes, ..setup.clone() })
+                    (mode_name(model, &chosen_signs, &signs), Setup { modes, ..setup.clone() })
                 };
-                let others = others.take(most).map(asked).collect();
-                Self { own: mode_name(model, &own, &own), others }
+                let other_motions = combinations.take(most).map(named_setup).collect();
+                Self { name: mode_name(model, &chosen_signs, &chosen_signs), other_motions }
             }
         }
     }
@@ -93,10 +95,14 @@ impl ChosenClosures {
     fn searched(setup: &Setup, first: &State, all: &Assemblies, most: usize) -> Self {
         let count = all.found.len();
         let name = |k: usize| format!("closure {} of {count}", k + 1);
-        let own = all.found.iter().position(|found| is_same(first.model, &found.q, &first.q));
-        let others = all.found.iter().enumerate().filter(|(k, _)| Some(*k) != own).take(most);
-        let asked = |(k, found): (usize, &Assembly)| (name(k), Setup { guesses: guesses(found), ..setup.clone() });
-        Self { own: own.map_or_else(|| "as assembled".to_owned(), name), others: others.map(asked).collect() }
+        let chosen = all.found.iter().position(|found| is_same(first.model, &found.q, &first.q));
+        let rest = all.found.iter().enumerate().filter(|(k, _)| Some(*k) != chosen).take(most);
+        let named_setup =
+            |(k, found): (usize, &Assembly)| (name(k), Setup { guesses: guesses(found), ..setup.clone() });
+        Self {
+            name: chosen.map_or_else(|| "as assembled".to_owned(), name),
+            other_motions: rest.map(named_setup).collect(),
+        }
     }
 }
 
@@ -109,29 +115,29 @@ fn signs(engine: &dyn Engine, first: &State) -> Vec<Sign> {
 /// True unless it is proven that these signs do not close.
 fn closes(model: &Model, all: Option<&Assemblies>, signs: &[Sign]) -> bool {
     let is = |modes: &[(&str, Sign)]| {
-        let mut asked = model.plan.modes.iter().zip(signs);
-        asked.all(|(mode, sign)| modes.iter().all(|(name, of)| *name != mode.name || of == sign))
+        let mut chosen_signs = model.plan.modes.iter().zip(signs);
+        chosen_signs.all(|(mode, sign)| modes.iter().all(|(name, found_sign)| *name != mode.name || found_sign == sign))
     };
     all.is_none_or(|all| all.found.iter().any(|found| is(&found.modes)))
 }
 
 /// Other combinations of signs, in which at most the first `MAX_COMBINED_MODES` signs differ.
-fn combinations(own: &[Sign]) -> Vec<Vec<Sign>> {
-    let free = own.len().min(MAX_COMBINED_MODES);
+fn combinations(chosen_signs: &[Sign]) -> Vec<Vec<Sign>> {
+    let free = chosen_signs.len().min(MAX_COMBINED_MODES);
     let combination = |number: usize| {
         let flip = |(index, sign): (usize, &Sign)| {
             if index < free && number >> index & 1 == 1 { sign.flipped() } else { *sign }
         };
-        own.iter().enumerate().map(flip).collect()
+        chosen_signs.iter().enumerate().map(flip).collect()
     };
     (1..1_usize << free).map(combination).collect()
 }
 
 /// The signs of all modes if they are at most two, otherwise only those that differ from `own`.
-fn mode_name(model: &Model, own: &[Sign], signs: &[Sign]) -> String {
+fn mode_name(model: &Model, chosen_signs: &[Sign], signs: &[Sign]) -> String {
     let few = signs.len() <= 2;
-    let modes = model.plan.modes.iter().zip(own).zip(signs);
-    let shown = modes.filter(|((_, own), sign)| few || own != sign);
+    let modes = model.plan.modes.iter().zip(chosen_signs).zip(signs);
+    let shown = modes.filter(|((_, chosen), sign)| few || chosen != sign);
     let names: Vec<String> = shown.map(|((mode, _), sign)| format!("{} {sign}", mode.name)).collect();
     if names.is_empty() { "as assembled".to_owned() } else { names.join(", ") }
 }

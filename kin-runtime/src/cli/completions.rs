@@ -76,22 +76,22 @@ fn with_names(command: clap::Command, model: &'static Model) -> clap::Command {
     let modes: Vec<String> = modes.collect();
     let joints: Vec<String> = model.joints.iter().map(|joint| joint.name.to_owned()).collect();
     let carried = model.points.iter().map(|p| p.name).chain(model.bodies.iter().map(|b| b.name));
-    let what: Vec<String> = carried
+    let quantities: Vec<String> = carried
         .map(str::to_owned)
         .chain(crate::measure::Measure::all(model).iter().skip(1).map(|measure| measure.name().to_owned()))
         .collect();
-    let of = |id: &str| match id {
+    let values_of = |id: &str| match id {
         "set" | "vary" => Some(&parameters),
         "guess" | "given" => Some(&coordinates),
         "input" => Some(&inputs),
         "mode" => Some(&modes),
         "joints" => Some(&joints),
-        "what" => Some(&what),
+        "what" => Some(&quantities),
         _ => None,
     };
     let named = |command: clap::Command| {
         let formats: Vec<String> = forms(own_name(&command)).iter().map(|form| form.name().to_owned()).collect();
-        command.mut_args(|arg| match of(arg.get_id().as_str()) {
+        command.mut_args(|arg| match values_of(arg.get_id().as_str()) {
             Some(values) if !values.is_empty() => arg.value_parser(possible(values)),
             _ if arg.get_id() == "format" => arg.value_parser(possible(&formats)),
             _ => arg,

@@ -106,7 +106,7 @@ pub(super) fn run(args: &DesignArgs, engine: &mut dyn Engine, session: &mut Sess
     let output = ledger.take(session.destination(&args.output, "design"));
     let setup = ledger.take(args.setup.apply_complete(engine).and_then(Setup::without_closure));
     let all = ledger.take(wishes(args, &*engine));
-    let mut ask = |option, what: &str| ledger.take(Err::<(), _>(Failure::option(option, what)));
+    let mut ask = |option, message: &str| ledger.take(Err::<(), _>(Failure::option(option, message)));
     let positive = |period: f64| period > 0.0 && period.is_finite();
     if args.period.is_some_and(|period| !positive(period)) {
         ask("--period", "a turn takes a time that is finite and positive");
@@ -125,8 +125,9 @@ pub(super) fn run(args: &DesignArgs, engine: &mut dyn Engine, session: &mut Sess
         (Some(period), _) => period,
         (None, None) => natural_end(&*engine, &setup, 0.0),
         (None, Some(driver)) => turn_of(&*engine, &setup, driver).ok_or_else(|| {
-            let what = format!("`{driver}` drives no angle at constant speed; say how long a turn takes by --period");
-            Failure::option("--turns", what)
+            let message =
+                format!("`{driver}` drives no angle at constant speed; say how long a turn takes by --period");
+            Failure::option("--turns", message)
         })?,
     };
     let bounds: Vec<(String, [f64; 2])> = all.iter().filter_map(Wish::bounds).collect();
@@ -169,9 +170,9 @@ pub(super) fn run(args: &DesignArgs, engine: &mut dyn Engine, session: &mut Sess
 
 /// The parameters with their bounds, the modes, and the slack of every condition.
 fn report(model: &Model, bounds: &[(String, [f64; 2])], found: &Designed<()>) -> String {
-    let of = |name: &str| bounds.iter().find(|(other, _)| other == name).map(|(_, bounds)| *bounds);
-    let range = |name: &str| of(name).map_or_else(String::new, |[low, high]| format!("{low} to {high}"));
-    let at_bound = |&(name, value): &(&str, f64)| match of(name) {
+    let bounds_of = |name: &str| bounds.iter().find(|(other, _)| other == name).map(|(_, bounds)| *bounds);
+    let range = |name: &str| bounds_of(name).map_or_else(String::new, |[low, high]| format!("{low} to {high}"));
+    let at_bound = |&(name, value): &(&str, f64)| match bounds_of(name) {
         Some([low, high]) if value - low <= AT_BOUND * (high - low) => "at its lower bound",
         Some([low, high]) if high - value <= AT_BOUND * (high - low) => "at its upper bound",
         _ => "",
@@ -278,11 +279,11 @@ fn wishes(args: &DesignArgs, engine: &dyn Engine) -> Result<Vec<Wish>, Failure> 
         };
         let all_links = [Shortest::Ground, Shortest::Crank, Shortest::Coupler, Shortest::Rocker];
         let shortest = all_links.into_iter().find(|link| link.to_string() == args.shortest).ok_or_else(|| {
-            let what = format!("`{}` is no link; write ground, crank, coupler or rocker", args.shortest);
-            Failure::option("--shortest", what)
+            let message = format!("`{}` is no link; write ground, crank, coupler or rocker", args.shortest);
+            Failure::option("--shortest", message)
         });
-        let both = ledger.take(four).zip(ledger.take(shortest));
-        all.extend(both.map(|((), shortest)| Wish::Grashof(lengths, shortest)));
+        let lengths_and_shortest = ledger.take(four).zip(ledger.take(shortest));
+        all.extend(lengths_and_shortest.map(|((), shortest)| Wish::Grashof(lengths, shortest)));
     }
     for text in &args.transmission {
         const OPTION: &str = "--transmission";
@@ -295,9 +296,9 @@ fn wishes(args: &DesignArgs, engine: &dyn Engine) -> Result<Vec<Wish>, Failure> 
         let least = ledger.take(values::number(OPTION, least.trim(), measured)).filter(|least| {
             let is_acute = (0.0..=core::f64::consts::FRAC_PI_2).contains(least);
             if !is_acute {
-                let what =
+                let message =
                     format!("`{text}` asks for {least} rad; a transmission angle is 0 to 90deg, as 'JOINT>40deg'");
-                ledger.fault(OPTION, what);
+                ledger.fault(OPTION, message);
             }
             is_acute
         });

@@ -56,8 +56,9 @@ enum ChosenPart {
 pub(super) fn run(args: &EquationsArgs, engine: &mut dyn Engine, session: &mut Session<'_>) -> Result<(), Failure> {
     let model = engine.model();
     if model.equations.is_empty() {
-        let what = "its tables have no equations: it was written by hand, or compiled without the feature `equations`";
-        return Err(Failure::Analysis(format!("{}: {what}", model.name)));
+        let message =
+            "its tables have no equations: it was written by hand, or compiled without the feature `equations`";
+        return Err(Failure::Analysis(format!("{}: {message}", model.name)));
     }
     let mut ledger = Ledger::default();
     let output = ledger.take(session.destination(&args.output, "equations"));

@@ -17,13 +17,13 @@ pub(super) enum Failure {
 
 impl Failure {
     /// A usage error.
-    pub(super) fn usage(what: impl Into<String>) -> Self {
-        Self::Usage(vec![what.into()])
+    pub(super) fn usage(message: impl Into<String>) -> Self {
+        Self::Usage(vec![message.into()])
     }
 
     /// A usage error of one option.
-    pub(super) fn option(option: &str, what: impl fmt::Display) -> Self {
-        Self::usage(format!("{option}: {what}"))
+    pub(super) fn option(option: &str, message: impl fmt::Display) -> Self {
+        Self::usage(format!("{option}: {message}"))
     }
 
     /// The exit status.
@@ -75,8 +75,8 @@ impl Ledger {
     }
 
     /// Records a usage error of one option.
-    pub(super) fn fault(&mut self, option: &str, what: impl fmt::Display) {
-        self.note(format!("{option}: {what}"));
+    pub(super) fn fault(&mut self, option: &str, message: impl fmt::Display) {
+        self.note(format!("{option}: {message}"));
     }
 
     /// Records a message, without its list of names if an earlier message has the same list.
@@ -84,7 +84,7 @@ impl Ledger {
         let is_listed =
             |listed: &str| self.complaints.iter().any(|c| c.split_once('\n').is_some_and(|(_, l)| l == listed));
         let short = match complaint.split_once('\n') {
-            Some((what, listed)) if is_listed(listed) => what.to_owned(),
+            Some((message, listed)) if is_listed(listed) => message.to_owned(),
             _ => complaint,
         };
         self.complaints.push(short);

@@ -20,8 +20,8 @@ pub(super) fn pulls(contact: &Reaction, forces: &Forces) -> String {
 
 /// `event: contact lifts off at t = 0.3`.
 pub(super) fn contact(change: &ContactChange) -> String {
-    let what = if change.lifts_off { "lifts off" } else { "presses again" };
-    format!("event: {} {what} at t = {}", change.name, rounded(change.t))
+    let event = if change.lifts_off { "lifts off" } else { "presses again" };
+    format!("event: {} {event} at t = {}", change.name, rounded(change.t))
 }
 
 /// A note on the first force among the quantities that is not determined at a state.

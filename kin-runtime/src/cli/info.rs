@@ -161,6 +161,10 @@ fn operations(o: OperationCount) -> (usize, Vec<String>) {
         (o.sincos, "sincos"),
         (o.function, "function"),
     ];
-    let shown = all.iter().filter(|(number, _)| *number > 0).map(|(number, what)| format!("{number} {what}")).collect();
+    let shown = all
+        .iter()
+        .filter(|(number, _)| *number > 0)
+        .map(|(number, operation)| format!("{number} {operation}"))
+        .collect();
     (all.iter().map(|(number, _)| number).sum(), shown)
 }

@@ -42,7 +42,7 @@ impl GridArgs {
     }
 
     /// The requested instants; `steps` is the default number of steps.
-    pub(super) fn asked(&self, steps: usize, model: &Model) -> Result<Asked, Failure> {
+    pub(super) fn requested(&self, steps: usize, model: &Model) -> Result<RequestedInstants, Failure> {
         let mut ledger = Ledger::default();
         let end = |option: &str, text: &Option<String>| {
             text.as_deref().map(|t| MotionEnd::read(option, t, model)).transpose()
@@ -53,7 +53,7 @@ impl GridArgs {
                 ledger.fault("--times", format!("cannot be combined with {name}; use one or the other"));
             }
             let times = ledger.take(values::times("--times", times, model));
-            return ledger.close(times.map(Asked::Times));
+            return ledger.close(times.map(RequestedInstants::Times));
         }
         let from = ledger.take(end("--from", &self.from)).flatten().unwrap_or(MotionEnd::At(TimeOrAngle::At(0.0)));
         let to = ledger.take(end("--to", &self.to)).flatten();
@@ -66,7 +66,7 @@ impl GridArgs {
         {
             ledger.take(values::grid_is_possible(from, to, steps));
         }
-        ledger.close(steps.map(|steps| Asked::Grid { from, to, steps }))
+        ledger.close(steps.map(|steps| RequestedInstants::Grid { from, to, steps }))
     }
 }
 
@@ -86,16 +86,20 @@ spaced along the arc. With --to t stays between --from and --to"
 
 impl ArcArgs {
     /// The requested instants, along the arc if the option is given.
-    pub(super) fn of(self, asked: Asked) -> Result<Asked, Failure> {
-        let refuse = |what: &str| Err(Failure::option("--along-arc", what));
-        match asked {
-            asked if !self.along_arc => Ok(asked),
-            Asked::Grid { from: MotionEnd::At(from), to: None, steps } => Ok(Asked::Arc { from, to: None, steps }),
-            Asked::Grid { from: MotionEnd::At(from), to: Some(MotionEnd::At(to)), steps } => {
-                Ok(Asked::Arc { from, to: Some(to), steps })
+    pub(super) fn applied_to(self, requested: RequestedInstants) -> Result<RequestedInstants, Failure> {
+        let refuse = |message: &str| Err(Failure::option("--along-arc", message));
+        match requested {
+            requested if !self.along_arc => Ok(requested),
+            RequestedInstants::Grid { from: MotionEnd::At(from), to: None, steps } => {
+                Ok(RequestedInstants::Arc { from, to: None, steps })
             }
-            Asked::Grid { .. } => refuse("goes on through limits; leave `--to limit` and `--from limit` out"),
-            Asked::Times(_) | Asked::Arc { .. } => {
+            RequestedInstants::Grid { from: MotionEnd::At(from), to: Some(MotionEnd::At(to)), steps } => {
+                Ok(RequestedInstants::Arc { from, to: Some(to), steps })
+            }
+            RequestedInstants::Grid { .. } => {
+                refuse("goes on through limits; leave `--to limit` and `--from limit` out")
+            }
+            RequestedInstants::Times(_) | RequestedInstants::Arc { .. } => {
                 refuse("has instants of its own; use --from, --to and --steps in place of --times")
             }
         }
@@ -121,7 +125,7 @@ impl MotionEnd {
 
 /// The instants that the options specify.
 #[derive(Clone, Debug)]
-pub(super) enum Asked {
+pub(super) enum RequestedInstants {
     Times(Vec<TimeOrAngle>),
     Grid {
         from: MotionEnd,
@@ -166,7 +170,7 @@ impl Instants {
     }
 }
 
-impl Asked {
+impl RequestedInstants {
     /// Whether no end is given.
     pub(super) fn is_open(&self) -> bool {
         matches!(self, Self::Grid { to: None, .. })
@@ -249,8 +253,8 @@ pub(super) fn instant(option: &str, moment: TimeOrAngle, engine: &dyn Engine, se
     match moment {
         TimeOrAngle::At(t) => Ok(t),
         TimeOrAngle::Turned(angle) => speed(engine, setup, 0.0).map(|speed| angle / speed).ok_or_else(|| {
-            let what = "an angle says when only if a crank is driven at constant speed; write a time";
-            Failure::option(option, what)
+            let message = "an angle says when only if a crank is driven at constant speed; write a time";
+            Failure::option(option, message)
         }),
     }
 }
@@ -287,13 +291,13 @@ fn as_far(
                 out.limits[k] = Some(stop);
             }
             Sought::None(searched) => {
-                let own = turn(engine, setup, start);
-                times[k] = start + direction * own.unwrap_or(1.0);
-                whole[k] = own.is_some();
+                let turn_time = turn(engine, setup, start);
+                times[k] = start + direction * turn_time.unwrap_or(1.0);
+                whole[k] = turn_time.is_some();
                 let until = rounded(searched);
                 out.notes.push(match whole[k] {
                     true => {
-                        let turns = ((searched - start) * direction / own.unwrap_or(f64::INFINITY)).round();
+                        let turns = ((searched - start) * direction / turn_time.unwrap_or(f64::INFINITY)).round();
                         let turns = if turns > 1.0 { format!("{turns} turns") } else { "a turn".to_owned() };
                         format!("note: no limit is met in {turns} of the driven crank: the motion is one turn long")
                     }
@@ -311,8 +315,8 @@ fn as_far(
     }
     let [from, to] = times;
     if from == to {
-        let what = format!("the mechanism is at a limit at t = {}: there is no motion", rounded(from));
-        return Err(Failure::Analysis(format!("{}: {what}", engine.model().name)));
+        let message = format!("the mechanism is at a limit at t = {}: there is no motion", rounded(from));
+        return Err(Failure::Analysis(format!("{}: {message}", engine.model().name)));
     }
     let place = |k: usize| {
         let x = k as f64 / steps as f64;

@@ -9,38 +9,38 @@ use signal_hook::flag;
 /// Whether Ctrl-C was pressed, and whether it ends the program at once.
 #[derive(Clone, Debug)]
 pub(super) struct Interrupt {
-    asked: Arc<AtomicBool>,
+    pressed: Arc<AtomicBool>,
     deadly: Arc<AtomicBool>,
     /// Whether signal handlers may be installed.
-    heard: bool,
+    has_handlers: bool,
 }
 
 impl Interrupt {
     /// Without signal handlers: Ctrl-C keeps its default effect.
-    pub(super) fn unheard() -> Self {
+    pub(super) fn without_handlers() -> Self {
         let flag = |value| Arc::new(AtomicBool::new(value));
-        Self { asked: flag(false), deadly: flag(true), heard: false }
+        Self { pressed: flag(false), deadly: flag(true), has_handlers: false }
     }
 
     /// Ctrl-C of this process; earlier ones are forgotten.
     pub(super) fn of_process() -> Self {
         static FLAGS: OnceLock<Interrupt> = OnceLock::new();
-        let interrupt = Self { heard: true, ..FLAGS.get_or_init(Self::unheard).clone() };
-        interrupt.asked.store(false, Ordering::Relaxed);
+        let interrupt = Self { has_handlers: true, ..FLAGS.get_or_init(Self::without_handlers).clone() };
+        interrupt.pressed.store(false, Ordering::Relaxed);
         interrupt
     }
 
     /// From now on the first Ctrl-C only sets a flag.
     pub(super) fn arm(&self) {
         static INSTALLED: OnceLock<bool> = OnceLock::new();
-        if !self.heard || self.asked() {
+        if !self.has_handlers || self.pressed() {
             return;
         }
         self.deadly.store(false, Ordering::SeqCst);
         let install = || {
             // In this order: the first handler ends the program if an earlier Ctrl-C has set `deadly`.
             flag::register_conditional_default(SIGINT, Arc::clone(&self.deadly))
-                .and_then(|_| flag::register(SIGINT, Arc::clone(&self.asked)))
+                .and_then(|_| flag::register(SIGINT, Arc::clone(&self.pressed)))
                 .and_then(|_| flag::register(SIGINT, Arc::clone(&self.deadly)))
                 .is_ok()
         };
@@ -54,7 +54,7 @@ impl Interrupt {
     }
 
     /// Whether Ctrl-C was pressed while it only set a flag.
-    pub(super) fn asked(&self) -> bool {
-        self.asked.load(Ordering::Relaxed)
+    pub(super) fn pressed(&self) -> bool {
+        self.pressed.load(Ordering::Relaxed)
     }
 }

@@ -3,7 +3,7 @@
 use super::engine::Engine;
 use super::examples::{Help, Names};
 use super::failure::{Failure, Ledger, zip3};
-use super::instants::{Asked, MotionEnd};
+use super::instants::{MotionEnd, RequestedInstants};
 use super::options::SetupArgs;
 use super::output::{Form, OutputArgs, json};
 use super::session::Session;
@@ -56,7 +56,7 @@ pub(super) fn run(args: &LimitsArgs, engine: &mut dyn Engine, session: &mut Sess
     let setup = ledger.take(args.setup.apply_complete(engine).and_then(Setup::without_closure));
     let ((from, to), output, setup) = ledger.close(zip3(ends, output, setup))?;
     let from = MotionEnd::At(from.unwrap_or(values::TimeOrAngle::At(0.0)));
-    let times = Asked::Grid { from, to: to.map(MotionEnd::At), steps: 1 }.instants(&*engine, &setup)?.times;
+    let times = RequestedInstants::Grid { from, to: to.map(MotionEnd::At), steps: 1 }.instants(&*engine, &setup)?.times;
     let (Some(&from), Some(&to)) = (times.first(), times.last()) else { return Ok(()) };
     let all = engine.ranges(&setup, from, to).map_err(|error| analysis(engine, &error))?;
     let text = match output.form {
@@ -68,8 +68,8 @@ pub(super) fn run(args: &LimitsArgs, engine: &mut dyn Engine, session: &mut Sess
         session.note(&format!("note: closures are searched with {coordinate} between {from} and {to} only"));
     }
     if let (Form::Json, [], ranges) = (output.form, &all.limits[..], &all.ranges[..]) {
-        let what = if ranges.is_empty() { "it closes nowhere" } else { "no range has a limit" };
-        session.note(&format!("note: {what} from t = {} to t = {}", rounded(from), rounded(to)));
+        let message = if ranges.is_empty() { "it closes nowhere" } else { "no range has a limit" };
+        session.note(&format!("note: {message} from t = {} to t = {}", rounded(from), rounded(to)));
     }
     session.deliver(&output, &text)?;
     match all.limits.iter().find(|limit| !limit.proven) {

@@ -159,7 +159,8 @@ fn run(
     let helps = args.iter().any(|arg| matches!(arg.to_str(), Some("-h" | "--help" | "help")));
     let trial = if helps { trial::ExampleValues::of(engine) } else { None };
     let mut command = help::command(CommandLine::command(), engine, program(engine, &args), trial);
-    let asked = args.iter().skip(1).filter_map(|arg| arg.to_str()).find(|arg| !arg.starts_with('-')).map(str::to_owned);
+    let subcommand =
+        args.iter().skip(1).filter_map(|arg| arg.to_str()).find(|arg| !arg.starts_with('-')).map(str::to_owned);
     let parsed = command.try_get_matches_from_mut(with_negative_values(args));
     let arguments = match parsed.and_then(|matches| CommandLine::from_arg_matches(&matches)) {
         Ok(arguments) => arguments,
@@ -167,8 +168,8 @@ fn run(
             return session.help(&error.render());
         }
         Err(mut error) => {
-            suggest_option(&mut error, &command, asked.as_deref());
-            let hint = hint(&error, &command, asked.as_deref());
+            suggest_option(&mut error, &command, subcommand.as_deref());
+            let hint = hint(&error, &command, subcommand.as_deref());
             return session.refuse(&error.render(), &hint);
         }
     };
@@ -202,7 +203,7 @@ fn run(
 }
 
 /// A hint that follows clap's message about invalid arguments.
-fn hint(error: &clap::Error, command: &clap::Command, asked: Option<&str>) -> String {
+fn hint(error: &clap::Error, command: &clap::Command, subcommand: Option<&str>) -> String {
     let wrong = match error.get(ContextKind::InvalidArg) {
         Some(ContextValue::String(arg)) => arg.as_str(),
         _ => "",
@@ -216,49 +217,50 @@ fn hint(error: &clap::Error, command: &clap::Command, asked: Option<&str>) -> St
             format!("\n\nAn instant is written --at {wrong}\n")
         }
         ErrorKind::UnknownArgument if letters => "\n\nOptions have two dashes: --at 0.5\n".to_owned(),
-        ErrorKind::UnknownArgument if wrong.starts_with("--") => options_there_are(wrong, command, asked),
+        ErrorKind::UnknownArgument if wrong.starts_with("--") => options_there_are(wrong, command, subcommand),
         _ => "\n".to_owned(),
     }
 }
 
 /// Suggests the option of the command that was called that is nearest to an unknown one; clap's suggestion may be far from
 /// it, and may be one where another command has the option itself.
-fn suggest_option(error: &mut clap::Error, command: &clap::Command, asked: Option<&str>) {
+fn suggest_option(error: &mut clap::Error, command: &clap::Command, subcommand: Option<&str>) {
     let Some(ContextValue::String(wrong)) = error.get(ContextKind::InvalidArg).cloned() else { return };
     if error.kind() != ErrorKind::UnknownArgument || !wrong.starts_with("--") {
         return;
     }
     error.remove(ContextKind::SuggestedArg);
     error.remove(ContextKind::Usage);
-    let own = options_of(command, asked);
-    let own: Vec<&str> = own.iter().map(String::as_str).collect();
-    if let Some(near) = names::nearest(&wrong, &own) {
+    let options = options_of(command, subcommand);
+    let options: Vec<&str> = options.iter().map(String::as_str).collect();
+    if let Some(near) = names::nearest(&wrong, &options) {
         error.insert(ContextKind::SuggestedArg, ContextValue::String(near.to_owned()));
     }
 }
 
 /// The options of the command that was called.
-fn options_of(command: &clap::Command, asked: Option<&str>) -> Vec<String> {
-    let this = asked.and_then(|asked| command.find_subcommand(asked));
-    let own = this.unwrap_or(command).get_arguments().filter(|arg| !arg.is_hide_set()).filter_map(clap::Arg::get_long);
-    own.filter(|long| *long != "help").map(|long| format!("--{long}")).collect()
+fn options_of(command: &clap::Command, subcommand: Option<&str>) -> Vec<String> {
+    let found = subcommand.and_then(|subcommand| command.find_subcommand(subcommand));
+    let names =
+        found.unwrap_or(command).get_arguments().filter(|arg| !arg.is_hide_set()).filter_map(clap::Arg::get_long);
+    names.filter(|long| *long != "help").map(|long| format!("--{long}")).collect()
 }
 
 /// The commands that have the unknown option `wrong`, and the options of the command that was called.
-fn options_there_are(wrong: &str, command: &clap::Command, asked: Option<&str>) -> String {
+fn options_there_are(wrong: &str, command: &clap::Command, subcommand: Option<&str>) -> String {
     let name = wrong.trim_start_matches('-').split('=').next().unwrap_or_default();
     let has = |command: &clap::Command| command.get_arguments().any(|arg| arg.get_long() == Some(name));
-    let others: Vec<String> =
+    let other_commands: Vec<String> =
         command.get_subcommands().filter(|c| has(c)).map(|c| format!("`{}`", c.get_name())).collect();
-    let this = asked.and_then(|asked| command.find_subcommand(asked));
-    let own = options_of(command, asked);
-    let own: Vec<&str> = own.iter().map(String::as_str).collect();
-    let who = this.map_or_else(|| "the report".to_owned(), |command| format!("`{}`", command.get_name()));
-    let elsewhere = match others.is_empty() {
+    let found = subcommand.and_then(|subcommand| command.find_subcommand(subcommand));
+    let options = options_of(command, subcommand);
+    let options: Vec<&str> = options.iter().map(String::as_str).collect();
+    let owner = found.map_or_else(|| "the report".to_owned(), |command| format!("`{}`", command.get_name()));
+    let elsewhere = match other_commands.is_empty() {
         true => String::new(),
-        false => format!("--{name} is an option of {}\n", output::either(&others).replace(" or ", " and ")),
+        false => format!("--{name} is an option of {}\n", output::either(&other_commands).replace(" or ", " and ")),
     };
-    format!("\n\n{elsewhere}{}\n", names::listing(&format!("{who} has "), &own))
+    format!("\n\n{elsewhere}{}\n", names::listing(&format!("{owner} has "), &options))
 }
 
 /// The program's name as it was called.
@@ -274,10 +276,10 @@ fn with_negative_values(args: Vec<OsString>) -> Vec<OsString> {
     let mut out: Vec<OsString> = Vec::with_capacity(args.len());
     for arg in args {
         let takes_value = out.last().map(text).is_some_and(|before| before.starts_with("--") && !before.contains('='));
-        let this = text(&arg);
-        let negative = this.len() > 1 && this.starts_with('-') && !this.starts_with("--");
+        let argument = text(&arg);
+        let negative = argument.len() > 1 && argument.starts_with('-') && !argument.starts_with("--");
         match out.last_mut() {
-            Some(before) if takes_value && negative && !matches!(this.as_str(), "-h" | "-V") => {
+            Some(before) if takes_value && negative && !matches!(argument.as_str(), "-h" | "-V") => {
                 before.push("=");
                 before.push(arg);
             }

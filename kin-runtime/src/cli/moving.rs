@@ -290,7 +290,7 @@ impl FollowedMotion<'_> {
     }
 
     /// The motion with its states, with the values of the quantities as columns, and with motions if `reported`.
-    pub(super) fn kept(&self) -> Result<Moved, Failure> {
+    pub(super) fn with_states(&self) -> Result<Moved, Failure> {
         let (mut states, mut motions) = (Vec::new(), Vec::new());
         let mut columns: Vec<Vec<f64>> = vec![Vec::with_capacity(self.instants.len()); self.measures.len()];
         let mut moved = self.each(&mut |row| {

@@ -87,21 +87,22 @@ pub(super) fn find_quantity(model: &'static Model, option: &str, name: &str) -> 
         return Ok(found);
     }
     let drivers = Measure::drivers(model);
-    if let Some((of, driver)) = name.rsplit_once('/') {
-        let of = find_quantity(model, option, of)?;
+    if let Some((quantity, driver)) = name.rsplit_once('/') {
+        let quantity = find_quantity(model, option, quantity)?;
         search(option, NameKind::Driver, driver, &drivers, None)?;
-        let what = format!(
+        let message = format!(
             "`{}` has no velocity ratio; only coordinates, points, defines and joint quantities have one",
-            of.name()
+            quantity.name()
         );
-        return Err(Failure::option(option, what));
+        return Err(Failure::option(option, message));
     }
     // Transmission angles, which are few, are listed before points and forces, which may be many.
-    let (angles, others): (Vec<_>, Vec<_>) = Measure::all(model).into_iter().partition(Measure::is_transmission);
-    let coordinates = others.len().min(1 + 3 * model.coordinates.len());
-    let (first, rest) = others.split_at(coordinates);
+    let (angles, other_quantities): (Vec<_>, Vec<_>) =
+        Measure::all(model).into_iter().partition(Measure::is_transmission);
+    let coordinates = other_quantities.len().min(1 + 3 * model.coordinates.len());
+    let (first, rest) = other_quantities.split_at(coordinates);
     let all: Vec<&str> = first.iter().chain(&angles).chain(rest).map(Measure::name).collect();
-    let is_force = |(_, of): (&str, &str)| ["effort", "force", "force_x", "force_y", "moment"].contains(&of);
+    let is_force = |(_, suffix): (&str, &str)| ["effort", "force", "force_x", "force_y", "moment"].contains(&suffix);
     let forces = (model.forces.is_none() && name.rsplit_once('.').is_some_and(is_force))
         .then_some("forces need masses or loads in the description: #[mass(…)], #[force(…)], …");
     let Err(failure) = search(option, NameKind::Quantity, name, &all, forces) else {
@@ -123,12 +124,12 @@ fn search(option: &str, kind: NameKind, name: &str, names: &[&str], elsewhere: O
     if let Some(index) = names.iter().position(|n| *n == name) {
         return Ok(index);
     }
-    let what = kind.singular();
+    let noun = kind.singular();
     if names.is_empty() {
         let hint = elsewhere.map_or(String::new(), |hint| format!("; {hint}"));
         return Err(Failure::option(option, format!("`{name}`: this mechanism has no {}{hint}", kind.plural())));
     }
-    let mut text = format!("no {what} named `{name}`");
+    let mut text = format!("no {noun} named `{name}`");
     let starts = |with: char| names.iter().find(|n| n.strip_prefix(name).is_some_and(|rest| rest.starts_with(with)));
     if let Some(element) = starts('[') {
         text.push_str(&format!("; it is an array: name its elements, `{element}`"));

@@ -64,32 +64,32 @@ pub(super) fn amount(text: &str) -> Result<Amount, Option<String>> {
 ///
 /// # Errors
 /// The units are of different kinds, or the quantity has none.
-pub(super) fn converted(amount: Amount, of: Measured<'_>) -> Result<f64, String> {
+pub(super) fn converted(amount: Amount, measured: Measured<'_>) -> Result<f64, String> {
     let Some(unit) = amount.unit else { return Ok(amount.value) };
-    let name = if of.name.is_empty() { "it".to_owned() } else { format!("`{}`", of.name) };
-    let (Some(text), Some(own)) = (of.unit, own(of)) else {
+    let name = if measured.name.is_empty() { "it".to_owned() } else { format!("`{}`", measured.name) };
+    let (Some(text), Some(own_unit)) = (measured.unit, unit_in_rate(measured)) else {
         return Err(format!("{name} has no unit here; write the number alone"));
     };
-    let per = match of.rate {
+    let per = match measured.rate {
         (0, _) => String::new(),
         (1, time) => format!(" by {}", time.unwrap_or("s")),
         (_, time) => format!(" by {0} twice", time.unwrap_or("s")),
     };
-    match unit.scale.zip(own.scale) {
+    match unit.scale.zip(own_unit.scale) {
         // A number of turns per second is not one of radians, nor is a travel per turn a travel.
-        Some(_) if unit.is_like(own) && !own.is_number() && !amount.angle.agrees(angle_factor(text)) => {
+        Some(_) if unit.is_like(own_unit) && !own_unit.is_number() && !amount.angle.agrees(angle_factor(text)) => {
             let has = if amount.angle.exponent == 0.0 { "no angle" } else { "an angle" };
             Err(format!("{name} is in {text}{per}, and this has {has} in its unit; write it in {text}{per}"))
         }
-        Some((from, to)) if unit.is_like(own) => Ok(scaled(amount.value, from / to)),
+        Some((from, to)) if unit.is_like(own_unit) => Ok(scaled(amount.value, from / to)),
         _ => Err(format!("{name} is in {text}{per}, and this is {unit}")),
     }
 }
 
 /// The unit of a quantity, or of its derivative.
-fn own(of: Measured<'_>) -> Option<Unit> {
-    let time = parse(of.rate.1.unwrap_or("s")).ok()?;
-    Some(parse(of.unit?).ok()?.times(time.power(-f64::from(of.rate.0))))
+fn unit_in_rate(measured: Measured<'_>) -> Option<Unit> {
+    let time = parse(measured.rate.1.unwrap_or("s")).ok()?;
+    Some(parse(measured.unit?).ok()?.times(time.power(-f64::from(measured.rate.0))))
 }
 
 /// The product, correctly rounded if the factor or its inverse is a whole number: 700 times 0.001 is 0.7.
@@ -280,7 +280,7 @@ mod tests {
     use std::f64::consts::PI;
 
     fn read(text: &str, unit: Option<&str>) -> Result<f64, String> {
-        let amount = amount(text).map_err(|what| what.unwrap_or_else(|| "no expression".to_owned()))?;
+        let amount = amount(text).map_err(|message| message.unwrap_or_else(|| "no expression".to_owned()))?;
         converted(amount, Measured { name: "r", unit, rate: (0, None) })
     }
 

@@ -86,12 +86,12 @@ impl SetupArgs {
         let given = ("--given", NameKind::Coordinate, "0.3");
         setup.given = values::of_names(&mut ledger, given, &self.given, model, signal);
         let example = values::example_of(NameKind::Mode, model, "+");
-        let mut asked = ledger.take(values::assignments("--mode", &example, &self.mode)).unwrap_or_default();
+        let mut mode_signs = ledger.take(values::assignments("--mode", &example, &self.mode)).unwrap_or_default();
         let of_files = ledger.take(values::assignments("--set", &example, &file_modes)).unwrap_or_default();
-        let others = of_files.into_iter().filter(|(name, _)| asked.iter().all(|(other, _)| other != name));
-        let others: Vec<_> = others.collect();
-        asked.extend(others);
-        for (name, sign) in asked {
+        let of_files_only = of_files.into_iter().filter(|(name, _)| mode_signs.iter().all(|(other, _)| other != name));
+        let of_files_only: Vec<_> = of_files_only.collect();
+        mode_signs.extend(of_files_only);
+        for (name, sign) in mode_signs {
             let is_mode = model.plan.modes.iter().any(|mode| mode.name == CLOSURE);
             if name == CLOSURE && !is_mode {
                 let number = sign.parse().map_err(|_| {

@@ -163,8 +163,9 @@ impl OutputArgs {
             Target::File(path) => extension(path),
             _ => None,
         };
-        let of = |ending: &String| Form::ALL.iter().copied().find(|form| form.endings().contains(&ending.as_str()));
-        let ending = written.as_ref().and_then(of);
+        let form_of =
+            |ending: &String| Form::ALL.iter().copied().find(|form| form.endings().contains(&ending.as_str()));
+        let ending = written.as_ref().and_then(form_of);
         let destination = |form| Destination { form, target, ending };
         if let Some(name) = &self.format {
             return form_named(command, name).map(destination);
@@ -205,7 +206,7 @@ fn is_special_file(path: &Path) -> bool {
 fn form_named(command: &str, name: &str) -> Result<Form, Failure> {
     let lower = name.trim().to_lowercase();
     let known = Form::ALL.iter().copied().find(|form| form.name() == lower || form.endings().contains(&lower.as_str()));
-    let who = who(command);
+    let writer = writer(command);
     let named: Vec<&str> = forms(command).iter().map(|form| form.name()).collect();
     match known {
         Some(form) if forms(command).contains(&form) => Ok(form),
@@ -213,12 +214,15 @@ fn form_named(command: &str, name: &str) -> Result<Form, Failure> {
             let form = form.name();
             Err(Failure::option(
                 "--format",
-                format!("{who} has no {form} form; write {}{}", either(&named), others(form)),
+                format!("{writer} has no {form} form; write {}{}", either(&named), commands_with(form)),
             ))
         }
         None => {
-            let meant = nearest(&lower, &named).map_or(String::new(), |near| format!(" (did you mean {near}?)"));
-            Err(Failure::option("--format", format!("`{name}` is no form{meant}; {who} writes {}", either(&named))))
+            let suggestion = nearest(&lower, &named).map_or(String::new(), |near| format!(" (did you mean {near}?)"));
+            Err(Failure::option(
+                "--format",
+                format!("`{name}` is no form{suggestion}; {writer} writes {}", either(&named)),
+            ))
         }
     }
 }
@@ -227,19 +231,19 @@ fn wrong_ending(command: &str, path: &Path, ending: Option<Form>) -> String {
     let endings: Vec<String> = forms(command).iter().map(|form| format!(".{}", form.endings()[0])).collect();
     let right = format!("`{}` should end in {}", path.display(), either(&endings));
     match ending {
-        Some(form) => format!("{right}{}", others(form.name())),
+        Some(form) => format!("{right}{}", commands_with(form.name())),
         None => format!("{right}, or --format must say what it is"),
     }
 }
 
 /// The commands that write a format.
-fn others(form: &str) -> String {
+fn commands_with(form: &str) -> String {
     let writes = |(name, forms): &&(&str, &[Form])| !name.is_empty() && forms.iter().any(|f| f.name() == form);
     let names: Vec<String> = WRITERS.iter().filter(writes).map(|(name, _)| format!("`{name}`")).collect();
     format!("; {form} is written by {}", together(&names, "and"))
 }
 
-fn who(command: &str) -> String {
+fn writer(command: &str) -> String {
     if command.is_empty() { "the report".to_owned() } else { format!("`{command}`") }
 }
 

@@ -38,8 +38,8 @@ pub(super) fn places(option: &str, file: &str) -> Result<Vec<[f64; 2]>, Failure>
     let place = |row: Vec<f64>| match row[..] {
         [x, y] | [_, x, y] => Ok([x, y]),
         _ => {
-            let what = format!("`{file}` needs the columns x,y or t,x,y, not {}", row.len());
-            Err(Failure::option(option, what))
+            let message = format!("`{file}` needs the columns x,y or t,x,y, not {}", row.len());
+            Err(Failure::option(option, message))
         }
     };
     columns(option, file, &PLACES)?.into_iter().map(place).collect()

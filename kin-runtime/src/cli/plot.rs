@@ -166,8 +166,8 @@ pub(super) fn run(args: &PlotArgs, engine: &mut dyn Engine, session: &mut Sessio
     // An empty diagram would hide that there is nothing to draw.
     let undefined = |k: usize| k > 0 && runs.iter().all(|run| run.columns[k].iter().all(|value| !value.is_finite()));
     if let Some(k) = wanted.iter().flat_map(|want| [want.x, want.y]).find(|&k| undefined(k)) {
-        let what = "has no value in all of the motion: it is undetermined, or not defined there";
-        return Err(Failure::Analysis(format!("{}: `{}` {what}", model.name, infos[k - 1].name)));
+        let message = "has no value in all of the motion: it is undetermined, or not defined there";
+        return Err(Failure::Analysis(format!("{}: `{}` {message}", model.name, infos[k - 1].name)));
     }
     let diagram = Diagram { title: model.name.to_owned(), panels: panels(units, &wanted, &infos, &runs), beside };
     let bytes = match task.output.form {
@@ -192,10 +192,10 @@ fn one(
     place: (usize, usize),
     session: &mut Session<'_>,
 ) -> Result<Numbers, Failure> {
-    let instants = task.asked.instants(engine, &task.setup)?;
+    let instants = task.requested.instants(engine, &task.setup)?;
     let watch = session.watch();
     watch.begin_motion(place, instants.len());
-    let moved = args.motion.walk(engine, (&task.asked, &task.setup, &instants), measures, &watch).kept()?;
+    let moved = args.motion.walk(engine, (&task.requested, &task.setup, &instants), measures, &watch).with_states()?;
     note_motion(session, &moved);
     let Moved { trajectory, columns, ended, left, .. } = moved;
     note_freedom(session, left);
@@ -204,8 +204,8 @@ fn one(
         let drawn: Vec<Measure> = wanted.iter().map(|want| measures[want.y].clone()).collect();
         let slopes = Slopes::along(engine, &task.setup, &trajectory.states, &drawn, args.motion.angles.degrees)?;
         slopes.all_exist(engine.model(), &drawn)?;
-        let of = |k| slopes.deviations(k, tolerances).into_iter().map(|deviation| deviation.worst).collect();
-        worst.extend((0..drawn.len()).map(of));
+        let worst_of = |k| slopes.deviations(k, tolerances).into_iter().map(|deviation| deviation.worst).collect();
+        worst.extend((0..drawn.len()).map(worst_of));
     }
     if ended.as_ref().is_some_and(|failure| !matches!(failure, Failure::Interrupted(_))) {
         let (states, instants) = (columns[0].len(), count(instants.len(), "instant"));
@@ -252,7 +252,11 @@ fn moved_unevenly(model: &Model, numbers: &[Vec<f64>]) -> Vec<usize> {
 }
 
 /// The requested curves; columns that are not standard are added to `measures`. All errors are reported at once.
-fn wanted(model: &'static Model, what: &[String], measures: &mut Vec<Measure>) -> Result<Vec<PlottedCurve>, Failure> {
+fn wanted(
+    model: &'static Model,
+    written: &[String],
+    measures: &mut Vec<Measure>,
+) -> Result<Vec<PlottedCurve>, Failure> {
     let carried = || model.points.iter().map(|p| p.name).chain(model.bodies.iter().map(|b| b.name));
     let mut index = |measure: Measure| {
         let found = measures.iter().position(|other| *other == measure);
@@ -263,26 +267,26 @@ fn wanted(model: &'static Model, what: &[String], measures: &mut Vec<Measure>) -
     };
     let mut ledger = Ledger::default();
     let mut wanted = Vec::new();
-    for what in what {
-        if let Some((x, y)) = what.split_once(':') {
+    for written in written {
+        if let Some((x, y)) = written.split_once(':') {
             // The two components of a force are drawn with equal axes.
             let path = x.strip_suffix(".force_x").is_some_and(|joint| y.strip_suffix(".force_y") == Some(joint));
             let [x, y] = [x, y].map(|name| ledger.take(find_quantity(model, "WHAT", name)));
             wanted.extend(x.zip(y).map(|(x, y)| PlottedCurve { x: index(x), y: index(y), path }));
             continue;
         }
-        let axis = |axis: &str| Measure::named(model, &format!("{what}.{axis}"));
+        let axis = |axis: &str| Measure::named(model, &format!("{written}.{axis}"));
         if let (None, true, Some(x), Some(y)) =
-            (Measure::named(model, what), carried().any(|name| name == what), axis("x"), axis("y"))
+            (Measure::named(model, written), carried().any(|name| name == written), axis("x"), axis("y"))
         {
             wanted.push(PlottedCurve { x: index(x), y: index(y), path: true });
             continue;
         }
-        if let (None, Some(x), Some(y)) = (Measure::named(model, what), axis("force_x"), axis("force_y")) {
+        if let (None, Some(x), Some(y)) = (Measure::named(model, written), axis("force_x"), axis("force_y")) {
             wanted.push(PlottedCurve { x: index(x), y: index(y), path: true });
             continue;
         }
-        let found = ledger.take(find_quantity(model, "WHAT", what));
+        let found = ledger.take(find_quantity(model, "WHAT", written));
         wanted.extend(found.map(|y| PlottedCurve { x: 0, y: index(y), path: false }));
     }
     ledger.close(Some(wanted))
@@ -297,12 +301,13 @@ fn panels(units: ResultUnits, wanted: &[PlottedCurve], infos: &[ColumnInfo], run
     for (index, &want) in wanted.iter().enumerate() {
         let curves = runs.iter().map(|run| {
             let points = run.columns[want.x].iter().copied().zip(run.columns[want.y].iter().copied());
-            let own = if want.path { name(want.y).trim_end_matches("_y").trim_end_matches(".y") } else { name(want.y) };
-            let names: Vec<&str> = [own, &run.name]
+            let curve_name =
+                if want.path { name(want.y).trim_end_matches("_y").trim_end_matches(".y") } else { name(want.y) };
+            let names: Vec<&str> = [curve_name, &run.name]
                 .into_iter()
-                .filter(|name| !name.is_empty() && (wanted.len() > 1 || *name != own))
+                .filter(|name| !name.is_empty() && (wanted.len() > 1 || *name != curve_name))
                 .collect();
-            let name = if names.is_empty() { own.to_owned() } else { names.join(", ") };
+            let name = if names.is_empty() { curve_name.to_owned() } else { names.join(", ") };
             let bands = run.worst.get(index).filter(|_| !want.path && want.x == 0);
             let known = |((x, y), half): &((f64, f64), f64)| x.is_finite() && y.is_finite() && half.is_finite();
             match bands {

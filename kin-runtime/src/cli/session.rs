@@ -29,7 +29,7 @@ impl Surroundings {
     /// Streams that are no terminals.
     #[cfg(test)]
     pub(super) fn plain() -> Self {
-        Self { colours: [false; 2], screen: false, bar: false, interrupt: Interrupt::unheard() }
+        Self { colours: [false; 2], screen: false, bar: false, interrupt: Interrupt::without_handlers() }
     }
 
     /// Those of this process. Terminals are coloured unless `NO_COLOR` or `CLICOLOR_FORCE` says otherwise.
@@ -71,9 +71,9 @@ impl<'a> Session<'a> {
         let to = options.destination(command)?;
         if self.screen && to.target == Target::Out && !to.form.is_readable() {
             let (form, ending) = (to.form.name(), to.form.endings()[0]);
-            let what =
+            let message =
                 format!("{form} is not shown on a terminal; write --out FILE.{ending}, or pipe it to another program");
-            return Err(Failure::option("--out", what));
+            return Err(Failure::option("--out", message));
         }
         Ok(to)
     }

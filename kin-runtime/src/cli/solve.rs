@@ -195,7 +195,7 @@ pub(super) fn record(engine: &dyn Engine, solved: &SolvedInstant) -> Record {
     let SolvedInstant { state, motion, mobility, ratios, angles, modes, certificate, degrees } = solved;
     let model = engine.model();
     let ratios_of =
-        |of: &'_ [VelocityRatio]| of.iter().map(|ratio| (ratio.name, ratio.clone())).collect::<NamedValues<_>>();
+        |list: &'_ [VelocityRatio]| list.iter().map(|ratio| (ratio.name, ratio.clone())).collect::<NamedValues<_>>();
     let mut all = record! {
         t: state.t,
         coordinates: coordinate_names(model),

@@ -91,8 +91,8 @@ pub(super) fn other_modes(engine: &dyn Engine, setup: &Setup, t: f64) -> Option<
         return None;
     }
     let modes = |t: f64| engine.state(setup, t).ok().map(|state| engine.modes(&state.instant(), &state.q));
-    let (first, here) = (modes(0.0)?, modes(t)?);
-    let other = first.iter().zip(&here).filter(|(first, here)| here.sign.is_some() && first.sign != here.sign);
+    let (first, now) = (modes(0.0)?, modes(t)?);
+    let other = first.iter().zip(&now).filter(|(first, now)| now.sign.is_some() && first.sign != now.sign);
     let options: Vec<String> = other.filter_map(|(mode, _)| Some(format!("{}={}", mode.name, mode.sign?))).collect();
     (!options.is_empty()).then(|| {
         format!(

@@ -172,9 +172,9 @@ impl SweepTask<'_> {
         run: &mut RunningSweep<'_>,
         each: impl FnOnce(&FollowedMotion<'_>) -> Result<Moved, Failure>,
     ) {
-        let MotionTask { asked, setup, .. } = &self.task;
+        let MotionTask { requested, setup, .. } = &self.task;
         choice.set(run.engine);
-        let outcome = match asked.instants(run.engine, setup) {
+        let outcome = match requested.instants(run.engine, setup) {
             Err(failure) => MotionOutcome { rows: 0, instants: 0, moved: Err(failure) },
             Ok(instants) => {
                 match (place, run.seen) {
@@ -182,7 +182,7 @@ impl SweepTask<'_> {
                     _ => run.watch.begin_motion((place, self.choices.len()), instants.len()),
                 }
                 let before = self.rows.get();
-                let walk = self.args.motion.walk(run.engine, (asked, setup, &instants), &self.measures, run.watch);
+                let walk = self.args.motion.walk(run.engine, (requested, setup, &instants), &self.measures, run.watch);
                 let moved = each(&FollowedMotion {
                     stop_at_events: self.args.stop_at_events,
                     tells_missing: !self.args.what.is_empty(),
@@ -335,7 +335,7 @@ fn text(motions: &SweepTask<'_>, run: &mut RunningSweep<'_>) -> String {
     let mut out = String::new();
     for (index, choice) in motions.choices.iter().enumerate() {
         motions.follow((index, choice), run, |walk| {
-            let moved = walk.kept()?;
+            let moved = walk.with_states()?;
             let rows = moved.columns.first().map_or(0, Vec::len);
             motions.count(rows);
             if rows > 0 {

@@ -4,7 +4,7 @@
 use super::closures::settled;
 use super::engine::Engine;
 use super::failure::{Failure, Ledger, zip3};
-use super::instants::{ArcArgs, Asked, GridArgs, Instants, instant};
+use super::instants::{ArcArgs, GridArgs, Instants, RequestedInstants, instant};
 use super::moving::FollowedMotion;
 use super::options::{AngleArgs, FreedomArgs, InstantArgs, SetupArgs};
 use super::output::{Destination, OutputArgs};
@@ -68,7 +68,7 @@ pub(super) struct MotionArgs {
 
 /// A motion to be followed.
 pub(super) struct MotionTask<'o> {
-    pub(super) asked: Asked,
+    pub(super) requested: RequestedInstants,
     pub(super) setup: Setup,
     pub(super) output: Destination<'o>,
 }
@@ -84,21 +84,22 @@ impl MotionArgs {
         engine: &mut dyn Engine,
         session: &Session<'_>,
     ) -> Option<MotionTask<'o>> {
-        let asked = ledger.take(self.grid.asked(steps, engine.model()).and_then(|asked| arc.of(asked)));
+        let requested =
+            ledger.take(self.grid.requested(steps, engine.model()).and_then(|requested| arc.applied_to(requested)));
         let output = ledger.take(session.destination(output, command));
         let setup = ledger.take(self.setup.apply_complete(engine));
-        let (asked, output, setup) = zip3(asked, output, setup)?;
+        let (requested, output, setup) = zip3(requested, output, setup)?;
         let setup = Setup { least_norm: self.freedom.least_norm, ..setup };
-        let first = ledger.take(asked.first(engine, &setup))?;
+        let first = ledger.take(requested.first(engine, &setup))?;
         let setup = ledger.take(settled(engine, setup, first))?;
-        Some(MotionTask { asked, setup, output })
+        Some(MotionTask { requested, setup, output })
     }
 
     /// The walk over the instants of a task, with the values of `measures`.
     pub(super) fn walk<'w>(
         &self,
         engine: &'w dyn Engine,
-        (asked, setup, instants): (&Asked, &'w Setup, &'w Instants),
+        (requested, setup, instants): (&RequestedInstants, &'w Setup, &'w Instants),
         measures: &'w [Measure],
         watch: &'w ProgressWatch,
     ) -> FollowedMotion<'w> {
@@ -107,7 +108,7 @@ impl MotionArgs {
             setup,
             instants,
             stop_at_events: false,
-            open_end: asked.is_open(),
+            open_end: requested.is_open(),
             freedom: self.freedom,
             reported: false,
             tells_missing: false,

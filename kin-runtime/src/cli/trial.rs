@@ -159,9 +159,9 @@ fn inputs(engine: &dyn Engine) -> Option<Setup> {
         };
         Setup { inputs: values.iter().zip(&fixed).map(signal).collect(), ..Setup::default() }
     };
-    let own = engine.parameters().into_iter().filter(|value| value.is_finite()).map(shortened);
+    let parameters = engine.parameters().into_iter().filter(|value| value.is_finite()).map(shortened);
     let guessed = engine.guesses().into_iter().flatten().map(shortened);
-    let mut candidates: Vec<f64> = [0.0, 0.5, 1.0].into_iter().chain(guessed).chain(own).collect();
+    let mut candidates: Vec<f64> = [0.0, 0.5, 1.0].into_iter().chain(guessed).chain(parameters).collect();
     candidates.dedup();
     let number = candidates.len();
     // First the same value for all inputs, then all combinations.
@@ -197,9 +197,9 @@ fn varied(engine: &mut dyn Engine, setup: &Setup) -> Option<String> {
             let end = engine.set_parameter(index, value).then(|| natural_end(&*engine, setup, 0.0));
             end.and_then(|end| reached(&*engine, setup, end)).is_some()
         };
-        let both = moves(engine, low) && moves(engine, high);
+        let both_move = moves(engine, low) && moves(engine, high);
         engine.set_parameter(index, value);
-        if both && low < high {
+        if both_move && low < high {
             return Some(format!("{}={}..{}:5", model.parameters[index].name, rounded(low), rounded(high)));
         }
     }

@@ -56,7 +56,7 @@ fn slowest(engine: &dyn Engine, setup: &Setup, from: f64, counts: &dyn Fn(&str) 
     let pattern = &model.constraint_pattern;
     let speed = |row: usize| {
         model.joints.get(model.rows[row].joint).filter(|joint| counts(joint.name))?;
-        let mut entries = pattern.entries.iter().enumerate().filter(|(_, (of, _))| *of == row);
+        let mut entries = pattern.entries.iter().enumerate().filter(|(_, (entry_row, _))| *entry_row == row);
         let (Some((entry, &(_, column))), None) = (entries.next(), entries.next()) else { return None };
         if !may_turn(model, model.coordinates.get(column)?) {
             return None;

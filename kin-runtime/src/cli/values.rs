@@ -14,9 +14,10 @@ use kin_core::units::Unit;
 const MOST_STEPS: usize = 1_000_000;
 
 /// A finite number, in the unit of its quantity.
-pub(super) fn number(option: &str, text: &str, of: Measured<'_>) -> Result<f64, Failure> {
+pub(super) fn number(option: &str, text: &str, measured: Measured<'_>) -> Result<f64, Failure> {
     let amount = written(option, text)?;
-    let value = converted(amount, of).map_err(|what| Failure::option(option, format!("`{}`: {what}", text.trim())))?;
+    let value = converted(amount, measured)
+        .map_err(|message| Failure::option(option, format!("`{}`: {message}", text.trim())))?;
     if value.is_finite() { Ok(value) } else { Err(not_finite(option, text)) }
 }
 
@@ -62,10 +63,10 @@ fn written(option: &str, text: &str) -> Result<Amount, Failure> {
         Err(_) => match amount(text) {
             Ok(amount) if amount.value.is_finite() => Ok(amount),
             Ok(_) => Err(not_finite(option, text)),
-            Err(Some(what)) => Err(Failure::option(option, format!("`{text}`: {what}"))),
+            Err(Some(message)) => Err(Failure::option(option, format!("`{text}`: {message}"))),
             Err(None) => {
-                let what = format!("`{text}` is not a number (numbers are written like -0.25, pi/2 or 60deg)");
-                Err(Failure::option(option, what))
+                let message = format!("`{text}` is not a number (numbers are written like -0.25, pi/2 or 60deg)");
+                Err(Failure::option(option, message))
             }
         },
     }
@@ -136,7 +137,7 @@ pub(super) fn example_of(kind: NameKind, model: &Model, value: &str) -> String {
 }
 
 fn assignment(option: &str, example: &str, piece: &str) -> Result<(String, String), Failure> {
-    let fault = |what: String| Err(Failure::option(option, format!("{what}; write {option} {example}")));
+    let fault = |message: String| Err(Failure::option(option, format!("{message}; write {option} {example}")));
     let Some((name, value)) = piece.split_once('=') else {
         return match piece {
             "" => fault("an assignment is missing".to_owned()),
@@ -157,8 +158,8 @@ fn assignment(option: &str, example: &str, piece: &str) -> Result<(String, Strin
         return fault(format!("`{name}` has no value"));
     }
     if value.starts_with('[') {
-        let what = format!("an array is set member by member; write {option} {name}[0]=…,{name}[1]=…");
-        return Err(Failure::option(option, what));
+        let message = format!("an array is set member by member; write {option} {name}[0]=…,{name}[1]=…");
+        return Err(Failure::option(option, message));
     }
     Ok((name.to_owned(), value.to_owned()))
 }
@@ -173,16 +174,16 @@ pub(super) fn sign(option: &str, text: &str) -> Result<Sign, Failure> {
 }
 
 /// `value`, `value:rate` or `value:rate:acceleration`; missing numbers are zero.
-pub(super) fn signal(option: &str, name: &str, parts: &[&str], of: Measured<'_>) -> Result<Signal, Failure> {
+pub(super) fn signal(option: &str, name: &str, parts: &[&str], measured: Measured<'_>) -> Result<Signal, Failure> {
     let mut numbers = [0.0; 3];
     if parts.len() > numbers.len() {
-        let what = format!("`{name}` has {} numbers; at most value, rate and acceleration", parts.len());
-        return Err(Failure::option(option, what));
+        let message = format!("`{name}` has {} numbers; at most value, rate and acceleration", parts.len());
+        return Err(Failure::option(option, message));
     }
     let mut ledger = Ledger::default();
     for ((place, part), order) in numbers.iter_mut().zip(parts).zip(0..) {
-        let of = Measured { rate: (order, of.rate.1), ..of };
-        ledger.take(number(option, part, of)).into_iter().for_each(|value| *place = value);
+        let measured = Measured { rate: (order, measured.rate.1), ..measured };
+        ledger.take(number(option, part, measured)).into_iter().for_each(|value| *place = value);
     }
     ledger.close(Some(()))?;
     let [value, rate, acceleration] = numbers;
@@ -269,14 +270,14 @@ pub(super) fn grid_is_possible(from: f64, to: f64, steps: usize) -> Result<(), F
             true => format!(" (numbers of this size are {} apart)", plain(spacing)),
             false => String::new(),
         };
-        let what = format!(
+        let message = format!(
             "--from and --to are both {first}{apart}; a sweep needs two different instants (or use `solve --at`)"
         );
-        return Err(Failure::usage(what));
+        return Err(Failure::usage(message));
     }
     if !length.is_finite() || from + length / steps as f64 == from || to - length / steps as f64 == to {
-        let what = format!("--from {first} --to {last} --steps {steps}: the instants cannot be told apart");
-        return Err(Failure::usage(what));
+        let message = format!("--from {first} --to {last} --steps {steps}: the instants cannot be told apart");
+        return Err(Failure::usage(message));
     }
     Ok(())
 }
@@ -304,20 +305,21 @@ pub(super) fn variation(
     };
     let (name, values) = text.split_once('=').ok_or_else(shape)?;
     if values.contains('=') {
-        let what = format!("`{text}`: write {option} again for each further parameter");
-        return Err(Failure::option(option, what));
+        let message = format!("`{text}`: write {option} again for each further parameter");
+        return Err(Failure::option(option, message));
     }
-    let of = Measured::parameter(model, name.trim());
+    let measured = Measured::parameter(model, name.trim());
     let Some((from, rest)) = values.split_once("..") else {
-        let values = values.split(',').map(|value| number(option, value, of)).collect::<Result<Vec<f64>, Failure>>()?;
+        let values =
+            values.split(',').map(|value| number(option, value, measured)).collect::<Result<Vec<f64>, Failure>>()?;
         if values.len() > most {
-            let what = format!("{} values of {}; at most {most}: {why}", values.len(), name.trim());
-            return Err(Failure::option(option, what));
+            let message = format!("{} values of {}; at most {most}: {why}", values.len(), name.trim());
+            return Err(Failure::option(option, message));
         }
         return Ok((name.trim().to_owned(), values));
     };
     let (to, count) = rest.split_once(':').ok_or_else(shape)?;
-    let (from, to) = (number(option, from, of)?, number(option, to, of)?);
+    let (from, to) = (number(option, from, measured)?, number(option, to, measured)?);
     let count = count.trim().parse::<usize>().ok().filter(|n| (2..=most).contains(n));
     let Some(count) = count else {
         return Err(Failure::option(option, format!("`{text}`: between 2 and {most} values are possible: {why}")));
@@ -329,16 +331,17 @@ pub(super) fn variation(
 /// A number of random configurations.
 pub(super) fn configurations(text: &str) -> Result<usize, Failure> {
     text.trim().parse::<u32>().map(|number| number as usize).map_err(|_| {
-        let what = format!("`{text}` is no number of configurations; a whole number from 0 to {} is needed", u32::MAX);
-        Failure::option("--configurations", what)
+        let message =
+            format!("`{text}` is no number of configurations; a whole number from 0 to {} is needed", u32::MAX);
+        Failure::option("--configurations", message)
     })
 }
 
 /// The number of steps.
 pub(super) fn steps(text: &str) -> Result<usize, Failure> {
     text.trim().parse::<usize>().map_err(|_| {
-        let what = format!("`{text}` is no number of steps; a whole number from 1 to {MOST_STEPS} is needed");
-        Failure::option("--steps", what)
+        let message = format!("`{text}` is no number of steps; a whole number from 1 to {MOST_STEPS} is needed");
+        Failure::option("--steps", message)
     })
 }
 

@@ -90,7 +90,7 @@ impl ProgressWatch {
                 }
                 bar.set_position(done as u64);
             }
-            if interrupt.asked() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+            if interrupt.pressed() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         }
     }
 
@@ -112,7 +112,7 @@ impl ProgressWatch {
 
     /// Whether Ctrl-C was pressed.
     pub(super) fn interrupted(&self) -> bool {
-        self.interrupt.asked()
+        self.interrupt.pressed()
     }
 
     /// Runs `work`, which writes to the terminal, while the bar is hidden.

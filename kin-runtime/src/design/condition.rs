@@ -28,7 +28,7 @@ pub(crate) enum Condition {
     /// Margins of the plan at instants.
     Margins { times: Vec<f64>, least: f64 },
     /// A quantity within a range at instants.
-    Range { name: String, of: DesignQuantity, low: f64, high: f64, times: Vec<f64> },
+    Range { name: String, quantity: DesignQuantity, low: f64, high: f64, times: Vec<f64> },
 }
 
 /// Instants that are equally far apart, the ends of the period included.
@@ -62,12 +62,12 @@ impl Condition {
         shortest: Shortest,
     ) -> Result<Vec<Self>, DesignError> {
         let shortest = shortest as usize;
-        let others = (0..4).filter(|k| *k != shortest);
+        let other_links = (0..4).filter(|k| *k != shortest);
         let condition = |long: usize| {
             let sign = |k: usize| if k == shortest || k == long { -1.0 } else { 1.0 };
             Self::sum(model, &core::array::from_fn::<_, 4, _>(|k| (lengths[k], sign(k))), 0.0)
         };
-        others.map(condition).collect()
+        other_links.map(condition).collect()
     }
 
     pub(crate) fn turns(period: f64, instants: usize, least: f64) -> Result<Self, DesignError> {
@@ -79,7 +79,7 @@ impl Condition {
 
     pub(crate) fn range(
         name: String,
-        of: DesignQuantity,
+        quantity: DesignQuantity,
         range: RangeInclusive<f64>,
         period: f64,
         instants: usize,
@@ -88,7 +88,7 @@ impl Condition {
         if low.is_nan() || high.is_nan() || low >= high {
             return Err(DesignError::Bounds { parameter: name, low, high });
         }
-        Ok(Self::Range { name, of, low, high, times: spread(period, instants)? })
+        Ok(Self::Range { name, quantity, low, high, times: spread(period, instants)? })
     }
 
     pub(crate) fn transmission(
@@ -109,8 +109,8 @@ impl Condition {
             return Err(DesignError::NoTransmission { joint: joint.to_owned(), angles });
         }
         let condition = |angle: &Measure| {
-            let (name, of) = (angle.name().to_owned(), DesignQuantity::Named(angle.clone()));
-            Self::range(name, of, least..=core::f64::consts::PI - least, period, instants)
+            let (name, quantity) = (angle.name().to_owned(), DesignQuantity::Named(angle.clone()));
+            Self::range(name, quantity, least..=core::f64::consts::PI - least, period, instants)
         };
         found.into_iter().map(condition).collect()
     }
@@ -132,9 +132,13 @@ impl Condition {
         match self {
             Self::Sum { name, .. } => name.clone(),
             Self::Margins { least, .. } => format!("turns with margins above {least}"),
-            Self::Range { name, of: DesignQuantity::Named(of) | DesignQuantity::Angle(of), low, high, .. }
-                if of.is_angle() =>
-            {
+            Self::Range {
+                name,
+                quantity: DesignQuantity::Named(quantity) | DesignQuantity::Angle(quantity),
+                low,
+                high,
+                ..
+            } if quantity.is_angle() => {
                 // Rounded, because the conversion from degrees to radians has changed the last digits.
                 let [low, high] = [low, high].map(|bound| (bound.to_degrees() * 1e9).round() / 1e9);
                 format!("{name} in {low}°..{high}°")

@@ -72,9 +72,9 @@ pub(crate) struct DescentEnd {
 /// The sum of squared misses of a design that keeps all conditions, plus the values that are to be least.
 pub(crate) fn error(design: Problem<'_>, variables: &[f64], branch: &DescentBranch) -> Option<f64> {
     let evaluated = design.evaluate(variables, branch, false).ok()?;
-    let kept = evaluated.slacks.iter().all(|slack| slack.value > 0.0);
+    let conditions_hold = evaluated.slacks.iter().all(|slack| slack.value > 0.0);
     let error = evaluated.misses.iter().map(|row| row.value * row.value).sum::<f64>() + evaluated.least;
-    (kept && error.is_finite()).then_some(error)
+    (conditions_hold && error.is_finite()).then_some(error)
 }
 
 /// Descends from a design that keeps all conditions.

@@ -95,8 +95,8 @@ impl MotionRows<'_> {
             match condition {
                 Condition::Sum { .. } => {}
                 Condition::Margins { times, least } => self.margins(times, *least, &mut evaluated.slacks)?,
-                Condition::Range { of, low, high, times, .. } => {
-                    self.range(times, of, [*low, *high], &mut evaluated.slacks)?;
+                Condition::Range { quantity, low, high, times, .. } => {
+                    self.range(times, quantity, [*low, *high], &mut evaluated.slacks)?;
                 }
             }
             evaluated.conditions.resize(evaluated.conditions.len() + evaluated.slacks.len() - before, index);
@@ -154,8 +154,8 @@ impl MotionRows<'_> {
                 let chunks = if self.slopes { self.motion.moved_by.len().div_ceil(WIDTH) } else { 1 };
                 let mut seen = vec![vec![Vec::new(); at.times.len()]; chunks];
                 self.motion.each(&at.times, self.slopes, objective.needs(), &mut |instant, first, varied| {
-                    let of = objective.of.iter().map(|quantity| quantity.varied(self.task.model, varied));
-                    seen[first / WIDTH][instant] = of.map(|number| number.unwrap_or(UNKNOWN)).collect();
+                    let numbers = objective.quantities.iter().map(|quantity| quantity.varied(self.task.model, varied));
+                    seen[first / WIDTH][instant] = numbers.map(|number| number.unwrap_or(UNKNOWN)).collect();
                 })?;
                 let begin = misses.len();
                 for (chunk, seen) in seen.iter().enumerate() {
@@ -175,13 +175,13 @@ impl MotionRows<'_> {
     }
 
     /// A number that is to be least.
-    fn least(&self, objective: &Objective, at: &VariableInstants, of: &Least) -> Result<f64, SolveError> {
+    fn least(&self, objective: &Objective, at: &VariableInstants, function: &Least) -> Result<f64, SolveError> {
         let mut seen = vec![Vec::new(); at.times.len()];
         self.motion.each(&at.times, false, objective.needs(), &mut |instant, _, varied| {
-            let values = objective.of.iter().map(|quantity| quantity.varied(self.task.model, varied));
+            let values = objective.quantities.iter().map(|quantity| quantity.varied(self.task.model, varied));
             seen[instant] = values.map(|number| number.map_or(f64::NAN, Number::value)).collect();
         })?;
-        Ok(of(&seen))
+        Ok(function(&seen))
     }
 
     /// Quantities that are to have values.
@@ -192,9 +192,9 @@ impl MotionRows<'_> {
         (values, weights): (&[Vec<f64>], &[f64]),
         misses: &mut Vec<Differentiated>,
     ) -> Result<(), SolveError> {
-        let (begin, each) = (misses.len(), objective.of.len());
+        let (begin, count) = (misses.len(), objective.quantities.len());
         self.motion.each(&at.times, self.slopes, objective.needs(), &mut |instant, first, varied| {
-            for (index, quantity) in objective.of.iter().enumerate() {
+            for (index, quantity) in objective.quantities.iter().enumerate() {
                 let number = quantity.varied(self.task.model, varied).unwrap_or(UNKNOWN);
                 let weight = weights[index];
                 if first == 0 {
@@ -205,7 +205,7 @@ impl MotionRows<'_> {
                     }
                     misses.push(row);
                 }
-                self.add(&mut misses[begin + instant * each + index], first, number * Number::from_f64(weight));
+                self.add(&mut misses[begin + instant * count + index], first, number * Number::from_f64(weight));
             }
         })
     }
@@ -216,12 +216,12 @@ impl MotionRows<'_> {
         times: &[f64],
         needs: Needs,
         slacks: &mut Vec<Differentiated>,
-        of: &dyn Fn(&Varied, &mut Vec<Number>),
+        write_slacks: &dyn Fn(&Varied, &mut Vec<Number>),
     ) -> Result<(), SolveError> {
         let (mut begin, mut numbers) = (slacks.len(), Vec::new());
         self.motion.each(times, self.slopes, needs, &mut |_, first, varied| {
             numbers.clear();
-            of(varied, &mut numbers);
+            write_slacks(varied, &mut numbers);
             if first == 0 {
                 begin = slacks.len();
                 slacks.extend(numbers.iter().map(|number| self.row(number.value())));
@@ -239,11 +239,13 @@ impl MotionRows<'_> {
     fn range(
         &self,
         times: &[f64],
-        of: &DesignQuantity,
+        quantity: &DesignQuantity,
         ends: [f64; 2],
         slacks: &mut Vec<Differentiated>,
     ) -> Result<(), SolveError> {
-        self.slacks(times, of.needs(), slacks, &|varied, out| range_slacks(self.task.model, varied, of, ends, out))
+        self.slacks(times, quantity.needs(), slacks, &|varied, out| {
+            range_slacks(self.task.model, varied, quantity, ends, out)
+        })
     }
 }
 
@@ -256,13 +258,13 @@ pub(crate) fn margin_slacks(varied: &Varied, least: f64, out: &mut Vec<Number>) 
 pub(crate) fn range_slacks(
     model: &Model,
     varied: &Varied,
-    of: &DesignQuantity,
+    quantity: &DesignQuantity,
     [low, high]: [f64; 2],
     out: &mut Vec<Number>,
 ) {
     let number = Number::from_f64;
     let size = number(if (high - low).is_finite() { high - low } else { 1.0 });
-    let value = of.varied(model, varied).unwrap_or(UNKNOWN);
+    let value = quantity.varied(model, varied).unwrap_or(UNKNOWN);
     if low.is_finite() {
         out.push((value - number(low)) / size);
     }

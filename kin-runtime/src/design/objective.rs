@@ -123,7 +123,7 @@ pub(crate) enum Requirement {
 /// Quantities at instants.
 #[derive(Clone)]
 pub(crate) struct Objective {
-    pub(crate) of: Vec<DesignQuantity>,
+    pub(crate) quantities: Vec<DesignQuantity>,
     pub(crate) wanted: Requirement,
     /// The instants; empty where they are free.
     pub(crate) times: Vec<f64>,
@@ -132,16 +132,16 @@ pub(crate) struct Objective {
 
 impl Objective {
     pub(crate) fn timed(
-        of: Vec<DesignQuantity>,
+        quantities: Vec<DesignQuantity>,
         weights: Vec<f64>,
         wanted: impl Iterator<Item = (f64, Vec<f64>)>,
     ) -> Result<Self, DesignError> {
         let (times, values): (Vec<f64>, Vec<Vec<f64>>) = wanted.unzip();
-        Self { of, wanted: Requirement::Values(values, weights), times, free: None }.checked()
+        Self { quantities, wanted: Requirement::Values(values, weights), times, free: None }.checked()
     }
 
     pub(crate) fn untimed(
-        of: Vec<DesignQuantity>,
+        quantities: Vec<DesignQuantity>,
         values: Vec<Vec<f64>>,
         period: f64,
         direction: Direction,
@@ -149,17 +149,21 @@ impl Objective {
         if !(period.is_finite() && period > 0.0) {
             return Err(DesignError::NotFinite { what: "the period" });
         }
-        let weights = vec![1.0; of.len()];
+        let weights = vec![1.0; quantities.len()];
         let free = Some(FreeInstants { period, direction });
-        Self { of, wanted: Requirement::Values(values, weights), times: Vec::new(), free }.checked()
+        Self { quantities, wanted: Requirement::Values(values, weights), times: Vec::new(), free }.checked()
     }
 
-    pub(crate) fn zeros(of: Vec<DesignQuantity>, times: &[f64], residuals: Residuals) -> Result<Self, DesignError> {
-        Self { of, wanted: Requirement::Zeros(residuals), times: times.to_vec(), free: None }.checked()
+    pub(crate) fn zeros(
+        quantities: Vec<DesignQuantity>,
+        times: &[f64],
+        residuals: Residuals,
+    ) -> Result<Self, DesignError> {
+        Self { quantities, wanted: Requirement::Zeros(residuals), times: times.to_vec(), free: None }.checked()
     }
 
-    pub(crate) fn least(of: Vec<DesignQuantity>, times: &[f64], least: Least) -> Result<Self, DesignError> {
-        Self { of, wanted: Requirement::Least(least), times: times.to_vec(), free: None }.checked()
+    pub(crate) fn least(quantities: Vec<DesignQuantity>, times: &[f64], least: Least) -> Result<Self, DesignError> {
+        Self { quantities, wanted: Requirement::Least(least), times: times.to_vec(), free: None }.checked()
     }
 
     fn checked(self) -> Result<Self, DesignError> {
@@ -200,13 +204,13 @@ impl Objective {
 
     /// What quantities need.
     pub(crate) fn needs(&self) -> Needs {
-        self.of.iter().fold(Needs::LEAST, |needs, quantity| needs.and(quantity.needs()))
+        self.quantities.iter().fold(Needs::LEAST, |needs, quantity| needs.and(quantity.needs()))
     }
 }
 
 /// All but the function.
 impl fmt::Debug for Objective {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("Objective").field("of", &self.of).field("times", &self.times).finish_non_exhaustive()
+        f.debug_struct("Objective").field("of", &self.quantities).field("times", &self.times).finish_non_exhaustive()
     }
 }

@@ -158,8 +158,8 @@ impl Problem<'_> {
         let instant = objectives.iter().find_map(|objective| objective.times.first().copied()).unwrap_or(0.0);
         let found = self.family.guessed(self.task, instant);
         let guessed = |index: usize| found.as_ref()?.get(index).and_then(|mode| mode.sign);
-        let asked = |index: usize| modes.iter().find(|(other, _)| *other == index).map(|(_, sign)| *sign);
-        (0..model.plan.modes.len()).map(|index| (index, asked(index).unwrap_or_else(|| guessed(index)))).collect()
+        let requested = |index: usize| modes.iter().find(|(other, _)| *other == index).map(|(_, sign)| *sign);
+        (0..model.plan.modes.len()).map(|index| (index, requested(index).unwrap_or_else(|| guessed(index)))).collect()
     }
 
     /// What is reported of a design with these slacks.
@@ -201,7 +201,8 @@ impl Problem<'_> {
         }
         let sign = |share: f64| if share < 0.5 { Sign::Plus } else { Sign::Minus };
         let forward = share() < 0.5;
-        let modes = modes.iter().map(|&(place, asked)| (place, asked.unwrap_or_else(|| sign(share())))).collect();
+        let modes =
+            modes.iter().map(|&(place, requested)| (place, requested.unwrap_or_else(|| sign(share())))).collect();
         (variables, DescentBranch { modes, forward })
     }
 
@@ -247,8 +248,9 @@ impl Problem<'_> {
                 }
             };
             for (index, missed) in missed.iter_mut().enumerate() {
-                let own = evaluated.conditions.iter().zip(&evaluated.slacks).filter(|(of, _)| **of == index);
-                let least = own.map(|(_, slack)| slack.value).fold(f64::INFINITY, f64::min);
+                let slacks =
+                    evaluated.conditions.iter().zip(&evaluated.slacks).filter(|(condition, _)| **condition == index);
+                let least = slacks.map(|(_, slack)| slack.value).fold(f64::INFINITY, f64::min);
                 if least <= 0.0 {
                     missed.designs += 1;
                     missed.closest = Some(missed.closest.map_or(-least, |closest| closest.min(-least)));

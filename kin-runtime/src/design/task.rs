@@ -109,9 +109,9 @@ impl Task {
 
     /// A quantity with values at given instants.
     pub(crate) fn function(&mut self, quantity: &str, values: &[(f64, f64)]) -> Result<(), DesignError> {
-        let of = DesignQuantity::named(self.model, quantity)?;
+        let measured = DesignQuantity::named(self.model, quantity)?;
         let wanted = values.iter().map(|&(t, value)| (t, vec![value]));
-        self.objectives.push(Objective::timed(vec![of], vec![1.0], wanted)?);
+        self.objectives.push(Objective::timed(vec![measured], vec![1.0], wanted)?);
         Ok(())
     }
 
@@ -130,15 +130,15 @@ impl Task {
         times: &[f64],
         residuals: Residuals,
     ) -> Result<(), DesignError> {
-        let of = self.quantities(quantities)?;
-        self.objectives.push(Objective::zeros(of, times, residuals)?);
+        let measured = self.quantities(quantities)?;
+        self.objectives.push(Objective::zeros(measured, times, residuals)?);
         Ok(())
     }
 
     /// A number that is to be least.
     pub(crate) fn least(&mut self, quantities: &[&str], times: &[f64], least: Least) -> Result<(), DesignError> {
-        let of = self.quantities(quantities)?;
-        self.objectives.push(Objective::least(of, times, least)?);
+        let measured = self.quantities(quantities)?;
+        self.objectives.push(Objective::least(measured, times, least)?);
         Ok(())
     }
 
@@ -172,8 +172,8 @@ impl Task {
         period: f64,
         instants: usize,
     ) -> Result<(), DesignError> {
-        let of = DesignQuantity::named(self.model, quantity)?;
-        self.conditions.push(Condition::range(quantity.to_owned(), of, range, period, instants)?);
+        let measured = DesignQuantity::named(self.model, quantity)?;
+        self.conditions.push(Condition::range(quantity.to_owned(), measured, range, period, instants)?);
         Ok(())
     }
 

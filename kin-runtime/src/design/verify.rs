@@ -26,8 +26,8 @@ impl Problem<'_> {
         let motion = self.motion(variables, branch);
         let evaluated = self.evaluate(variables, branch, false).unwrap_or_default();
         let at_instants = |index: usize| {
-            let own = evaluated.conditions.iter().zip(&evaluated.slacks).filter(|(other, _)| **other == index);
-            own.map(|(_, slack)| slack.value).fold(f64::INFINITY, f64::min)
+            let slacks = evaluated.conditions.iter().zip(&evaluated.slacks).filter(|(other, _)| **other == index);
+            slacks.map(|(_, slack)| slack.value).fold(f64::INFINITY, f64::min)
         };
         let slack = |(index, condition): (usize, &Condition)| {
             let (times, needs) = match condition {
@@ -35,14 +35,16 @@ impl Problem<'_> {
                     return Ok(Slack { condition: condition.name(), slack: at_instants(index), at: None });
                 }
                 Condition::Margins { times, .. } => (times, Needs::LEAST),
-                Condition::Range { times, of, .. } => (times, of.needs()),
+                Condition::Range { times, quantity, .. } => (times, quantity.needs()),
             };
-            let of = |varied: &Varied, out: &mut Vec<Number>| match condition {
+            let write_slacks = |varied: &Varied, out: &mut Vec<Number>| match condition {
                 Condition::Sum { .. } => {}
                 Condition::Margins { least, .. } => margin_slacks(varied, *least, out),
-                Condition::Range { of, low, high, .. } => range_slacks(self.task.model, varied, of, [*low, *high], out),
+                Condition::Range { quantity, low, high, .. } => {
+                    range_slacks(self.task.model, varied, quantity, [*low, *high], out)
+                }
             };
-            let (slack, at) = least(&motion, times.last().copied().unwrap_or(0.0), needs, &of)
+            let (slack, at) = least(&motion, times.last().copied().unwrap_or(0.0), needs, &write_slacks)
                 .map_err(|why| DesignError::Broken { condition: condition.name(), why: Box::new(why) })?;
             Ok(Slack { condition: condition.name(), slack, at: Some(at) })
         };
@@ -51,12 +53,17 @@ impl Problem<'_> {
 }
 
 /// The least slack from 0 to the end of a period, and where it is.
-fn least(motion: &DesignMotion<'_>, period: f64, needs: Needs, of: &Slacks<'_>) -> Result<(f64, f64), SolveError> {
+fn least(
+    motion: &DesignMotion<'_>,
+    period: f64,
+    needs: Needs,
+    write_slacks: &Slacks<'_>,
+) -> Result<(f64, f64), SolveError> {
     let slacks = |times: &[f64]| -> Result<Vec<Vec<f64>>, SolveError> {
         let (mut all, mut numbers) = (Vec::with_capacity(times.len()), Vec::new());
         motion.each(times, false, needs, &mut |_, _, varied| {
             numbers.clear();
-            of(varied, &mut numbers);
+            write_slacks(varied, &mut numbers);
             all.push(numbers.iter().map(|number| number.value()).collect());
         })?;
         Ok(all)

@@ -66,6 +66,6 @@ pub(crate) fn doubts(all: &Assemblies) -> String {
     let lines: Vec<String> =
         lines.chain(all.undecided.iter().map(|left: &Undecided| format!("  undecided: {left}"))).collect();
     let more = lines.len().saturating_sub(MAX_LISTED_DOUBTS);
-    let said = lines.into_iter().take(MAX_LISTED_DOUBTS).collect::<Vec<_>>().join("\n");
-    if more > 0 { format!("{said}\n  and {more} more") } else { said }
+    let text = lines.into_iter().take(MAX_LISTED_DOUBTS).collect::<Vec<_>>().join("\n");
+    if more > 0 { format!("{text}\n  and {more} more") } else { text }
 }

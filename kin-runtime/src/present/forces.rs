@@ -12,13 +12,13 @@ pub(crate) fn text(forces: &Forces) -> String {
         out += &format!("  {units}\n");
     }
     // An input that equals the driven quantity of a driver has the effort of that driver, and is not listed again.
-    let is_told = |input: &Effort| {
+    let is_listed = |input: &Effort| {
         let near = |a: f64, b: f64| (a - b).abs() <= 1e-12 * a.abs();
         let same = |driver: &Effort| Some(near(driver.effort?, input.effort?) && near(driver.rate, input.rate));
         forces.efforts.iter().any(|driver| same(driver) == Some(true))
     };
-    let inputs: Vec<&Effort> = forces.inputs.iter().filter(|input| !is_told(input)).collect();
-    for (what, title, efforts) in [
+    let inputs: Vec<&Effort> = forces.inputs.iter().filter(|input| !is_listed(input)).collect();
+    for (heading, title, efforts) in [
         ("driver", "Drivers: what they supply", forces.efforts.iter().collect()),
         ("input", "Inputs: their share of the power", inputs),
     ] {
@@ -27,7 +27,7 @@ pub(crate) fn text(forces: &Forces) -> String {
         }
         let efforts = || efforts.iter();
         let table = Table::new()
-            .words(what, efforts().map(|e| e.name))
+            .words(heading, efforts().map(|e| e.name))
             .right("effort", efforts().map(|e| known(e.effort)))
             .numbers("rate", efforts().map(|e| e.rate))
             .right("power", efforts().map(|e| known(e.effort.map(|effort| effort * e.rate))));

@@ -57,9 +57,9 @@ fn side_by_side(columns: &[Column], together: usize) -> Vec<&[Column]> {
     while !rest.is_empty() {
         let fits = |n: &usize| rest.get(..*n).is_some_and(|part| width(part) <= COLUMNS);
         let more = (2 * together..=rest.len()).step_by(together);
-        let (part, others) = rest.split_at(more.take_while(fits).last().unwrap_or(together).min(rest.len()));
+        let (part, remaining) = rest.split_at(more.take_while(fits).last().unwrap_or(together).min(rest.len()));
         parts.push(part);
-        rest = others;
+        rest = remaining;
     }
     parts
 }

@@ -8,13 +8,13 @@ use serde_json::Value;
 pub(crate) type Record = serde_json::Map<String, Value>;
 
 /// A value for a record. Only maps with keys that are no strings cannot be written as JSON, and results have none.
-pub(crate) fn value(of: &impl Serialize) -> Value {
-    serde_json::to_value(of).unwrap_or_default()
+pub(crate) fn value(serializable: &impl Serialize) -> Value {
+    serde_json::to_value(serializable).unwrap_or_default()
 }
 
 /// The record of a type with named fields.
-pub(crate) fn fields(of: &impl Serialize) -> Record {
-    if let Value::Object(record) = value(of) { record } else { Record::new() }
+pub(crate) fn fields(serializable: &impl Serialize) -> Record {
+    if let Value::Object(record) = value(serializable) { record } else { Record::new() }
 }
 
 /// A record, written like the fields of a struct.

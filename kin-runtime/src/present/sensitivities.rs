@@ -39,12 +39,12 @@ pub(crate) fn text(found: &Sensitivities, values: &[f64]) -> String {
     let mut out = String::new();
     for (index, point) in model.points.iter().enumerate() {
         let order = ranked(&|by| by.points[index].r[0].hypot(by.points[index].r[1]));
-        let of = |axis: usize| order.iter().map(move |&(k, _)| found.by[k].points[index].r[axis]);
+        let changes = |axis: usize| order.iter().map(move |&(k, _)| found.by[k].points[index].r[axis]);
         let table = Table::new()
             .words("parameter", order.iter().map(|&(k, _)| found.by[k].parameter))
             .numbers("value", order.iter().map(|&(k, _)| values.get(k).copied().unwrap_or(f64::NAN)))
-            .numbers("∂x", of(0))
-            .numbers("∂y", of(1))
+            .numbers("∂x", changes(0))
+            .numbers("∂y", changes(1))
             .numbers("1 % moves it by", order.iter().map(|&(_, size)| size));
         out += &section(&format!("Point {}: which dimension matters most", point.name), &table);
     }

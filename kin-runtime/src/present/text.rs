@@ -58,8 +58,8 @@ pub(crate) fn title(model: &Model) -> String {
 }
 
 /// `1 row`, `2 rows`.
-pub(crate) fn count(number: usize, what: &str) -> String {
-    format!("{number} {what}{}", if number == 1 { "" } else { "s" })
+pub(crate) fn count(number: usize, noun: &str) -> String {
+    format!("{number} {noun}{}", if number == 1 { "" } else { "s" })
 }
 
 /// Values of the parameters.
@@ -76,8 +76,8 @@ pub(crate) fn parameters(model: &Model, values: &[f64]) -> String {
 pub(crate) fn rows(model: &Model) -> String {
     let mut lines: Vec<[String; 5]> = Vec::new();
     for (index, joint) in model.joints.iter().enumerate() {
-        let own: Vec<_> = model.rows.iter().filter(|r| r.joint == index).collect();
-        for group in own.chunk_by(|a, b| a.classes() == b.classes() && a.driving == b.driving) {
+        let rows_of_joint: Vec<_> = model.rows.iter().filter(|r| r.joint == index).collect();
+        for group in rows_of_joint.chunk_by(|a, b| a.classes() == b.classes() && a.driving == b.driving) {
             let Some(first) = group.first() else { continue };
             let bodies: Vec<&str> = joint.frames.iter().flatten().map(|f| frame_name(model, *f)).collect();
             let third = third_body(model, joint).map(|name| format!(" ({name})")).unwrap_or_default();
@@ -144,8 +144,8 @@ pub(crate) fn bodies(model: &Model, units: ResultUnits, motion: &Motion) -> Stri
     let chosen: Vec<_> =
         model.bodies.iter().zip(&motion.bodies).filter(|(b, _)| b.coordinates.iter().any(Option::is_none)).collect();
     let column = |f: fn(&crate::motion::BodyMotion) -> f64| chosen.iter().map(move |(_, m)| f(m));
-    let both = [Dimension::Length, Dimension::Angle].map(|dimension| units.of_dimension(dimension));
-    let both = both.iter().filter(|unit| !unit.is_empty()).map(String::as_str).collect::<Vec<_>>().join(", ");
+    let names = [Dimension::Length, Dimension::Angle].map(|dimension| units.of_dimension(dimension));
+    let names = names.iter().filter(|unit| !unit.is_empty()).map(String::as_str).collect::<Vec<_>>().join(", ");
     let positions = Table::new()
         .words("body", chosen.iter().map(|(b, _)| b.name))
         .numbers("x", column(|m| m.x))
@@ -154,7 +154,7 @@ pub(crate) fn bodies(model: &Model, units: ResultUnits, motion: &Motion) -> Stri
         .numbers("ẋ", column(|m| m.x_dot))
         .numbers("ẏ", column(|m| m.y_dot))
         .numbers("φ̇", column(|m| m.phi_dot))
-        .words("unit", chosen.iter().map(|_| both.as_str()));
+        .words("unit", chosen.iter().map(|_| names.as_str()));
     let accelerations = Table::new()
         .words("body", chosen.iter().map(|(b, _)| b.name))
         .numbers("ẍ", column(|m| m.x_ddot))

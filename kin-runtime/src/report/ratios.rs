@@ -92,7 +92,7 @@ pub(crate) fn velocity_ratios(equations: &mut Equations<'_>, state: &State) -> R
         let first = respond(equations, &factor, &unit)?;
         let bend = equations.along(None, |equations| gamma(equations, &state.q, first.as_slice()))?;
         let second = respond(equations, &factor, &bend)?;
-        let distance = distances.iter().find(|(of, _)| *of == row).map(|&(_, f)| f);
+        let distance = distances.iter().find(|(distance_row, _)| *distance_row == row).map(|&(_, f)| f);
         drivers.push(VelocityRatio {
             row: Some(row),
             name: equations.row_name(row),

@@ -129,7 +129,7 @@ fn one(
     session: &mut Session<'_>,
 ) -> Result<(MotionRecord, Option<Failure>), Failure> {
     let model = engine.model();
-    let instants = task.asked.instants(engine, &task.setup)?;
+    let instants = task.requested.instants(engine, &task.setup)?;
     let watch = session.watch();
     watch.begin_motion(place, instants.len());
     let time = Measure::standard(model, false).into_iter().take(1);
@@ -139,8 +139,8 @@ fn one(
         true => time.chain(driven).chain(Measure::default_outputs(model)).collect(),
         false => time.chain(driven).chain(wanted.iter().cloned()).collect(),
     };
-    let walk = args.motion.walk(engine, (&task.asked, &task.setup, &instants), &measures, &watch);
-    let moved = FollowedMotion { tells_missing: !wanted.is_empty(), ..walk }.kept()?;
+    let walk = args.motion.walk(engine, (&task.requested, &task.setup, &instants), &measures, &watch);
+    let moved = FollowedMotion { tells_missing: !wanted.is_empty(), ..walk }.with_states()?;
     note_motion(session, &moved);
     let Moved { trajectory, columns, ended, left, .. } = moved;
     note_freedom(session, left);
@@ -169,14 +169,14 @@ fn one(
     // An empty table would hide that there is nothing to compare.
     let undefined = |place: &usize| !states.is_empty() && columns[*place].iter().all(|value| !value.is_finite());
     if let Some(place) = (first..first + wanted.len()).find(undefined) {
-        let what = "has no value in all of the motion: it is undetermined, or not defined there";
-        return Err(Failure::Analysis(format!("{}: `{}` {what}", model.name, measures[place].name())));
+        let message = "has no value in all of the motion: it is undetermined, or not defined there";
+        return Err(Failure::Analysis(format!("{}: `{}` {message}", model.name, measures[place].name())));
     }
     let varies = |place: &usize| !wanted.is_empty() || !search.is_constant(*place);
-    let of = |places: Range<usize>| -> Vec<QuantityRange> { places.filter(varies).map(range).collect() };
-    let mut extremes = of(first..measures.len());
+    let ranges = |places: Range<usize>| -> Vec<QuantityRange> { places.filter(varies).map(range).collect() };
+    let mut extremes = ranges(first..measures.len());
     if extremes.is_empty() {
-        extremes = of(1..first);
+        extremes = ranges(1..first);
     }
     let parameters = Parameters::new(model, &engine.parameters());
     Ok((MotionRecord { varied: None, parameters, from, to, complete: ended.is_none(), extremes }, ended))

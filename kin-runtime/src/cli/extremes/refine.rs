@@ -53,20 +53,20 @@ pub(super) fn refined(
         let mut denser: Vec<Sampled> = Vec::with_capacity(2 * all.len());
         let mut rest = all.into_iter().peekable();
         let (mut count, mut divided) = (rest.len(), false);
-        while let Some(mut here) = rest.next() {
+        while let Some(mut current) = rest.next() {
             let within = match rest.peek() {
-                Some(next) if here.open && count + places.len() <= MAX_INSTANTS => {
-                    let within = between(walk, instants, [&here, next], places);
+                Some(next) if current.open && count + places.len() <= MAX_INSTANTS => {
+                    let within = between(walk, instants, [&current, next], places);
                     if within.is_none() {
-                        unsolved.push([here.state.t, next.state.t]);
+                        unsolved.push([current.state.t, next.state.t]);
                     }
                     within.unwrap_or_default()
                 }
                 _ => Vec::new(),
             };
-            let bends = rest.peek().is_some_and(|next| !are_straight([&here, next], &within, (first, &ranges)));
-            here.open = bends;
-            denser.push(here);
+            let bends = rest.peek().is_some_and(|next| !are_straight([&current, next], &within, (first, &ranges)));
+            current.open = bends;
+            denser.push(current);
             if bends {
                 (count, divided) = (count + within.len(), true);
                 denser.extend(within);

@@ -129,7 +129,7 @@ impl SearchedMotion<'_> {
             return Some(Extreme { place: UNRESOLVED, ..self.at_instant(place, k) });
         };
         let state = solve(&self.walk, self.instants, from, &[found.at])?.pop()?;
-        let of = |places: std::ops::Range<usize>| self.walk.values_of(&state, &self.walk.measures[places]).ok();
+        let values_of = |places: std::ops::Range<usize>| self.walk.values_of(&state, &self.walk.measures[places]).ok();
         let drivers = self.walk.measures[1..self.first].iter().map(|measure| measure.name().to_owned());
         let named = match found.smooth {
             _ if !found.resolved => UNRESOLVED,
@@ -138,9 +138,9 @@ impl SearchedMotion<'_> {
             false => "kink",
         };
         Some(Extreme {
-            value: of(place..place + 1)?.first().copied()?,
+            value: values_of(place..place + 1)?.first().copied()?,
             t: found.at,
-            drivers: drivers.zip(of(1..self.first)?).collect(),
+            drivers: drivers.zip(values_of(1..self.first)?).collect(),
             place: named,
         })
     }

@@ -28,12 +28,12 @@ pub(super) fn text(motions: &[MotionRecord], model: &Model, degrees: bool) -> St
         if motion.extremes.is_empty() {
             out += "\n  nothing changes\n";
         }
-        for (heading, of) in [
+        for (heading, side) in [
             ("least", (|range| range.least.as_ref()) as fn(&QuantityRange) -> Option<&Extreme>),
             ("greatest", |range| range.greatest.as_ref()),
         ] {
             let rows: Vec<(&QuantityRange, &Extreme)> =
-                motion.extremes.iter().filter_map(|range| Some((range, of(range)?))).collect();
+                motion.extremes.iter().filter_map(|range| Some((range, side(range)?))).collect();
             if rows.is_empty() {
                 continue;
             }
@@ -68,8 +68,8 @@ pub(super) fn csv(motions: &[MotionRecord], choice: &Choice, model: &Model) -> S
     for motion in motions {
         for range in &motion.extremes {
             let varied = choice.pairs(model).map(|(name, _)| {
-                let of = motion.varied.as_ref().unwrap_or(&motion.parameters);
-                of.iter().find(|(other, _)| *other == name).map_or_else(String::new, |(_, value)| plain(*value))
+                let parameters = motion.varied.as_ref().unwrap_or(&motion.parameters);
+                parameters.iter().find(|(other, _)| *other == name).map_or_else(String::new, |(_, value)| plain(*value))
             });
             let mut cells: Vec<String> = varied.collect();
             cells.extend([range.quantity.clone(), range.unit.clone().unwrap_or_default()]);

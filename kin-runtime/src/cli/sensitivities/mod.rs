@@ -7,7 +7,7 @@ use crate::cli::columns::quantities as named;
 use crate::cli::engine::Engine;
 use crate::cli::examples::{Help, Names};
 use crate::cli::failure::{Failure, Ledger};
-use crate::cli::instants::{Asked, GridArgs};
+use crate::cli::instants::{GridArgs, RequestedInstants};
 use crate::cli::options::{AngleArgs, FreedomArgs, SetupArgs};
 use crate::cli::output::{Form, OutputArgs, json};
 use crate::cli::session::Session;
@@ -78,17 +78,22 @@ pub(in crate::cli) fn run(
     let mut ledger = Ledger::default();
     let to = ("sensitivities", &args.output);
     let at = args.at.read(&mut ledger, to, SetupArgs::apply_complete, engine, session);
-    let asked = match args.grid.is_given() {
-        true => ledger.take(args.grid.asked(motion::STEPS, engine.model())),
-        false => at.as_ref().map(|at| Asked::Times(vec![TimeOrAngle::At(at.t)])),
+    let requested = match args.grid.is_given() {
+        true => ledger.take(args.grid.requested(motion::STEPS, engine.model())),
+        false => at.as_ref().map(|at| RequestedInstants::Times(vec![TimeOrAngle::At(at.t)])),
     };
     let measures = ledger.take(named(engine.model(), &args.what).and_then(differentiable));
     let tolerances = ledger.take(tolerances(&args.tolerance, engine.model()));
-    let ((At { t, setup, output }, tolerances), (asked, measures)) =
-        ledger.close(at.zip(tolerances).zip(asked.zip(measures)))?;
+    let ((At { t, setup, output }, tolerances), (requested, measures)) =
+        ledger.close(at.zip(tolerances).zip(requested.zip(measures)))?;
     if args.grid.is_given() || !measures.is_empty() {
-        let course =
-            motion::VariedMotion { asked, measures, tolerances, freedom: args.freedom, degrees: args.angles.degrees };
+        let course = motion::VariedMotion {
+            requested,
+            measures,
+            tolerances,
+            freedom: args.freedom,
+            degrees: args.angles.degrees,
+        };
         return course.run(&*engine, &setup, &output, session);
     }
     let (state, _) = driven_state(engine, &setup, t, args.freedom.least_norm)?;
@@ -125,8 +130,9 @@ fn differentiable(measures: Vec<Measure>) -> Result<Vec<Measure>, Failure> {
     match measures.iter().find(|measure| measure.is_ratio()) {
         None => Ok(measures),
         Some(ratio) => {
-            let what = format!("`{}` is a velocity ratio, which has no derivatives by dimensions here", ratio.name());
-            Err(Failure::option("WHAT", what))
+            let message =
+                format!("`{}` is a velocity ratio, which has no derivatives by dimensions here", ratio.name());
+            Err(Failure::option("WHAT", message))
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::cli::engine::Engine;
 use crate::cli::failure::Failure;
-use crate::cli::instants::Asked;
+use crate::cli::instants::RequestedInstants;
 use crate::cli::moving::{FollowedMotion, Moved, note_motion};
 use crate::cli::options::FreedomArgs;
 use crate::cli::output::{Destination, Form, json};
@@ -25,7 +25,7 @@ pub(super) const STEPS: usize = 180;
 
 /// A motion along which derivatives are requested.
 pub(super) struct VariedMotion {
-    pub(super) asked: Asked,
+    pub(super) requested: RequestedInstants,
     /// The quantities; an empty list stands for the default outputs.
     pub(super) measures: Vec<Measure>,
     /// One per parameter, 0 where none is given.
@@ -54,7 +54,7 @@ impl VariedMotion {
         session: &mut Session<'_>,
     ) -> Result<(), Failure> {
         let model = engine.model();
-        let instants = self.asked.instants(engine, setup)?;
+        let instants = self.requested.instants(engine, setup)?;
         let watch = session.watch();
         watch.begin("instants", instants.len());
         let are_named = !self.measures.is_empty();
@@ -64,7 +64,7 @@ impl VariedMotion {
             setup,
             instants: &instants,
             stop_at_events: false,
-            open_end: self.asked.is_open(),
+            open_end: self.requested.is_open(),
             freedom: self.freedom,
             reported: false,
             tells_missing: are_named,
@@ -72,7 +72,7 @@ impl VariedMotion {
             degrees: self.degrees,
             watch: &watch,
         };
-        let moved = walk.kept()?;
+        let moved = walk.with_states()?;
         note_motion(session, &moved);
         let Moved { trajectory, columns, ended, left, .. } = moved;
         note_freedom(session, left);
@@ -146,8 +146,12 @@ fn text(model: &Model, times: &[f64], quantities: &[VariedQuantity], values: &[f
     let rows: Vec<_> = quantities
         .iter()
         .filter_map(|quantity| {
-            let of = |number: fn(&Deviation) -> f64| greatest(quantity.deviations.iter().map(number));
-            Some((quantity, of(|deviation| deviation.worst)?, of(|deviation| deviation.root_sum_square)?))
+            let greatest_of = |number: fn(&Deviation) -> f64| greatest(quantity.deviations.iter().map(number));
+            Some((
+                quantity,
+                greatest_of(|deviation| deviation.worst)?,
+                greatest_of(|deviation| deviation.root_sum_square)?,
+            ))
         })
         .collect();
     let table = Table::new()

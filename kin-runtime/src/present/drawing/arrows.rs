@@ -50,32 +50,32 @@ impl Arrows {
         let Some(known) = subject.snapshots.iter().find_map(|snapshot| snapshot.forces.as_ref()) else { return out };
         let (mut forces, mut couples) = (Vec::new(), Vec::new());
         for (place, reaction) in known.reactions.iter().enumerate() {
-            let of = |forces: &Forces| forces.reactions.get(place).cloned();
+            let reaction_in = |forces: &Forces| forces.reactions.get(place).cloned();
             forces.push(track(subject, Ink::Reaction, |_, forces| {
-                let reaction = of(forces)?;
+                let reaction = reaction_in(forces)?;
                 reaction.point.zip(reaction.force)
             }));
             couples.push(track(subject, Ink::Reaction, |k, forces| {
-                let reaction = of(forces)?;
+                let reaction = reaction_in(forces)?;
                 let point = reaction.point.or_else(|| middle(subject, links, k, reaction.on?));
                 point.zip(reaction.moment)
             }));
             for (which, (frame, _)) in reaction.couples.iter().enumerate() {
                 couples.push(track(subject, Ink::Reaction, |k, forces| {
-                    let couple = of(forces)?.couples.get(which)?.1;
+                    let couple = reaction_in(forces)?.couples.get(which)?.1;
                     Some((middle(subject, links, k, *frame)?, couple))
                 }));
             }
         }
         for (place, effort) in known.efforts.iter().enumerate() {
-            let of = |forces: &Forces| forces.efforts.get(place)?.effort;
+            let effort_in = |forces: &Forces| forces.efforts.get(place)?.effort;
             match driven(subject, known, effort) {
                 Some((body, Component::Phi)) => couples.push(track(subject, Ink::Effort, |k, forces| {
-                    Some((middle(subject, links, k, Frame::Body(body))?, of(forces)?))
+                    Some((middle(subject, links, k, Frame::Body(body))?, effort_in(forces)?))
                 })),
                 Some((body, component)) => forces.push(track(subject, Ink::Effort, |k, forces| {
                     let [x, y, _] = subject.pose(k, Frame::Body(body));
-                    let effort = of(forces)?;
+                    let effort = effort_in(forces)?;
                     Some(([x, y], if component == Component::X { [effort, 0.0] } else { [0.0, effort] }))
                 })),
                 None => {}
@@ -83,10 +83,10 @@ impl Arrows {
         }
         let loads = subject.snapshots.first().map_or(0, |snapshot| snapshot.loads.len());
         for place in 0..loads {
-            let of = |k: usize| subject.snapshots[k].loads.get(place);
-            forces.push(track(subject, Ink::Load, |k, _| of(k)?.force.map(|[point, force]| (point, force))));
+            let load_in = |k: usize| subject.snapshots[k].loads.get(place);
+            forces.push(track(subject, Ink::Load, |k, _| load_in(k)?.force.map(|[point, force]| (point, force))));
             couples.push(track(subject, Ink::Load, |k, _| {
-                let load = of(k)?;
+                let load = load_in(k)?;
                 middle(subject, links, k, load.on).zip(load.couple)
             }));
         }

@@ -165,13 +165,13 @@ impl BodyParts {
         let hung = slots.iter().filter_map(|slot| nearest(slot, &attached)).map(|(from, to)| bar(from, to));
         let hung: Vec<Part> = hung.collect();
         let outline = hull(attached.iter().map(|place| place.at).collect());
-        let own = match (outline.len(), axle(&attached, &outline)) {
+        let outline_parts = match (outline.len(), axle(&attached, &outline)) {
             (0, _) if parts.is_empty() => vec![Part::Dot([0.0; 2], ink)],
             (0 | 1, _) => Vec::new(),
             (_, Some(axle)) => outline.into_iter().map(|corner| bar(axle, corner)).collect(),
             (_, None) => vec![Part::Bar { points: outline, ink }],
         };
-        hung.into_iter().chain(own).chain(parts).collect()
+        hung.into_iter().chain(outline_parts).chain(parts).collect()
     }
 }
 

@@ -65,9 +65,9 @@ fn neighbours(model: &Model) -> Vec<Vec<usize>> {
             bodies[place + 1..].iter().for_each(|&b| connect(a, b));
         }
     }
-    for (own, info) in model.bodies.iter().enumerate() {
+    for (carried, info) in model.bodies.iter().enumerate() {
         if let OriginKind::Carried(Frame::Body(carrier)) = info.origin {
-            connect(own, carrier);
+            connect(carried, carrier);
         }
     }
     for (place, point) in model.points.iter().enumerate() {

@@ -28,8 +28,8 @@ fn axle(subject: &Subject<'_>, wheel: Frame, carrier: Frame) -> [f64; 2] {
     let pins = subject.model.joints.iter().filter(|joint| joint.kind == JointKind::Revolute);
     let held = pins.filter_map(|joint| {
         let ends = [subject.local(0, joint, Role::P)?, subject.local(0, joint, Role::Q)?];
-        let [own, other] = if ends[0].0 == wheel { ends } else { [ends[1], ends[0]] };
-        (own.0 == wheel && other.0 == carrier).then_some(own.1)
+        let [on_wheel, on_other] = if ends[0].0 == wheel { ends } else { [ends[1], ends[0]] };
+        (on_wheel.0 == wheel && on_other.0 == carrier).then_some(on_wheel.1)
     });
     let mut held = held;
     held.next().unwrap_or_else(|| match wheel {

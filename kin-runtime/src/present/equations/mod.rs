@@ -27,9 +27,9 @@ pub(crate) fn sheet(model: &Model, chosen: &[usize], part: SheetPart) -> Sheet {
     let all = model.joints.iter().enumerate();
     let joints = all.filter(|(index, _)| part != SheetPart::Solution && (chosen.is_empty() || chosen.contains(index)));
     let takes_part = |step: &&StepText| {
-        let own = model.plan.steps.get(step.step).map_or(&[][..], |step| step.joints);
+        let joints_of_step = model.plan.steps.get(step.step).map_or(&[][..], |step| step.joints);
         matches!(part, SheetPart::All | SheetPart::Solution)
-            && (chosen.is_empty() || own.iter().any(|joint| chosen.contains(joint)))
+            && (chosen.is_empty() || joints_of_step.iter().any(|joint| chosen.contains(joint)))
     };
     let unsolved = model.plan.absent.filter(|_| matches!(part, SheetPart::All | SheetPart::Solution));
     let rows = match part {
@@ -45,7 +45,7 @@ pub(crate) fn sheet(model: &Model, chosen: &[usize], part: SheetPart) -> Sheet {
         name: model.name.to_owned(),
         doc: model.doc.to_owned(),
         coordinates,
-        joints: joints.map(|(_, of)| joint(model, of)).collect(),
+        joints: joints.map(|(_, info)| joint(model, info)).collect(),
         rows,
         steps: model.solution.iter().filter(takes_part).map(step).collect(),
         unsolved: unsolved.unwrap_or_default().to_owned(),
@@ -69,7 +69,7 @@ fn step(step: &StepText) -> SheetStep {
     SheetStep {
         number: step.step + 1,
         what: step.what.to_owned(),
-        lines: step.lines.map(|of| of.iter().map(line).collect()),
+        lines: step.lines.map(|lines| lines.iter().map(line).collect()),
     }
 }
 
@@ -81,10 +81,10 @@ fn joint(model: &Model, joint: &JointInfo) -> Joint {
     let point = |role: Role| joint.geometry.iter().find(|entry| entry.role == role).map(|entry| name(entry.frame));
     let frames = joint.frames.map(|frame| frame.map(name));
     let points = [point(Role::P), point(Role::Q)];
-    let mut of = Joint::new(&NamedJoint { kind: joint.kind, name: joint.name, frames, points });
+    let mut out = Joint::new(&NamedJoint { kind: joint.kind, name: joint.name, frames, points });
     let rows = joint.first_row..joint.first_row + joint.rows;
-    of.rows = rows.filter_map(|index| row(model, index)).collect();
-    of
+    out.rows = rows.filter_map(|index| row(model, index)).collect();
+    out
 }
 
 fn row(model: &Model, index: usize) -> Option<Row> {

@@ -35,13 +35,13 @@ pub(super) fn dimension_of_effort(model: &'static Model) -> impl Fn(&str) -> Opt
 /// The unit of a driver's effort: that of a force where it drives a length, that of a moment where it drives an angle.
 fn unit_of_effort(model: &Model, info: &ForceModel, driver: &str) -> Option<&'static str> {
     let ForceUnits { force, moment, .. } = info.units;
-    let of = |name: &str| match Dimension::named(&model.units, name) {
+    let unit_of = |name: &str| match Dimension::named(&model.units, name) {
         Dimension::Length => force,
         Dimension::Angle => moment,
         Dimension::In(unit) if Some(unit) == model.units.length => force,
         Dimension::In(_) | Dimension::Unknown => None,
     };
-    let Some(joint) = model.joints.iter().find(|joint| joint.name == driver) else { return of(driver) };
+    let Some(joint) = model.joints.iter().find(|joint| joint.name == driver) else { return unit_of(driver) };
     if joint.keeps_distance() || joint.kind.prescribes_length() {
         return force;
     }
@@ -50,7 +50,7 @@ fn unit_of_effort(model: &Model, info: &ForceModel, driver: &str) -> Option<&'st
     }
     // A row with a single coordinate drives that coordinate.
     let entries = model.constraint_pattern.entries.iter().filter(|(row, _)| *row == joint.first_row);
-    let mut units = entries.map(|(_, column)| of(model.coordinates[*column].name));
+    let mut units = entries.map(|(_, column)| unit_of(model.coordinates[*column].name));
     let first = units.next()?;
     units.all(|unit| unit == first).then_some(first)?
 }
@@ -80,12 +80,12 @@ fn visit(
         if reaction.has_force {
             let [x, y] = found.and_then(|found| found.force).unwrap_or([f64::NAN; 2]);
             let index = reaction.force().unwrap_or(reaction.place);
-            for (what, source, value) in [
+            for (suffix, source, value) in [
                 ("force_x", Source::Force(index), x),
                 ("force_y", Source::Force(index + 1), y),
                 ("force", Source::ForceLength(index), x.hypot(y)),
             ] {
-                f(format!("{name}.{what}"), force, Some(source), value);
+                f(format!("{name}.{suffix}"), force, Some(source), value);
             }
         }
         if reaction.has_moment {
@@ -112,12 +112,12 @@ fn visit(
         }
     }
     for (k, spring) in info.springs.iter().enumerate() {
-        let what = if spring.turns { "torque" } else { "tension" };
+        let quantity = if spring.turns { "torque" } else { "tension" };
         let value = forces.and_then(|forces| Some(forces.springs.get(k)?.force));
         let (unit, source) = (if spring.turns { moment } else { force }, Some(Source::Force(spring.place + 2)));
-        f(format!("{}.{what}", spring.name), unit, source, value.unwrap_or(f64::NAN));
+        f(format!("{}.{quantity}", spring.name), unit, source, value.unwrap_or(f64::NAN));
     }
-    let total = |of: Total| forces.map_or(f64::NAN, of);
+    let total = |number: Total| forces.map_or(f64::NAN, number);
     let at = Source::Force;
     let totals: [(&str, Source, Total); 10] = [
         ("shaking.force_x", at(ForceModel::SHAKING), |forces| forces.shaking.force[0]),
@@ -133,13 +133,13 @@ fn visit(
         ("power.applied", at(ForceModel::APPLIED_POWER), |forces| forces.applied_power),
         ("power.dampers", at(ForceModel::DAMPER_POWER), |forces| forces.damper_power),
     ];
-    for (name, source, of) in totals {
+    for (name, source, number) in totals {
         let unit = match name.split_once('.') {
             Some(("energy", _)) => energy,
             Some(("power", _)) => power,
             Some((_, "moment")) => moment,
             _ => force,
         };
-        f(name.to_owned(), unit, Some(source), total(of));
+        f(name.to_owned(), unit, Some(source), total(number));
     }
 }

@@ -70,7 +70,7 @@ use core::fmt;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Measure {
     name: String,
-    of: Of,
+    kind: Kind,
     /// 0, 1 or 2: the value, its rate or its acceleration.
     order: usize,
     /// The driver of a velocity ratio; none for other quantities.
@@ -80,7 +80,7 @@ pub struct Measure {
 
 /// What is measured.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Of {
+enum Kind {
     Time,
     Coordinate(usize),
     /// x or y of a named point.
@@ -125,19 +125,19 @@ impl Measure {
     pub fn named(model: &'static Model, name: &str) -> Option<Self> {
         let found = Self::all(model).into_iter().find(|measure| measure.name == name);
         found.or_else(|| Self::effort(model, name)).or_else(|| {
-            let (of, driver) = name.rsplit_once('/')?;
-            let of = Self::named(model, of).filter(Self::has_ratio)?;
+            let (quantity, driver) = name.rsplit_once('/')?;
+            let quantity = Self::named(model, quantity).filter(Self::has_ratio)?;
             let per = Some(drivers(model).find(|(other, _)| *other == driver)?.1);
-            Some(Self { name: name.to_owned(), per, ..of })
+            Some(Self { name: name.to_owned(), per, ..quantity })
         })
     }
 
     /// `boom_length.effort`; `crank.phi.effort`, which exists where the coordinate is given.
     fn effort(model: &'static Model, name: &str) -> Option<Self> {
-        let (of, dimension) = (name.strip_suffix(".effort")?, force::dimension_of_effort(model));
-        let given = || model.coordinates.iter().position(|coordinate| coordinate.name == of).map(Along::Given);
-        let along = model.inputs.iter().position(|input| *input == of).map(Along::Input).or_else(given)?;
-        Some(Self::new(name.to_owned(), Of::Effort(along), dimension(of)?))
+        let (quantity, dimension) = (name.strip_suffix(".effort")?, force::dimension_of_effort(model));
+        let given = || model.coordinates.iter().position(|coordinate| coordinate.name == quantity).map(Along::Given);
+        let along = model.inputs.iter().position(|input| *input == quantity).map(Along::Input).or_else(given)?;
+        Some(Self::new(name.to_owned(), Kind::Effort(along), dimension(quantity)?))
     }
 
     /// All quantities but velocity ratios and efforts of coordinates that are given: t, coordinates, points, defines, joint
@@ -146,12 +146,12 @@ impl Measure {
         let mut all = Self::standard(model, true);
         let speed = |(k, point): (usize, &crate::model::PointInfo)| Self {
             order: 1,
-            ..Self::new(format!("{}.speed", point.name), Of::Speed(k), Dimension::Length)
+            ..Self::new(format!("{}.speed", point.name), Kind::Speed(k), Dimension::Length)
         };
         all.extend(Self::held_poses(model));
         all.extend(model.points.iter().enumerate().map(speed));
         for (k, name) in model.inputs.iter().enumerate() {
-            all.extend(Self::with_rates(name, Of::Input(k), Dimension::named(&model.units, name)));
+            all.extend(Self::with_rates(name, Kind::Input(k), Dimension::named(&model.units, name)));
             all.extend(Self::effort(model, &format!("{name}.effort")));
         }
         all.extend(Self::transmission_angles(model));
@@ -167,7 +167,7 @@ impl Measure {
             let [a, b] = pair.between.map(name);
             let end = if several { format!("_{a}_{b}") } else { String::new() };
             let name = format!("{}.transmission{end}", name(pair.joint));
-            Self::new(name, Of::Transmission(*pair), Dimension::Angle)
+            Self::new(name, Kind::Transmission(*pair), Dimension::Angle)
         };
         pairs.iter().map(angle).collect()
     }
@@ -179,32 +179,32 @@ impl Measure {
 
     /// t and every coordinate with its rate and acceleration; with `reported` also the other reported quantities.
     pub(crate) fn standard(model: &'static Model, reported: bool) -> Vec<Self> {
-        let mut out = vec![Self::new("t".to_owned(), Of::Time, Dimension::In(dimension::time(&model.units)))];
-        let mut add = |name: &str, of: Of, dimension: Dimension| out.extend(Self::with_rates(name, of, dimension));
+        let mut out = vec![Self::new("t".to_owned(), Kind::Time, Dimension::In(dimension::time(&model.units)))];
+        let mut add = |name: &str, kind: Kind, dimension| out.extend(Self::with_rates(name, kind, dimension));
         for (k, coordinate) in model.coordinates.iter().enumerate() {
             let dimension = match coordinate.kind {
                 CoordinateKind::Pose { component: Component::Phi, .. } => Dimension::Angle,
                 CoordinateKind::Pose { .. } => Dimension::Length,
                 CoordinateKind::Scalar => Dimension::named(&model.units, coordinate.name),
             };
-            add(coordinate.name, Of::Coordinate(k), dimension);
+            add(coordinate.name, Kind::Coordinate(k), dimension);
         }
         if !reported {
             return out;
         }
         for (k, point) in model.points.iter().enumerate() {
             for (axis, name) in ["x", "y"].iter().enumerate() {
-                add(&format!("{}.{name}", point.name), Of::Point(k, axis), Dimension::Length);
+                add(&format!("{}.{name}", point.name), Kind::Point(k, axis), Dimension::Length);
             }
         }
         for define in model.defines {
-            add(define.name, Of::Observable(define.observable), Dimension::named(&model.units, define.name));
+            add(define.name, Kind::Observable(define.observable), Dimension::named(&model.units, define.name));
         }
         for joint in model.joints {
             for quantity in joint.quantities {
                 let name = format!("{}.{}", joint.name, quantity.name);
                 let dimension = Dimension::named(&model.units, &name);
-                add(&name, Of::Observable(quantity.observable), dimension);
+                add(&name, Kind::Observable(quantity.observable), dimension);
             }
         }
         out.extend(Self::forces(model));
@@ -214,7 +214,7 @@ impl Measure {
     /// The columns of forces.
     pub(crate) fn forces(model: &'static Model) -> impl Iterator<Item = Self> {
         let columns = force::columns(model).into_iter().enumerate();
-        columns.map(|(k, (name, dimension, source))| Self::new(name, Of::Force(k, source), dimension))
+        columns.map(|(k, (name, dimension, source))| Self::new(name, Kind::Force(k, source), dimension))
     }
 
     /// The driven quantities, each once: the quantity that the joint of a driver reports, or else the one coordinate in
@@ -227,21 +227,21 @@ impl Measure {
     }
 
     /// A value with its rate and its acceleration.
-    fn with_rates(name: &str, of: Of, dimension: Dimension) -> [Self; 3] {
-        let with = |order: usize| Self { order, ..Self::new(format!("{name}{}", SUFFIXES[order]), of, dimension) };
+    fn with_rates(name: &str, kind: Kind, dimension: Dimension) -> [Self; 3] {
+        let with = |order: usize| Self { order, ..Self::new(format!("{name}{}", SUFFIXES[order]), kind, dimension) };
         [0, 1, 2].map(with)
     }
 
-    fn new(name: String, of: Of, dimension: Dimension) -> Self {
-        Self { name, of, order: 0, per: None, dimension }
+    fn new(name: String, kind: Kind, dimension: Dimension) -> Self {
+        Self { name, kind, order: 0, per: None, dimension }
     }
 
     /// Whether it is a function of the coordinates, so that it has a ratio to a driver.
     fn has_ratio(&self) -> bool {
-        match self.of {
-            Of::Coordinate(_) | Of::Point(..) | Of::Observable(_) => self.order == 0 && self.per.is_none(),
-            Of::Speed(_) => self.per.is_none(),
-            Of::Time | Of::Input(_) | Of::Force(..) | Of::Effort(_) | Of::Transmission(_) => false,
+        match self.kind {
+            Kind::Coordinate(_) | Kind::Point(..) | Kind::Observable(_) => self.order == 0 && self.per.is_none(),
+            Kind::Speed(_) => self.per.is_none(),
+            Kind::Time | Kind::Input(_) | Kind::Force(..) | Kind::Effort(_) | Kind::Transmission(_) => false,
         }
     }
 
@@ -252,24 +252,24 @@ impl Measure {
 
     /// Its index among the columns of forces.
     pub(crate) const fn force(&self) -> Option<usize> {
-        if let (Of::Force(place, _), None) = (self.of, self.per) { Some(place) } else { None }
+        if let (Kind::Force(place, _), None) = (self.kind, self.per) { Some(place) } else { None }
     }
 
     /// Whether it is one of the forces.
     #[cfg(feature = "cli")]
     pub(crate) const fn is_force(&self) -> bool {
-        self.per.is_none() && matches!(self.of, Of::Force(..) | Of::Effort(_))
+        self.per.is_none() && matches!(self.kind, Kind::Force(..) | Kind::Effort(_))
     }
 
     /// Whether it is the effort of a prescribed coordinate.
     #[cfg(feature = "cli")]
     pub(crate) const fn is_given_effort(&self) -> bool {
-        matches!(self.of, Of::Effort(Along::Given(_)))
+        matches!(self.kind, Kind::Effort(Along::Given(_)))
     }
 
     /// Whether it is kept fixed while parameters vary: t and the inputs.
     pub(crate) const fn is_held(&self) -> bool {
-        self.per.is_none() && matches!(self.of, Of::Time | Of::Input(_))
+        self.per.is_none() && matches!(self.kind, Kind::Time | Kind::Input(_))
     }
 
     /// Its name.
@@ -285,7 +285,7 @@ impl Measure {
     /// Its unit, with angles in degrees if `degrees`.
     pub(crate) fn unit_in(&self, units: &Units, degrees: bool) -> Option<String> {
         let Some(driver) = self.per else { return self.dimension.unit(units, self.order, degrees) };
-        let [above, below] = [self.dimension, driver.dimension].map(|of| of.unit(units, 0, degrees));
+        let [above, below] = [self.dimension, driver.dimension].map(|dimension| dimension.unit(units, 0, degrees));
         let (above, below) = (above?, below?);
         Some(match above == below {
             true => String::new(),
@@ -316,7 +316,7 @@ impl Measure {
     /// Whether it is a transmission angle.
     #[cfg(feature = "cli")]
     pub(crate) const fn is_transmission(&self) -> bool {
-        matches!(self.of, Of::Transmission(_))
+        matches!(self.kind, Kind::Transmission(_))
     }
 
     /// The default quantities of `extremes`: transmission angles; angles, scalars and points; defines and the strokes
@@ -324,15 +324,15 @@ impl Measure {
     #[cfg(feature = "cli")]
     pub(crate) fn default_outputs(model: &'static Model) -> Vec<Self> {
         let driven = Self::driven(model);
-        let is_output = |measure: &Self| match measure.of {
-            Of::Speed(_) | Of::Transmission(_) => true,
-            Of::Coordinate(index) => measure.order == 0 && shows_motion(model, index),
-            Of::Point(..) => measure.order == 0,
-            Of::Observable(_) => {
+        let is_output = |measure: &Self| match measure.kind {
+            Kind::Speed(_) | Kind::Transmission(_) => true,
+            Kind::Coordinate(index) => measure.order == 0 && shows_motion(model, index),
+            Kind::Point(..) => measure.order == 0,
+            Kind::Observable(_) => {
                 measure.order == 0 && measure.dimension != Dimension::Angle || measure.is_define(model)
             }
-            Of::Force(..) => measure.name.ends_with(".effort"),
-            Of::Effort(_) | Of::Time | Of::Input(_) => false,
+            Kind::Force(..) => measure.name.ends_with(".effort"),
+            Kind::Effort(_) | Kind::Time | Kind::Input(_) => false,
         };
         let all = Self::all(model).into_iter();
         let (angles, others): (Vec<Self>, Vec<Self>) =
@@ -342,7 +342,7 @@ impl Measure {
 
     #[cfg(feature = "cli")]
     fn is_define(&self, model: &Model) -> bool {
-        self.order == 0 && model.defines.iter().any(|define| self.of == Of::Observable(define.observable))
+        self.order == 0 && model.defines.iter().any(|define| self.kind == Kind::Observable(define.observable))
     }
 }
 
@@ -378,7 +378,7 @@ fn driven_by(model: &'static Model, row: usize) -> Option<String> {
     if let Some(quantity) = joint.quantities.first() {
         return Some(format!("{}.{}", joint.name, quantity.name));
     }
-    let mut entries = model.constraint_pattern.entries.iter().filter(|(of, _)| *of == row);
+    let mut entries = model.constraint_pattern.entries.iter().filter(|(other, _)| *other == row);
     match (entries.next(), entries.next()) {
         (Some(&(_, column)), None) => Some(model.coordinates[column].name.to_owned()),
         _ => None,

@@ -1,6 +1,6 @@
 //! Poses of bodies that are no coordinates.
 
-use super::{Dimension, Measure, Of};
+use super::{Dimension, Kind, Measure};
 use crate::model::Model;
 
 impl Measure {
@@ -11,7 +11,11 @@ impl Measure {
             let held = (0..3).filter(|&k| body.coordinates[k].is_none());
             held.flat_map(move |k| {
                 let (component, dimension) = kinds[k];
-                Self::with_rates(&format!("{}.{component}", body.name), Of::Observable(body.observables[k]), dimension)
+                Self::with_rates(
+                    &format!("{}.{component}", body.name),
+                    Kind::Observable(body.observables[k]),
+                    dimension,
+                )
             })
         })
     }

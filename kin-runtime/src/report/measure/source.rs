@@ -44,17 +44,17 @@ pub enum Source {
 /// `the rate of coordinate 2`.
 impl fmt::Display for Source {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let of = |order: usize| match order {
+        let derivative_of = |order: usize| match order {
             0 => "",
             1 => "the rate of ",
             _ => "the acceleration of ",
         };
         match self {
             Self::Time => f.write_str("time"),
-            Self::Coordinate { place, order } => write!(f, "{}coordinate {place}", of(*order)),
-            Self::Observable { row, order } => write!(f, "{}observable {row}", of(*order)),
+            Self::Coordinate { place, order } => write!(f, "{}coordinate {place}", derivative_of(*order)),
+            Self::Observable { row, order } => write!(f, "{}observable {row}", derivative_of(*order)),
             Self::Speed([x, y]) => write!(f, "the speed of observables {x} and {y}"),
-            Self::Input { place, order } => write!(f, "{}input {place}", of(*order)),
+            Self::Input { place, order } => write!(f, "{}input {place}", derivative_of(*order)),
             Self::Transmission(_) => f.write_str("a transmission angle"),
             Self::Force(place) => write!(f, "number {place} of the forces"),
             Self::ForceLength(place) => write!(f, "the length of numbers {place} and {} of the forces", place + 1),

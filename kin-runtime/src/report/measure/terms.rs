@@ -1,6 +1,6 @@
 //! The sizes of the terms of which quantities are sums.
 
-use super::{Dimension, Measure, Of};
+use super::{Dimension, Kind, Measure};
 use crate::model::{Component, CoordinateKind};
 use crate::state::State;
 
@@ -8,7 +8,8 @@ impl Measure {
     /// The largest coordinate of its dimension in a state, or the largest rate or acceleration of one: its own values
     /// vary by the rounding of these. 0 if it is not computed from coordinates of its dimension.
     pub(crate) fn largest_term(&self, state: &State) -> f64 {
-        let is_computed = matches!(self.of, Of::Coordinate(_) | Of::Point(..) | Of::Speed(_) | Of::Observable(_));
+        let is_computed =
+            matches!(self.kind, Kind::Coordinate(_) | Kind::Point(..) | Kind::Speed(_) | Kind::Observable(_));
         let of_dimension = |kind: &CoordinateKind| match kind {
             CoordinateKind::Pose { component: Component::Phi, .. } => self.dimension == Dimension::Angle,
             CoordinateKind::Pose { .. } => self.dimension == Dimension::Length,

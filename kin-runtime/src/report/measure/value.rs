@@ -1,6 +1,6 @@
 //! Where quantities come from, and their values at a solved state.
 
-use super::{Along, DriverPlace, Measure, Of, Source, force};
+use super::{Along, DriverPlace, Kind, Measure, Source, force};
 use crate::analysis::forces::{Sharing, forces};
 use crate::equations::Equations;
 use crate::error::SolveError;
@@ -22,16 +22,16 @@ impl Measure {
             return None;
         }
         let order = self.order;
-        match self.of {
-            Of::Time => Some(Source::Time),
-            Of::Coordinate(place) => Some(Source::Coordinate { place, order }),
-            Of::Point(place, axis) => Some(Source::Observable { row: model.points[place].observables[axis], order }),
-            Of::Speed(place) => Some(Source::Speed(model.points[place].observables)),
-            Of::Observable(row) => Some(Source::Observable { row, order }),
-            Of::Input(place) => Some(Source::Input { place, order }),
-            Of::Force(_, source) => source,
-            Of::Effort(_) => None,
-            Of::Transmission(pair) => Some(Source::Transmission(pair.places)),
+        match self.kind {
+            Kind::Time => Some(Source::Time),
+            Kind::Coordinate(place) => Some(Source::Coordinate { place, order }),
+            Kind::Point(place, axis) => Some(Source::Observable { row: model.points[place].observables[axis], order }),
+            Kind::Speed(place) => Some(Source::Speed(model.points[place].observables)),
+            Kind::Observable(row) => Some(Source::Observable { row, order }),
+            Kind::Input(place) => Some(Source::Input { place, order }),
+            Kind::Force(_, source) => source,
+            Kind::Effort(_) => None,
+            Kind::Transmission(pair) => Some(Source::Transmission(pair.places)),
         }
     }
 
@@ -40,19 +40,19 @@ impl Measure {
         if self.per.is_some() {
             return None;
         }
-        match self.of {
-            Of::Time => Some(state.t),
-            Of::Coordinate(index) => {
+        match self.kind {
+            Kind::Time => Some(state.t),
+            Kind::Coordinate(index) => {
                 let list = [&state.q, &state.q_dot, &state.q_ddot][self.order];
                 Some(list.get(index).copied().unwrap_or(f64::NAN))
             }
-            Of::Point(index, axis) => {
-                let of = |point: &PointMotion| [point.r, point.v, point.a][self.order][axis];
-                Some(state.points.get(index).map_or(f64::NAN, of))
+            Kind::Point(index, axis) => {
+                let component = |point: &PointMotion| [point.r, point.v, point.a][self.order][axis];
+                Some(state.points.get(index).map_or(f64::NAN, component))
             }
-            Of::Speed(index) => Some(state.points.get(index).map_or(f64::NAN, |point| point.v[0].hypot(point.v[1]))),
-            Of::Input(index) => Some(state.inputs.get(index).map_or(f64::NAN, |input| of_order(*input, self.order))),
-            Of::Observable(_) | Of::Force(..) | Of::Effort(_) | Of::Transmission(_) => None,
+            Kind::Speed(index) => Some(state.points.get(index).map_or(f64::NAN, |point| point.v[0].hypot(point.v[1]))),
+            Kind::Input(index) => Some(state.inputs.get(index).map_or(f64::NAN, |input| of_order(*input, self.order))),
+            Kind::Observable(_) | Kind::Force(..) | Kind::Effort(_) | Kind::Transmission(_) => None,
         }
     }
 }
@@ -65,8 +65,8 @@ impl Trajectory {
     pub fn column(&self, name: &str) -> Option<Vec<f64>> {
         let named = Measure::all(self.model).into_iter().filter(|measure| measure.name == name);
         let measure = named.min_by_key(|measure| measure.order)?;
-        let value = |state: &State| match measure.of {
-            Of::Observable(row) => Some(of_order(of_pose(self.model, &state.bodies, row)?, measure.order)),
+        let value = |state: &State| match measure.kind {
+            Kind::Observable(row) => Some(of_order(of_pose(self.model, &state.bodies, row)?, measure.order)),
             _ => measure.of_state(state),
         };
         self.states.iter().map(value).collect()
@@ -94,17 +94,18 @@ pub(crate) fn values(
     measures: &[Measure],
     sharing: Sharing,
 ) -> Result<Vec<f64>, SolveError> {
-    let has = |of: fn(&Of) -> bool| measures.iter().any(|measure| measure.per.is_none() && of(&measure.of));
-    let observed = has(|of| matches!(of, Of::Observable(_)));
+    let has =
+        |is_kind: fn(&Kind) -> bool| measures.iter().any(|measure| measure.per.is_none() && is_kind(&measure.kind));
+    let observed = has(|kind| matches!(kind, Kind::Observable(_)));
     let motion = observed.then(|| motion(equations, state)).transpose()?;
-    let loads: Option<Forces> = match has(|of| matches!(of, Of::Force(..) | Of::Effort(_))) {
+    let loads: Option<Forces> = match has(|kind| matches!(kind, Kind::Force(..) | Kind::Effort(_))) {
         true => forces(equations, state, sharing).ok(),
         false => None,
     };
     let mut of_forces = Vec::new();
     force::column_values(equations.model, loads.as_ref(), &mut of_forces);
-    let pair = |measure: &Measure| match measure.of {
-        Of::Transmission(pair) => Some(pair),
+    let pair = |measure: &Measure| match measure.kind {
+        Kind::Transmission(pair) => Some(pair),
         _ => None,
     };
     let pairs: Vec<_> = measures.iter().filter_map(pair).collect();
@@ -114,19 +115,19 @@ pub(crate) fn values(
         true => ratios(equations, state).unwrap_or_default(),
         false => Vec::new(),
     };
-    let value = |measure: &Measure| match (measure.of, measure.per) {
-        (Of::Transmission(_), _) => transmitted.next().flatten().unwrap_or(f64::NAN),
+    let value = |measure: &Measure| match (measure.kind, measure.per) {
+        (Kind::Transmission(_), _) => transmitted.next().flatten().unwrap_or(f64::NAN),
         (_, Some(driver)) => {
             let ratio = ratios.iter().find(|ratio| ratio.place == driver.place);
-            ratio.map_or(f64::NAN, |ratio| of_ratio(equations, measure.of, ratio))
+            ratio.map_or(f64::NAN, |ratio| of_ratio(equations, measure.kind, ratio))
         }
-        (Of::Observable(index), _) => {
+        (Kind::Observable(index), _) => {
             motion.as_ref().map_or(f64::NAN, |motion| of_order(of_observable(motion, index), measure.order))
         }
-        (Of::Effort(along), _) => {
+        (Kind::Effort(along), _) => {
             loads.as_ref().and_then(|forces| effort(equations.model, forces, along)).unwrap_or(f64::NAN)
         }
-        (Of::Force(index, _), _) => of_forces.get(index).copied().unwrap_or(f64::NAN),
+        (Kind::Force(index, _), _) => of_forces.get(index).copied().unwrap_or(f64::NAN),
         _ => measure.of_state(state).unwrap_or(f64::NAN),
     };
     Ok(measures.iter().map(value).collect())
@@ -177,17 +178,17 @@ fn ratios(equations: &mut Equations<'_>, state: &State) -> Result<Vec<Ratio>, So
     Ok(all)
 }
 
-fn of_ratio(equations: &Equations<'_>, of: Of, ratio: &Ratio) -> f64 {
+fn of_ratio(equations: &Equations<'_>, kind: Kind, ratio: &Ratio) -> f64 {
     let seen = |observable: usize| ratio.observed.get(observable).copied().unwrap_or(f64::NAN);
     let points = equations.model.points;
-    match of {
-        Of::Coordinate(index) => ratio.first.get(index).copied().unwrap_or(f64::NAN),
-        Of::Point(index, axis) => seen(points[index].observables[axis]),
-        Of::Speed(index) => {
+    match kind {
+        Kind::Coordinate(index) => ratio.first.get(index).copied().unwrap_or(f64::NAN),
+        Kind::Point(index, axis) => seen(points[index].observables[axis]),
+        Kind::Speed(index) => {
             let [x, y] = points[index].observables.map(seen);
             x.hypot(y)
         }
-        Of::Observable(index) => seen(index),
-        Of::Time | Of::Input(_) | Of::Force(..) | Of::Effort(_) | Of::Transmission(_) => f64::NAN,
+        Kind::Observable(index) => seen(index),
+        Kind::Time | Kind::Input(_) | Kind::Force(..) | Kind::Effort(_) | Kind::Transmission(_) => f64::NAN,
     }
 }

@@ -1,6 +1,6 @@
 //! The values of quantities over numbers that carry derivatives with respect to parameters.
 
-use super::{Measure, Of, Source};
+use super::{Kind, Measure, Source};
 use crate::model::{Frame, Geometry, Model, Role};
 use crate::plan::Depth;
 use crate::results::varied::Varied;
@@ -45,22 +45,23 @@ impl Measure {
     /// Whether [`varied`](Self::varied) computes it: not for velocity ratios, forces without a closed form, and
     /// quantities that are kept fixed.
     pub(crate) const fn has_derivatives(&self) -> bool {
-        !self.is_ratio() && !matches!(self.of, Of::Time | Of::Input(_) | Of::Effort(_) | Of::Force(_, None))
+        !self.is_ratio() && !matches!(self.kind, Kind::Time | Kind::Input(_) | Kind::Effort(_) | Kind::Force(_, None))
     }
 
     /// Its rate; none for a quantity without a rate, and for an acceleration.
     #[cfg(feature = "design")]
     pub(crate) fn next_order(&self) -> Option<Self> {
-        let has_rate = matches!(self.of, Of::Coordinate(_) | Of::Point(..) | Of::Observable(_)) && self.order < 2;
+        let has_rate =
+            matches!(self.kind, Kind::Coordinate(_) | Kind::Point(..) | Kind::Observable(_)) && self.order < 2;
         has_rate.then(|| Self { order: self.order + 1, ..self.clone() })
     }
 
     /// What its value needs.
     pub(crate) fn needs(&self) -> Needs {
-        let forces = matches!(self.of, Of::Force(..) | Of::Effort(_));
+        let forces = matches!(self.kind, Kind::Force(..) | Kind::Effort(_));
         let depth = if forces || self.order > 1 { Depth::Acceleration } else { Depth::Velocity };
-        let transmission = matches!(self.of, Of::Transmission(_));
-        let observed = transmission || matches!(self.of, Of::Point(..) | Of::Speed(_) | Of::Observable(_));
+        let transmission = matches!(self.kind, Kind::Transmission(_));
+        let observed = transmission || matches!(self.kind, Kind::Point(..) | Kind::Speed(_) | Kind::Observable(_));
         Needs { depth, observed, geometry: transmission, forces }
     }
 
@@ -72,22 +73,22 @@ impl Measure {
         }
         let order = |signal: &Signal<T>| [signal.value, signal.rate, signal.acceleration].get(self.order).copied();
         let observed = |index: usize| varied.observed.get(index);
-        match self.of {
-            Of::Coordinate(index) => [&varied.q, &varied.q_dot, &varied.q_ddot].get(self.order)?.get(index).copied(),
-            Of::Point(index, axis) => observed(model.points[index].observables[axis]).and_then(order),
-            Of::Speed(index) => {
+        match self.kind {
+            Kind::Coordinate(index) => [&varied.q, &varied.q_dot, &varied.q_ddot].get(self.order)?.get(index).copied(),
+            Kind::Point(index, axis) => observed(model.points[index].observables[axis]).and_then(order),
+            Kind::Speed(index) => {
                 let [x, y] = model.points[index].observables.map(observed);
                 let (x, y) = (x?.rate, y?.rate);
                 Some((x * x + y * y).sqrt())
             }
-            Of::Observable(index) => observed(index).and_then(order),
-            Of::Transmission(pair) => transmission(model, &pair, varied),
-            Of::Force(_, Some(Source::Force(index))) => varied.forces.get(index).copied(),
-            Of::Force(_, Some(Source::ForceLength(index))) => {
+            Kind::Observable(index) => observed(index).and_then(order),
+            Kind::Transmission(pair) => transmission(model, &pair, varied),
+            Kind::Force(_, Some(Source::Force(index))) => varied.forces.get(index).copied(),
+            Kind::Force(_, Some(Source::ForceLength(index))) => {
                 let (x, y) = (*varied.forces.get(index)?, *varied.forces.get(index + 1)?);
                 Some((x * x + y * y).sqrt())
             }
-            Of::Time | Of::Input(_) | Of::Effort(_) | Of::Force(..) => None,
+            Kind::Time | Kind::Input(_) | Kind::Effort(_) | Kind::Force(..) => None,
         }
     }
 }
