@@ -237,9 +237,9 @@ fn explain(
             continue;
         }
         let side = usize::from(equations.drives(found.row));
-        let (rows, here) = [passive, all][side];
-        let usual = *around[side].get_or_insert_with(|| rank_nearby(equations, q, here, rows));
-        found.cause = Some(if usual > here { Cause::Configuration } else { Cause::Dimensions });
+        let (rows, rank) = [passive, all][side];
+        let usual = *around[side].get_or_insert_with(|| rank_nearby(equations, q, rank, rows));
+        found.cause = Some(if usual > rank { Cause::Configuration } else { Cause::Dimensions });
     }
 }
 
@@ -306,13 +306,13 @@ fn redundant(equations: &Equations<'_>, dependency: Dependency) -> RedundantRow 
 impl RedundantRow {
     /// How it depends on the other joints, which are separated by `separator`.
     pub(crate) fn relation(&self, separator: &str) -> String {
-        let (others, cause) =
+        let (other_rows, cause) =
             (self.circuit.join(separator), self.cause.map_or_else(String::new, |cause| format!(" {cause}")));
         match (self.consistent, self.cause) {
-            (true, _) => format!("repeats {others}{cause}"),
-            (false, None) => format!("contradicts {others}"),
+            (true, _) => format!("repeats {other_rows}{cause}"),
+            (false, None) => format!("contradicts {other_rows}"),
             // It is the dependence that has the cause; whether there is a contradiction, the dimensions decide.
-            (false, Some(_)) => format!("contradicts {others}; they are dependent{cause}"),
+            (false, Some(_)) => format!("contradicts {other_rows}; they are dependent{cause}"),
         }
     }
 }

@@ -70,12 +70,12 @@ pub(crate) fn close_all(equations: &mut Equations<'_>, q: &mut [f64]) -> Iterati
 /// Closes all rows again with the scale of the (nearly) assembled configuration q, where some rows count much more on that
 /// scale: those of distances that are small compared with the rest of the mechanism.
 fn close_small_distances(equations: &mut Equations<'_>, q: &mut [f64], outcome: Iteration) -> Iteration {
-    let here = Scale::around(equations, q);
-    let counts_more = |(here, before): (&f64, &f64)| *here > SMALL_DISTANCE * before;
-    if !here.rows.iter().zip(&equations.scale.rows).any(counts_more) {
+    let scale_at_q = Scale::around(equations, q);
+    let counts_more = |(now, before): (&f64, &f64)| *now > SMALL_DISTANCE * before;
+    if !scale_at_q.rows.iter().zip(&equations.scale.rows).any(counts_more) {
         return outcome;
     }
-    equations.scale = here;
+    equations.scale = scale_at_q;
     let again = close_all(equations, q);
     Iteration { iterations: outcome.iterations + again.iterations, ..again }
 }
@@ -129,14 +129,14 @@ pub(crate) fn given_conflict(equations: &Equations<'_>) -> Option<SolveError> {
     if given == 0 {
         return None;
     }
-    let own = equations.rows() - given;
+    let declared = equations.rows() - given;
     let rank = |count: usize| {
         let rows: Vec<usize> = (0..count).collect();
         let columns = &equations.scale.columns;
         Factorization::revealing(&equations.scaled_rows(&rows), columns, equations.options.rank_tolerance).rank
     };
-    let without = rank(own);
-    let k = (0..given).find(|k| rank(own + k + 1) < without + k + 1)?;
+    let without = rank(declared);
+    let k = (0..given).find(|k| rank(declared + k + 1) < without + k + 1)?;
     let (coordinate, value) = equations.given_value(k);
     let open = equations.coordinates() - without;
     Some(SolveError::GivenConflict { t: equations.t, coordinate, value, open, given })

@@ -57,10 +57,10 @@ fn scaled_here<R>(
     q: &mut [f64],
     function: impl FnOnce(&mut Equations<'_>, &mut [f64]) -> R,
 ) -> R {
-    let here = Scale::around(equations, q);
-    let kept = std::mem::replace(&mut equations.scale, here);
+    let scale_at_q = Scale::around(equations, q);
+    let previous_scale = std::mem::replace(&mut equations.scale, scale_at_q);
     let result = function(equations, q);
-    equations.scale = kept;
+    equations.scale = previous_scale;
     result
 }
 

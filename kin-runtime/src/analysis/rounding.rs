@@ -138,9 +138,9 @@ pub(crate) fn dominated_acceleration(
     }
     let mut again = |equations: &mut Equations<'_>, beside: Vec<f64>| {
         equations.evaluate(Subset::VELOCITY, &beside, None)?;
-        let there = equations.factorise(Purpose::Solutions, None);
-        let q_dot = velocity::solve(equations, &there)?.as_slice().to_vec();
-        let q_ddot = acceleration(equations, &beside, &q_dot, &there)?;
+        let factor_beside = equations.factorise(Purpose::Solutions, None);
+        let q_dot = velocity::solve(equations, &factor_beside)?.as_slice().to_vec();
+        let q_ddot = acceleration(equations, &beside, &q_dot, &factor_beside)?;
         Ok(vec![beside, q_dot, q_ddot])
     };
     let found = dominated_coordinate(equations, &solution.map(<[f64]>::to_vec), 2, factor, &mut again);
@@ -175,15 +175,16 @@ pub(crate) fn dominated_coordinate(
         let moved = factor.solve(&DVector::from_iterator(equations.rows(), rows));
         let beside = q.iter().zip(moved.iter()).map(|(q, moved)| q + moved).collect();
         // Where there are no rates beside q, those at q are not known either.
-        let there = again(equations, beside).unwrap_or_default();
-        for (order, here) in all.iter().enumerate().skip(first) {
-            let there = there.get(order).map_or(&[][..], Vec::as_slice);
+        let derivatives_beside = again(equations, beside).unwrap_or_default();
+        for (order, at_q) in all.iter().enumerate().skip(first) {
+            let at_beside = derivatives_beside.get(order).map_or(&[][..], Vec::as_slice);
             let change = |k: usize| {
-                let change = there.get(k).map_or(f64::NAN, |there| (there - here[k]) / ENLARGED).abs();
+                let change =
+                    at_beside.get(k).map_or(f64::NAN, |value_beside| (value_beside - at_q[k]) / ENLARGED).abs();
                 if change.is_nan() { f64::INFINITY } else { change }
             };
-            let changes: Vec<f64> = (0..here.len()).map(change).collect();
-            let allowed = MAX_ACCELERATION_NOISE * equations.scale.size(here).max(rate.powf(order as f64));
+            let changes: Vec<f64> = (0..at_q.len()).map(change).collect();
+            let allowed = MAX_ACCELERATION_NOISE * equations.scale.size(at_q).max(rate.powf(order as f64));
             // A size that is NaN allows nothing.
             let is_clear = equations.scale.size(&changes) <= allowed;
             if !is_clear {

@@ -26,29 +26,34 @@ const INPUT_CHANGES: [f64; 4] = [1e-2, -1e-2, 0.1, -0.1];
 const DIRECTIONS: usize = 6;
 
 /// The error if `q`, whose Φ_q was evaluated last and has the factorisation `here`, is singular.
-pub(crate) fn diagnose(equations: &mut Equations<'_>, q: &[f64], here: &Factorization) -> Option<SolveError> {
+pub(crate) fn diagnose(equations: &mut Equations<'_>, q: &[f64], factor: &Factorization) -> Option<SolveError> {
     if let Some(error) = without_length(equations) {
         return Some(error);
     }
     let all: Vec<usize> = (0..equations.rows()).collect();
     let scaled = equations.scaled(&all);
-    let expected_rank = rank_nearby(equations, q, here.rank, &all);
-    if expected_rank <= here.rank {
+    let expected_rank = rank_nearby(equations, q, factor.rank, &all);
+    if expected_rank <= factor.rank {
         return None;
     }
     let tolerance = equations.options.rank_tolerance;
     let rows = dependent_rows(equations, &null_space(&scaled.transpose(), tolerance));
-    let (t, rank, condition) = (equations.t, here.rank, here.full_condition);
+    let (t, rank, condition) = (equations.t, factor.rank, factor.full_condition);
     let limit = by_plan::limit(equations, q);
     Some(SolveError::Singular { t, rank, expected_rank, rows, condition, limit })
 }
 
 /// Replaces an inconsistency at `q` by [`SolveError::Singular`] if the driving rows have a higher rank at other inputs
 /// or times.
-pub(crate) fn explain(equations: &mut Equations<'_>, q: &[f64], here: &Factorization, error: SolveError) -> SolveError {
+pub(crate) fn explain(
+    equations: &mut Equations<'_>,
+    q: &[f64],
+    factor: &Factorization,
+    error: SolveError,
+) -> SolveError {
     let inconsistent =
         matches!(error, SolveError::InconsistentVelocity { .. } | SolveError::InconsistentAcceleration { .. });
-    if !inconsistent || here.rank >= equations.rows().min(equations.coordinates()) {
+    if !inconsistent || factor.rank >= equations.rows().min(equations.coordinates()) {
         return error;
     }
     let rows: Vec<usize> = (0..equations.rows()).collect();
@@ -57,11 +62,11 @@ pub(crate) fn explain(equations: &mut Equations<'_>, q: &[f64], here: &Factoriza
     }
     let left = null_space(&equations.scaled(&rows).transpose(), equations.options.rank_tolerance);
     let expected_rank = rank_at_other_instants(equations, q, &rows);
-    if expected_rank <= here.rank {
+    if expected_rank <= factor.rank {
         return error;
     }
     let rows = dependent_rows(equations, &left);
-    let (t, rank, condition) = (equations.t, here.rank, here.full_condition);
+    let (t, rank, condition) = (equations.t, factor.rank, factor.full_condition);
     SolveError::Singular { t, rank, expected_rank, rows, condition, limit: by_plan::limit(equations, q) }
 }
 
@@ -87,7 +92,7 @@ pub(crate) fn dependent_rows(equations: &Equations<'_>, left: &nalgebra::DMatrix
 }
 
 /// Largest rank of `rows` at assembled configurations around `q`; stops at the first above `here`.
-pub(crate) fn rank_nearby(equations: &mut Equations<'_>, q: &[f64], here: usize, rows: &[usize]) -> usize {
+pub(crate) fn rank_nearby(equations: &mut Equations<'_>, q: &[f64], rank_at_q: usize, rows: &[usize]) -> usize {
     let closing = equations.rows_where(|e, row| !e.drives(row) && e.holonomic(row));
     let columns: Vec<usize> = (0..equations.coordinates()).collect();
     // Rows of velocity level do not restrict positions.
@@ -98,7 +103,7 @@ pub(crate) fn rank_nearby(equations: &mut Equations<'_>, q: &[f64], here: usize,
         let mix = DVector::from_fn(free.ncols(), |_, _| random.symmetric());
         directions.push((&free * mix).normalize());
     }
-    let mut best = here;
+    let mut best = rank_at_q;
     let mut moved = false;
     for distance in DISTANCES {
         for direction in &directions {
@@ -114,7 +119,7 @@ pub(crate) fn rank_nearby(equations: &mut Equations<'_>, q: &[f64], here: usize,
                     moved = true;
                     best = best.max(rank_at(equations, &nearby, rows).unwrap_or(0));
                 }
-                if best > here {
+                if best > rank_at_q {
                     return best;
                 }
             }

@@ -33,14 +33,14 @@ impl EntryPositions {
         }
         let among = |length: usize, wanted: &[usize]| {
             let mut place = vec![None; length];
-            wanted.iter().enumerate().for_each(|(k, &of)| place[of] = Some(k));
+            wanted.iter().enumerate().for_each(|(k, &index)| place[index] = Some(k));
             place
         };
         let (of_row, of_column) = (among(s, rows), among(n, columns));
         let entries = equations.ordered.entries().iter().enumerate();
-        let (places, own) =
+        let (places, entries_of_subsystem) =
             entries.filter_map(|(k, &(i, j))| Some((k, (of_row[i]?, of_column[j]?)))).unzip::<_, _, Vec<_>, Vec<_>>();
-        Self::Some(places, Ordered::new(rows.len(), own))
+        Self::Some(places, Ordered::new(rows.len(), entries_of_subsystem))
     }
 }
 

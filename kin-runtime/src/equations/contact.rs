@@ -28,12 +28,12 @@ pub(crate) fn explain(equations: &mut Equations<'_>, q: &[f64], error: SolveErro
     let SolveError::NonFinite { what: "Φ" | "Φ_q" | "Φ_t" | "γ", index: row, .. } = error else { return error };
     let Some(joint) = equations.model.rows.get(row).map(|row| row.joint) else { return error };
     let info = &equations.model.joints[joint];
-    let what = match info.kind {
+    let fault = match info.kind {
         JointKind::OnPolarCurve => at_centre(equations, info, q),
         JointKind::OnParametricCurve => without_direction(equations, joint, q),
         _ => None,
     };
-    what.map_or(error, |what| degenerate(equations, row, what))
+    fault.map_or(error, |fault| degenerate(equations, row, fault))
 }
 
 /// True if the contact with all curves is defined at q, and no roller has changed its side since `before`.
@@ -57,7 +57,7 @@ pub(crate) fn is_regular(equations: &mut Equations<'_>, before: Option<&[f64]>, 
 pub(crate) fn without_angle(equations: &mut Equations<'_>, q: &[f64]) -> Option<SolveError> {
     let joints = equations.model.joints;
     let mut polar = joints.iter().filter(|joint| joint.kind == JointKind::OnPolarCurve);
-    polar.find_map(|joint| at_centre(equations, joint, q).map(|what| degenerate(equations, joint.first_row, what)))
+    polar.find_map(|joint| at_centre(equations, joint, q).map(|fault| degenerate(equations, joint.first_row, fault)))
 }
 
 /// The first implicit curve whose row of Φ_q, evaluated last, has no entry above `tolerance` on the common scale.
@@ -68,9 +68,9 @@ pub(crate) fn without_gradient(equations: &Equations<'_>, tolerance: f64) -> Opt
         .map(|(row, largest)| degenerate(equations, row, Degeneracy::Gradient { largest }))
 }
 
-fn degenerate(equations: &Equations<'_>, row: usize, what: Degeneracy) -> SolveError {
+fn degenerate(equations: &Equations<'_>, row: usize, fault: Degeneracy) -> SolveError {
     let (row_name, joint) = (equations.row_name(row), equations.joint_name(row));
-    SolveError::DegenerateContact { t: equations.t, joint, row_name, what }
+    SolveError::DegenerateContact { t: equations.t, joint, row_name, what: fault }
 }
 
 /// The degeneracy if point Q is at the centre P of the curve.
@@ -89,8 +89,8 @@ pub(crate) fn at_a_standstill(equations: &Equations<'_>, q: &[f64]) -> Option<So
         let (column, _, speed) = speed(equations, index, q)?;
         let length = equations.scale.length;
         let still = speed * equations.scale.columns[column] <= equations.options.rank_tolerance * length;
-        let what = Degeneracy::Direction { parameter: equations.model.coordinates[column].name, value: q[column] };
-        still.then(|| degenerate(equations, joint.first_row, what))
+        let fault = Degeneracy::Direction { parameter: equations.model.coordinates[column].name, value: q[column] };
+        still.then(|| degenerate(equations, joint.first_row, fault))
     })
 }
 

@@ -52,7 +52,8 @@ impl Equations<'_> {
             _ => None,
         };
         let with_x = self.row(row).filter_map(|(column, _)| body(column, Component::X));
-        let has_y = |of: usize| self.row(row).any(|(column, _)| body(column, Component::Y) == Some(of));
+        let has_y =
+            |wanted_body: usize| self.row(row).any(|(column, _)| body(column, Component::Y) == Some(wanted_body));
         with_x.into_iter().any(has_y)
     }
 

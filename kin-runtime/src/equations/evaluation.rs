@@ -86,7 +86,7 @@ impl<'a> Equations<'a> {
         let at = Instant { t: self.t, inputs: &self.inputs };
         self.system.evaluate(subset, &at, q, q_dot.unwrap_or(&self.still))?;
         let parts = self.system.constraints();
-        let own = self.model.rows.len();
+        let declared = self.model.rows.len();
         if subset.phi {
             copy("Φ", self.model, parts.phi, &mut self.phi)?;
         }
@@ -107,9 +107,9 @@ impl<'a> Equations<'a> {
         }
         let frozen = self.is_frozen();
         for (k, given) in self.given.iter().enumerate() {
-            self.phi[own + k] = q[given.coordinate] - given.now.value;
-            self.phi_t[own + k] = if frozen { 0.0 } else { -given.now.rate };
-            self.gamma[own + k] = if frozen { 0.0 } else { given.now.acceleration };
+            self.phi[declared + k] = q[given.coordinate] - given.now.value;
+            self.phi_t[declared + k] = if frozen { 0.0 } else { -given.now.rate };
+            self.gamma[declared + k] = if frozen { 0.0 } else { given.now.acceleration };
         }
         if frozen { self.without_time(subset, q, q_dot) } else { Ok(()) }
     }
@@ -123,14 +123,14 @@ impl<'a> Equations<'a> {
     ///
     /// The second formula is the part of γ that is quadratic in the rates; on a straight course u″ = 0.
     fn without_time(&mut self, subset: Subset, q: &[f64], q_dot: Option<&[f64]>) -> Result<(), SolveError> {
-        let own = self.model.rows.len();
+        let declared = self.model.rows.len();
         let mut moving = core::mem::take(&mut self.moving);
         if subset.phi_t {
             moving.clear();
             moving.extend(self.inputs.iter().map(|u| Signal::constant(u.value)));
             self.system.evaluate(Subset::TIME_DERIVATIVE, &Instant { t: self.t, inputs: &moving }, q, &self.still)?;
             let still = self.system.constraints();
-            self.phi_t.iter_mut().take(own).zip(still.phi_t).for_each(|(whole, part)| *whole -= part);
+            self.phi_t.iter_mut().take(declared).zip(still.phi_t).for_each(|(whole, part)| *whole -= part);
         }
         if subset.gamma {
             let q_dot = q_dot.unwrap_or(&self.still);
@@ -139,11 +139,15 @@ impl<'a> Equations<'a> {
             moving.extend(self.inputs.iter().map(|u| Signal::new(u.value, -u.rate, 0.0)));
             self.system.evaluate(Subset::GAMMA, &Instant { t: self.t, inputs: &moving }, q, &self.reversed)?;
             let backward = self.system.constraints();
-            self.gamma.iter_mut().take(own).zip(backward.gamma).for_each(|(half, other)| *half = 0.5 * (*half + other));
+            self.gamma
+                .iter_mut()
+                .take(declared)
+                .zip(backward.gamma)
+                .for_each(|(half, other)| *half = 0.5 * (*half + other));
             moving.iter_mut().for_each(|u| u.rate = 0.0);
             self.system.evaluate(Subset::GAMMA, &Instant { t: self.t, inputs: &moving }, q, &self.still)?;
             let still = self.system.constraints();
-            self.gamma.iter_mut().take(own).zip(still.gamma).for_each(|(even, part)| *even -= part);
+            self.gamma.iter_mut().take(declared).zip(still.gamma).for_each(|(even, part)| *even -= part);
         }
         self.moving = moving;
         Ok(())

@@ -20,14 +20,14 @@ pub(super) struct KeptLength {
 
 /// All distances that the joints of a model keep.
 pub(super) fn kept_lengths(model: &'static Model) -> Vec<KeptLength> {
-    let kept = |joint: &'static JointInfo| {
+    let length_of = |joint: &'static JointInfo| {
         let value = joint.geometry.iter().find(|geometry| geometry.role == Role::Value)?;
         let row = joint.first_row;
         let moves = model.rows.get(row).is_some_and(|row| row.rheonomic);
         let is_squared = joint.kind != JointKind::Rope;
         Some(KeptLength { joint: joint.name, row, offset: value.offset, is_squared, moves })
     };
-    model.joints.iter().filter(|joint| joint.keeps_distance()).filter_map(kept).collect()
+    model.joints.iter().filter(|joint| joint.keeps_distance()).filter_map(length_of).collect()
 }
 
 /// The error if one of the given lengths is negative. `numbers` is the geometry at an instant.
@@ -36,10 +36,10 @@ pub(super) fn lengths_exist<'k>(
     lengths: impl IntoIterator<Item = &'k KeptLength>,
     t: f64,
 ) -> Result<(), SolveError> {
-    let negative = lengths.into_iter().find_map(|kept| {
-        let length = numbers.get(kept.offset).copied().filter(|&length| length < 0.0)?;
+    let negative = lengths.into_iter().find_map(|length_info| {
+        let length = numbers.get(length_info.offset).copied().filter(|&length| length < 0.0)?;
         let fault = Degeneracy::NegativeLength { length };
-        Some(SolveError::DegenerateGeometry { t, joint: kept.joint, fault })
+        Some(SolveError::DegenerateGeometry { t, joint: length_info.joint, fault })
     });
     negative.map_or(Ok(()), Err)
 }

@@ -141,12 +141,12 @@ impl<'a> Equations<'a> {
         finite("t", 0, "t", at.t)?;
         length("inputs", self.model.inputs.len(), at.inputs.len())?;
         self.check_inputs(at.inputs)?;
-        self.check_lengths(at, |kept| kept.moves)
+        self.check_lengths(at, |length| length.moves)
     }
 
     /// An error where one of the selected kept distances is negative at this instant.
     fn check_lengths(&mut self, at: &Instant<'_>, which: impl Fn(&KeptLength) -> bool) -> Result<(), SolveError> {
-        let mut lengths = self.lengths.iter().filter(|kept| which(kept)).peekable();
+        let mut lengths = self.lengths.iter().filter(|length| which(length)).peekable();
         if lengths.peek().is_none() {
             return Ok(());
         }
@@ -215,7 +215,7 @@ impl<'a> Equations<'a> {
         }
         self.check_inputs(&self.inputs).map_err(|error| error.at(self.t))?;
         let inputs = core::mem::take(&mut self.inputs);
-        let checked = self.check_lengths(&Instant { t: self.t, inputs: &inputs }, |kept| kept.moves);
+        let checked = self.check_lengths(&Instant { t: self.t, inputs: &inputs }, |length| length.moves);
         self.inputs = inputs;
         checked
     }

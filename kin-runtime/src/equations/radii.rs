@@ -20,12 +20,12 @@ pub(crate) fn degenerate(equations: &Equations<'_>) -> Option<SolveError> {
         let places = joint.geometry.iter().filter(|geometry| geometry.role == Role::Radius);
         let radii: Vec<f64> = places.filter_map(|geometry| numbers.get(geometry.offset).copied()).collect();
         let sum: f64 = radii.iter().sum();
-        let what = match joint.kind {
+        let fault = match joint.kind {
             _ if radii.contains(&0.0) => Degeneracy::Radius { value: 0.0 },
             JointKind::RollingOnDisc if sum == 0.0 => Degeneracy::OneCentre { sum },
             _ => return None,
         };
         let row_name = equations.row_name(joint.first_row);
-        Some(SolveError::DegenerateContact { t: equations.t, joint: joint.name, row_name, what })
+        Some(SolveError::DegenerateContact { t: equations.t, joint: joint.name, row_name, what: fault })
     })
 }

@@ -81,8 +81,8 @@ pub(crate) fn write_sizes(
     let mut finish = |row: usize, [by_angles, by_lengths]: [f64; 2]| {
         if let (Some(size), Some(angle)) = (sizes.get_mut(row), angles.get_mut(row)) {
             (*size, *angle) = (by_lengths, by_angles);
-            let own = if by_lengths > 0.0 { by_angles / by_lengths } else { 0.0 };
-            arm = if own > arm { own } else { arm };
+            let arm_of_row = if by_lengths > 0.0 { by_angles / by_lengths } else { 0.0 };
+            arm = if arm_of_row > arm { arm_of_row } else { arm };
         }
     };
     for (&(i, j), a) in entries.iter().zip(phi_q) {

@@ -354,9 +354,9 @@ impl<B: Borrow<M>, M: Mechanism> System for Evaluator<B, M> {
         control: &Control,
         state: &mut State,
     ) -> Result<Followed, PlanError> {
-        let kept = self.follower.clone();
+        let before = self.follower.clone();
         let found = self.follow(at, inputs, control, state);
-        self.follower = kept;
+        self.follower = before;
         found
     }
 

@@ -54,17 +54,17 @@ fn follow_evenly<T: Scalar>(model: &Model, q_dot: &[T]) -> bool {
     let is_length = |k: usize| model.coordinates[k].kind.is_length();
     for step in model.plan.steps {
         let StepKind::Newton(unknowns) = step.kind else { continue };
-        let (own, others) = step.coordinates.split_at(unknowns.min(step.coordinates.len()));
-        if own.iter().any(|&(k, _)| is_length(k)) {
+        let (unknowns_of_step, solved_later) = step.coordinates.split_at(unknowns.min(step.coordinates.len()));
+        if unknowns_of_step.iter().any(|&(k, _)| is_length(k)) {
             continue;
         }
-        let rates = own.iter().fold(T::from_f64(0.0), |sum, &(k, _)| sum + q_dot[k].abs());
+        let rates = unknowns_of_step.iter().fold(T::from_f64(0.0), |sum, &(k, _)| sum + q_dot[k].abs());
         // At rest this is no number, which is within no bound.
         let inverse = T::from_f64(1.0) / rates;
         let is_even = |rate: T| (rate * inverse).is_within(FACTOR_OF_ONE_SOLUTION);
         // Mostly nothing at all is much faster, which takes less time to see.
         let all_even = q_dot.iter().fold(true, |all, rate| all & is_even(*rate));
-        if !all_even && !others.iter().all(|&(k, _)| is_length(k) || is_even(q_dot[k])) {
+        if !all_even && !solved_later.iter().all(|&(k, _)| is_length(k) || is_even(q_dot[k])) {
             return false;
         }
     }

@@ -100,9 +100,9 @@ pub(crate) fn first_dip(
     [modes, modes_before]: [&[f64]; 2],
 ) -> Option<usize> {
     let dips = |group: usize| {
-        let kept = if before[group] < 0.0 { -middle[group] } else { middle[group] };
+        let middle_value = if before[group] < 0.0 { -middle[group] } else { middle[group] };
         let ends = [before[group].abs(), after[group].abs()];
-        let stays = least_of_parabola(ends, kept) >= MIN_RATIO_WITHIN * ends[0].min(ends[1]);
+        let stays = least_of_parabola(ends, middle_value) >= MIN_RATIO_WITHIN * ends[0].min(ends[1]);
         !stays
     };
     let near = |group: &usize| may_dip(before[*group].abs(), after[*group].abs());

@@ -98,7 +98,7 @@ impl<M: Mechanism> PlanFollower<M> {
         let margin = M::model().plan.margin_of_group(group)?;
         // Moves away from the limit in steps that grow with the distance.
         let [start, _] = course.ends();
-        let (mut s, mut from, mut w) = (blocked.interval[0], blocked.here, 0.0);
+        let (mut s, mut from, mut w) = (blocked.interval[0], blocked.state, 0.0);
         let mut place = s;
         for _ in 0..DOUBLINGS {
             // With inputs, the motion before the start of the course is not known.
@@ -243,8 +243,8 @@ fn dot(a: &Samples, b: &Samples) -> f64 {
 /// Writes the weights of the values at `at` in the interpolating polynomial at 0.
 fn write_weights(at: &[f64], weights: &mut [f64]) {
     for (k, weight) in weights.iter_mut().enumerate() {
-        let others = at.iter().enumerate().filter(|(j, _)| *j != k);
-        *weight = others.map(|(_, other)| other / (other - at[k])).product();
+        let other_places = at.iter().enumerate().filter(|(j, _)| *j != k);
+        *weight = other_places.map(|(_, other)| other / (other - at[k])).product();
     }
 }
 

@@ -88,13 +88,13 @@ pub(crate) fn bends_are_followed<M: Mechanism>(
 ) -> Result<bool, LengthError> {
     let known: M::Parameters<Interval> = Array::generate(Interval::ZERO, |k| Interval::from_f64(parameters[k]));
     let ends = [span.inputs, at.inputs];
-    let of = |s: f64, q: &[f64]| {
+    let branch_values_at = |s: f64, q: &[f64]| {
         let mut inputs = M::Inputs::<f64>::filled(Signal::constant(0.0));
         write_inputs_within(inputs.as_mut(), ends, s, f64::from);
-        let there = Instant { t: time_within(at.t, span.h, s), inputs: inputs.as_ref() };
-        BranchValues::at(mechanism, parameters, &there, q)
+        let instant = Instant { t: time_within(at.t, span.h, s), inputs: inputs.as_ref() };
+        BranchValues::at(mechanism, parameters, &instant, q)
     };
-    let (first, last) = (of(0.0, span.ends[0])?, of(1.0, span.ends[2])?);
+    let (first, last) = (branch_values_at(0.0, span.ends[0])?, branch_values_at(1.0, span.ends[2])?);
     let zeros = M::Coordinates::<Interval>::filled(Interval::ZERO);
     let (mut box_of_part, mut turns) = (zeros, zeros);
     let mut q = M::Coordinates::<f64>::filled(0.0);
@@ -110,7 +110,7 @@ pub(crate) fn bends_are_followed<M: Mechanism>(
         },
         &mut |s| {
             on_cubic(q.as_mut(), span.ends, span.h, s);
-            let between = of(s, q.as_ref())?;
+            let between = branch_values_at(s, q.as_ref())?;
             let branch_values = [first.as_ref(), between.as_ref(), last.as_ref()];
             Ok(certainty_between(modes.as_ref(), branch_values, M::model().plan.modes.len()) >= 0.0)
         },

@@ -82,18 +82,18 @@ pub(crate) fn certainty_at_samples<M: Mechanism, V: Compare>(
 ) -> Result<V, LengthError> {
     let first_group = if M::CLOSED_ROWS_TURN { 0 } else { M::model().plan.modes.len() };
     let mut inputs = M::Inputs::<V>::filled(Signal::constant(V::from_f64(0.0)));
-    let mut of = |s: f64, q: &[V]| {
+    let mut branch_values_at = |s: f64, q: &[V]| {
         let s = V::from_f64(s);
         write_inputs_within(inputs.as_mut(), [from, at.inputs], s, |x| x);
-        let there = Instant { t: time_within(at.t, h, s), inputs: inputs.as_ref() };
-        BranchValues::at(mechanism, parameters, &there, q)
+        let instant = Instant { t: time_within(at.t, h, s), inputs: inputs.as_ref() };
+        BranchValues::at(mechanism, parameters, &instant, q)
     };
-    let (first, last) = (of(0.0, ends[0])?, of(1.0, ends[2])?);
+    let (first, last) = (branch_values_at(0.0, ends[0])?, branch_values_at(1.0, ends[2])?);
     let mut certainty = V::from_f64(1.0);
     let mut q = M::Coordinates::<V>::filled(V::from_f64(0.0));
     for s in even_fractions() {
         on_cubic(q.as_mut(), ends, h, s);
-        let between = of(s, q.as_ref())?;
+        let between = branch_values_at(s, q.as_ref())?;
         let branch_values = [first.as_ref(), between.as_ref(), last.as_ref()];
         certainty = least_or_nan(certainty, certainty_between(modes.as_ref(), branch_values, first_group));
     }

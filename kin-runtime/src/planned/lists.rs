@@ -113,9 +113,9 @@ impl<M: Mechanism, T: Scalar> Modes<M, T> {
 impl<M: Mechanism> Modes<M> {
     /// The modes of one lane.
     pub(crate) fn lane_of<V: Compare>(modes: &Modes<M, V>, lane: usize) -> Self {
-        let mut own = Self::filled(0.0);
-        write_lane(own.as_mut(), modes.as_ref(), lane);
-        own
+        let mut modes_of_lane = Self::filled(0.0);
+        write_lane(modes_of_lane.as_mut(), modes.as_ref(), lane);
+        modes_of_lane
     }
 }
 

@@ -188,9 +188,9 @@ impl<'m, M: Mechanism> Planned<'m, M> {
     /// # Errors
     /// [`PlanError::UnknownMode`].
     pub fn flip<'k>(&mut self, mode: impl Into<ModeKey<'k>>) -> Result<(), PlanError> {
-        let (sign, asked) = self.mode_mut(mode.into())?;
+        let (sign, requested) = self.mode_mut(mode.into())?;
         *sign = -*sign;
-        *asked = 1.0;
+        *requested = 1.0;
         self.follower.starts_anew = true;
         Ok(())
     }
@@ -200,8 +200,9 @@ impl<'m, M: Mechanism> Planned<'m, M> {
         let modes = M::model().plan.modes;
         let index = mode.index_in(modes).ok_or(PlanError::UnknownMode { modes })?;
         let follower = &mut self.follower;
-        let both = follower.branch.modes.as_mut().get_mut(index).zip(follower.requested.as_mut().get_mut(index));
-        both.ok_or(PlanError::UnknownMode { modes })
+        let sign_and_request =
+            follower.branch.modes.as_mut().get_mut(index).zip(follower.requested.as_mut().get_mut(index));
+        sign_and_request.ok_or(PlanError::UnknownMode { modes })
     }
 
     /// The sign of a mode: as requested since the last accepted state, or else that of this state.

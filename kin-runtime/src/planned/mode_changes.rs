@@ -23,26 +23,26 @@ const MAX_COMBINED_MODES: usize = 6;
 /// these rows do not depend keeps its sign, whatever its prediction is.
 pub(crate) struct Passed<'c> {
     /// The current signs.
-    kept: &'c [f64],
+    signs: &'c [f64],
     /// Indices of the modes that may have changed their sign.
     near: [usize; MAX_COMBINED_MODES],
     count: usize,
 }
 
 impl<'c> Passed<'c> {
-    /// Selects the groups whose branch values at the prediction are near 0 or beyond it. `kept` are the current signs;
+    /// Selects the groups whose branch values at the prediction are near 0 or beyond it. `signs` are the current signs;
     /// modes with a non-zero element in `requested` were requested by the caller and do not change (an empty list
     /// requests nothing).
-    pub(crate) fn new(kept: &'c [f64], branch_values: &[f64], requested: &[f64]) -> Self {
+    pub(crate) fn new(signs: &'c [f64], branch_values: &[f64], requested: &[f64]) -> Self {
         let (mut near, mut count) = ([0; MAX_COMBINED_MODES], 0);
-        for (index, (sign, value)) in kept.iter().zip(branch_values).enumerate() {
+        for (index, (sign, value)) in signs.iter().zip(branch_values).enumerate() {
             let free = requested.get(index).is_none_or(|requested| *requested == 0.0);
             if free && (value.abs() < UNDECIDED_VALUE || sign * value < 0.0) && count < MAX_COMBINED_MODES {
                 near[count] = index;
                 count += 1;
             }
         }
-        Self { kept, near, count }
+        Self { signs, near, count }
     }
 
     /// The attempts, as bit sets of the modes that change their sign; smaller sets come first.
@@ -53,7 +53,7 @@ impl<'c> Passed<'c> {
 
     /// Writes the signs of an attempt.
     pub(crate) fn signs(&self, attempt: u32, signs: &mut [f64]) {
-        signs.copy_from_slice(self.kept);
+        signs.copy_from_slice(self.signs);
         for (bit, &index) in self.near[..self.count].iter().enumerate() {
             if attempt >> bit & 1 == 1 {
                 signs[index] = -signs[index];

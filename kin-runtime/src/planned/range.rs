@@ -200,20 +200,20 @@ impl<M: Mechanism> Planned<'_, M> {
         }
         let mechanism = self.mechanism.get();
         (0..M::INPUTS).find_map(|k| {
-            let asked = at.inputs.get(k)?.value;
+            let requested = at.inputs.get(k)?.value;
             let held = self.follower.inputs.as_ref().get(k).copied()?;
-            if asked == held.value {
+            if requested == held.value {
                 return None;
             }
-            let mut others = M::Inputs::<f64>::filled(Signal::constant(0.0));
-            others.as_mut().iter_mut().zip(at.inputs).for_each(|(to, u)| *to = Signal::constant(u.value));
-            *others.as_mut().get_mut(k)? = Signal::constant(held.value);
+            let mut inputs = M::Inputs::<f64>::filled(Signal::constant(0.0));
+            inputs.as_mut().iter_mut().zip(at.inputs).for_each(|(to, u)| *to = Signal::constant(u.value));
+            *inputs.as_mut().get_mut(k)? = Signal::constant(held.value);
             let mut moved = Planned { mechanism: MaybeOwned::Borrowed(mechanism), follower: self.follower };
-            let instant = Instant { t: moved.t(), inputs: others.as_ref() };
+            let instant = Instant { t: moved.t(), inputs: inputs.as_ref() };
             // If the mechanism does not close with the new values of the others either, these keep their old values.
             let _ = moved.at(&instant);
             let range = moved.range_of(Input(k)).ok()?;
-            (!range.contains(asked)).then_some(OutOfRange { value: asked, range })
+            (!range.contains(requested)).then_some(OutOfRange { value: requested, range })
         })
     }
 }

@@ -103,7 +103,7 @@ fn seen<M: Mechanism>(point: Point) -> Result<[usize; 2], LengthError> {
 /// Σ o_q q̇ of an observable; the pattern is sorted by rows.
 fn along<M: Mechanism>(row: usize, phi_q: &[f64], rates: &[f64]) -> f64 {
     let entries = M::model().observable_pattern.entries;
-    let first = entries.partition_point(|&(of, _)| of < row);
-    let of_row = entries.iter().zip(phi_q).skip(first).take_while(|((of, _), _)| *of == row);
+    let first = entries.partition_point(|&(other, _)| other < row);
+    let of_row = entries.iter().zip(phi_q).skip(first).take_while(|((other, _), _)| *other == row);
     of_row.map(|(&(_, column), entry)| entry * rates[column]).sum()
 }

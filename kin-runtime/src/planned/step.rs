@@ -69,11 +69,12 @@ impl Step {
     pub fn bodies(&self) -> impl Iterator<Item = &'static str> + use<> {
         let (model, info) = (self.model, self.info());
         let places = move |body: usize| {
-            let of = |&(k, _): &(usize, usize)| match model.coordinates.get(k).map(|coordinate| coordinate.kind) {
-                Some(CoordinateKind::Pose { body: of, .. }) => of == body,
-                _ => false,
-            };
-            info.coordinates.iter().any(of)
+            let is_pose_of_body =
+                |&(k, _): &(usize, usize)| match model.coordinates.get(k).map(|coordinate| coordinate.kind) {
+                    Some(CoordinateKind::Pose { body: other, .. }) => other == body,
+                    _ => false,
+                };
+            info.coordinates.iter().any(is_pose_of_body)
         };
         model.bodies.iter().enumerate().filter(move |(body, _)| places(*body)).map(|(_, body)| body.name)
     }
@@ -82,11 +83,11 @@ impl Step {
     /// of the bodies to which it is attached. Empty where these cannot be determined, in mechanisms of more than 1024
     /// coordinates.
     pub fn drivers(&self) -> impl Iterator<Item = &'static str> + use<> {
-        let (model, own, moving) = (self.model, self.info().joints, self.coordinates_before());
+        let (model, own_joints, moving) = (self.model, self.info().joints, self.coordinates_before());
         let drives = move |joint: usize| model.rows.iter().any(|row| row.joint == joint && row.driving);
-        let inside = own.iter().any(|&joint| drives(joint));
+        let inside = own_joints.iter().any(|&joint| drives(joint));
         let belongs = move |joint: usize| match inside {
-            true => own.contains(&joint),
+            true => own_joints.contains(&joint),
             false => model.plan.steps.iter().any(|step| {
                 step.joints.contains(&joint) && step.coordinates.iter().any(|&(k, _)| contains(&moving, k))
             }),

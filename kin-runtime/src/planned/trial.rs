@@ -37,9 +37,9 @@ impl<M: Mechanism> PlanFollower<M> {
         if !mode_changes::is_missed(plan, self.trial().margins.as_ref()) {
             return Ok(false);
         }
-        let kept = self.branch.modes;
+        let current_modes = self.branch.modes;
         let branch_values = BranchValues::at(mechanism, self.parameters.as_ref(), at, self.predicted.as_ref())?;
-        let passed = Passed::new(kept.of_closures(), branch_values.as_ref(), self.requested.as_ref());
+        let passed = Passed::new(current_modes.of_closures(), branch_values.as_ref(), self.requested.as_ref());
         for attempt in passed.attempts() {
             passed.signs(attempt, self.branch.modes.of_closures_mut());
             if self.solve_in_modes(mechanism, at)? {
@@ -47,7 +47,7 @@ impl<M: Mechanism> PlanFollower<M> {
             }
         }
         // The solution in the current modes is computed again, because error messages refer to it.
-        self.branch.modes = kept;
+        self.branch.modes = current_modes;
         self.solve_in_modes(mechanism, at)
     }
 
@@ -60,9 +60,9 @@ impl<M: Mechanism> PlanFollower<M> {
     /// The turn of a step of the length h from `here` in which its bodies turn by `turn`: that of the rows, if it is
     /// larger. Iterated groups are looked at within the step instead (see [`rows_are_followed`](Self::rows_are_followed)).
     #[inline]
-    pub(super) fn with_rows(&self, turn: f64, here: &PlanSolution<M>, h: f64) -> f64 {
+    pub(super) fn with_rows(&self, turn: f64, state: &PlanSolution<M>, h: f64) -> f64 {
         match self.rows_turn_alone && !M::model().plan.iterates() {
-            true => turn.max(largest_turn([here.q_dot.as_ref(), here.q_ddot.as_ref()], self.turns.as_ref(), h)),
+            true => turn.max(largest_turn([state.q_dot.as_ref(), state.q_ddot.as_ref()], self.turns.as_ref(), h)),
             false => turn,
         }
     }
@@ -75,7 +75,7 @@ impl<M: Mechanism> PlanFollower<M> {
         &self,
         mechanism: &M,
         at: &Instant<'_>,
-        here: &PlanSolution<M>,
+        state: &PlanSolution<M>,
         (from, h): (&[Signal], f64),
         control: &Control,
     ) -> Result<bool, LengthError> {
@@ -87,7 +87,7 @@ impl<M: Mechanism> PlanFollower<M> {
             parameters: self.parameters.as_ref(),
             modes: &self.branch.modes,
             turns: self.turns.as_ref(),
-            before: [here.q.as_ref(), here.q_dot.as_ref(), here.q_ddot.as_ref()],
+            before: [state.q.as_ref(), state.q_dot.as_ref(), state.q_ddot.as_ref()],
             predicted: self.predicted.as_ref(),
             tried: [tried.q.as_ref(), tried.q_dot.as_ref()],
             inputs: from,
@@ -134,8 +134,8 @@ impl<M: Mechanism> PlanFollower<M> {
         at: &Instant<'_>,
         predicted: &[f64],
     ) -> Result<Option<usize>, LengthError> {
-        let of = |q: &[f64]| BranchValues::at(mechanism, self.parameters.as_ref(), at, q);
-        let (foretold, found) = (of(predicted)?, of(self.trial().q.as_ref())?);
+        let branch_values_at = |q: &[f64]| BranchValues::at(mechanism, self.parameters.as_ref(), at, q);
+        let (foretold, found) = (branch_values_at(predicted)?, branch_values_at(self.trial().q.as_ref())?);
         Ok(first_uncertain(self.branch.modes.as_ref(), foretold.as_ref(), found.as_ref()))
     }
 }

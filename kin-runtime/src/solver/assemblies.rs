@@ -237,10 +237,10 @@ fn is_turned(model: &Model, closure: &Certificate, other: &Certificate) -> bool 
 /// The largest difference of two configurations up to whole turns of angles, relative to a radian and to the size of
 /// the mechanism.
 pub(super) fn difference(model: &Model, a: &[f64], b: &[f64], length: f64) -> f64 {
-    let of = |(k, (a, b)): (usize, (&f64, &f64))| {
+    let distance = |(k, (a, b)): (usize, (&f64, &f64))| {
         let turns =
             if is_angle(model, k) { ((a - b) / std::f64::consts::TAU).round() * std::f64::consts::TAU } else { 0.0 };
         (a - b - turns).abs() / if is_length(model, k) { length } else { 1.0 }
     };
-    a.iter().zip(b).enumerate().map(of).fold(0.0, f64::max)
+    a.iter().zip(b).enumerate().map(distance).fold(0.0, f64::max)
 }

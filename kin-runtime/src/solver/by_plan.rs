@@ -117,13 +117,13 @@ impl<M: Mechanism> Solver<'_, M> {
     /// The guesses, NaN for coordinates without one; `None` if one is not finite or for a coordinate that does not
     /// exist.
     fn guessed(&self, parameters: &M::Parameters<f64>) -> Option<M::Coordinates<f64>> {
-        let own = M::model().guesses;
+        let guessed_coordinates = M::model().guesses;
         // There are never more guesses than coordinates.
         let mut values = M::Coordinates::<f64>::filled(0.0);
-        let values = values.as_mut().get_mut(..own.len())?;
+        let values = values.as_mut().get_mut(..guessed_coordinates.len())?;
         self.mechanism.write_guesses(parameters.as_ref(), values).ok()?;
         let mut guess = M::Coordinates::<f64>::filled(f64::NAN);
-        write_guess(own, values, &self.settings.guesses, guess.as_mut())?;
+        write_guess(guessed_coordinates, values, &self.settings.guesses, guess.as_mut())?;
         Some(guess)
     }
 
@@ -311,8 +311,13 @@ const STACK_ROWS: usize = 64;
 
 /// Writes the mechanism's own guesses and those of the caller, which prevail; `None` if one of these is not finite or
 /// for a coordinate that does not exist.
-fn write_guess(own: &[usize], values: &[f64], guesses: &[(usize, f64)], guess: &mut [f64]) -> Option<()> {
-    for (&coordinate, &value) in own.iter().zip(values) {
+fn write_guess(
+    guessed_coordinates: &[usize],
+    values: &[f64],
+    guesses: &[(usize, f64)],
+    guess: &mut [f64],
+) -> Option<()> {
+    for (&coordinate, &value) in guessed_coordinates.iter().zip(values) {
         *guess.get_mut(coordinate)? = value;
     }
     for &(coordinate, value) in guesses {

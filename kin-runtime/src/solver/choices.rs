@@ -47,7 +47,8 @@ impl dyn AnySolver + '_ {
         let mut room = zeros(5 * n + plan.margins);
         let (margins, lists) = room.split_at_mut(plan.margins);
         let mut lists = lists.chunks_exact_mut(n.max(1));
-        let [Some(start), Some(q_dot), Some(q_ddot), Some(here), Some(there)] = [(); 5].map(|()| lists.next()) else {
+        let [Some(start), Some(q_dot), Some(q_ddot), Some(closure), Some(shifted)] = [(); 5].map(|()| lists.next())
+        else {
             return Some(Vec::new());
         };
         // Writes q from a shifted guess; returns whether it closes.
@@ -64,31 +65,31 @@ impl dyn AnySolver + '_ {
         let closes = (0..1_u32 << plan.modes.len().min(VARIED)).any(|combination| {
             let varied = signs.iter_mut().take(VARIED).enumerate();
             varied.for_each(|(k, sign)| *sign = if combination >> k & 1 == 0 { 1.0 } else { -1.0 });
-            solve(&signs, &|_| 0.0, here) == Some(true) && here.iter().all(|x| x.is_finite())
+            solve(&signs, &|_| 0.0, closure) == Some(true) && closure.iter().all(|x| x.is_finite())
         });
         if !closes {
             return Some(Vec::new());
         }
         // False for NaN, too.
-        let is_small = |k: usize, moved: f64| moved.abs() <= SAME_NUMBER * (1.0 + here[k].abs());
+        let is_small = |k: usize, moved: f64| moved.abs() <= SAME_NUMBER * (1.0 + closure[k].abs());
         let is_turned = |k: usize, moved: f64| is_small(k, moved - TAU * (moved / TAU).round());
         let is_same = |k: usize, moved: f64| is_small(k, moved) || is_angle(model, k) && is_turned(k, moved);
-        let moved = |there: &[f64], k: usize| there[k] - here[k];
+        let moved = |shifted: &[f64], k: usize| shifted[k] - closure[k];
         let all = 0..n;
         // Usually all starts lead to the same closure.
         let mut choices = false;
         for shift in START_SHIFTS {
-            solve(&signs, &|_| shift, there)?;
-            choices |= !all.clone().all(|k| is_same(k, moved(there, k)));
+            solve(&signs, &|_| shift, shifted)?;
+            choices |= !all.clone().all(|k| is_same(k, moved(shifted, k)));
         }
         let mut bounded = Vec::new();
         for k in all.clone().filter(|&k| choices && !is_length(model, k)) {
             for shift in START_SHIFTS {
-                solve(&signs, &|other| if other == k { shift } else { 0.0 }, there)?;
-                if !is_turned(k, moved(there, k)) {
+                solve(&signs, &|other| if other == k { shift } else { 0.0 }, shifted)?;
+                if !is_turned(k, moved(shifted, k)) {
                     return None;
                 }
-                let follows = all.clone().any(|other| other != k && !is_same(other, moved(there, other)));
+                let follows = all.clone().any(|other| other != k && !is_same(other, moved(shifted, other)));
                 if follows && !bounded.contains(&k) {
                     bounded.push(k);
                 }

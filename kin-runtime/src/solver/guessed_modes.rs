@@ -32,7 +32,7 @@ impl Guess<'_> {
             return None;
         }
         for (index, mode) in plan.modes.iter().enumerate() {
-            if let Some((.., sign)) = self.modes.iter().rev().find(|(_, asked, _)| *asked == Some(index)) {
+            if let Some((.., sign)) = self.modes.iter().rev().find(|(_, place, _)| *place == Some(index)) {
                 modes[index] = sign.value();
                 continue;
             }
@@ -54,13 +54,13 @@ impl Guess<'_> {
 
     /// The steps whose guessed coordinates determine the closure of the group that is solved in this step.
     fn steps_of(&self, group: usize) -> Option<&'static [PlanStep]> {
-        let (group, others) = self.model.plan.steps.get(group..)?.split_at_checked(1)?;
+        let (group, later_steps) = self.model.plan.steps.get(group..)?.split_at_checked(1)?;
         let is_guessed = |step: &PlanStep| step.coordinates.iter().any(|&(k, _)| self.is_guessed(k));
         if group.iter().any(is_guessed) {
             return Some(group);
         }
-        let following = others.iter().take_while(|step| step.is_linear()).count();
-        others.get(..following).filter(|steps| steps.iter().any(is_guessed))
+        let following = later_steps.iter().take_while(|step| step.is_linear()).count();
+        later_steps.get(..following).filter(|steps| steps.iter().any(is_guessed))
     }
 
     fn is_guessed(&self, k: usize) -> bool {

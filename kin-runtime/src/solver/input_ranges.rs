@@ -59,11 +59,11 @@ fn out_of_range(inputs: &[Signal], count: usize, fitted: &Fitted<'_>, range_of: 
         Some((inputs.get(k)?.value - fit).abs() / fit.abs().max(f64::MIN_POSITIVE))
     };
     all.sort_by(|&a, &b| departure(b).unwrap_or(0.0).total_cmp(&departure(a).unwrap_or(0.0)));
-    let first = |others: &[Signal]| {
+    let first = |inputs_held: &[Signal]| {
         all.iter().find_map(|&k| {
-            let asked = inputs.get(k)?.value;
-            let range = range_of(&fitted(&[k], others)?, Input(k))?;
-            (!range.contains(asked)).then_some(OutOfRange { value: asked, range })
+            let requested = inputs.get(k)?.value;
+            let range = range_of(&fitted(&[k], inputs_held)?, Input(k))?;
+            (!range.contains(requested)).then_some(OutOfRange { value: requested, range })
         })
     };
     first(inputs).or_else(|| first(at_guess.as_ref()?))

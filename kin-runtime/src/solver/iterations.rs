@@ -38,8 +38,8 @@ impl<M: Mechanism> Solver<'_, M> {
         if !begins_near(model, (start, &is_given), q, begun.as_mut()) {
             return false;
         }
-        let of = |q: &[f64]| BranchValues::<M>::at(self.mechanism, parameters.as_ref(), at, q);
-        let (Ok(first), Ok(last)) = (of(begun.as_ref()), of(q)) else { return false };
+        let branch_values_at = |q: &[f64]| BranchValues::<M>::at(self.mechanism, parameters.as_ref(), at, q);
+        let (Ok(first), Ok(last)) = (branch_values_at(begun.as_ref()), branch_values_at(q)) else { return false };
         let closures = model.plan.modes.len();
         first.as_ref().iter().zip(last.as_ref()).skip(closures).all(have_same_sign)
     }
@@ -61,13 +61,13 @@ fn begins_near(
 ) -> bool {
     for step in model.plan.steps {
         let StepKind::Newton(unknowns) = step.kind else { continue };
-        let (unknowns, others) = step.coordinates.split_at_checked(unknowns).unwrap_or_default();
+        let (unknowns, solved_later) = step.coordinates.split_at_checked(unknowns).unwrap_or_default();
         let has_scalar = unknowns.iter().any(|&(k, _)| model.coordinates[k].kind == CoordinateKind::Scalar);
         if has_scalar && !unknowns.iter().all(|&(k, _)| is_near(model.coordinates[k].kind, start[k], q[k])) {
             return false;
         }
         unknowns.iter().for_each(|&(k, _)| begun[k] = start[k]);
-        others.iter().filter(|(k, _)| is_given(*k)).for_each(|&(k, _)| begun[k] = start[k]);
+        solved_later.iter().filter(|(k, _)| is_given(*k)).for_each(|&(k, _)| begun[k] = start[k]);
     }
     model.iterated_angles().all(|k| (q[k] - start[k]).abs() <= PI)
 }

@@ -135,9 +135,9 @@ impl<'m, M: Mechanism> Solver<'m, M> {
 
 /// The guesses of the mechanism, with these values, and those that override them, for every coordinate.
 fn overridden(model: &Model, values: &[f64], guesses: &[(usize, f64)]) -> Vec<Option<f64>> {
-    let own = model.guesses.iter().copied().zip(values.iter().copied());
+    let declared = model.guesses.iter().copied().zip(values.iter().copied());
     let mut guess = vec![None; model.coordinates.len()];
-    for (coordinate, value) in own.chain(guesses.iter().copied()) {
+    for (coordinate, value) in declared.chain(guesses.iter().copied()) {
         if let Some(place) = guess.get_mut(coordinate) {
             *place = Some(value);
         }

@@ -66,7 +66,7 @@ fn reaction_of(info: &ReactionInfo, values: &[f64], determined: &[bool], shown: 
     let moment = info.has_moment.then(|| next(1));
     let couples: Vec<usize> = info.couples.iter().map(|_| next(1)).collect();
     let generalized: Vec<usize> = (0..info.generalized).map(|_| next(1)).collect();
-    let [normal, tangential] = [info.has_normal, info.has_tangential].map(|there| there.then(|| next(1)));
+    let [normal, tangential] = [info.has_normal, info.has_tangential].map(|is_present| is_present.then(|| next(1)));
     let known = |places: &[usize]| places.iter().all(|&index| shown[index]);
     let pair = |index: usize| [values[index], values[index + 1]];
     let all: Vec<usize> = (info.place..index).collect();

@@ -64,7 +64,11 @@ fn inputs(
         write(&inputs, &mut moving)?;
         inputs[k].rate = 0.0;
         let by_input = |place: usize| moving[place + 1] - still[place + 1];
-        let effort = info.efforts.iter().map(|of| numbers.values[of.place] * by_input(of.place)).sum();
+        let effort = info
+            .efforts
+            .iter()
+            .map(|info_of_effort| numbers.values[info_of_effort.place] * by_input(info_of_effort.place))
+            .sum();
         efforts.push(Effort { name, effort: Some(effort), rate: input.rate, determined: true });
     }
     Ok(efforts)
@@ -74,8 +78,8 @@ fn inputs(
 pub(crate) fn loads(equations: &Equations<'_>, state: &State) -> Result<Vec<Load>, SolveError> {
     let model = equations.model;
     let info = model.forces.ok_or(SolveError::NoLoads { mechanism: model.name })?;
-    for (what, list) in [("q", &state.q), ("q_dot", &state.q_dot)] {
-        equations.check(what, list)?;
+    for (name, list) in [("q", &state.q), ("q_dot", &state.q_dot)] {
+        equations.check(name, list)?;
     }
     let mut numbers = vec![0.0; info.loads.last().map_or(0, LoadInfo::end)];
     equations.system.loads(&state.instant(), state, &mut numbers)?;
@@ -94,8 +98,8 @@ pub(crate) fn numbers(
     state: &State,
     sharing: Sharing,
 ) -> Result<Numbers, SolveError> {
-    for (what, list) in [("q", &state.q), ("q_dot", &state.q_dot), ("q_ddot", &state.q_ddot)] {
-        equations.check(what, list)?;
+    for (name, list) in [("q", &state.q), ("q_dot", &state.q_dot), ("q_ddot", &state.q_ddot)] {
+        equations.check(name, list)?;
     }
     let numbers = match by_plan(equations, info, state)? {
         Some(values) => {
@@ -139,8 +143,8 @@ fn by_plan(equations: &mut Equations<'_>, info: &ForceModel, state: &State) -> R
     }
     let coordinates = equations.model.coordinates;
     let largest = |list: &[f64], of_lengths: bool| {
-        let own = list.iter().enumerate().filter(|(k, _)| coordinates[*k].kind.is_length() == of_lengths);
-        own.fold(0.0, |largest: f64, (_, x)| if x.is_nan() { f64::INFINITY } else { largest.max(x.abs()) })
+        let entries_of_kind = list.iter().enumerate().filter(|(k, _)| coordinates[*k].kind.is_length() == of_lengths);
+        entries_of_kind.fold(0.0, |largest: f64, (_, x)| if x.is_nan() { f64::INFINITY } else { largest.max(x.abs()) })
     };
     let closes = [true, false].into_iter().all(|kind| largest(&rest, kind) <= LEFT_OVER * largest(&r, kind));
     let finite = values.iter().all(|value| value.is_finite());
@@ -206,8 +210,8 @@ fn not_finite(equations: &Equations<'_>, state: &State) -> Option<SolveError> {
 /// The reason why no multipliers balance r: the configuration is singular, or degrees of freedom are open.
 fn not_held(equations: &mut Equations<'_>, state: &State, scaled: &DMatrix<f64>) -> Result<SolveError, SolveError> {
     let columns = vec![1.0; scaled.nrows()];
-    let here = Factorization::absolute(&scaled.transpose(), &columns, equations.options.rank_tolerance);
-    if let Some(error @ SolveError::Singular { .. }) = diagnose(equations, &state.q, &here) {
+    let factor = Factorization::absolute(&scaled.transpose(), &columns, equations.options.rank_tolerance);
+    if let Some(error @ SolveError::Singular { .. }) = diagnose(equations, &state.q, &factor) {
         return Ok(unbounded(equations.model, error));
     }
     let open = mobility(equations, &state.q)?;

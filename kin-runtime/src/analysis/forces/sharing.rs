@@ -57,7 +57,7 @@ impl Shared {
             Ok(DVector::from_vec(values))
         };
         let (weights, counted) = weights(equations.model, info, equations.scale.length);
-        let here = numbers(&self.unscaled(&self.least))?;
+        let numbers_now = numbers(&self.unscaled(&self.least))?;
         // Null vectors are scaled to the size of the multipliers, so that rounding of forces that do not change stays
         // relatively small.
         let size = if self.least.amax() > 0.0 { self.least.amax() } else { 1.0 };
@@ -65,7 +65,7 @@ impl Shared {
         let mut changes = DMatrix::zeros(count, free);
         for (k, vector) in self.null.column_iter().enumerate() {
             let moved = numbers(&self.unscaled(&(&self.least + vector * size)))?;
-            changes.set_column(k, &(moved - &here).component_mul(&weights));
+            changes.set_column(k, &(moved - &numbers_now).component_mul(&weights));
         }
         let largest = changes.amax();
         self.determined = changes.row_iter().map(|change| change.amax() <= ZERO_CHANGE * largest).collect();
@@ -78,7 +78,7 @@ impl Shared {
             None => size * self.null[(other[i - forces.len()], j)],
         });
         let right = DVector::from_fn(matrix.nrows(), |i, _| match forces.get(i) {
-            Some(&index) => -here[index] * weights[index],
+            Some(&index) => -numbers_now[index] * weights[index],
             None => -self.least[other[i - forces.len()]],
         });
         let scale = matrix.amax().max(f64::MIN_POSITIVE);

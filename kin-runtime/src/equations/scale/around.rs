@@ -25,9 +25,9 @@ const SMALLEST_ANGLE_COLUMN: f64 = 1e-3;
 impl Scale {
     /// The scales at the current instant, from configurations around `q`, an assembled configuration.
     pub(crate) fn around(equations: &mut Equations<'_>, q: &[f64]) -> Self {
-        let kept = kept_distances(equations);
+        let distances = kept_distances(equations);
         let curves: Vec<usize> = equations.rows_of_implicit_curves().collect();
-        Self::from_samples(equations, q, &kept, &curves)
+        Self::from_samples(equations, q, &distances, &curves)
     }
 
     /// The scales at the current instant, from configurations around `q` in which distances may be far from those that
@@ -39,12 +39,12 @@ impl Scale {
     /// The scales from samples around `q`. The rows `kept` are d² − e² with a constant e: their entries are as large as d,
     /// which is e in every solution, but larger in most samples where e is small compared with the rest of the mechanism.
     /// Of the rows `curves` of implicit curves, the samples near q show how large the entries are beside the curve.
-    fn from_samples(equations: &mut Equations<'_>, q: &[f64], kept: &[(usize, f64)], curves: &[usize]) -> Self {
+    fn from_samples(equations: &mut Equations<'_>, q: &[f64], distances: &[(usize, f64)], curves: &[usize]) -> Self {
         let (s, n) = (equations.rows(), equations.coordinates());
         let length = typical_length(equations);
         let spread: Vec<f64> = (0..n).map(|k| spread(equations, k, q[k], length)).collect();
         let entries = equations.model.constraint_pattern.entries;
-        let mut sizes = typical_sizes(equations, (q, &spread), kept);
+        let mut sizes = typical_sizes(equations, (q, &spread), distances);
         if !curves.is_empty() {
             let narrow: Vec<f64> = spread.iter().map(|width| NEAR_CURVE * width).collect();
             let near = typical_sizes(equations, (q, &narrow), &[]);
@@ -57,8 +57,8 @@ impl Scale {
             };
             for &row in curves {
                 let share = largest(row, &near) / (NEAR_CURVE * largest(row, &sizes));
-                let own = sizes.iter_mut().zip(entries).filter(|(_, entry)| entry.0 == row && share < 1.0);
-                own.for_each(|(size, _)| *size *= share);
+                let sizes_of_row = sizes.iter_mut().zip(entries).filter(|(_, entry)| entry.0 == row && share < 1.0);
+                sizes_of_row.for_each(|(size, _)| *size *= share);
             }
         }
         let mut typical: Vec<(usize, usize, f64)> =
@@ -96,8 +96,9 @@ impl Scale {
     /// before.
     fn raise_angles(&self, entries: &mut [(usize, usize, f64)]) {
         for &angle in &self.angles {
-            let own = entries.iter().filter(|entry| entry.1 == angle);
-            let largest = own.map(|&(i, j, size)| size * self.rows[i] * self.columns[j]).fold(0.0, f64::max);
+            let entries_of_angle = entries.iter().filter(|entry| entry.1 == angle);
+            let largest =
+                entries_of_angle.map(|&(i, j, size)| size * self.rows[i] * self.columns[j]).fold(0.0, f64::max);
             let missing = SMALLEST_ANGLE_COLUMN / largest;
             if missing > 1.0 && missing.is_finite() {
                 entries.iter_mut().filter(|entry| entry.1 == angle).for_each(|entry| entry.2 *= missing);
@@ -130,7 +131,7 @@ impl Scale {
     /// Makes the median column scale of angles 1; without angles that of lengths the typical length; without poses the
     /// smallest scale of scalars 1.
     fn normalise(&mut self, equations: &Equations<'_>) {
-        let of = |wanted: fn(CoordinateKind) -> bool| {
+        let typical_scale = |wanted: fn(CoordinateKind) -> bool| {
             let mut scales: Vec<f64> = equations
                 .model
                 .coordinates
@@ -142,7 +143,7 @@ impl Scale {
             (!scales.is_empty()).then(|| median_of_nonzero(&mut scales))
         };
         let poses = |kind| matches!(kind, CoordinateKind::Pose { .. });
-        let factor = match (of(CoordinateKind::is_angle), of(poses), of(|_| true)) {
+        let factor = match (typical_scale(CoordinateKind::is_angle), typical_scale(poses), typical_scale(|_| true)) {
             (Some(angle), _, _) => angle,
             (None, Some(pose), _) => pose / self.length,
             // In a mechanism in millimetres, scalars that are angles have larger entries than those that are lengths.
@@ -193,7 +194,7 @@ fn kept_distances(equations: &Equations<'_>) -> Vec<(usize, f64)> {
 
 /// The typical size of every entry of Φ_q around `q`, each coordinate within its `spread`. The rows `kept` are d² − e² with
 /// a constant e, and their entries are those of d = e.
-fn typical_sizes(equations: &mut Equations<'_>, (q, spread): (&[f64], &[f64]), kept: &[(usize, f64)]) -> Vec<f64> {
+fn typical_sizes(equations: &mut Equations<'_>, (q, spread): (&[f64], &[f64]), distances: &[(usize, f64)]) -> Vec<f64> {
     let mut random = Random::new(0x5ca1e);
     let entries = equations.model.constraint_pattern.entries;
     let mut sizes = vec![[0.0; SAMPLES]; entries.len()];
@@ -201,7 +202,7 @@ fn typical_sizes(equations: &mut Equations<'_>, (q, spread): (&[f64], &[f64]), k
     let mut shares = vec![1.0; equations.rows()];
     for k in 0..SAMPLES {
         if equations.evaluate(Subset::POSITION, &sample, None).is_ok() {
-            for &(row, e) in kept {
+            for &(row, e) in distances {
                 shares[row] = (e / (equations.phi[row] + e * e).max(0.0).sqrt()).min(1.0);
             }
             let typical = sizes.iter_mut().zip(entries).zip(&equations.phi_q);

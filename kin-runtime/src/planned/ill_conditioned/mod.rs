@@ -79,8 +79,8 @@ impl<M: Mechanism> PlanFollower<M> {
         let further = QUOTIENT_ANGLE / largest_angle(M::model(), turns, q_dot);
         let mut ahead = self.trial().q;
         advance(ahead.as_mut(), q_dot, further);
-        let of = |q: &[f64]| BranchValues::<M>::at(mechanism, self.parameters.as_ref(), at, q).ok();
-        let (now, mut rates) = (of(q)?, of(ahead.as_ref())?);
+        let branch_values_at = |q: &[f64]| BranchValues::<M>::at(mechanism, self.parameters.as_ref(), at, q).ok();
+        let (now, mut rates) = (branch_values_at(q)?, branch_values_at(ahead.as_ref())?);
         write_slopes(rates.as_mut(), now.as_ref(), further);
         let mut approaches = Distances::<M>::filled(0.0);
         // Where nothing turns, nothing approaches anything.
@@ -115,10 +115,10 @@ impl<M: Mechanism> PlanFollower<M> {
         let t = at.t;
         let group = self.ill_conditioned(mechanism, at);
         let place = group.and_then(|group| M::model().plan.margin_of_group(group)).unwrap_or(0);
-        let here = *self.trial();
-        let margin = here.margins.as_ref()[place];
+        let solution = *self.trial();
+        let margin = solution.margins.as_ref()[place];
         // The crossing may lie before or after this instant.
-        let blocked = Blocked { interval: [t, t], here, fault: None };
+        let blocked = Blocked { interval: [t, t], state: solution, fault: None };
         let mut found = None;
         for side in [-1.0, 1.0] {
             let course = Around { instant: *at, from: t + side * (1.0 + t.abs()) };
@@ -175,9 +175,9 @@ pub(crate) fn ill_conditioned_group(
     turns: &[f64],
 ) -> Option<usize> {
     let plan = &model.plan;
-    let of = |step: &'static PlanStep| step.coordinates.iter().map(|&(k, _)| k);
-    let own = |step: usize, rates: &[f64]| {
-        largest_of(model, turns, &mut plan.steps.iter().skip(step).take(1).flat_map(of), rates)
+    let indices = |step: &'static PlanStep| step.coordinates.iter().map(|&(k, _)| k);
+    let largest_of_step = |step: usize, rates: &[f64]| {
+        largest_of(model, turns, &mut plan.steps.iter().skip(step).take(1).flat_map(indices), rates)
     };
     // The rate of the steps that drive a group; groups near their own limits are left out, since they move as fast as
     // this one.
@@ -185,7 +185,7 @@ pub(crate) fn ill_conditioned_group(
         |step: usize| groups_of(plan).enumerate().any(|(k, other)| other == step && distances[k] < CHECKED_DISTANCE);
     let drive = |step: usize| {
         let steps = plan.steps.iter().take(step).enumerate().filter(|(step, _)| !is_near(*step));
-        largest_of(model, turns, &mut steps.flat_map(|(_, step)| of(step)), q_dot)
+        largest_of(model, turns, &mut steps.flat_map(|(_, step)| indices(step)), q_dot)
     };
     let meet = |group: &usize| {
         let distance = distances[*group];
@@ -193,10 +193,10 @@ pub(crate) fn ill_conditioned_group(
             return false;
         }
         let step = plan.modes[*group].step;
-        let (before, moves) = (drive(step), own(step, q_dot));
+        let (before, moves) = (drive(step), largest_of_step(step, q_dot));
         let apart = distance / PINS_APART;
         let noise = f64::EPSILON / (apart * apart * apart) * before * before;
-        let largest = own(step, q_ddot).max(moves * moves).max(before * before);
+        let largest = largest_of_step(step, q_ddot).max(moves * moves).max(before * before);
         // The comparisons are written so that NaN counts as not clear. A drive that turns nothing has no rate to
         // compare with.
         let passes = before > 0.0 && moves >= FAST_PASSAGE * before && noise <= NOISE_OF_PINS * largest;
@@ -212,7 +212,8 @@ pub(crate) fn ill_conditioned_group(
     let mut near =
         groups_of(plan).enumerate().filter(|(group, step)| distances[*group] < CHECKED_DISTANCE && !is_linear(*step));
     near.find_map(|(group, step)| {
-        let (before, mut moves, acceleration) = (drive(step), own(step, q_dot), own(step, q_ddot));
+        let (before, mut moves, acceleration) =
+            (drive(step), largest_of_step(step, q_dot), largest_of_step(step, q_ddot));
         if moves <= TURNING * fastest {
             moves = 0.0;
         }
@@ -221,7 +222,7 @@ pub(crate) fn ill_conditioned_group(
         if distance < PINS * groups[group].abs() && group < plan.modes.len() {
             return None;
         }
-        let any = |of_kind: &dyn Fn(usize) -> bool| plan.steps.iter().skip(step).take(1).flat_map(of).any(of_kind);
+        let any = |of_kind: &dyn Fn(usize) -> bool| plan.steps.iter().skip(step).take(1).flat_map(indices).any(of_kind);
         let (has_angles, turns_rows) =
             (any(&|k| is_angle(model, k)), any(&|k| turns.get(k).is_some_and(|turn| *turn > 0.0)));
         let angle = |velocity: f64| velocity * (distance / rates_of_groups[group]).abs();

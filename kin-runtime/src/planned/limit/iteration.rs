@@ -29,16 +29,16 @@ impl<M: Mechanism> PlanFollower<M> {
         if !M::model().plan.iterates() {
             return None;
         }
-        self.predicted = blocked.here.q;
+        self.predicted = blocked.state.q;
         let mut inputs = M::Inputs::<f64>::filled(Signal::constant(0.0));
         if !self.solve_at(mechanism, course, blocked.interval[1], &mut inputs).unwrap_or(false) {
             return None;
         }
-        let (here, beyond) = (&blocked.here, self.trial());
+        let (last, beyond) = (&blocked.state, self.trial());
         let (index, margin) = iterated_that_changes(
             &M::model().plan,
-            [here.q.as_ref(), beyond.q.as_ref()],
-            [here.q_dot.as_ref(), beyond.q_dot.as_ref()],
+            [last.q.as_ref(), beyond.q.as_ref()],
+            [last.q_dot.as_ref(), beyond.q_dot.as_ref()],
         )?;
         let step = Step::new(M::model(), index)?;
         let located = Some(Located { at: reached, kind: None });
@@ -52,7 +52,8 @@ fn iterated_that_changes(plan: &Plan, q: [&[f64]; 2], q_dot: [&[f64]; 2]) -> Opt
     if changes(q, 1.0).next().is_some() {
         return None;
     }
-    let given_by = |k: usize| plan.steps.iter().position(|step| step.coordinates.iter().any(|of| of.0 == k));
+    let given_by =
+        |k: usize| plan.steps.iter().position(|step| step.coordinates.iter().any(|coordinate| coordinate.0 == k));
     let first = changes(q_dot, 0.0).filter_map(given_by).min();
     let is_iterated = |index: &usize| matches!(plan.steps[*index].kind, StepKind::Newton(_));
     let index = first.or_else(|| (0..plan.steps.len()).find(is_iterated)).filter(is_iterated)?;

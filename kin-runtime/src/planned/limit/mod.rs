@@ -83,21 +83,21 @@ impl<M: Mechanism> PlanFollower<M> {
         let mut inputs = M::Inputs::<f64>::filled(Signal::constant(0.0));
         let reached = course.at(blocked.interval[0], inputs.as_mut());
         let Some(fault) = blocked.fault else { return (PlanError::TooManySteps { t: reached, t_refused: t }, last) };
-        let there = Instant { t: reached, inputs: inputs.as_ref() };
-        if let Some(error) = self.coincident_points(mechanism, &there, blocked.here.q.as_ref()) {
+        let instant = Instant { t: reached, inputs: inputs.as_ref() };
+        if let Some(error) = self.coincident_points(mechanism, &instant, blocked.state.q.as_ref()) {
             return (error, last);
         }
         let plan = &M::model().plan;
         if let Rejection::Rounded(k) = fault {
             return (PlanError::rounded(M::model(), t, k), last);
         }
-        let rates = [blocked.here.q.as_ref(), blocked.here.q_dot.as_ref()];
+        let rates = [blocked.state.q.as_ref(), blocked.state.q_dot.as_ref()];
         if let Some(error) = self.end_of_row(mechanism, (course, last), rates, [reached, t]) {
             return (error, last);
         }
         let Some((of_margin, step)) = step_of(M::model(), fault) else {
-            self.predicted = blocked.here.q;
-            let why = match self.solve_in_modes(mechanism, at) {
+            self.predicted = blocked.state.q;
+            let error = match self.solve_in_modes(mechanism, at) {
                 Ok(false) => self.explain(at),
                 Ok(true) => match self.limit_of_iteration(mechanism, course, reached, blocked) {
                     Some(limit) => of_kind(t, limit),
@@ -105,13 +105,13 @@ impl<M: Mechanism> PlanFollower<M> {
                 },
                 Err(error) => error.into(),
             };
-            return (why, last);
+            return (error, last);
         };
         let Some(group) = plan.group_of_margin(of_margin) else {
             // How much redundant rows contradict the others at the instant requested, if the plan solves there.
-            let asked = self.margin_at(mechanism, course, course.ends()[1], of_margin, blocked);
-            let margin = match asked <= Plan::SMALLEST_MARGIN {
-                true => asked,
+            let margin_at_request = self.margin_at(mechanism, course, course.ends()[1], of_margin, blocked);
+            let margin = match margin_at_request <= Plan::SMALLEST_MARGIN {
+                true => margin_at_request,
                 false => self.margin_at(mechanism, course, blocked.interval[1], of_margin, blocked),
             };
             return (of_kind(t, Limit { step, margin, located: Some(Located { at: reached, kind: None }) }), last);
@@ -161,8 +161,8 @@ impl<M: Mechanism> PlanFollower<M> {
         };
         let limit_at = course.at(s, inputs.as_mut());
         // The margin at the instant requested shows how far beyond its limit the group would be.
-        let asked = self.margin_at(mechanism, course, course.ends()[1], of_margin, blocked);
-        let margin = if asked <= Plan::SMALLEST_MARGIN { asked } else { margin };
+        let margin_at_request = self.margin_at(mechanism, course, course.ends()[1], of_margin, blocked);
+        let margin = if margin_at_request <= Plan::SMALLEST_MARGIN { margin_at_request } else { margin };
         (of_kind(t, Limit { step, margin, located: Some(Located { at: limit_at, kind }) }), s)
     }
 
@@ -171,7 +171,7 @@ impl<M: Mechanism> PlanFollower<M> {
         let plan = &M::model().plan;
         let mut inputs = M::Inputs::<f64>::filled(Signal::constant(0.0));
         let t = course.at(s, inputs.as_mut());
-        let start = blocked.here.q;
+        let start = blocked.state.q;
         let spare = &mut self.states[1 - self.accepted];
         let margins = spare.margins.as_mut();
         let (q, q_dot, q_ddot) = (spare.q.as_mut(), spare.q_dot.as_mut(), spare.q_ddot.as_mut());

@@ -49,12 +49,12 @@ impl<M: Mechanism> PlanFollower<M> {
 
     /// True if a coordinate of a step is much larger at the limit, in the trial state, than at the last place reached.
     pub(super) fn goes_to_infinity(&self, step: Step, blocked: &Blocked<M>) -> bool {
-        is_larger(M::model(), step, [blocked.here.q.as_ref(), self.trial().q.as_ref()], POLE_GROWTH)
+        is_larger(M::model(), step, [blocked.state.q.as_ref(), self.trial().q.as_ref()], POLE_GROWTH)
     }
 
     /// True if a coordinate of an iterated step has grown without bound on the way to the last place reached.
     pub(super) fn has_gone_to_infinity(&self, step: Step, blocked: &Blocked<M>) -> bool {
-        is_larger(M::model(), step, [self.state().q.as_ref(), blocked.here.q.as_ref()], UNBOUNDED)
+        is_larger(M::model(), step, [self.state().q.as_ref(), blocked.state.q.as_ref()], UNBOUNDED)
     }
 
     /// The margin of a linear group at a place of the course, negative where its determinant has the other sign.
@@ -71,12 +71,12 @@ impl<M: Mechanism> PlanFollower<M> {
 
 /// True if a length or scalar of a step is larger by this factor in the second configuration than in the first. Angles do
 /// not go to infinity: where two pins coincide, an angle is 0/0.
-fn is_larger(model: &Model, step: Step, [here, q]: [&[f64]; 2], factor: f64) -> bool {
+fn is_larger(model: &Model, step: Step, [q_before, q]: [&[f64]; 2], factor: f64) -> bool {
     let is_angle = |k: usize| model.coordinates.get(k).is_some_and(|coordinate| coordinate.kind.is_angle());
-    let own = || step.info().coordinates.iter().map(|of| of.0).filter(|k| !is_angle(*k));
+    let lengths = || step.info().coordinates.iter().map(|coordinate| coordinate.0).filter(|k| !is_angle(*k));
     let larger = |largest: f64, x: &f64| largest.max(x.abs());
-    let all = here.iter().fold(0.0, larger);
-    let before = own().filter_map(|k| here.get(k)).fold(MIN_COMPARED_SIZE * all, larger);
-    let is_finite = own().all(|k| q.get(k).is_some_and(|x| x.abs() < factor * before));
+    let all = q_before.iter().fold(0.0, larger);
+    let before = lengths().filter_map(|k| q_before.get(k)).fold(MIN_COMPARED_SIZE * all, larger);
+    let is_finite = lengths().all(|k| q.get(k).is_some_and(|x| x.abs() < factor * before));
     before > 0.0 && !is_finite
 }

@@ -24,7 +24,7 @@ pub(crate) struct Blocked<M: Mechanism> {
     /// The last parameter of the course that was reached, and the next one, which could not be reached.
     pub(super) interval: [f64; 2],
     /// The state at the last one reached.
-    pub(super) here: PlanSolution<M>,
+    pub(super) state: PlanSolution<M>,
     /// The reason; `None` where there were too many steps.
     pub(super) fault: Option<Rejection>,
 }
@@ -46,14 +46,14 @@ impl<M: Mechanism> PlanFollower<M> {
     ) -> Result<(), Blocked<M>> {
         self.hides_motion = false;
         let [mut s, end] = course.ends();
-        let mut here = self.states[self.accepted];
+        let mut state = self.states[self.accepted];
         let mut inputs = M::Inputs::<f64>::filled(Signal::constant(0.0));
         if course.is_frozen() || !course.has_rates_of_end() {
             // The rates at the start must be those along the course.
-            self.predicted = here.q;
+            self.predicted = state.q;
             let good = self.solve_at(mechanism, course, s, &mut inputs).unwrap_or(false);
             if good {
-                here = *self.trial();
+                state = *self.trial();
             }
         }
         let (mut proposed, mut smallest, mut nearest) = (f64::INFINITY, f64::NAN, self.nearest);
@@ -62,9 +62,9 @@ impl<M: Mechanism> PlanFollower<M> {
         for _ in 0..control.max_steps {
             let remaining = end - s;
             if remaining == 0.0 {
-                return self.arrive(mechanism, course, at, here);
+                return self.arrive(mechanism, course, at, state);
             }
-            let rates = [here.q_dot.as_ref(), here.q_ddot.as_ref()];
+            let rates = [state.q_dot.as_ref(), state.q_ddot.as_ref()];
             let mut natural = natural_step(rates, self.weights.as_ref(), most_turn(control, nearest));
             if self.rows_turn_alone {
                 natural = natural.min(natural_step(rates, self.turns.as_ref(), control.rotation));
@@ -73,23 +73,23 @@ impl<M: Mechanism> PlanFollower<M> {
                 smallest = shortest_step(control.min_step, natural, [s, end]);
             }
             let (next, share) = next_parameter([s, end], natural.min(proposed));
-            let blocked = |fault| Blocked { interval: [s, next], here, fault: Some(fault) };
+            let blocked = |fault| Blocked { interval: [s, next], state, fault: Some(fault) };
             if next == s {
-                return Err(blocked(self.fault_of_short_steps(&here, natural / remaining.abs())));
+                return Err(blocked(self.fault_of_short_steps(&state, natural / remaining.abs())));
             }
             let walked = (next - s).abs();
             let before = core::mem::replace(&mut self.hides_motion, false);
-            let result = self.step(mechanism, course, [s, next], &mut inputs, (&here, nearest), control);
+            let result = self.step(mechanism, course, [s, next], &mut inputs, (&state, nearest), control);
             let hides = self.hides_motion;
             self.hides_motion |= before;
             match result {
                 Ok(growth) => {
-                    here = *self.trial();
+                    state = *self.trial();
                     self.branch.distances = self.distances;
                     nearest = self.measure();
                     s = next;
                     let t = course.at(s, inputs.as_mut());
-                    self.measure_turns(mechanism, &Instant { t, inputs: inputs.as_ref() }, &here.q);
+                    self.measure_turns(mechanism, &Instant { t, inputs: inputs.as_ref() }, &state.q);
                     let growth = if (s - refused) * direction >= 0.0 { growth } else { growth.min(1.0) };
                     // A step cut short by the end is no reason to reduce the longer step proposed before.
                     proposed = if share <= 2.0 { proposed.max(growth * walked) } else { growth * walked };
@@ -98,7 +98,7 @@ impl<M: Mechanism> PlanFollower<M> {
                     if 0.5 * walked < smallest {
                         let is_coarse = fault == Rejection::Coarse;
                         let share = natural / remaining.abs();
-                        return Err(blocked(if is_coarse { self.fault_of_short_steps(&here, share) } else { fault }));
+                        return Err(blocked(if is_coarse { self.fault_of_short_steps(&state, share) } else { fault }));
                     }
                     proposed = 0.5 * walked;
                     self.hides_motion |= fault == Rejection::Coarse;
@@ -108,7 +108,7 @@ impl<M: Mechanism> PlanFollower<M> {
                 }
             }
         }
-        Err(Blocked { interval: [s, end], here, fault: None })
+        Err(Blocked { interval: [s, end], state, fault: None })
     }
 
     /// Solves at the instant at the end of the course.
@@ -117,12 +117,12 @@ impl<M: Mechanism> PlanFollower<M> {
         mechanism: &M,
         course: &dyn Course,
         at: &Instant<'_>,
-        here: PlanSolution<M>,
+        state: PlanSolution<M>,
     ) -> Result<(), Blocked<M>> {
         let end = course.ends()[1];
-        let blocked = |fault| Blocked { interval: [end, end], here, fault: Some(fault) };
+        let blocked = |fault| Blocked { interval: [end, end], state, fault: Some(fault) };
         if !course.has_rates_of_end() {
-            self.predicted = here.q;
+            self.predicted = state.q;
             if !self.solve_in_modes(mechanism, at).unwrap_or(false) {
                 return Err(blocked(self.fault()));
             }
@@ -144,24 +144,24 @@ impl<M: Mechanism> PlanFollower<M> {
         course: &dyn Course,
         [s, next]: [f64; 2],
         inputs: &mut M::Inputs<f64>,
-        (here, nearest): (&PlanSolution<M>, f64),
+        (state, nearest): (&PlanSolution<M>, f64),
         control: &Control,
     ) -> Result<f64, Rejection> {
         let h = next - s;
-        let rates = [here.q.as_ref(), here.q_dot.as_ref(), here.q_ddot.as_ref()];
+        let rates = [state.q.as_ref(), state.q_dot.as_ref(), state.q_ddot.as_ref()];
         let weights = self.weights;
         let turn = parabola(self.predicted.as_mut(), rates, weights.as_ref(), h);
         let modes = self.branch.modes;
         let allowed = control.correction * turn + NEGLIGIBLE_CORRECTION;
-        let turn = self.with_rows(turn, here, h);
-        let judged = self.judge(mechanism, course, [s, next], inputs, (here, &modes), [allowed, turn, nearest]);
+        let turn = self.with_rows(turn, state, h);
+        let judged = self.judge(mechanism, course, [s, next], inputs, (state, &modes), [allowed, turn, nearest]);
         let result = judged.and_then(|effort| {
             let mut from = *inputs;
             course.at(s, from.as_mut());
             let t = course.at(next, inputs.as_mut());
             let end = Instant { t, inputs: inputs.as_ref() };
-            let followed = self.rows_are_followed(mechanism, &end, here, (from.as_ref(), h), control)? && {
-                let hides = !self.hides_nothing(mechanism, course, [s, next], (here, &modes), control)?;
+            let followed = self.rows_are_followed(mechanism, &end, state, (from.as_ref(), h), control)? && {
+                let hides = !self.hides_nothing(mechanism, course, [s, next], (state, &modes), control)?;
                 self.hides_motion |= hides;
                 !hides
             };
@@ -180,7 +180,7 @@ impl<M: Mechanism> PlanFollower<M> {
         course: &dyn Course,
         [s, next]: [f64; 2],
         inputs: &mut M::Inputs<f64>,
-        (here, kept): (&PlanSolution<M>, &Modes<M>),
+        (state, modes_before): (&PlanSolution<M>, &Modes<M>),
         [allowed, turn, nearest]: [f64; 3],
     ) -> Result<f64, Rejection> {
         let mut good = self.solve_at(mechanism, course, next, inputs)?;
@@ -208,17 +208,21 @@ impl<M: Mechanism> PlanFollower<M> {
         }
         if may_have_touched_limit(self.branch.distances.as_ref(), self.distances.as_ref()) {
             let mut middle = M::Coordinates::<f64>::filled(0.0);
-            let rates = [here.q.as_ref(), here.q_dot.as_ref(), here.q_ddot.as_ref()];
+            let rates = [state.q.as_ref(), state.q_dot.as_ref(), state.q_ddot.as_ref()];
             parabola(middle.as_mut(), rates, self.weights.as_ref(), 0.5 * (next - s));
             let (found, parameters) = (self.trial().q, self.parameters);
             // Branch values are compared with one another, as distances of iterated groups may be several times larger.
-            let mut of = |s: f64, q: &M::Coordinates<f64>| {
+            let mut branch_values_at = |s: f64, q: &M::Coordinates<f64>| {
                 let t = course.at(s, inputs.as_mut());
                 let at = Instant { t, inputs: inputs.as_ref() };
                 BranchValues::<M>::at(mechanism, parameters.as_ref(), &at, q.as_ref())
             };
-            let [before, middle, after] = [of(s, &here.q)?, of(s + 0.5 * (next - s), &middle)?, of(next, &found)?];
-            let modes = [self.branch.modes.as_ref(), kept.as_ref()];
+            let [before, middle, after] = [
+                branch_values_at(s, &state.q)?,
+                branch_values_at(s + 0.5 * (next - s), &middle)?,
+                branch_values_at(next, &found)?,
+            ];
+            let modes = [self.branch.modes.as_ref(), modes_before.as_ref()];
             if let Some(group) = first_dip([before.as_ref(), after.as_ref()], middle.as_ref(), modes) {
                 return Err(Rejection::Group(group));
             }
@@ -243,14 +247,14 @@ impl<M: Mechanism> PlanFollower<M> {
         // Removes the contribution of time itself: velocities are linear in the rates of the inputs, accelerations
         // quadratic.
         let along = *self.trial();
-        let (mut others, mut good) = ([along; 2], true);
-        for (other, factor) in others.iter_mut().zip([0.0, -1.0]) {
+        let (mut reversed, mut good) = ([along; 2], true);
+        for (other, factor) in reversed.iter_mut().zip([0.0, -1.0]) {
             let mut changed = *inputs;
             scale_rates(changed.as_mut(), factor);
             good &= self.solve_in_modes(mechanism, &Instant { t, inputs: changed.as_ref() })?;
             *other = *self.trial();
         }
-        let [still, back] = &others;
+        let [still, back] = &reversed;
         let tried = &mut self.states[1 - self.accepted];
         *tried = along;
         let rates = [tried.q_dot.as_mut(), tried.q_ddot.as_mut()];
@@ -261,20 +265,20 @@ impl<M: Mechanism> PlanFollower<M> {
     /// The reason why no step from `here` is short enough: a group beside its limit or, if `share`, the length of a step
     /// by the rates relative to the rest of the course, is so small that rates grow without bound, the first group
     /// with a determinant that has such rates. (The distance of an iteration of one unknown may stay large up to its limit.)
-    fn fault_of_short_steps(&self, here: &PlanSolution<M>, share: f64) -> Rejection {
+    fn fault_of_short_steps(&self, state: &PlanSolution<M>, share: f64) -> Rejection {
         let distances = self.branch.distances.as_ref();
         let group = index_of_least(distances);
         if distances.get(group).is_some_and(|distance| *distance < BLAMED_DISTANCE) {
             return Rejection::Group(group);
         }
-        let unbounded = if share < UNBOUNDED { self.first_of_largest_rate(here) } else { None };
+        let unbounded = if share < UNBOUNDED { self.first_of_largest_rate(state) } else { None };
         unbounded.map_or(Rejection::Coarse, Rejection::Group)
     }
 
     /// The first group with a determinant whose unknowns have about the largest rates of all coordinates, in radians.
-    fn first_of_largest_rate(&self, here: &PlanSolution<M>) -> Option<usize> {
+    fn first_of_largest_rate(&self, state: &PlanSolution<M>) -> Option<usize> {
         let turns = if self.rows_turn_alone { self.turns.as_ref() } else { &[] };
-        first_of_largest_rate(M::model(), turns, here.q_dot.as_ref())
+        first_of_largest_rate(M::model(), turns, state.q_dot.as_ref())
     }
 
     /// The group of the trial state that is nearest to its limit.

@@ -79,9 +79,9 @@ impl<M: Mechanism> PlanFollower<M> {
         let before = core::mem::replace(&mut self.branch.modes, modes);
         self.predicted.as_mut().copy_from_slice(start);
         let anew = core::mem::replace(&mut self.starts_anew, true);
-        let asked = core::mem::replace(&mut self.requested, Modes::filled(1.0));
+        let requested_before = core::mem::replace(&mut self.requested, Modes::filled(1.0));
         if let Err(error) = self.solve_anew(mechanism, at) {
-            (self.branch.modes, self.starts_anew, self.requested) = (before, anew, asked);
+            (self.branch.modes, self.starts_anew, self.requested) = (before, anew, requested_before);
             return Err(error);
         }
         Ok(())
@@ -209,7 +209,7 @@ impl<M: Mechanism> PlanFollower<M> {
         at: &Instant<'_>,
         control: &Control,
     ) -> Result<(), PlanError> {
-        let kept = (self.branch, self.turns, self.weights);
+        let before = (self.branch, self.turns, self.weights);
         match self.walk(mechanism, course, at, control) {
             Ok(()) => {
                 let nearest = self.measure();
@@ -220,7 +220,7 @@ impl<M: Mechanism> PlanFollower<M> {
             }
             Err(blocked) => {
                 let error = self.refusal(mechanism, course, at, &blocked);
-                (self.branch, self.turns, self.weights) = kept;
+                (self.branch, self.turns, self.weights) = before;
                 self.t_before = f64::NAN;
                 Err(error)
             }
@@ -242,13 +242,14 @@ impl<M: Mechanism> PlanFollower<M> {
     /// Improves the prediction of the unknowns of iterations by the quintic.
     fn predict_unknowns(&mut self, h: f64) {
         let (now, before) = (&self.states[self.accepted], &self.states[1 - self.accepted]);
-        let of = |state: &PlanSolution<M>, k: usize| {
+        let derivatives_of = |state: &PlanSolution<M>, k: usize| {
             [state.q.as_ref()[k], state.q_dot.as_ref()[k], state.q_ddot.as_ref()[k]]
         };
         for step in M::model().plan.steps {
             let StepKind::Newton(unknowns) = step.kind else { continue };
             for &(k, _) in step.coordinates.iter().take(unknowns) {
-                let beyond = beyond_parabola(of(before, k), of(now, k), self.t - self.t_before, h);
+                let beyond =
+                    beyond_parabola(derivatives_of(before, k), derivatives_of(now, k), self.t - self.t_before, h);
                 self.predicted.as_mut()[k] += beyond;
             }
         }
@@ -257,7 +258,7 @@ impl<M: Mechanism> PlanFollower<M> {
     /// Solves at an instant that is unrelated to the last one.
     fn solve_anew(&mut self, mechanism: &M, at: &Instant<'_>) -> Result<(), PlanError> {
         self.q_at_limit = None;
-        let kept = (self.branch.modes, self.turns, self.weights);
+        let before = (self.branch.modes, self.turns, self.weights);
         let good = self.solve_in_modes(mechanism, at)? || self.retry_in_other_modes(mechanism, at)?;
         if !good {
             self.t_before = f64::NAN;
@@ -269,11 +270,11 @@ impl<M: Mechanism> PlanFollower<M> {
         self.measure_turns(mechanism, at, &q);
         if self.is_ill_conditioned(mechanism, at) {
             let error = self.explain_ill_conditioned(mechanism, at);
-            (self.branch.modes, self.turns, self.weights) = kept;
+            (self.branch.modes, self.turns, self.weights) = before;
             return Err(error);
         }
         if let Some(k) = self.first_steep_unknown(&self.turns) {
-            (self.branch.modes, self.turns, self.weights) = kept;
+            (self.branch.modes, self.turns, self.weights) = before;
             let coincident = self.coincident_points(mechanism, at, q.as_ref());
             return Err(coincident.unwrap_or_else(|| PlanError::rounded(M::model(), at.t, k)));
         }
@@ -311,9 +312,9 @@ impl<M: Mechanism> PlanFollower<M> {
         let tried = self.trial();
         let away = turned(tried.q.as_ref(), self.predicted.as_ref(), self.weights.as_ref());
         let is_expected = away <= control.correction * turn + NEGLIGIBLE_CORRECTION;
-        let here = &self.states[self.accepted];
+        let state = &self.states[self.accepted];
         if !is_expected
-            || !self.rows_are_followed(mechanism, at, here, (self.inputs.as_ref(), at.t - self.t), control)?
+            || !self.rows_are_followed(mechanism, at, state, (self.inputs.as_ref(), at.t - self.t), control)?
             || M::KNOWN_VALUES_CURVE && !self.hides_nothing_until(mechanism, at, course, control)?
         {
             return Ok(false);
@@ -322,7 +323,7 @@ impl<M: Mechanism> PlanFollower<M> {
         // the solution and its prediction, which are much nearer to one another than both ends of the step. An
         // iteration of lengths may still have found another solution, and a linear step may have passed a pole, since the
         // turns of bodies do not bound how far lengths move.
-        let turn = self.with_rows(turn, here, at.t - self.t);
+        let turn = self.with_rows(turn, state, at.t - self.t);
         let nearest = self.measure();
         let least = f64::min(nearest, self.nearest);
         let far = least >= OUT_OF_REACH * turn && least >= CHECKED_DISTANCE;

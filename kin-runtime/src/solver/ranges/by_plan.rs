@@ -214,8 +214,8 @@ impl Collected {
         let ends = |signs: &[f64], stretch: &Stretch| {
             (0..self.ranges.len())
                 .filter(|&k| {
-                    let (of, range) = &self.ranges[k];
-                    of == signs && (range.to == stretch.from || range.from == stretch.to)
+                    let (range_signs, range) = &self.ranges[k];
+                    range_signs == signs && (range.to == stretch.from || range.from == stretch.to)
                 })
                 .collect::<Vec<usize>>()
         };

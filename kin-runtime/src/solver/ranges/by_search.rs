@@ -179,12 +179,12 @@ impl RangeSearch<'_> {
                 }
             }
             for closure in (0..count).filter(|&closure| is_new[closure]) {
-                let here = (gap, closure);
+                let first = (gap, closure);
                 let begins = gap.checked_sub(1).and_then(|before| {
-                    let end = self.follow(here, before).err().unwrap_or_default();
-                    self.ended(here, before, end)
+                    let end = self.follow(first, before).err().unwrap_or_default();
+                    self.ended(first, before, end)
                 });
-                self.chains.push(OpenRange { closures: vec![here], ends: [begins, None] });
+                self.chains.push(OpenRange { closures: vec![first], ends: [begins, None] });
             }
         }
     }
@@ -295,9 +295,9 @@ impl RangeSearch<'_> {
     /// Where a range begins and ends.
     fn way(&self, chain: &OpenRange) -> [f64; 2] {
         let gap = |closure: Option<&ClosureIndex>| closure.map(|&(gap, _)| &self.gaps[gap]);
-        let own = |end: usize| chain.ends[end].map(|place| self.places[place].t);
-        let from = own(0).map(|t| t.upper()).or(gap(chain.closures.first()).map(|gap| gap.from));
-        let to = own(1).map(|t| t.lower()).or(gap(chain.closures.last()).map(|gap| gap.to));
+        let time_of_end = |end: usize| chain.ends[end].map(|place| self.places[place].t);
+        let from = time_of_end(0).map(|t| t.upper()).or(gap(chain.closures.first()).map(|gap| gap.from));
+        let to = time_of_end(1).map(|t| t.lower()).or(gap(chain.closures.last()).map(|gap| gap.to));
         [from, to].map(|t| t.unwrap_or(self.start.t))
     }
 

@@ -99,7 +99,7 @@ impl dyn AnySolver + '_ {
 /// The value of the coordinate that a driver drives; `None` if its row contains several coordinates.
 fn driven(model: &Model, name: &str, q: &[f64]) -> Option<f64> {
     let row = model.rows.iter().position(|row| model.joints.get(row.joint).is_some_and(|joint| joint.name == name))?;
-    let mut entries = model.constraint_pattern.entries.iter().filter(|(of, _)| *of == row);
+    let mut entries = model.constraint_pattern.entries.iter().filter(|(entry_row, _)| *entry_row == row);
     let (Some(&(_, column)), None) = (entries.next(), entries.next()) else { return None };
     q.get(column).copied()
 }

@@ -195,8 +195,8 @@ impl Bordered {
         for _ in 0..CORRECTIONS {
             let matrix = self.matrix(equations, z, direction).ok()?;
             let factor = Factorization::quick(&matrix, &self.columns, 0.1 * equations.options.rank_tolerance);
-            let own = equations.phi.iter().zip(&equations.scale.rows).map(|(phi, scale)| phi * scale);
-            let right = DVector::from_iterator(matrix.nrows(), own.chain([0.0]));
+            let residuals = equations.phi.iter().zip(&equations.scale.rows).map(|(phi, scale)| phi * scale);
+            let right = DVector::from_iterator(matrix.nrows(), residuals.chain([0.0]));
             let step = factor.solve(&right);
             z.iter_mut().zip(step.iter()).for_each(|(z, step)| *z -= step);
             let length = self.norm(step.as_slice());

@@ -129,13 +129,13 @@ impl ArcFollower<'_> {
         // The first place at which the mechanism moves; the curve is closed when it returns there.
         let mut origin: Option<ArcNode> = None;
         for _ in 0..MAX_STEPS {
-            let here = leg.nodes[leg.nodes.len() - 1].clone();
-            equations.observed.pass(here.t())?;
-            if origin.is_none() && self.moves(&here) {
-                origin = Some(here.clone());
+            let node = leg.nodes[leg.nodes.len() - 1].clone();
+            equations.observed.pass(node.t())?;
+            if origin.is_none() && self.moves(&node) {
+                origin = Some(node.clone());
             }
-            length = length.min(self.longest(equations, &here));
-            if let Some((next, cosine)) = self.step(equations, &here, length) {
+            length = length.min(self.longest(equations, &node));
+            if let Some((next, cosine)) = self.step(equations, &node, length) {
                 if let Some(end) = self.settle(equations, &mut leg, next, origin.as_ref()) {
                     leg.end = end;
                     return Ok(leg);
@@ -148,10 +148,10 @@ impl ArcFollower<'_> {
             }
             (length, shortened) = (0.5 * length, true);
             if length < MIN_STEP {
-                leg.end = if self.bordered.is_singular(equations, &here.z, CROSSING) {
+                leg.end = if self.bordered.is_singular(equations, &node.z, CROSSING) {
                     let before = leg.nodes.len().saturating_sub(5);
                     let kind = ArcPlaceKind::BranchPoint;
-                    let place = singular_place(equations, kind, &leg.nodes[before], &here, (0.0, MIN_STEP));
+                    let place = singular_place(equations, kind, &leg.nodes[before], &node, (0.0, MIN_STEP));
                     leg.places.push(place);
                     ArcEnd::BranchPoint
                 } else {
@@ -165,35 +165,35 @@ impl ArcFollower<'_> {
 
     /// The next place, and the cosine of the angle between the tangents; `None` where a step of this length is not
     /// accepted.
-    fn step(&self, equations: &mut Equations<'_>, here: &ArcNode, length: f64) -> Option<(ArcNode, f64)> {
-        let predicted: Vec<f64> = here.z.iter().zip(&here.tangent).map(|(z, rate)| z + length * rate).collect();
+    fn step(&self, equations: &mut Equations<'_>, node: &ArcNode, length: f64) -> Option<(ArcNode, f64)> {
+        let predicted: Vec<f64> = node.z.iter().zip(&node.tangent).map(|(z, rate)| z + length * rate).collect();
         let allowed = equations.options.prediction_tolerance * length;
-        let mut next = self.bordered.node(equations, &predicted, &here.tangent, allowed)?;
-        let cosine = self.bordered.dot(&here.tangent, &next.tangent);
+        let mut next = self.bordered.node(equations, &predicted, &node.tangent, allowed)?;
+        let cosine = self.bordered.dot(&node.tangent, &next.tangent);
         let is_smooth = cosine >= COSINES[0];
         if !is_smooth
-            || contact::turned_about(equations, here.q(), next.q()).is_some()
-            || !self.bordered.on_one_branch(equations, here, &next)
+            || contact::turned_about(equations, node.q(), next.q()).is_some()
+            || !self.bordered.on_one_branch(equations, node, &next)
         {
             return None;
         }
-        let way: Vec<f64> = next.z.iter().zip(&here.z).map(|(a, b)| a - b).collect();
+        let way: Vec<f64> = next.z.iter().zip(&node.z).map(|(a, b)| a - b).collect();
         // An arc of a circle is longer than its chord by this fraction.
-        next.s = here.s + self.bordered.norm(&way) * (1.0 + (1.0 - cosine).max(0.0) / 12.0);
+        next.s = node.s + self.bordered.norm(&way) * (1.0 + (1.0 - cosine).max(0.0) / 12.0);
         Some((next, cosine))
     }
 
     /// The longest step in which no body turns by more than the options allow.
-    fn longest(&self, equations: &Equations<'_>, here: &ArcNode) -> f64 {
-        let n = here.q().len();
-        let turn = equations.scale.turn(&here.tangent[..n]).max((here.t_rate() / self.bordered.columns[n]).abs());
+    fn longest(&self, equations: &Equations<'_>, node: &ArcNode) -> f64 {
+        let n = node.q().len();
+        let turn = equations.scale.turn(&node.tangent[..n]).max((node.t_rate() / self.bordered.columns[n]).abs());
         equations.options.max_rotation_per_step / turn
     }
 
     /// True where q changes along the curve, and not t alone.
-    fn moves(&self, here: &ArcNode) -> bool {
-        let n = here.q().len();
-        self.bordered.dot(&here.tangent[..n], &here.tangent[..n]) > MOVING * MOVING
+    fn moves(&self, node: &ArcNode) -> bool {
+        let n = node.q().len();
+        self.bordered.dot(&node.tangent[..n], &node.tangent[..n]) > MOVING * MOVING
     }
 
     /// Adds a step and its special places. Returns the reason if the curve ends in this step.
@@ -308,7 +308,7 @@ fn angles(equations: &mut Equations<'_>, q: &[f64]) -> Result<Vec<bool>, SolveEr
     let kinds = equations.model.coordinates;
     let rows = equations.rows_where(|equations, row| !equations.drives(row));
     equations.evaluate(Subset::PHI, q, None)?;
-    let here = equations.phi.clone();
+    let phi = equations.phi.clone();
     let mut turned = q.to_vec();
     let mut angles = Vec::with_capacity(q.len());
     for (k, coordinate) in kinds.iter().enumerate() {
@@ -318,9 +318,8 @@ fn angles(equations: &mut Equations<'_>, q: &[f64]) -> Result<Vec<bool>, SolveEr
                 turned[k] += TAU;
                 let evaluated = equations.evaluate(Subset::PHI, &turned, None).is_ok();
                 turned[k] = q[k];
-                let same = |&row: &usize| {
-                    (equations.phi[row] - here[row]).abs() * equations.scale.rows[row] <= CLOSED_DISTANCE
-                };
+                let same =
+                    |&row: &usize| (equations.phi[row] - phi[row]).abs() * equations.scale.rows[row] <= CLOSED_DISTANCE;
                 evaluated && rows.iter().all(same)
             }
         });

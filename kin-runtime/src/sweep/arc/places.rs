@@ -142,22 +142,22 @@ pub(super) fn singular_place(
     equations: &mut Equations<'_>,
     kind: ArcPlaceKind,
     beside: &ArcNode,
-    here: &ArcNode,
+    node: &ArcNode,
     (beyond, within): (f64, f64),
 ) -> ArcPlace {
-    let q = here.q().to_vec();
+    let q = node.q().to_vec();
     let (mut joints, mut drivers) = (Vec::new(), Vec::new());
     let mut signs = Vec::new();
     if equations.model.plan.exists() && equations.move_to(beside.t()).is_ok() {
         by_plan::modes(equations, beside.q(), &mut signs);
     }
-    let limit = equations.move_to(here.t() + beyond).ok().and_then(|()| by_plan::limit_in(equations, &signs, &q));
+    let limit = equations.move_to(node.t() + beyond).ok().and_then(|()| by_plan::limit_in(equations, &signs, &q));
     if let Some(limit) = limit {
         joints = limit.joints().collect();
         if kind == ArcPlaceKind::DeadCentre {
             drivers = limit.drivers().collect();
         }
-    } else if equations.move_to(here.t()).is_ok() && equations.evaluate(Subset::JACOBIAN, &q, None).is_ok() {
+    } else if equations.move_to(node.t()).is_ok() && equations.evaluate(Subset::JACOBIAN, &q, None).is_ok() {
         let all: Vec<usize> = (0..equations.rows()).collect();
         let left = null_space(&equations.scaled(&all).transpose(), DEPENDENT_PIVOT);
         let largest = left.amax();
@@ -165,7 +165,7 @@ pub(super) fn singular_place(
         joints = dependent.map(|row| equations.joint_name(row)).collect();
         joints.dedup();
     }
-    ArcPlace { kind, t: here.t(), s: here.s, within, q, joints, drivers }
+    ArcPlace { kind, t: node.t(), s: node.s, within, q, joints, drivers }
 }
 
 /// Adds the cusps of named points between two places, and at the first of them where it is the start.

@@ -32,7 +32,7 @@ pub(crate) struct Continuation {
     q_dot: Vec<f64>,
     q_ddot: Vec<f64>,
     /// The last accepted internal step on the way to the next instant, and the step being tried.
-    here: Box<Node>,
+    accepted: Box<Node>,
     next: Box<Node>,
     /// The solution plan, where one is used.
     plan: Option<CheckedPlan>,
@@ -72,7 +72,7 @@ impl Continuation {
             s: node.s,
             q_dot: node.state.q_dot.clone(),
             q_ddot: node.state.q_ddot.clone(),
-            here: node.clone(),
+            accepted: node.clone(),
             next: node.clone(),
             plan,
             step: if integrates { integrate } else { step },
@@ -124,22 +124,22 @@ impl Continuation {
         equations: &mut Equations<'_>,
         at: &Instant<'_>,
     ) -> Result<bool, SolveError> {
-        let Self { node, here, plan, .. } = self;
+        let Self { node, accepted, plan, .. } = self;
         let Some(plan) = plan else { return Ok(false) };
         equations.by_time(|equations| {
             if !plan.start_at(equations, &node.state) {
                 return Ok(false);
             }
             equations.set_checked_instant(at);
-            here.basis = None;
-            if plan.solve(equations, &node.state.q, &mut here.state)? {
+            accepted.basis = None;
+            if plan.solve(equations, &node.state.q, &mut accepted.state)? {
                 if plan.has_curves && !plan.in_one_step {
                     // The side of a roller is checked from step to step, so a move of several steps is refused.
                     plan.is_placed = false;
                     return Ok(false);
                 }
-                here.s = at.t;
-                core::mem::swap(node, here);
+                accepted.s = at.t;
+                core::mem::swap(node, accepted);
                 return Ok(true);
             }
             Ok(false)
@@ -155,10 +155,10 @@ impl Continuation {
         by_plan: bool,
     ) -> Result<(), SolveError> {
         if self.take_steps(equations, target, by_plan)? {
-            if self.here.basis.is_some() {
-                poses(equations, &mut self.here.state)?;
+            if self.accepted.basis.is_some() {
+                poses(equations, &mut self.accepted.state)?;
             }
-            core::mem::swap(&mut self.node, &mut self.here);
+            core::mem::swap(&mut self.node, &mut self.accepted);
             self.s = self.node.s;
             self.q_dot.clone_from(&self.node.state.q_dot);
             self.q_ddot.clone_from(&self.node.state.q_ddot);
@@ -179,12 +179,12 @@ impl Continuation {
         if !self.take_steps(equations, target, false)? {
             return self.stay(equations, at);
         }
-        let Node { state, basis, .. } = &mut *self.here;
+        let Node { state, basis, .. } = &mut *self.accepted;
         if let Some(basis) = basis {
             at_instant(equations, at, state, &basis.factor)?;
         }
         poses(equations, state)?;
-        core::mem::swap(&mut self.node, &mut self.here);
+        core::mem::swap(&mut self.node, &mut self.accepted);
         Ok(())
     }
 
@@ -192,7 +192,7 @@ impl Continuation {
     /// values.
     pub(crate) fn stay(&mut self, equations: &mut Equations<'_>, at: &Instant<'_>) -> Result<(), SolveError> {
         equations.by_time(|equations| complete_basis(equations, &mut self.node))?;
-        let spare = &mut self.here.state;
+        let spare = &mut self.accepted.state;
         spare.clone_from(&self.node.state);
         spare.iterations = 0;
         if let Some(basis) = &self.node.basis {
@@ -203,8 +203,8 @@ impl Continuation {
         Ok(())
     }
 
-    /// Takes internal steps to `target` and leaves the last of them in `here`; false when no step was needed. While `moved`
-    /// is false, `here` has no meaning and steps start from `node`.
+    /// Takes internal steps to `target` and leaves the last of them in `accepted`; false when no step was needed. While `moved`
+    /// is false, `accepted` has no meaning and steps start from `node`.
     fn take_steps(&mut self, equations: &mut Equations<'_>, target: f64, by_plan: bool) -> Result<bool, SolveError> {
         let options = equations.options;
         let mut iterations = 0;
@@ -222,8 +222,8 @@ impl Continuation {
         for _ in 0..options.max_steps {
             let ReachedNode { s: from, .. } = self.reached(moved);
             if from == target {
-                if self.here.basis.is_some() {
-                    self.here.state.iterations = iterations;
+                if self.accepted.basis.is_some() {
+                    self.accepted.state.iterations = iterations;
                 }
                 return Ok(moved);
             }
@@ -257,10 +257,10 @@ impl Continuation {
             } else {
                 let limit = self.plan.as_ref().and_then(CheckedPlan::limit);
                 let jumps = self.plan.as_ref().is_some_and(CheckedPlan::found_a_jump);
-                let Self { node, here, next, q_dot, q_ddot, scratch, .. } = self;
-                complete_basis(equations, if moved { &mut *here } else { &mut *node })?;
+                let Self { node, accepted, next, q_dot, q_ddot, scratch, .. } = self;
+                complete_basis(equations, if moved { &mut *accepted } else { &mut *node })?;
                 let last_instant = &node.state;
-                let node = if moved { &*here } else { &*node };
+                let node = if moved { &*accepted } else { &*node };
                 let Some(basis) = &node.basis else { continue };
                 let rates = if moved { [&node.state.q_dot, &node.state.q_ddot] } else { [&*q_dot, &*q_ddot] };
                 let start = StepStart { node, basis, s: from, q_dot: rates[0], q_ddot: rates[1] };
@@ -302,16 +302,16 @@ impl Continuation {
                     }
                 }
             }
-            core::mem::swap(&mut self.here, &mut self.next);
+            core::mem::swap(&mut self.accepted, &mut self.next);
             moved = true;
             if self.stopped(equations).is_some() {
                 return Ok(moved);
             }
             if s != target {
-                equations.observed.pass(self.here.state.t)?;
+                equations.observed.pass(self.accepted.state.t)?;
             }
         }
-        let last = if moved { &self.here } else { &self.node };
+        let last = if moved { &self.accepted } else { &self.node };
         Err(SolveError::StepRefused {
             t: last.state.t,
             t_refused: equations.time_at(target),
@@ -324,9 +324,11 @@ impl Continuation {
 
     /// What has been reached on the way to the next instant: after the last internal step, if there was one.
     fn reached(&self, moved: bool) -> ReachedNode<'_> {
-        let Self { node, here, q_dot, q_ddot, s, .. } = self;
+        let Self { node, accepted, q_dot, q_ddot, s, .. } = self;
         match moved {
-            true => ReachedNode { node: here, rates: [&here.state.q_dot, &here.state.q_ddot], s: here.s },
+            true => {
+                ReachedNode { node: accepted, rates: [&accepted.state.q_dot, &accepted.state.q_ddot], s: accepted.s }
+            }
             false => ReachedNode { node, rates: [q_dot, q_ddot], s: *s },
         }
     }
@@ -360,18 +362,18 @@ impl Continuation {
 
     /// One step by the plan; false where the plan has no solution.
     fn step_by_plan(&mut self, equations: &mut Equations<'_>, moved: bool, s: f64) -> Result<bool, SolveError> {
-        let Self { node, here, next, plan, .. } = self;
+        let Self { node, accepted, next, plan, .. } = self;
         let Some(plan) = plan else { return Ok(false) };
-        let from = if moved { &here.state } else { &node.state };
+        let from = if moved { &accepted.state } else { &node.state };
         Ok(plan.start_at(equations, from) && plan.step(equations, &from.q, next, s)?)
     }
 
     /// Passes the accepted step to the watch over the unilateral conditions.
     fn watch_step(&mut self, equations: &mut Equations<'_>, moved: bool, from: f64) -> Result<(), SolveError> {
-        let Self { node, here, next, plan, step, scratch, watch, q_dot, q_ddot, .. } = self;
+        let Self { node, accepted, next, plan, step, scratch, watch, q_dot, q_ddot, .. } = self;
         let Some(watch) = watch else { return Ok(()) };
         let (node, rates): (&Node, [&[f64]; 2]) =
-            if moved { (here, [&here.state.q_dot, &here.state.q_ddot]) } else { (node, [q_dot, q_ddot]) };
+            if moved { (accepted, [&accepted.state.q_dot, &accepted.state.q_ddot]) } else { (node, [q_dot, q_ddot]) };
         let by_plan = next.basis.is_none();
         let mut between = |equations: &mut Equations<'_>, s: f64| match (&mut *plan, &node.basis) {
             (Some(plan), _) if by_plan => {

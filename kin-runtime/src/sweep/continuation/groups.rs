@@ -101,8 +101,8 @@ pub(super) fn dip_between(equations: &Equations<'_>, [before, found]: [&[f64]; 2
     on_cubic(&mut q, span.ends, span.h, 0.5);
     let mut inputs = vec![Signal::constant(0.0); at.inputs.len()];
     write_inputs_within(&mut inputs, [span.inputs, at.inputs], 0.5, f64::from);
-    let there = Instant { t: time_within(at.t, span.h, 0.5), inputs: &inputs };
-    if equations.system.branches(&there, &q, &mut middle).is_err() {
+    let instant = Instant { t: time_within(at.t, span.h, 0.5), inputs: &inputs };
+    if equations.system.branches(&instant, &q, &mut middle).is_err() {
         return true;
     }
     let modes: Vec<f64> = before.iter().map(|w| w.signum()).collect();
@@ -123,8 +123,8 @@ pub(super) fn stay_between(equations: &Equations<'_>, [before, found]: [&[f64]; 
         on_cubic(&mut q, span.ends, span.h, s);
         let mut inputs = vec![Signal::constant(0.0); at.inputs.len()];
         write_inputs_within(&mut inputs, ends, s, f64::from);
-        let there = Instant { t: time_within(at.t, span.h, s), inputs: &inputs };
-        if equations.system.branches(&there, &q, &mut groups).is_err() {
+        let instant = Instant { t: time_within(at.t, span.h, s), inputs: &inputs };
+        if equations.system.branches(&instant, &q, &mut groups).is_err() {
             return false;
         }
         let mut all = groups.iter().zip(before).zip(found).skip(iterated);

@@ -94,9 +94,9 @@ impl Orientation {
             return false;
         }
         // The matrix is Φ_q itself, so no rows or border have to be chosen again.
-        let here = if self.chosen.is_none() { Some(self.clone()) } else { Self::here(equations, factor) };
-        here.is_some_and(|here| {
-            *to = here;
+        let orientation = if self.chosen.is_none() { Some(self.clone()) } else { Self::here(equations, factor) };
+        orientation.is_some_and(|orientation| {
+            *to = orientation;
             true
         })
     }

@@ -71,7 +71,7 @@ pub(super) fn refusal(
     let t_refused = equations.time_at(refused);
     let Node { state: State { q, .. }, .. } = start.node;
     let groups = &start.basis.groups;
-    let there = |equations: &mut Equations<'_>| {
+    let limit_beyond = |equations: &mut Equations<'_>| {
         equations.move_to(refused).ok().and_then(|()| by_plan::limit_in(equations, groups, q))
     };
     let (t_here, after_natural) = (equations.time_at(start.s), equations.time_at(start.s + natural));
@@ -85,7 +85,7 @@ pub(super) fn refusal(
         true => is_here(limit),
         false => !limit.at().is_some_and(is_passed),
     });
-    let limit = located.or_else(|| there(equations)).filter(|_| !jumps);
+    let limit = located.or_else(|| limit_beyond(equations)).filter(|_| !jumps);
     let evaluated = equations.move_to(start.s).and_then(|()| equations.evaluate(Subset::VELOCITY, q, None));
     if let Err(error) = evaluated {
         return error;

@@ -200,7 +200,10 @@ impl EventWatch {
             let forwards = self.unwatched.first().is_none_or(|unwatched| unwatched.from < unwatched.to);
             let is_before = |t: f64| if forwards { t < first } else { t > first };
             self.unwatched.retain(|unwatched| is_before(unwatched.from));
-            self.unwatched.iter_mut().filter(|unwatched| !is_before(unwatched.to)).for_each(|it| it.to = first);
+            self.unwatched
+                .iter_mut()
+                .filter(|unwatched| !is_before(unwatched.to))
+                .for_each(|interval| interval.to = first);
         }
     }
 
