@@ -32,24 +32,24 @@ pub(crate) fn separated<T>(
 }
 
 /// An entry of a list in the words of the description: `the input \`u\``, `t`, `Φ[8] (drive)`.
-pub(crate) fn entry(f: &mut fmt::Formatter<'_>, what: &str, index: usize, name: &str) -> fmt::Result {
-    match what {
+pub(crate) fn entry(f: &mut fmt::Formatter<'_>, list: &str, index: usize, name: &str) -> fmt::Result {
+    match list {
         "t" => f.write_str("t"),
         "inputs" if !name.is_empty() => write!(f, "the input `{name}`"),
         "parameters" if !name.is_empty() => write!(f, "the parameter `{name}`"),
         "observables" if !name.is_empty() => write!(f, "the value or a rate of `{name}`"),
-        _ if name.is_empty() => write!(f, "{what}[{index}]"),
-        _ => write!(f, "{what}[{index}] ({name})"),
+        _ if name.is_empty() => write!(f, "{list}[{index}]"),
+        _ => write!(f, "{list}[{index}] ({name})"),
     }
 }
 
 /// `1 row`, `2 rows`.
-pub(crate) fn counted(f: &mut fmt::Formatter<'_>, count: usize, what: &str) -> fmt::Result {
-    match (count, what) {
-        (1, _) => write!(f, "1 {what}"),
+pub(crate) fn counted(f: &mut fmt::Formatter<'_>, count: usize, noun: &str) -> fmt::Result {
+    match (count, noun) {
+        (1, _) => write!(f, "1 {noun}"),
         (_, "body") => write!(f, "{count} bodies"),
         (_, "entry") => write!(f, "{count} entries"),
-        _ => write!(f, "{count} {what}s"),
+        _ => write!(f, "{count} {noun}s"),
     }
 }
 

@@ -101,15 +101,15 @@ impl<Q: AsRef<[Octet]> + AsMut<[Octet]>> BlockSolution<Q> {
     }
 
     fn judge_lane(&mut self, question: &Question<'_>, margins: &[Octet], lane: usize) -> Option<(usize, f64)> {
-        let of = |x: &Octet| x.lane(lane);
-        let finite = |numbers: &[Octet]| numbers.iter().all(|x| of(x).is_finite());
-        let margin = margins.iter().map(of).fold(1.0, f64::min);
+        let in_lane = |x: &Octet| x.lane(lane);
+        let finite = |numbers: &[Octet]| numbers.iter().all(|x| in_lane(x).is_finite());
+        let margin = margins.iter().map(in_lane).fold(1.0, f64::min);
         let numbers = finite(self.q.as_ref()) && finite(self.q_dot.as_ref()) && finite(self.q_ddot.as_ref());
-        let known = margins.iter().all(|margin| !of(margin).is_nan()) && of(&question.at.t).is_finite();
+        let known = margins.iter().all(|margin| !in_lane(margin).is_nan()) && in_lane(&question.at.t).is_finite();
         self.good[lane] = numbers && known && margin > Plan::SMALLEST_MARGIN;
         let margin = if known && margin.is_finite() { margin } else { 0.0 };
         self.margin.set(lane, margin);
-        margins.iter().map(of).enumerate().find(|(_, margin)| *margin <= Plan::SMALLEST_MARGIN)
+        margins.iter().map(in_lane).enumerate().find(|(_, margin)| *margin <= Plan::SMALLEST_MARGIN)
     }
 
     /// Solves again with one lane copied to all lanes, so that it does not depend on the others.
@@ -129,7 +129,7 @@ impl<Q: AsRef<[Octet]> + AsMut<[Octet]>> BlockSolution<Q> {
         for (to, u) in inputs.as_mut().iter_mut().zip(question.at.inputs) {
             *to = u.map(|x| spread(x, lane));
         }
-        let own = Question {
+        let question_of_lane = Question {
             parameters: parameters.as_ref(),
             at: &Instant { t: spread(question.at.t, lane), inputs: inputs.as_ref() },
             modes: &modes.as_ref()[..question.modes.len()],
@@ -138,8 +138,8 @@ impl<Q: AsRef<[Octet]> + AsMut<[Octet]>> BlockSolution<Q> {
         };
         let mut poses = BlockSolution::<M::Coordinates<Octet>>::nothing();
         let mut found = Margins::<M, Octet>::filled(Octet::default());
-        poses.solve_by_plan(mechanism, &own, found.as_mut());
-        let limit = poses.judge_lane(&own, found.as_ref(), lane);
+        poses.solve_by_plan(mechanism, &question_of_lane, found.as_mut());
+        let limit = poses.judge_lane(&question_of_lane, found.as_ref(), lane);
         copy_lane(margins, found.as_ref(), lane, lane);
         if poses.is_good(lane) {
             self.copy_lane(&poses, lane, lane);
@@ -272,8 +272,8 @@ fn spread_lane(to: &mut [Octet], from: &[Octet], lane: usize) {
 }
 
 /// Copies lane `from` of every number to lane `to`.
-pub(super) fn copy_lane(numbers: &mut [Octet], others: &[Octet], from: usize, to: usize) {
-    for (number, other) in numbers.iter_mut().zip(others) {
+pub(super) fn copy_lane(numbers: &mut [Octet], source: &[Octet], from: usize, to: usize) {
+    for (number, other) in numbers.iter_mut().zip(source) {
         number.set(to, other.lane(from));
     }
 }

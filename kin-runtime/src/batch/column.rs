@@ -42,15 +42,15 @@ impl Configurations<'_> {
 
 /// Checks that a list has as many columns as it must, each with `count` numbers.
 pub(super) fn check_list(
-    what: &'static str,
+    list_name: &'static str,
     expected: usize,
     list: &[Column<'_>],
     count: usize,
 ) -> Result<(), LengthError> {
     if list.len() != expected {
-        return Err(LengthError { what, expected, found: list.len() });
+        return Err(LengthError { what: list_name, expected, found: list.len() });
     }
-    let column = match what {
+    let column = match list_name {
         "parameters" => "a column of the parameters",
         "q" => "a column of q",
         "q_dot" => "a column of q_dot",
@@ -125,9 +125,9 @@ impl<'a, V: Pack> Arguments<'a, V> {
             self.read(tile * TILE);
             self.tile = Some(tile);
         }
-        let (own, coordinates) = (self.configurations.parameters.len(), self.configurations.q.len());
-        let (parameters, rest) = self.numbers[k * stride..][..stride].split_at(own);
-        let (q, rest) = rest.split_at(coordinates);
+        let (parameter_count, coordinate_count) = (self.configurations.parameters.len(), self.configurations.q.len());
+        let (parameters, rest) = self.numbers[k * stride..][..stride].split_at(parameter_count);
+        let (q, rest) = rest.split_at(coordinate_count);
         let (q_dot, t) = rest.split_at(rest.len() - 1);
         let at = Instant { t: t[0], inputs: &self.inputs[k * inputs..][..inputs] };
         Block { parameters, at, q, q_dot }
@@ -164,10 +164,10 @@ impl Column<'_> {
         }
     }
 
-    pub(super) fn check(&self, what: &'static str, count: usize) -> Result<(), LengthError> {
+    pub(super) fn check(&self, list_name: &'static str, count: usize) -> Result<(), LengthError> {
         match self {
             Self::Each(numbers) if numbers.len() != count => {
-                Err(LengthError { what, expected: count, found: numbers.len() })
+                Err(LengthError { what: list_name, expected: count, found: numbers.len() })
             }
             _ => Ok(()),
         }

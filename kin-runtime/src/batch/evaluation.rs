@@ -55,8 +55,8 @@ impl<M: Mechanism> Evaluations<M> {
     }
 
     // Functions have one type for all columns, where closures have four, so that the iterator is compiled once.
-    fn column(&self, of: fn(&Workspace<M, Lanes>) -> &[Lanes], index: usize) -> impl Iterator<Item = f64> {
-        (0..self.count).map(move |k| of(&self.blocks[k / Lanes::COUNT])[index].to_array()[k % Lanes::COUNT])
+    fn column(&self, list: fn(&Workspace<M, Lanes>) -> &[Lanes], index: usize) -> impl Iterator<Item = f64> {
+        (0..self.count).map(move |k| list(&self.blocks[k / Lanes::COUNT])[index].to_array()[k % Lanes::COUNT])
     }
 }
 

@@ -61,8 +61,8 @@ pub(super) fn drive<T: Send, S>(
         for (index, out) in out.chunks_mut(stride).enumerate() {
             block(start + index * width, scratch, out);
         }
-        let own = (out.len() * width).div_ceil(stride).min(count - start);
-        let done = done.fetch_add(own, Ordering::Relaxed) + own;
+        let finished = (out.len() * width).div_ceil(stride).min(count - start);
+        let done = done.fetch_add(finished, Ordering::Relaxed) + finished;
         if watch(Progress { done, total: count }).is_break() {
             stopped.store(true, Ordering::Relaxed);
         }

@@ -88,7 +88,7 @@ impl SensitivitySolutions {
             ("the list of parameters", self.parameters, parameters),
         ];
         let wrong = lists.into_iter().find(|(_, expected, found)| expected != found);
-        wrong.map_or(Ok(()), |(what, expected, found)| Err(LengthError { what, expected, found }))
+        wrong.map_or(Ok(()), |(list, expected, found)| Err(LengthError { what: list, expected, found }))
     }
 }
 
@@ -212,14 +212,14 @@ impl<'a> List<'a> {
         let width = 1 + self.parameters.len().next_multiple_of(WIDTH);
         for ((measure, source), out) in self.measures.iter().zip(&self.sources).zip(numbers.chunks_mut(width)) {
             // Numbers with derivatives are large, so existing ones are not copied.
-            let own;
+            let computed;
             let number = match *source {
                 Source::Coordinate { place, order } => {
                     [&varied.q, &varied.q_dot, &varied.q_ddot].get(order)?.get(place)?
                 }
                 Source::Force(place) => varied.forces.get(place)?,
                 _ => {
-                    own = match *source {
+                    computed = match *source {
                         Source::Time => Number::from_f64(at.t),
                         Source::Input { place, order } => {
                             let input = at.inputs.get(place)?;
@@ -227,7 +227,7 @@ impl<'a> List<'a> {
                         }
                         _ => measure.varied(model, varied)?,
                     };
-                    &own
+                    &computed
                 }
             };
             out[0] = number.value();

@@ -87,8 +87,8 @@ impl<M: Mechanism> Solutions<M> {
 
     /// Checks that there are `count` solutions.
     pub(super) fn check(&self, count: usize) -> Result<(), LengthError> {
-        let what = "the list of solutions";
-        if self.count == count { Ok(()) } else { Err(LengthError { what, expected: count, found: self.count }) }
+        let list = "the list of solutions";
+        if self.count == count { Ok(()) } else { Err(LengthError { what: list, expected: count, found: self.count }) }
     }
 
     /// Block number `index`.

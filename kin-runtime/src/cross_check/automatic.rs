@@ -51,11 +51,11 @@ fn velocity_level(
     let n = mechanism.model().coordinates.len();
     let rest = vec![Dual64::from_re(0.0); n];
     let rates: Vec<Dual64> = at.q_dot.iter().map(|&v| Dual64::from_re(v)).collect();
-    let here = eta(mechanism, parameters, at, 0.0, &rates)?;
+    let eta_now = eta(mechanism, parameters, at, 0.0, &rates)?;
     let b = eta(mechanism, parameters, at, 0.0, &rest)?;
     let along = eta(mechanism, parameters, at, 1.0, &rates)?;
     for &row in &rows {
-        all.phi[row] = here[row].re;
+        all.phi[row] = eta_now[row].re;
         all.phi_t[row] = b[row].re;
         all.gamma[row] = -along[row].eps;
     }

@@ -41,10 +41,10 @@ impl FunctionCheck {
 impl fmt::Display for FunctionCheck {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { function, derivative, x, given, differences, error, .. } = self;
-        let of = if *derivative == "f″" { "f′" } else { "f" };
+        let base = if *derivative == "f″" { "f′" } else { "f" };
         write!(
             f,
-            "`{function}`: {derivative} is {given} at {x}, and {differences} by differences of {of} ({error:.1e})"
+            "`{function}`: {derivative} is {given} at {x}, and {differences} by differences of {base} ({error:.1e})"
         )
     }
 }
@@ -120,12 +120,12 @@ const MAX_COMPARED_INTERVAL: f64 = 1e-4;
 /// Compares derivative `order` + 1 of a function with differences of derivative `order` at `x`; `None` where no
 /// comparison is possible.
 fn agreement(function: &impl Fn(f64) -> [f64; 3], order: usize, x: f64) -> Option<Agreement> {
-    let here = function(x);
-    if !here[0].is_finite() {
+    let values = function(x);
+    if !values[0].is_finite() {
         return None;
     }
-    if !here[order + 1].is_finite() {
-        return Some(Agreement { given: here[order + 1], differences: f64::NAN, error: f64::INFINITY });
+    if !values[order + 1].is_finite() {
+        return Some(Agreement { given: values[order + 1], differences: f64::NAN, error: f64::INFINITY });
     }
     let scale = x.abs().max(1.0);
     let (mut best, mut shortest): (Option<Agreement>, f64) = (None, f64::INFINITY);

@@ -37,14 +37,14 @@ pub(crate) fn plan_check(
     }
     let mut check = CrossCheck::new();
     let mut random = Random::new(options.seed);
-    let own = options.given.len();
-    let mut observed = Observed::new(observer, own + options.configurations);
-    for number in 0..own + options.configurations {
+    let given_count = options.given.len();
+    let mut observed = Observed::new(observer, given_count + options.configurations);
+    for number in 0..given_count + options.configurations {
         let drawn;
         let configuration = match options.given.get(number) {
             Some(given) => given,
             None => {
-                drawn = random_configuration(model, &mut random, number - own, centre);
+                drawn = random_configuration(model, &mut random, number - given_count, centre);
                 &drawn
             }
         };
@@ -56,15 +56,15 @@ pub(crate) fn plan_check(
         };
         check.configurations += 1;
         rows(&mut check, system, &at, &planned)?;
-        if number < own {
+        if number < given_count {
             let state = newton(&at, &planned[0])?;
-            for (what, found, expected) in
+            for (letter, found, expected) in
                 [("q", &planned[0], state.q), ("q̇", &planned[1], state.q_dot), ("q̈", &planned[2], state.q_ddot)]
             {
                 let size = expected.iter().fold(1.0_f64, |most, x| most.max(x.abs()));
                 for ((&found, &expected), coordinate) in found.iter().zip(&expected).zip(model.coordinates) {
                     let (error, at) = ((found - expected).abs() / size, (at.t, &planned[0][..], &planned[1][..]));
-                    check.add([what, coordinate.name, ""], [found, expected], error, at);
+                    check.add([letter, coordinate.name, ""], [found, expected], error, at);
                 }
             }
         }
@@ -121,10 +121,10 @@ fn rows(
         sums[2][row] += entry * q_ddot[column];
         terms[row].iter_mut().zip(sizes).for_each(|(most, size)| *most = most.max(entry.abs() * size));
     }
-    for (sums, (k, what)) in sums.iter().zip([(0, "Φ"), (1, "Φ_q q̇ = −Φ_t"), (2, "Φ_q q̈ = γ")]) {
+    for (sums, (k, equation)) in sums.iter().zip([(0, "Φ"), (1, "Φ_q q̇ = −Φ_t"), (2, "Φ_q q̈ = γ")]) {
         for (row, info) in model.rows.iter().enumerate() {
             let error = if sums[row] == 0.0 { 0.0 } else { sums[row].abs() / terms[row][k] };
-            check.add([what, info.name, ""], [sums[row], 0.0], error, (at.t, q, q_dot));
+            check.add([equation, info.name, ""], [sums[row], 0.0], error, (at.t, q, q_dot));
         }
     }
     Ok(())

@@ -132,12 +132,12 @@ fn enclose_pieces(
     start: &dyn Fn(usize) -> f64,
     of_piece: &dyn Fn(usize, Interval) -> Interval,
 ) -> Interval {
-    let of = |piece: usize| {
+    let enclosure = |piece: usize| {
         let lower = if piece == first { x.lower() } else { start(piece) };
         let upper = if piece == last { x.upper() } else { start(piece + 1) };
         of_piece(piece, Interval::new(lower, upper))
     };
-    (first..=last).map(of).reduce(Interval::hull).unwrap_or(Interval::UNDEFINED)
+    (first..=last).map(enclosure).reduce(Interval::hull).unwrap_or(Interval::UNDEFINED)
 }
 
 /// The values of a function over an interval, if it is straight before `start` and after `end`: `enclose` gives them over

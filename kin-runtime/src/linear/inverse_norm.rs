@@ -27,15 +27,15 @@ pub(crate) fn inverse_norm(inverse: &impl Inverse, work: &mut [f64]) -> f64 {
     if n == 0 {
         return 0.0;
     }
-    let (both, rest) = work.split_at_mut(2 * n);
+    let (vectors, rest) = work.split_at_mut(2 * n);
     let (gradient, signs) = rest.split_at_mut(n);
-    for (index, both) in both.as_chunks_mut::<2>().0.iter_mut().enumerate() {
+    for (index, pair) in vectors.as_chunks_mut::<2>().0.iter_mut().enumerate() {
         let guard = 1.0 + index as f64 / (n - 1).max(1) as f64;
-        *both = [1.0 / n as f64, if index % 2 == 0 { guard } else { -guard }];
+        *pair = [1.0 / n as f64, if index % 2 == 0 { guard } else { -guard }];
     }
-    inverse.solve::<2>(both);
+    inverse.solve::<2>(vectors);
     let mut sums = [0.0; 2];
-    for (sign, &[x, guard]) in signs.iter_mut().zip(both.as_chunks::<2>().0) {
+    for (sign, &[x, guard]) in signs.iter_mut().zip(vectors.as_chunks::<2>().0) {
         *sign = 1.0_f64.copysign(x);
         (sums[0], sums[1]) = (sums[0] + x.abs(), sums[1] + guard.abs());
     }
@@ -43,7 +43,7 @@ pub(crate) fn inverse_norm(inverse: &impl Inverse, work: &mut [f64]) -> f64 {
     if n == 1 {
         return norm;
     }
-    let v = &mut both[..n];
+    let v = &mut vectors[..n];
     let mut last = None;
     for _ in 0..VECTORS {
         gradient.copy_from_slice(signs);

@@ -21,7 +21,7 @@ pub(crate) fn dependencies(a: &DMatrix<f64>, tolerance: f64) -> Vec<Dependency> 
     let longest = a.row_iter().map(|row| row.norm()).fold(1.0, f64::max);
     let negligible = tolerance * longest;
     let mut basis: Vec<DVector<f64>> = Vec::new();
-    let mut kept: Vec<usize> = Vec::new();
+    let mut independent: Vec<usize> = Vec::new();
     // Element k expresses basis vector k as a combination of the kept rows.
     let mut origins: Vec<Vec<f64>> = Vec::new();
     let mut found = Vec::new();
@@ -36,7 +36,7 @@ pub(crate) fn dependencies(a: &DMatrix<f64>, tolerance: f64) -> Vec<Dependency> 
                 *projection += part;
             }
         }
-        let mut factors = vec![0.0; kept.len()];
+        let mut factors = vec![0.0; independent.len()];
         for (projection, origin) in projections.iter().zip(&origins) {
             factors.iter_mut().zip(origin).for_each(|(f, o)| *f += projection * o);
         }
@@ -45,13 +45,14 @@ pub(crate) fn dependencies(a: &DMatrix<f64>, tolerance: f64) -> Vec<Dependency> 
             found.push(Dependency { row, combination: Vec::new() });
         } else if remainder <= negligible {
             let largest = factors.iter().fold(0.0_f64, |m, f| m.max(f.abs()));
-            let combination = kept.iter().copied().zip(factors).filter(|(_, f)| f.abs() > 1e-6 * largest).collect();
+            let combination =
+                independent.iter().copied().zip(factors).filter(|(_, f)| f.abs() > 1e-6 * largest).collect();
             found.push(Dependency { row, combination });
         } else {
             let mut origin: Vec<f64> = factors.iter().map(|f| -f / remainder).collect();
             origin.push(1.0 / remainder);
             basis.push(rest / remainder);
-            kept.push(row);
+            independent.push(row);
             origins.push(origin);
         }
     }

@@ -64,10 +64,10 @@ pub struct ForceUnits {
 impl core::fmt::Display for ForceUnits {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         let all = [("forces", self.force), ("moments", self.moment), ("energies", self.energy), ("powers", self.power)];
-        let known = all.into_iter().filter_map(|(what, unit)| Some((what, unit?)));
+        let known = all.into_iter().filter_map(|(noun, unit)| Some((noun, unit?)));
         known
             .enumerate()
-            .try_for_each(|(k, (what, unit))| write!(f, "{}{what} in {unit}", if k > 0 { ", " } else { "" }))
+            .try_for_each(|(k, (noun, unit))| write!(f, "{}{noun} in {unit}", if k > 0 { ", " } else { "" }))
     }
 }
 

@@ -25,7 +25,7 @@ impl Units {
 impl core::fmt::Display for Units {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         let common = [("lengths", self.length), ("time", self.time)];
-        let common = common.into_iter().filter_map(|(what, unit)| Some((what, unit?)));
+        let common = common.into_iter().filter_map(|(noun, unit)| Some((noun, unit?)));
         let mut any = false;
         for (name, unit) in common.chain(self.named.iter().copied()) {
             write!(f, "{}{name} in {unit}", if any { ", " } else { "" })?;

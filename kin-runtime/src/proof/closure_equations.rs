@@ -112,8 +112,8 @@ impl<'s> ClosureEquations<'s> {
         let all = self.rows.clone();
         for k in self.unknown.clone() {
             let column = self.reduced.left[k];
-            let own = all.iter().copied().filter(|&i| self.reduced.depends(i, k)).collect::<Vec<_>>();
-            let &[a, b] = own.as_slice() else { continue };
+            let rows_with_angle = all.iter().copied().filter(|&i| self.reduced.depends(i, k)).collect::<Vec<_>>();
+            let &[a, b] = rows_with_angle.as_slice() else { continue };
             let are_left = self.rows.contains(&a) && self.rows.contains(&b);
             if !are_left || !self.square.is_pinned_angle(column) || self.unknown.len() == 1 {
                 continue;
@@ -130,9 +130,9 @@ impl<'s> ClosureEquations<'s> {
     fn eliminated_angle(&mut self, k: usize, rows: [usize; 2], region: &[Interval]) -> Option<EliminatedAngle> {
         let column = self.reduced.left[k];
         let everywhere = everywhere(region);
-        let others: Vec<Interval> = self.unknown.iter().map(|&k| everywhere[self.reduced.left[k]]).collect();
+        let other_unknowns: Vec<Interval> = self.unknown.iter().map(|&k| everywhere[self.reduced.left[k]]).collect();
         let mut derivatives = |angle: Interval| {
-            self.go_to(&others);
+            self.go_to(&other_unknowns);
             self.q[column] = angle;
             self.evaluate(Subset::JACOBIAN, Unbounded::Refused).ok()?;
             Some(rows.map(|i| self.reduced.derivative(&self.values.phi_q, i, k)))
@@ -145,9 +145,10 @@ impl<'s> ClosureEquations<'s> {
         // The local points of a pin do not depend on the angle of their body, unless their formulas contain it.
         let is_same = ANGLES.into_iter().all(|angle| {
             let angle = Interval::from(angle);
-            let own = found.derivatives(angle);
-            derivatives(angle)
-                .is_some_and(|all| all.iter().zip(own).all(|(x, own)| is_narrow(x) && x.intersection(own).is_some()))
+            let predicted = found.derivatives(angle);
+            derivatives(angle).is_some_and(|all| {
+                all.iter().zip(predicted).all(|(x, predicted)| is_narrow(x) && x.intersection(predicted).is_some())
+            })
         });
         (is_same && at_zero.iter().chain(&at_quarter).all(is_narrow)).then_some(found)
     }
@@ -254,17 +255,17 @@ impl<'s> ClosureEquations<'s> {
     /// angles that gears couple in a ratio.
     pub(super) fn turns(&mut self, u: &[Interval]) -> Vec<bool> {
         let turn = Interval::new(std::f64::consts::TAU, std::f64::consts::TAU.next_up());
-        let of = |equations: &mut Self, u: &[Interval]| {
+        let values_at = |equations: &mut Self, u: &[Interval]| {
             equations.over(u, Subset::PHI).map(|()| equations.values.phi.clone()).unwrap_or_default()
         };
-        let here = of(self, u);
+        let values = values_at(self, u);
         let is_same = |k: usize| {
             let mut turned = u.to_vec();
             turned[k] = turned[k] + turn;
-            let there = of(self, &turned);
-            !here.is_empty()
-                && here.len() == there.len()
-                && here.iter().zip(there).all(|(a, b)| a.intersection(b).is_some())
+            let turned_values = values_at(self, &turned);
+            !values.is_empty()
+                && values.len() == turned_values.len()
+                && values.iter().zip(turned_values).all(|(a, b)| a.intersection(b).is_some())
         };
         (0..u.len()).map(is_same).collect()
     }

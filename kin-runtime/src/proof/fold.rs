@@ -41,7 +41,7 @@ const QUARTER: Interval = Interval::new(0.25, 0.25);
 /// A proven fold.
 pub(super) struct Proven {
     /// The entry of the null vector that is 1.
-    pub(super) one: usize,
+    pub(super) unit_entry: usize,
     /// u and t, enclosed.
     pub(super) place: Vec<Interval>,
     /// The box of u, t and the null vector's other entries in which there is no other singular place.
@@ -58,12 +58,12 @@ fn rate_of(rates: &[Interval]) -> f64 {
     if largest > 0.0 { largest.clamp(1e-60, 1e60).log2().round().exp2() } else { 1.0 }
 }
 
-/// F and its matrix over a box of u, t and v without its entry `one`.
-fn bordered(equations: &mut ClosureEquations<'_>, y: &[Interval], one: usize) -> Result<Bordered, Uncertified> {
+/// F and its matrix over a box of u, t and v without its entry `unit_entry`.
+fn bordered(equations: &mut ClosureEquations<'_>, y: &[Interval], unit_entry: usize) -> Result<Bordered, Uncertified> {
     let m = equations.count();
     let (u, t) = (&y[..m], y[m]);
     let mut v = y[m + 1..].to_vec();
-    v.insert(one, ONE);
+    v.insert(unit_entry, ONE);
     equations.at(t);
     let closure = equations.closure(u, true)?;
     let rates = equations.known_rates(u)?;
@@ -89,9 +89,9 @@ fn bordered(equations: &mut ClosureEquations<'_>, y: &[Interval], one: usize) ->
         };
         let mut alone = vec![ZERO; m];
         alone[k] = ONE;
-        let both = mixed(&moved(ONE), &moved(-ONE))?;
+        let u_and_time = mixed(&moved(ONE), &moved(-ONE))?;
         let of_time = mixed(&alone, &negative(&alone))?;
-        let only_u = both.into_iter().zip(of_time).map(|(both, of_time)| inverse * (both - of_time));
+        let only_u = u_and_time.into_iter().zip(of_time).map(|(u_and_time, of_time)| inverse * (u_and_time - of_time));
         along_u.push(only_u.collect::<Vec<_>>());
     }
     let product = |row: &Vec<Interval>| row.iter().zip(&v).fold(ZERO, |sum, (&a, &v)| sum + a * v);
@@ -102,7 +102,7 @@ fn bordered(equations: &mut ClosureEquations<'_>, y: &[Interval], one: usize) ->
     }
     for (i, row) in closure.f_u.iter().enumerate() {
         matrix.extend(along_u.iter().map(|column| column[i]).chain([along_t[i]]));
-        matrix.extend(row.iter().enumerate().filter(|&(k, _)| k != one).map(|(_, &a)| a));
+        matrix.extend(row.iter().enumerate().filter(|&(k, _)| k != unit_entry).map(|(_, &a)| a));
     }
     Ok((values, matrix))
 }
@@ -115,14 +115,14 @@ pub(super) fn prove(equations: &mut ClosureEquations<'_>, near: &[f64], reach: f
     equations.at(Interval::from(near[m]));
     let f_u = equations.closure(&points(&near[..m]), false).ok()?.f_u;
     let v = null_vector(&f_u)?;
-    let one = (0..m).max_by(|&a, &b| v[a].abs().total_cmp(&v[b].abs()))?;
+    let unit_entry = (0..m).max_by(|&a, &b| v[a].abs().total_cmp(&v[b].abs()))?;
     let mut y: Vec<f64> = near.to_vec();
-    y.extend((0..m).filter(|&k| k != one).map(|k| v[k] / v[one]));
+    y.extend((0..m).filter(|&k| k != unit_entry).map(|k| v[k] / v[unit_entry]));
     let n = 2 * m;
     let entries: Vec<(usize, usize)> = (0..n).flat_map(|i| (0..n).map(move |k| (i, k))).collect();
     let sizes: Vec<f64> = sizes.iter().copied().chain((1..m).map(|_| 1.0)).collect();
     for step in 0..=STEPS {
-        let (values, matrix) = bordered(equations, &points(&y), one).ok()?;
+        let (values, matrix) = bordered(equations, &points(&y), unit_entry).ok()?;
         let mut inverse = Preconditioner::new(n, &entries, matrix.iter().map(|a| a.midpoint()))?;
         let newton = inverse.times(&values);
         let moved = newton.iter().zip(&sizes).fold(0.0, |most: f64, (d, size)| most.max(d.magnitude() / size));
@@ -135,7 +135,7 @@ pub(super) fn prove(equations: &mut ClosureEquations<'_>, near: &[f64], reach: f
             continue;
         }
         let over = &mut |all: &[Interval], matrix: &mut Vec<Interval>| {
-            *matrix = bordered(equations, all, one)?.1;
+            *matrix = bordered(equations, all, unit_entry)?.1;
             // The test holds for equations whose matrix is that of their derivatives.
             if equations.is_smooth(&all[..m]) { Ok(()) } else { Err(Uncertified::Singular { nearness: 0.0 }) }
         };
@@ -145,7 +145,7 @@ pub(super) fn prove(equations: &mut ClosureEquations<'_>, near: &[f64], reach: f
         };
         let unique = locate(&COARSE_BOXES)?.unique(&y);
         let place = locate(&FINE_BOXES)?.q[..=m].to_vec();
-        return Some(Proven { one, place, unique });
+        return Some(Proven { unit_entry, place, unique });
     }
     None
 }
@@ -162,7 +162,7 @@ impl Proven {
         }
         equations.at(all[m]);
         let Ok(closure) = equations.closure(&all[..m], false) else { return false };
-        null_vectors(&closure.f_u, self.one).is_some_and(|v| within(&v, &self.unique[m + 1..]))
+        null_vectors(&closure.f_u, self.unit_entry).is_some_and(|v| within(&v, &self.unique[m + 1..]))
     }
 }
 
@@ -185,28 +185,32 @@ pub(super) fn null_vector(a: &[Vec<Interval>]) -> Option<DVector<f64>> {
     Some(svd.v_t?.row(least).transpose())
 }
 
-/// Bounds of all null vectors with the entry 1 at `one`, for all matrices in A, without that entry; `None` if there may be null
+/// Bounds of all null vectors with the entry 1 at `unit_entry`, for all matrices in A, without that entry; `None` if there may be null
 /// vectors whose entry there is 0.
 ///
 /// With the other columns B and the column b, B w = −b. With an approximate pseudoinverse C of B, w = −C b + (I − C B)
 /// w, and so
 /// |w| ≤ |C b| / (1 − |I − C B|) in the maximum norm.
-fn null_vectors(a: &[Vec<Interval>], one: usize) -> Option<Vec<Interval>> {
+fn null_vectors(a: &[Vec<Interval>], unit_entry: usize) -> Option<Vec<Interval>> {
     let m = a.len();
-    let others: Vec<usize> = (0..m).filter(|&k| k != one).collect();
-    if others.is_empty() {
+    let other_columns: Vec<usize> = (0..m).filter(|&k| k != unit_entry).collect();
+    if other_columns.is_empty() {
         return Some(Vec::new());
     }
-    let b = DMatrix::from_fn(m, m - 1, |i, k| a[i][others[k]].midpoint());
+    let b = DMatrix::from_fn(m, m - 1, |i, k| a[i][other_columns[k]].midpoint());
     if b.iter().any(|x| !x.is_finite()) {
         return None;
     }
     let inverse = b.pseudo_inverse(1e-9).ok()?;
     let times = |i: usize, k: usize| (0..m).fold(ZERO, |sum, row| sum + Interval::from(inverse[(i, row)]) * a[row][k]);
-    let first: Vec<Interval> = (0..m - 1).map(|i| -times(i, one)).collect();
+    let first: Vec<Interval> = (0..m - 1).map(|i| -times(i, unit_entry)).collect();
     let rests: Vec<Vec<Interval>> = (0..m - 1)
         .map(|i| {
-            others.iter().enumerate().map(|(j, &k)| if i == j { ONE - times(i, k) } else { -times(i, k) }).collect()
+            other_columns
+                .iter()
+                .enumerate()
+                .map(|(j, &k)| if i == j { ONE - times(i, k) } else { -times(i, k) })
+                .collect()
         })
         .collect();
     let sum = |row: &Vec<Interval>| row.iter().fold(0.0, |sum: f64, x| (sum + x.magnitude()).next_up());

@@ -66,11 +66,11 @@ impl Square {
             let index = |row: usize| {
                 (!left_out.contains(&row)).then(|| row - left_out.iter().filter(|&&other| other < row).count())
             };
-            let own = entries.iter().enumerate();
-            let kept = own.filter_map(|(k, &(row, column))| Some(((index(row)?, column), Some(k))));
+            let pattern = entries.iter().enumerate();
+            let remaining = pattern.filter_map(|(k, &(row, column))| Some(((index(row)?, column), Some(k))));
             let given_rows = given.iter().enumerate().map(|(k, &(column, _))| ((rows + k, column), None));
-            let (kept, indices): (Vec<_>, Vec<_>) = kept.chain(given_rows).unzip();
-            (entries, sources) = (Cow::Owned(kept), Some(indices));
+            let (remaining, indices): (Vec<_>, Vec<_>) = remaining.chain(given_rows).unzip();
+            (entries, sources) = (Cow::Owned(remaining), Some(indices));
         }
         let names = left_out.iter().filter_map(|&row| model.rows.get(row)).map(|row| row.name).collect();
         Ok(Self { model, left_out: names, left_out_rows: left_out, given: given.to_vec(), entries, sources })
@@ -100,12 +100,12 @@ impl Square {
 
     /// True for the angle of a body that occurs in rows of pins (revolute joints) only.
     pub(super) fn is_pinned_angle(&self, column: usize) -> bool {
-        let of = |entry: usize| {
+        let is_revolute = |entry: usize| {
             let row = self.model.rows.get(self.model.constraint_pattern.entries[self.source(entry)?].0)?;
             Some(self.model.joints.get(row.joint)?.kind == JointKind::Revolute)
         };
-        let mut rows = self.entries.iter().enumerate().filter(|(_, (_, of))| *of == column);
-        self.model.coordinates[column].kind.is_angle() && rows.all(|(entry, _)| of(entry) == Some(true))
+        let mut rows = self.entries.iter().enumerate().filter(|(_, (_, is_revolute))| *is_revolute == column);
+        self.model.coordinates[column].kind.is_angle() && rows.all(|(entry, _)| is_revolute(entry) == Some(true))
     }
 
     /// Writes Φ, prescribed coordinates included.

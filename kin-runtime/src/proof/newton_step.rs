@@ -71,12 +71,12 @@ impl NewtonStep {
             inverse.times_to(column, product);
         }
         for (i, index) in across.enumerate() {
-            let of = |k: usize| columns[k * m + i];
-            if of(index).contains(0.0) {
+            let derivative = |k: usize| columns[k * m + i];
+            if derivative(index).contains(0.0) {
                 continue;
             }
-            let others = &mut (0..n).filter(|&k| k != index).map(|k| of(k) * (now[k] - centre[k]));
-            let newton = centre[index] - (newton[i] + sum(others)) / of(index);
+            let other_terms = &mut (0..n).filter(|&k| k != index).map(|k| derivative(k) * (now[k] - centre[k]));
+            let newton = centre[index] - (newton[i] + sum(other_terms)) / derivative(index);
             match now[index].intersection(newton) {
                 Some(smaller) => now[index] = smaller,
                 None if newton.is_defined() => return Shrunk::Empty,

@@ -61,10 +61,11 @@ impl Reduced {
         }
         let sum =
             |row: usize| (0..n).map(|k| (k, sums[(row, k)])).filter(|(_, factor)| *factor != 0.0).collect::<Sum>();
-        let left: Vec<usize> = (0..n).filter(|column| taken.iter().all(|(of, _)| of != column)).collect();
+        let left: Vec<usize> =
+            (0..n).filter(|column| taken.iter().all(|(eliminated, _)| eliminated != column)).collect();
         let equations: Vec<Sum> = free.iter().map(|&row| sum(row)).collect();
         let derivative = |equation: &Sum, by: usize| -> Sum {
-            let factor = |row: usize| equation.iter().find(|(of, _)| *of == row).map(|(_, factor)| *factor);
+            let factor = |row: usize| equation.iter().find(|(term_row, _)| *term_row == row).map(|(_, factor)| *factor);
             let entries = square.entries().iter().enumerate().filter(|(_, (_, column))| *column == by);
             entries.filter_map(|(entry, &(row, _))| Some((entry, factor(row)?))).collect()
         };

@@ -17,7 +17,7 @@ pub(super) fn write_sizes(
     let mut all = places.iter().zip(entries).peekable();
     while let Some(&(&(row, _), _)) = all.peek() {
         let mut largest = [0.0_f64; 2];
-        while let Some((&(_, k), entry)) = all.next_if(|((of, _), _)| *of == row) {
+        while let Some((&(_, k), entry)) = all.next_if(|((other, _), _)| *other == row) {
             let largest = &mut largest[usize::from(is_length(k))];
             *largest = largest.max(entry.magnitude());
         }

@@ -78,8 +78,8 @@ pub struct ContactChange {
 /// `contact lifts off at t = 0.3`.
 impl fmt::Display for ContactChange {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let what = if self.lifts_off { "lifts off" } else { "presses again" };
-        write!(f, "{} {what} at t = ", self.name)?;
+        let event = if self.lifts_off { "lifts off" } else { "presses again" };
+        write!(f, "{} {event} at t = ", self.name)?;
         crate::text::number(f, &self.t)
     }
 }
@@ -282,8 +282,8 @@ impl fmt::Display for Reaction {
 /// `S: 12.5 at a length of 0.3`.
 impl fmt::Display for SpringForce {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let what = if self.turns { "an angle" } else { "a length" };
-        write!(f, "{}: {} at {what} of {}", self.name, self.force, self.length)
+        let coordinate = if self.turns { "an angle" } else { "a length" };
+        write!(f, "{}: {} at {coordinate} of {}", self.name, self.force, self.length)
     }
 }
 

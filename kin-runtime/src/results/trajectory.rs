@@ -94,8 +94,8 @@ impl Trajectory {
 
     /// Names of columns for [`column`](Self::column): `t`, then every coordinate with its rate and acceleration.
     pub fn column_names(&self) -> Vec<String> {
-        let of = |name: &str| ["", "_dot", "_ddot"].map(|suffix| format!("{name}{suffix}"));
-        let coordinates = self.model.coordinates.iter().flat_map(|coordinate| of(coordinate.name));
+        let with_rates = |name: &str| ["", "_dot", "_ddot"].map(|suffix| format!("{name}{suffix}"));
+        let coordinates = self.model.coordinates.iter().flat_map(|coordinate| with_rates(coordinate.name));
         core::iter::once("t".to_owned()).chain(coordinates).collect()
     }
 

@@ -13,7 +13,7 @@ const CONSTANT: u32 = u32::MAX;
 /// them.
 #[derive(Clone, Copy)]
 struct Operation {
-    of: [u32; 2],
+    operands: [u32; 2],
     slopes: [f64; 2],
 }
 
@@ -53,8 +53,8 @@ pub(crate) fn accumulate(results: impl IntoIterator<Item = (Recorded, f64)>, gra
         for (index, operation) in operations.iter().enumerate().rev() {
             let weight = by[index];
             if weight != 0.0 {
-                for (of, slope) in operation.of.into_iter().zip(operation.slopes) {
-                    if let Some(by) = by.get_mut(of as usize) {
+                for (operand, slope) in operation.operands.into_iter().zip(operation.slopes) {
+                    if let Some(by) = by.get_mut(operand as usize) {
                         *by += slope * weight;
                     }
                 }
@@ -70,10 +70,10 @@ impl Recorded {
         self.value
     }
 
-    fn pushed(value: f64, of: [u32; 2], slopes: [f64; 2]) -> Self {
+    fn pushed(value: f64, operands: [u32; 2], slopes: [f64; 2]) -> Self {
         OPERATIONS.with_borrow_mut(|operations| {
             let index = operations.len() as u32;
-            operations.push(Operation { of, slopes });
+            operations.push(Operation { operands, slopes });
             Self { value, index }
         })
     }

@@ -43,15 +43,15 @@ macro_rules! for_each_parameter {
         #[cfg(feature = "simd")]
         let (fours, rest) = by.as_chunks_mut::<4>();
         #[cfg(feature = "simd")]
-        for own in fours {
-            let $a = f64x4::new(*own);
-            *own = ($f).to_array();
+        for lanes in fours {
+            let $a = f64x4::new(*lanes);
+            *lanes = ($f).to_array();
         }
         #[cfg(not(feature = "simd"))]
         let rest = &mut by[..];
-        for own in rest {
-            let $a = *own;
-            *own = $f;
+        for derivative in rest {
+            let $a = *derivative;
+            *derivative = $f;
         }
         by
     }};
@@ -60,15 +60,15 @@ macro_rules! for_each_parameter {
         #[cfg(feature = "simd")]
         let ((fours, rest), (other_fours, others)) = (by.as_chunks_mut::<4>(), others.as_chunks::<4>());
         #[cfg(feature = "simd")]
-        for (own, other) in fours.iter_mut().zip(other_fours) {
-            let ($a, $b) = (f64x4::new(*own), f64x4::new(*other));
-            *own = ($f).to_array();
+        for (lanes, other) in fours.iter_mut().zip(other_fours) {
+            let ($a, $b) = (f64x4::new(*lanes), f64x4::new(*other));
+            *lanes = ($f).to_array();
         }
         #[cfg(not(feature = "simd"))]
         let (rest, others) = (&mut by[..], &others[..]);
-        for (own, other) in rest.iter_mut().zip(others) {
-            let ($a, $b) = (*own, *other);
-            *own = $f;
+        for (derivative, other) in rest.iter_mut().zip(others) {
+            let ($a, $b) = (*derivative, *other);
+            *derivative = $f;
         }
         by
     }};

@@ -66,8 +66,8 @@ fn varied_numbers(
         return Ok((values, Vec::new()));
     }
     let (declared, n) = (equations.model.rows.len(), equations.coordinates());
-    let own = at.values[TOTALS..TOTALS + declared].iter().copied();
-    let lambda: Vec<f64> = own.chain(at.given.iter().map(|(_, effort, ..)| -effort)).collect();
+    let multipliers = at.values[TOTALS..TOTALS + declared].iter().copied();
+    let lambda: Vec<f64> = multipliers.chain(at.given.iter().map(|(_, effort, ..)| -effort)).collect();
     let mut right = vec![zero; n];
     variation.generalized_forces(varied, &mut right)?;
     let parts = variation.evaluate(Subset::JACOBIAN, &varied.q, &varied.q_dot)?;

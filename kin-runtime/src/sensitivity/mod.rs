@@ -263,8 +263,9 @@ pub(crate) fn observe(variation: &mut dyn Variation, varied: &mut Varied) -> Res
 
 /// The derivatives with respect to the parameter of a lane, of all but forces.
 fn reported(model: &'static Model, parameter: &'static str, lane: usize, varied: &Varied) -> Sensitivity {
-    let of = |list: &[Number]| list.iter().map(|number| number.by()[lane]).collect();
-    let [q, q_dot, q_ddot, margins] = [&varied.q, &varied.q_dot, &varied.q_ddot, &varied.margins].map(|list| of(list));
+    let derivatives = |list: &[Number]| list.iter().map(|number| number.by()[lane]).collect();
+    let [q, q_dot, q_ddot, margins] =
+        [&varied.q, &varied.q_dot, &varied.q_ddot, &varied.margins].map(|list| derivatives(list));
     let at = |k: usize| varied.observed.get(k).map(|signal| signal.map(|number| number.by()[lane])).unwrap_or_default();
     let joints = model.joints.iter().map(|joint| joint.quantities.iter().map(|q| at(q.observable)).collect());
     Sensitivity {

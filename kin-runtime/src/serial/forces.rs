@@ -106,13 +106,13 @@ impl<'a> ForcesRecord<'a> {
             (r.name, ReactionRecord { on, point, force, moment, torques, generalized, normal, tangential, determined })
         };
         let spring = |s: &SpringForce| {
-            let of = |wanted: bool, value: f64| (s.turns == wanted).then_some(value);
+            let value_if = |wanted: bool, value: f64| (s.turns == wanted).then_some(value);
             let record = SpringRecord {
-                length: of(false, s.length),
-                angle: of(true, s.length),
+                length: value_if(false, s.length),
+                angle: value_if(true, s.length),
                 rate: s.rate,
-                tension: of(false, s.force),
-                torque: of(true, s.force),
+                tension: value_if(false, s.force),
+                torque: value_if(true, s.force),
                 energy: s.energy,
                 damping_power: s.damper_power,
             };

@@ -57,7 +57,7 @@ struct ReactionRates {
 impl<'a> Record<'a> {
     fn new(sensitivities: &'a Sensitivities) -> Self {
         let Sensitivities { t, model, by, .. } = sensitivities;
-        let vectors = |of: fn(&Sensitivity) -> &[f64]| by.iter().map(|by| (by.parameter, of(by))).collect();
+        let vectors = |list: fn(&Sensitivity) -> &[f64]| by.iter().map(|by| (by.parameter, list(by))).collect();
         let joints = model.joints.iter().enumerate().filter(|(_, joint)| !joint.quantities.is_empty());
         let joint = |(index, joint): (usize, &'static crate::model::JointInfo)| {
             let quantities = joint.quantities.iter().enumerate();
@@ -97,6 +97,6 @@ impl<'a> Record<'a> {
 }
 
 /// The derivatives of a quantity with respect to every parameter.
-fn each<T>(by: &[Sensitivity], of: impl Fn(&Sensitivity) -> T) -> By<T> {
-    by.iter().map(|by| (by.parameter, of(by))).collect()
+fn each<T>(by: &[Sensitivity], value: impl Fn(&Sensitivity) -> T) -> By<T> {
+    by.iter().map(|by| (by.parameter, value(by))).collect()
 }

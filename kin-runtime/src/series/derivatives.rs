@@ -222,10 +222,10 @@ fn check_rounding(
         equations.scale.size(&off) <= OF_SOLUTION * equations.scale.size(known)
     };
     let mut again = |equations: &mut Equations<'_>, beside: Vec<f64>| {
-        let (there, q_dot, q_ddot) = rates(equations, &beside)?;
+        let (factor_beside, q_dot, q_ddot) = rates(equations, &beside)?;
         orders.begin_with(&state.instant(), further, [&beside, &q_dot, &q_ddot])?;
         let mut all = vec![beside, q_dot, q_ddot];
-        add_orders(equations, orders, Some(&there), order, &mut all)?;
+        add_orders(equations, orders, Some(&factor_beside), order, &mut all)?;
         Ok(all)
     };
     // Without rates at q there is nothing with which those of the state, which the caller may have set, can be compared.
@@ -247,8 +247,8 @@ fn solve(
     whole: Option<&Factorization>,
     k: usize,
 ) -> Result<Vec<f64>, SolveError> {
-    let own = orders.right();
-    let right = DVector::from_fn(equations.rows(), |row, _| own.get(row).copied().unwrap_or(0.0));
+    let right_side = orders.right();
+    let right = DVector::from_fn(equations.rows(), |row, _| right_side.get(row).copied().unwrap_or(0.0));
     let right = scaled(equations, &right);
     let solution = match whole {
         Some(factor) => factor.solve(&right),

@@ -123,10 +123,10 @@ impl Tape {
     ) -> [Series<'_>; O] {
         let (first, stride, (from, end)) = (self.room(O), self.stride, self.range.get());
         let mut numbers = self.numbers.borrow_mut();
-        let (before, own) = numbers.split_at_mut(first * stride);
+        let (before, new) = numbers.split_at_mut(first * stride);
         let arguments = x.map(|place| &before[place * stride..][..stride]);
-        let mut own = own.chunks_exact_mut(stride);
-        let mut results: [&mut [f64]; O] = array::from_fn(|_| own.next().unwrap_or_default());
+        let mut new = new.chunks_exact_mut(stride);
+        let mut results: [&mut [f64]; O] = array::from_fn(|_| new.next().unwrap_or_default());
         for k in from..end {
             let next = recurrence.coefficient(k, &arguments, &results);
             results.iter_mut().zip(next).for_each(|(result, next)| result[k] = next);
@@ -151,8 +151,8 @@ impl Tape {
         // of one.
         let (first, stride, (_, end)) = (self.room(6), self.stride, self.range.get());
         let mut numbers = self.numbers.borrow_mut();
-        let (before, own) = numbers.split_at_mut(first * stride);
-        let (x, (results, room)) = (&before[x * stride..][..end], own.split_at_mut(3 * stride));
+        let (before, new) = numbers.split_at_mut(first * stride);
+        let (x, (results, room)) = (&before[x * stride..][..end], new.split_at_mut(3 * stride));
         let (known, powers) = room[..3 * stride].split_at_mut(2 * stride);
         let known = &mut known[..end + 2];
         let count = derivatives(x[0], known).min(known.len());

@@ -324,19 +324,19 @@ impl<M: Mechanism> BlockMotion<M> {
 
     /// Copies lane `from` to lane `to`.
     fn repeat(&mut self, from: usize, to: usize) {
-        fn own(numbers: &mut (impl AsRef<[Octet]> + AsMut<[Octet]> + Copy), from: usize, to: usize) {
-            let others = *numbers;
-            copy_lane(numbers.as_mut(), others.as_ref(), from, to);
+        fn copy(numbers: &mut (impl AsRef<[Octet]> + AsMut<[Octet]> + Copy), from: usize, to: usize) {
+            let source = *numbers;
+            copy_lane(numbers.as_mut(), source.as_ref(), from, to);
         }
-        own(&mut self.parameters, from, to);
-        own(&mut self.modes, from, to);
-        own(&mut self.margins_before, from, to);
-        own(&mut self.weights, from, to);
-        own(&mut self.turns[self.good], from, to);
+        copy(&mut self.parameters, from, to);
+        copy(&mut self.modes, from, to);
+        copy(&mut self.margins_before, from, to);
+        copy(&mut self.weights, from, to);
+        copy(&mut self.turns[self.good], from, to);
         let poses = &mut self.poses[self.good];
-        let others = *poses;
-        poses.copy_lane(&others, from, to);
-        poses.accept(to, others.margin.lane(from));
+        let source = *poses;
+        poses.copy_lane(&source, from, to);
+        poses.accept(to, source.margin.lane(from));
     }
 }
 

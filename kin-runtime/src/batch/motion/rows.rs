@@ -19,20 +19,20 @@ use crate::workspace::Array;
 impl<M: Mechanism> BlockMotion<M> {
     /// The largest turn of the gradients of rows in a step of the length h from the last instant.
     pub(super) fn turn_of_rows(&self, h: f64) -> Octet {
-        let here = self.poses();
-        largest_turn([here.q_dot.as_ref(), here.q_ddot.as_ref()], self.turns[self.good].as_ref(), h)
+        let poses = self.poses();
+        largest_turn([poses.q_dot.as_ref(), poses.q_ddot.as_ref()], self.turns[self.good].as_ref(), h)
     }
 
     /// Not negative in lanes in which a step of the length h turns the gradients of rows no farther than bodies may turn,
     /// its end is near its prediction by the same measure, and no group whose branch value must be looked at comes near
     /// its limit in between.
     pub(super) fn certainty_of_rows(&self, mechanism: &M, at: &Instant<'_, Octet>, h: f64, control: &Control) -> Octet {
-        let (here, tried) = (self.poses(), &self.poses[1 - self.good]);
+        let (before, tried) = (self.poses(), &self.poses[1 - self.good]);
         let step = TrialStep {
             parameters: self.parameters.as_ref(),
             modes: &self.modes,
             turns: self.turns[self.good].as_ref(),
-            before: [here.q.as_ref(), here.q_dot.as_ref(), here.q_ddot.as_ref()],
+            before: [before.q.as_ref(), before.q_dot.as_ref(), before.q_ddot.as_ref()],
             predicted: self.predicted.as_ref(),
             tried: [tried.q.as_ref(), tried.q_dot.as_ref()],
             inputs: self.inputs.as_ref(),
@@ -67,14 +67,14 @@ impl<M: Mechanism> BlockMotion<M> {
             let mut inputs = from.inputs.iter().zip(to.inputs);
             return Octet::from_f64(if inputs.all(|(before, now)| before.value == now.value) { 1.0 } else { -1.0 });
         }
-        let (here, tried) = (self.poses(), &self.poses[1 - self.good]);
-        let ends = [here.q.as_ref(), here.q_dot.as_ref(), tried.q.as_ref(), tried.q_dot.as_ref()];
+        let (accepted, tried) = (self.poses(), &self.poses[1 - self.good]);
+        let ends = [accepted.q.as_ref(), accepted.q_dot.as_ref(), tried.q.as_ref(), tried.q_dot.as_ref()];
         let stretch = CourseStep { course: &course, interval: course.ends(), ends };
         let (parameters, weights) = (self.parameters.as_ref(), self.weights.as_ref());
         let certainty_at = |fraction: f64| {
-            let there = (stretch, fraction);
+            let place = (stretch, fraction);
             let known = (weights, allowed);
-            let certainty = certainty_within(mechanism, parameters, there, &self.modes, known, &Control::USUAL);
+            let certainty = certainty_within(mechanism, parameters, place, &self.modes, known, &Control::USUAL);
             debug_assert!(certainty.is_ok(), "the columns have been counted");
             certainty.unwrap_or_else(|_| Octet::from_f64(-1.0))
         };

@@ -42,15 +42,15 @@ impl Remainder {
     /// Chooses a pivot and eliminates its column from the remaining rows.
     fn eliminate_next(&mut self) -> Option<(usize, usize)> {
         let (pivot_row, pivot_column) = self.choose()?;
-        let own = core::mem::take(&mut self.rows[pivot_row]);
-        let pivot = own.iter().find(|entry| entry.0 == pivot_column)?.1;
+        let entries = core::mem::take(&mut self.rows[pivot_row]);
+        let pivot = entries.iter().find(|entry| entry.0 == pivot_column)?.1;
         self.open.retain(|row| *row != pivot_row);
-        own.iter().for_each(|entry| self.columns[entry.0].retain(|row| *row != pivot_row));
+        entries.iter().for_each(|entry| self.columns[entry.0].retain(|row| *row != pivot_row));
         for row in core::mem::take(&mut self.columns[pivot_column]) {
             let list = &mut self.rows[row];
             let Some(index) = list.iter().position(|entry| entry.0 == pivot_column) else { continue };
             let factor = list.swap_remove(index).1 / pivot;
-            for &(column, value) in own.iter().filter(|entry| entry.0 != pivot_column) {
+            for &(column, value) in entries.iter().filter(|entry| entry.0 != pivot_column) {
                 match list.iter_mut().find(|entry| entry.0 == column) {
                     Some(entry) => entry.1 -= factor * value,
                     None => {
@@ -101,8 +101,8 @@ impl Remainder {
 
     /// The largest absolute value in a column.
     fn largest(&self, column: usize) -> f64 {
-        let of =
+        let size_in_row =
             |row: &usize| self.rows[*row].iter().find(|entry| entry.0 == column).map_or(0.0, |entry| entry.1.abs());
-        self.columns[column].iter().map(of).fold(0.0, f64::max)
+        self.columns[column].iter().map(size_in_row).fold(0.0, f64::max)
     }
 }

@@ -71,7 +71,7 @@ pub(crate) struct NumericLu {
 impl NumericLu {
     /// Computes L and U in a given order; false where a multiplier is too large or a number is not finite.
     fn refactor(&mut self, symbolic: &Rc<SymbolicLu>) -> bool {
-        if self.symbolic.as_ref().is_none_or(|own| !Rc::ptr_eq(own, symbolic)) {
+        if self.symbolic.as_ref().is_none_or(|current| !Rc::ptr_eq(current, symbolic)) {
             self.symbolic = Some(Rc::clone(symbolic));
         }
         let (n, lower, upper) = (symbolic.pivots.len(), symbolic.lower.len(), symbolic.upper.len());
@@ -88,8 +88,8 @@ impl NumericLu {
                 numbers[next] = multiplier;
                 largest = largest.max(multiplier.abs());
                 let end = symbolic.ends[next] as usize;
-                for &(to, of) in &symbolic.updates[first..end] {
-                    numbers[to as usize] -= multiplier * numbers[of as usize];
+                for &(to, from) in &symbolic.updates[first..end] {
+                    numbers[to as usize] -= multiplier * numbers[from as usize];
                 }
                 (next, first) = (next + 1, end);
             }

@@ -75,14 +75,14 @@ fn filled(n: usize, entries: &[(u32, u32)]) -> (Places, Places) {
     let mut rows = vec![Vec::new(); n];
     entries.iter().for_each(|&(row, column)| rows[row as usize].push(column));
     let (mut lower, mut upper, mut starts) = (Vec::new(), Vec::new(), vec![0]);
-    for (row, own) in (0_u32..).zip(&rows) {
-        let mut columns: BTreeSet<u32> = own.iter().copied().collect();
+    for (row, entries_of_row) in (0_u32..).zip(&rows) {
+        let mut columns: BTreeSet<u32> = entries_of_row.iter().copied().collect();
         let mut reached = None;
         // Subtracting row `through` adds entries only in columns further to the right, so one pass suffices.
         while let Some(through) = columns.range(reached.map_or(0, |last| last + 1)..row).next().copied() {
             lower.push((row, through));
-            let own: &[(u32, u32)] = &upper[starts[through as usize]..starts[through as usize + 1]];
-            columns.extend(own.iter().map(|entry| entry.1));
+            let entries_right: &[(u32, u32)] = &upper[starts[through as usize]..starts[through as usize + 1]];
+            columns.extend(entries_right.iter().map(|entry| entry.1));
             reached = Some(through);
         }
         upper.extend(columns.range(row + 1..).map(|&column| (row, column)));

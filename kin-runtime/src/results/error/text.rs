@@ -116,8 +116,8 @@ impl fmt::Display for SolveError {
                  `spring` and `torsion_spring`"
             ),
             Self::NegativeMass { body, is_inertia, value } => {
-                let what = if *is_inertia { "moment of inertia" } else { "mass" };
-                write!(f, "a {what} of `{body}` is {value}; neither masses nor moments of inertia are negative")
+                let quantity = if *is_inertia { "moment of inertia" } else { "mass" };
+                write!(f, "a {quantity} of `{body}` is {value}; neither masses nor moments of inertia are negative")
             }
             Self::NotDetermined { t, open: 0, .. } => write!(
                 f,

@@ -30,21 +30,29 @@ impl Scalar for Interval {
     }
 
     fn asin(self) -> Self {
-        let of = |x: f64| {
+        let at_point = |x: f64| {
             let x = Self::from(x);
             let one = Self::from(1.0);
             x.atan2(((one - x) * (one + x)).sqrt())
         };
-        if self.lower >= -1.0 && self.upper <= 1.0 { of(self.lower).hull(of(self.upper)) } else { Self::UNDEFINED }
+        if self.lower >= -1.0 && self.upper <= 1.0 {
+            at_point(self.lower).hull(at_point(self.upper))
+        } else {
+            Self::UNDEFINED
+        }
     }
 
     fn acos(self) -> Self {
-        let of = |x: f64| {
+        let at_point = |x: f64| {
             let x = Self::from(x);
             let one = Self::from(1.0);
             ((one - x) * (one + x)).sqrt().atan2(x)
         };
-        if self.lower >= -1.0 && self.upper <= 1.0 { of(self.lower).hull(of(self.upper)) } else { Self::UNDEFINED }
+        if self.lower >= -1.0 && self.upper <= 1.0 {
+            at_point(self.lower).hull(at_point(self.upper))
+        } else {
+            Self::UNDEFINED
+        }
     }
 
     fn atan(self) -> Self {

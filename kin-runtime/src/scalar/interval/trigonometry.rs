@@ -102,8 +102,8 @@ fn polynomial(c: &[f64; 8], z: f64) -> f64 {
 /// `a` if `first`, `b` otherwise, by bits: a choice of integers needs no branch.
 #[inline]
 fn choose(first: bool, a: (f64, f64), b: (f64, f64)) -> (f64, f64) {
-    let of = |a: f64, b: f64| f64::from_bits(if first { a.to_bits() } else { b.to_bits() });
-    (of(a.0, b.0), of(a.1, b.1))
+    let chosen = |a: f64, b: f64| f64::from_bits(if first { a.to_bits() } else { b.to_bits() });
+    (chosen(a.0, b.0), chosen(a.1, b.1))
 }
 
 /// −`value` if `two` is 2, `value` if it is 0.

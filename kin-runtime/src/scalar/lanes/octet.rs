@@ -25,8 +25,8 @@ impl Octet {
     pub(crate) const GROUPS: usize = Self::COUNT / Lanes::COUNT;
 
     /// The numbers `of(lane)`.
-    pub(crate) fn generate(of: impl FnMut(usize) -> f64) -> Self {
-        Self(core::array::from_fn(of))
+    pub(crate) fn generate(element: impl FnMut(usize) -> f64) -> Self {
+        Self(core::array::from_fn(element))
     }
 
     /// The values of all lanes.
@@ -221,8 +221,8 @@ impl Pack for Octet {
         rest
     }
 
-    fn generate(of: impl FnMut(usize) -> f64) -> Self {
-        Self::generate(of)
+    fn generate(element: impl FnMut(usize) -> f64) -> Self {
+        Self::generate(element)
     }
 }
 

@@ -11,7 +11,7 @@ pub(crate) trait Pack: Scalar + Default {
     /// Passes the numbers to `put` block by block, and returns the remainder that fills no block.
     fn read(numbers: &[f64], put: impl FnMut(usize, Self)) -> &[f64];
     /// The block with the values `of(lane)`.
-    fn generate(of: impl FnMut(usize) -> f64) -> Self;
+    fn generate(element: impl FnMut(usize) -> f64) -> Self;
 }
 
 impl Pack for Lanes {
@@ -26,7 +26,7 @@ impl Pack for Lanes {
         rest
     }
 
-    fn generate(of: impl FnMut(usize) -> f64) -> Self {
-        Self::generate(of)
+    fn generate(element: impl FnMut(usize) -> f64) -> Self {
+        Self::generate(element)
     }
 }

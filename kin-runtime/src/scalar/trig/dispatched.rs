@@ -106,13 +106,13 @@ pub(super) fn angles<const FUSED: bool, const L: usize, const N: usize>(
 struct One<const FUSED: bool>(f64);
 
 macro_rules! operators {
-    ($($Operator:ident $operator:ident $what:expr),*) => { $(
+    ($($Operator:ident $operator:ident $operation:expr),*) => { $(
         impl<const FUSED: bool> $Operator for One<FUSED> {
             type Output = Self;
             #[inline(always)]
             fn $operator(self, other: Self) -> Self {
-                let what: fn(f64, f64) -> f64 = $what;
-                Self(what(self.0, other.0))
+                let operation: fn(f64, f64) -> f64 = $operation;
+                Self(operation(self.0, other.0))
             }
         }
     )* };

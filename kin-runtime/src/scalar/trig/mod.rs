@@ -224,10 +224,10 @@ pub(crate) fn sin_cos_in_place(angles: &mut [f64], cosines: &mut [f64]) {
     }
     // Padding lanes have the angle 0. The results are copied one by one, because a copy of unknown length is a function
     // call.
-    let (sines, own) = of_eight(&core::array::from_fn(|k| angles.get(k).copied().unwrap_or(0.0)));
+    let (sines, last_cosines) = of_eight(&core::array::from_fn(|k| angles.get(k).copied().unwrap_or(0.0)));
     for k in 0..8 {
         if let (Some(angle), Some(cosine)) = (angles.get_mut(k), cosines.get_mut(k)) {
-            (*angle, *cosine) = (sines[k], own[k]);
+            (*angle, *cosine) = (sines[k], last_cosines[k]);
         }
     }
 }
