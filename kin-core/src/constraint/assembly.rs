@@ -65,7 +65,7 @@ impl Assembly<'_> {
         self.nonzero(radius, "this radius", right)
     }
 
-    /// A value that must not be 0; `what` it is and what is `right` are parts of the message.
+    /// A value that must not be 0; the `quantity` and what is `right` are parts of the message.
     pub(crate) fn nonzero(&mut self, value: &Value, quantity: &str, right: &str) -> ExprId {
         let before = self.errors.len();
         let formula = self.formula(&value.value);

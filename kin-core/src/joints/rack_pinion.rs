@@ -91,7 +91,7 @@ pub(super) fn stroke_by_angle(
     rows
 }
 
-/// Rule: the guide is not the rotating body, for any index of the range; `what` names the latter in the message.
+/// Rule: the guide is not the rotating body, for any index of the range; `role` names the latter in the message.
 pub(super) fn guide_does_not_turn(
     guide: BodyRef,
     turning: BodyRef,

@@ -112,25 +112,25 @@ impl Reduction<'_> {
     ) -> Option<Eliminated> {
         let mut candidates: Vec<(usize, u32, TermKey, Vec<usize>)> = Vec::new();
         for &k in unknowns {
-            let with: Vec<usize> =
+            let rows_with_k: Vec<usize> =
                 rows.iter().copied().filter(|row| self.unknowns(&forms[row], unknowns).contains(&k)).collect();
             let keys: BTreeSet<&TermKey> =
-                with.iter().flat_map(|row| forms[row].terms.keys()).filter(|key| key.contains(k)).collect();
+                rows_with_k.iter().flat_map(|row| forms[row].terms.keys()).filter(|key| key.contains(k)).collect();
             let mut keys = keys.into_iter();
             // The combined row of Φ_q is the derivative of a replaced row only up to a factor, and a row with a rest
             // cannot be split into terms.
-            let plain = with.iter().all(|row| forms[row].rest.is_none() && !self.replaced.contains(row));
+            let plain = rows_with_k.iter().all(|row| forms[row].rest.is_none() && !self.replaced.contains(row));
             if let (Some(key), None, true) = (keys.next(), keys.next(), plain)
                 && key.powers.is_empty()
             {
-                candidates.push((with.len(), k, key.clone(), with));
+                candidates.push((rows_with_k.len(), k, key.clone(), rows_with_k));
             }
         }
         candidates.sort_by_key(|(count, k, ..)| (*count, std::cmp::Reverse(*k)));
-        candidates.into_iter().find_map(|(_, k, key, with)| {
-            let two = self.shortest_loop(&with, forms, &key)?;
+        candidates.into_iter().find_map(|(_, k, key, rows_with_k)| {
+            let two = self.shortest_loop(&rows_with_k, forms, &key)?;
             let (value, row) = self.without_angle(two.map(|row| &forms[&row]), k, &key, unknowns)?;
-            let other_rows = with.into_iter().filter(|row| !two.contains(row));
+            let other_rows = rows_with_k.into_iter().filter(|row| !two.contains(row));
             let mut exchanges = Vec::new();
             let mut replaced = Vec::new();
             for other in other_rows {

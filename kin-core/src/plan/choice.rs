@@ -92,25 +92,25 @@ impl TreeSearch<'_> {
         if rows.len() != self.system.set.coordinates.len() + left_out.len() {
             return None;
         }
-        let beside = |&row: &usize| {
+        let partner = |&row: &usize| {
             let mut kept_rows = (0..rows.len()).filter(|other| !left_out.contains(other));
             kept_rows.find(|&other| rows[other].joint == rows[row].joint).map(|other| (other, row))
         };
-        let beside: BTreeMap<usize, usize> = left_out.iter().filter_map(beside).collect();
+        let partners: BTreeMap<usize, usize> = left_out.iter().filter_map(partner).collect();
         let alone = self.tree(&left_out, BTreeMap::new());
-        if beside.is_empty() {
+        if partners.is_empty() {
             return alone;
         }
-        let helped = self.tree(&left_out, beside);
+        let helped = self.tree(&left_out, partners);
         better(helped, alone)
     }
 
-    fn tree(&mut self, left_out: &[usize], beside: BTreeMap<usize, usize>) -> Option<Chosen> {
+    fn tree(&mut self, left_out: &[usize], partners: BTreeMap<usize, usize>) -> Option<Chosen> {
         let (set, equations) = (&self.system.set, &self.system.equations);
         let all = 0..set.rows.len();
-        let used: Vec<usize> = all.clone().filter(|row| left_out.binary_search(row).is_err()).collect();
-        let pattern = used.iter().map(|row| {
-            let rows = [Some(row), beside.get(row)].into_iter().flatten();
+        let rows_used: Vec<usize> = all.clone().filter(|row| left_out.binary_search(row).is_err()).collect();
+        let pattern = rows_used.iter().map(|row| {
+            let rows = [Some(row), partners.get(row)].into_iter().flatten();
             let held: BTreeSet<usize> = rows.flat_map(|&row| &equations[row].phi_q).map(|(k, _)| *k as usize).collect();
             held.into_iter().collect()
         });
@@ -128,17 +128,17 @@ impl TreeSearch<'_> {
         };
         let (mut tree, mut moves) = (Block::default(), vec![false; set.coordinates.len()]);
         for (rows, unknowns) in blocks {
-            let driven = rows
-                .iter()
-                .any(|&index| self.system.classes[used[index]].leads() || pattern[index].iter().any(|&k| moves[k]));
+            let driven = rows.iter().any(|&index| {
+                self.system.classes[rows_used[index]].leads() || pattern[index].iter().any(|&k| moves[k])
+            });
             unknowns.iter().for_each(|&k| moves[k] = driven);
-            let rows: Vec<usize> = rows.into_iter().map(|index| used[index]).collect();
+            let rows: Vec<usize> = rows.into_iter().map(|index| rows_used[index]).collect();
             let unknowns: BTreeSet<u32> = unknowns.into_iter().map(|k| k as u32).collect();
-            let removable: Vec<usize> = rows.iter().filter_map(|row| beside.get(row)).copied().collect();
+            let removable: Vec<usize> = rows.iter().filter_map(|row| partners.get(row)).copied().collect();
             tree.parts.push(BlockPart::Block(reduction.with_guides(&rows, &unknowns, &removable)?));
         }
         let Reduction { source_rows, paired, .. } = reduction;
-        let still = moves.iter().zip(&set.coordinates).filter(|(moves, k)| !**moves && !k.kind.is_length()).count();
+        let undriven = moves.iter().zip(&set.coordinates).filter(|(moves, k)| !**moves && !k.kind.is_length()).count();
         let iterated =
             tree.sum(&|core| if let SolutionMethod::Newton { residuals } = &core.method { residuals.len() } else { 0 });
         let two = |method: &SolutionMethod| {
@@ -148,7 +148,7 @@ impl TreeSearch<'_> {
             )
         };
         let closures = tree.sum(&|core| usize::from(two(&core.method)));
-        let score = Score { still, iterated, closures };
+        let score = Score { undriven, iterated, closures };
         Some(Chosen { tree, source_rows, left_out: left_out.to_vec(), paired, score })
     }
 }
@@ -158,7 +158,7 @@ impl TreeSearch<'_> {
 pub(super) struct Score {
     /// Number of angles and scalars that no driving row reaches. If a mechanism moves only because of its special
     /// dimensions, a plan in which scleronomic rows fix such a coordinate by themselves is singular.
-    still: usize,
+    undriven: usize,
     /// Number of unknowns of iterations.
     iterated: usize,
     /// Number of parts that have two solutions.
@@ -173,7 +173,7 @@ fn score(chosen: &Option<Chosen>) -> (bool, Option<Score>) {
 /// The score without the number of closures. Fewer closures are no advantage: they may only mean that the tree relies
 /// on rows that agree with the others for special dimensions alone.
 fn cost(chosen: &Option<Chosen>) -> (bool, Option<[usize; 2]>) {
-    (chosen.is_none(), chosen.as_ref().map(|Chosen { score, .. }| [score.still, score.iterated]))
+    (chosen.is_none(), chosen.as_ref().map(|Chosen { score, .. }| [score.undriven, score.iterated]))
 }
 
 /// The tree with the better score; the first one if both scores are equal.

@@ -17,11 +17,11 @@ pub(super) const TERM_WEIGHT: f64 = 1e-6;
 /// still leaves ten of them.
 const DIMENSION_WEIGHT: f64 = 1e-12;
 
-/// What the square of a divisor is compared with: the sum of this square, the squares of `others` (the other
+/// What the square of a divisor is compared with: the sum of this square, the squares of `other_entries` (the other
 /// coefficients of its rows) and `TERM_WEIGHT` times the squared terms of `parts`, which the divisor is made of. The
 /// quotient is the margin of the divisor. `None` if there is nothing to compare it with. A constant divisor cannot
 /// approach 0 during a motion: it is a dimension, such as the radius of a gear, and may be far smaller than the other
-/// coefficients before digits are lost; `others` are then weighted with `TERM_WEIGHT`, too.
+/// coefficients before digits are lost; `other_entries` are then weighted with `TERM_WEIGHT`, too.
 pub(super) fn whole_of_divisor(
     graph: &mut Graph,
     square: ExprId,

@@ -99,8 +99,8 @@ fn walk(set: &ConstraintSet, joints: &[usize], bodies: &BTreeSet<usize>) -> Opti
     });
     let hinges: Vec<Hinge> = named.chain(carried).collect();
     let ends = |hinge: &Hinge| hinge.frames.map(inside);
-    let with = |count: usize| hinges.iter().filter(move |hinge| ends(hinge).iter().flatten().count() == count);
-    let (outer, inner): (Vec<&Hinge>, Vec<&Hinge>) = (with(1).collect(), with(2).collect());
+    let hinges_with = |count: usize| hinges.iter().filter(move |hinge| ends(hinge).iter().flatten().count() == count);
+    let (outer, inner): (Vec<&Hinge>, Vec<&Hinge>) = (hinges_with(1).collect(), hinges_with(2).collect());
     let (&[first, last], true) = (outer.as_slice(), inner.len() <= 1 && outer.len() + inner.len() == hinges.len())
     else {
         return None;

@@ -26,9 +26,9 @@ fn order_of_rows(filled: &[Vec<bool>]) -> Option<Vec<usize>> {
     // Every row also contains the column of the right-hand side.
     let columns = |row: &Vec<bool>| (0..n).filter(|&j| row[j]).map(|j| 1 << j).chain([1 << n]).collect();
     let rows: Vec<Vec<u32>> = filled.iter().map(columns).collect();
-    let (mut order, mut left): (Vec<usize>, Vec<usize>) = (Vec::new(), (0..n).collect());
+    let (mut order, mut remaining): (Vec<usize>, Vec<usize>) = (Vec::new(), (0..n).collect());
     let (mut minors, mut products) = (BTreeSet::from([0]), 0);
-    while !left.is_empty() {
+    while !remaining.is_empty() {
         let with = |&row: &usize| {
             let larger = |minor: &u32| {
                 let minor = *minor;
@@ -38,13 +38,13 @@ fn order_of_rows(filled: &[Vec<bool>]) -> Option<Vec<usize>> {
             (row, pairs.len(), pairs.into_iter().collect::<BTreeSet<u32>>())
         };
         let (row, count, larger) =
-            left.iter().map(with).min_by_key(|(row, count, larger)| (larger.len(), *count, *row))?;
+            remaining.iter().map(with).min_by_key(|(row, count, larger)| (larger.len(), *count, *row))?;
         products += count;
         if products > MOST_PRODUCTS {
             return None;
         }
         minors = larger;
-        left.retain(|&other| other != row);
+        remaining.retain(|&other| other != row);
         order.push(row);
     }
     Some(order)

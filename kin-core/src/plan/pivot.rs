@@ -38,23 +38,23 @@ impl Reduction<'_> {
             let is_iterated = |core: &Core| usize::from(matches!(core.method, SolutionMethod::Newton { .. }));
             block.as_ref().map_or(usize::MAX, |block| block.sum(&is_iterated))
         };
-        let before = state(self);
+        let state_before = state(self);
         (self.guides.skipped, self.guides.found) = (true, false);
-        let left = self.block(rows, unknowns, removable);
-        if !self.guides.found || iterations(&left) == 0 {
-            return left;
+        let iterated = self.block(rows, unknowns, removable);
+        if !self.guides.found || iterations(&iterated) == 0 {
+            return iterated;
         }
-        let after = state(self);
-        restore(self, before);
+        let state_after = state(self);
+        restore(self, state_before);
         self.guides.skipped = false;
         let eliminated = self.block(rows, unknowns, removable);
         let too_large = |core: &Core| usize::from(self.is_too_large(core));
-        let is_too_large = left.as_ref().is_none_or(|block| block.sum(&too_large) > 0);
-        if iterations(&eliminated) < iterations(&left) || is_too_large {
+        let is_too_large = iterated.as_ref().is_none_or(|block| block.sum(&too_large) > 0);
+        if iterations(&eliminated) < iterations(&iterated) || is_too_large {
             return eliminated;
         }
-        restore(self, after);
-        left
+        restore(self, state_after);
+        iterated
     }
 
     /// True for an iteration that is too large for Cramer's rule.
@@ -85,7 +85,7 @@ impl Reduction<'_> {
             let row_unknowns = self.unknowns(form, unknowns);
             let guides = self.is_guide(form, unknowns);
             self.guides.found |= guides;
-            let left =
+            let is_excluded =
                 guides && self.guides.skipped || self.closes_with_another((row, &row_unknowns), rows, unknowns, forms);
             for (key, [coefficient, _]) in &form.terms {
                 let &[(coordinate, 1)] = key.powers.as_slice() else { continue };
@@ -95,7 +95,7 @@ impl Reduction<'_> {
                 let rank = match self.graph.literal(*coefficient) {
                     Some(value) if value.abs() == 1.0 => 0,
                     Some(_) => 1,
-                    None if !left && self.graph.depends(*coefficient).is_static() => {
+                    None if !is_excluded && self.graph.depends(*coefficient).is_static() => {
                         2 + u8::from(self.is_sum(*coefficient))
                     }
                     None => continue,
@@ -125,8 +125,8 @@ impl Reduction<'_> {
         self.graph.literal(coefficient).is_none() && self.graph.depends(coefficient).is_static()
     }
 
-    /// True for a row a x + b y = c, whose unknowns are `own`, that has a closed form together with another row in x
-    /// and y.
+    /// True for a row a x + b y = c, whose unknowns are `row_unknowns`, that has a closed form together with another
+    /// row in x and y.
     fn closes_with_another(
         &mut self,
         (row, row_unknowns): (usize, &BTreeSet<u32>),

@@ -78,12 +78,12 @@ impl<'g> Rates<'g> {
 
     /// Solves the rows of a block for its unknowns.
     pub(super) fn block(&mut self, block: &Block) {
-        let mut left = rows_of(block);
-        left.iter().for_each(|&row| self.fold(row));
+        let mut rows = rows_of(block);
+        rows.iter().for_each(|&row| self.fold(row));
         for pivot in &block.pivots {
-            left.retain(|&row| row != pivot.row);
+            rows.retain(|&row| row != pivot.row);
             let Some(&coefficient) = self.entries[pivot.row].get(&pivot.coordinate) else { continue };
-            for &row in &left {
+            for &row in &rows {
                 if let Some(entry) = self.entries[row].remove(&pivot.coordinate) {
                     let factor = self.graph.div(entry, coefficient);
                     self.subtract(row, factor, pivot.row, pivot.coordinate);

@@ -195,11 +195,11 @@ impl Reduction<'_> {
     pub(super) fn form(&mut self, row: usize, unknowns: &BTreeSet<u32>) -> TermSum {
         loop {
             let (form, written) = TermReader::new(self.graph, self.memory, unknowns).read(self.rows[row]);
-            let left = self.unknowns(&form, unknowns);
-            if written.is_subset(&left) {
+            let remaining = self.unknowns(&form, unknowns);
+            if written.is_subset(&remaining) {
                 return form;
             }
-            for &coordinate in written.difference(&left) {
+            for &coordinate in written.difference(&remaining) {
                 let mut replaced = Replaced { coordinate, value: self.graph.zero() };
                 // `self.rewritten` belongs to a substitution in progress, so a fresh cache is used.
                 self.rows[row] = rewrite(self.graph, self.rows[row], &mut IdMap::default(), &mut replaced);
@@ -255,9 +255,9 @@ impl Reduction<'_> {
         forms: &BTreeMap<usize, TermSum>,
         found: impl Fn(&TermSum) -> bool,
     ) -> Option<[usize; 2]> {
-        let mut with = rows.iter().copied().filter(|row| found(&forms[row]));
-        let two = [with.next()?, with.next()?];
-        with.next().is_none().then_some(two)
+        let mut matching = rows.iter().copied().filter(|row| found(&forms[row]));
+        let two = [matching.next()?, matching.next()?];
+        matching.next().is_none().then_some(two)
     }
 
     /// The value of an expression, if it is the same in all configurations (the length of a turning direction, for

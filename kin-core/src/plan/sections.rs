@@ -168,7 +168,7 @@ pub(super) fn split(graph: &mut Graph, outputs: Vec<(Slot, ExprId)>, more: &[Exp
         node.for_each_operand(|operand| owner = owner.max(places.owner.or(operand, 0)));
         places.owner.insert(id, owner);
     }
-    let left = more.len();
+    let more_count = more.len();
     let more: Vec<_> = more.iter().enumerate().map(|(k, &id)| (Slot::Entry(k), id)).collect();
     let mut programs = programs(graph, &mut places, vec![more, outputs], true);
     for (slot, _) in programs.iter_mut().take(1).flat_map(|first| &mut first.outputs) {
@@ -177,7 +177,7 @@ pub(super) fn split(graph: &mut Graph, outputs: Vec<(Slot, ExprId)>, more: &[Exp
         }
     }
     let mut programs = programs.into_iter();
-    ([(); 2].map(|()| programs.next().unwrap_or_default()), places.next as usize + left)
+    ([(); 2].map(|()| programs.next().unwrap_or_default()), places.next as usize + more_count)
 }
 
 /// The program of every section: its outputs and the values that later sections read from it.
@@ -194,10 +194,10 @@ fn programs(
         let wanted: Vec<_> = wanted.map(|&(_, index, id)| (Slot::Saved(index as usize), id)).collect();
         roots[section].extend(wanted);
         rewritten.clear();
-        let mut done = SavedValues { places: &mut *places, section, symbols };
-        save(graph, &roots[section], &mut done);
+        let mut saved = SavedValues { places: &mut *places, section, symbols };
+        save(graph, &roots[section], &mut saved);
         for (_, id) in &mut roots[section] {
-            *id = rewrite(graph, *id, &mut rewritten, &mut done);
+            *id = rewrite(graph, *id, &mut rewritten, &mut saved);
         }
     }
     roots.into_iter().map(|outputs| lower(graph, &outputs)).collect()
@@ -205,13 +205,13 @@ fn programs(
 
 /// Holds everything that `outputs` read from earlier sections. The values are numbered in the order in which the graph
 /// created them, so that groups of the same structure use the same order.
-fn save(graph: &mut Graph, outputs: &[(Slot, ExprId)], done: &mut SavedValues<'_>) {
+fn save(graph: &mut Graph, outputs: &[(Slot, ExprId)], saved: &mut SavedValues<'_>) {
     let (mut seen, mut needed): (IdMap<()>, Vec<ExprId>) = Default::default();
     let mut open: Vec<ExprId> = outputs.iter().map(|(_, id)| *id).collect();
     while let Some(id) = open.pop() {
         if !seen.contains(id) {
             seen.insert(id, ());
-            match done.is_saved(graph, id) {
+            match saved.is_saved(graph, id) {
                 true => needed.push(id),
                 false => graph.node(id).for_each_operand(|operand| open.push(operand)),
             }
@@ -219,6 +219,6 @@ fn save(graph: &mut Graph, outputs: &[(Slot, ExprId)], done: &mut SavedValues<'_
     }
     needed.sort_unstable();
     for id in needed {
-        done.expression(graph, id);
+        saved.expression(graph, id);
     }
 }

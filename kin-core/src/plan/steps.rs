@@ -190,10 +190,10 @@ impl StepList {
         let plain = self.joined(system, step);
         let index = self.modes.len();
         let joints = |step: StepId| &self.step(step).joints;
-        let taken = self.modes.iter().filter(|mode| joints(mode.step) == joints(step));
-        let name = match taken.count() {
+        let same_joints = self.modes.iter().filter(|mode| joints(mode.step) == joints(step));
+        let name = match same_joints.count() {
             0 => plain,
-            others => format!("{plain}#{}", others + 1),
+            count => format!("{plain}#{}", count + 1),
         };
         self.modes.push(Mode { name, step, margin });
         self.steps[step.index()].modes = index..index + 1;

@@ -273,16 +273,16 @@ impl Lowering<'_> {
         if n.unsigned_abs() > 32 {
             return SignedValue { value: self.emit(Instruction::Powi(value, n)), negative };
         }
-        let (mut square, mut product, mut left) = (value, None, n.unsigned_abs());
-        while left > 0 {
-            if left % 2 == 1 {
+        let (mut square, mut product, mut exponent) = (value, None, n.unsigned_abs());
+        while exponent > 0 {
+            if exponent % 2 == 1 {
                 product = Some(match product {
                     None => square,
                     Some(product) => self.emit(Instruction::Mul(product, square)),
                 });
             }
-            left /= 2;
-            if left > 0 {
+            exponent /= 2;
+            if exponent > 0 {
                 square = self.emit(Instruction::Mul(square, square));
             }
         }

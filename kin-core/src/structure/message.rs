@@ -51,7 +51,7 @@ fn message(
     let mut other_joints: Vec<usize> = distinct(circuit.filter(|joint| !joints.contains(joint)));
     other_joints.sort_unstable();
     let names = quoted(joints.iter().map(|joint| set.joints[*joint].name.as_str()), "and");
-    let with = quoted(other_joints.iter().map(|joint| set.joints[*joint].name.as_str()), "and");
+    let other_names = quoted(other_joints.iter().map(|joint| set.joints[*joint].name.as_str()), "and");
     let driving = redundant.iter().all(|r| system.classes[r.row].driving);
     let (n, s, rank) = (structure.coordinates, structure.rows, structure.rank);
     let advice = advice(set, &joints, redundant, driving);
@@ -75,7 +75,7 @@ fn message(
         let already = if other_joints.is_empty() {
             "what the other members of its family already do".to_owned()
         } else {
-            format!("what {with} already {}", if other_joints.len() > 1 { "determine" } else { "determines" })
+            format!("what {other_names} already {}", if other_joints.len() > 1 { "determine" } else { "determines" })
         };
         let rows = if drivers == 1 { "1 driving row".to_owned() } else { format!("{drivers} driving rows") };
         // If joints are redundant for special lengths, the mechanism has more degrees of freedom than the generic rank
@@ -97,8 +97,8 @@ fn message(
     let verb = if plural || several_rows { "repeat or contradict" } else { "repeats or contradicts" };
     let already = match other_joints.len() {
         0 => "itself".to_owned(),
-        1 => format!("what joint {with} already prescribes"),
-        _ => format!("what joints {with} already prescribe"),
+        1 => format!("what joint {other_names} already prescribes"),
+        _ => format!("what joints {other_names} already prescribe"),
     };
     format!(
         "{rows}{names} {verb} {already}, for all dimensions: {n} coordinates, {s} rows, rank {rank}; {advice}, or \

@@ -49,14 +49,14 @@ impl Turn {
 
     /// The rotation by `times` the angle, by repeated doubling.
     fn times(self, times: i64) -> Self {
-        let (mut power, mut all, mut left) =
+        let (mut power, mut all, mut remaining) =
             (if times < 0 { self.inverse() } else { self }, Self::IDENTITY, times.unsigned_abs());
-        while left > 0 {
-            if left % 2 == 1 {
+        while remaining > 0 {
+            if remaining % 2 == 1 {
                 all = all.compose(power);
             }
             power = power.compose(power);
-            left /= 2;
+            remaining /= 2;
         }
         all
     }

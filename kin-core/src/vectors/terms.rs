@@ -76,7 +76,7 @@ impl<'a> Terms<'a> {
         vec![self.axis("⊥ᵀ"), self.vector("ṙ")]
     }
 
-    /// The equation φ_j − φ_i = `what`.
+    /// The equation φ_j − φ_i = `angle`.
     pub(crate) fn turned_by(&self, angle: Equation) -> Equation {
         equals(
             vec![EquationPiece::Scalar(self.j.phi()), EquationPiece::Op(" − "), EquationPiece::Scalar(self.i.phi())],

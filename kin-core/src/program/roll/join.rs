@@ -33,8 +33,7 @@ impl Rolled {
         steps.iter().all(|step| self.is_known_before(step.angle, &arrays)).then_some((*count, steps))
     }
 
-    /// True if the angle is neither an element of the arrays `own` nor a sine or cosine computed in the same
-    /// iteration.
+    /// True if the angle is neither an element of the `arrays` nor a sine or cosine computed in the same iteration.
     fn is_known_before(&self, angle: ValueId, arrays: &[usize]) -> bool {
         match self.sources[angle.index()] {
             OperandSource::Element { array, .. } => !arrays.contains(&array),
@@ -86,9 +85,9 @@ pub(super) fn join(rolled: &mut Rolled) {
     }
     // The arrays that are left are numbered without gaps.
     let mut numbers = Vec::new();
-    let mut left = 0..;
+    let mut next_number = 0..;
     for length in &lengths {
-        numbers.push(if *length > 0 { left.next().unwrap_or(0) } else { 0 });
+        numbers.push(if *length > 0 { next_number.next().unwrap_or(0) } else { 0 });
     }
     rolled.arrays = lengths.into_iter().filter(|length| *length > 0).collect();
     let moved = |array: &mut usize, first: &mut usize| {
