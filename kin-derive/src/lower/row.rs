@@ -138,7 +138,7 @@ impl Lowerer<'_> {
         let origin = self.origin(pair.span);
         let mut component = |expr: &Expr| {
             let origin = self.origin(expr.span);
-            Some(Value { value: self.formula(expr, &Scope { place: place, allow, range })?, origin })
+            Some(Value { value: self.formula(expr, &Scope { place, allow, range })?, origin })
         };
         let (x, y) = (component(&pair.x), component(&pair.y));
         let (x, y) = (x?, y?);

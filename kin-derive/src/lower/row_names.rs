@@ -26,7 +26,8 @@ impl RowNames {
         Self { all }
     }
 
-    /// The message for the use of a row's name where `what` is expected; `is_formula` where this is a part of a formula.
+    /// The message for the use of a row's name where a `noun` is expected; `is_formula` where this is a part of a
+    /// formula.
     pub(super) fn used_as(&self, name: &str, noun: &str, is_formula: bool) -> Option<String> {
         let (keyword, in_formulas) = self.all.get(name)?;
         let right = if is_formula {
