@@ -43,7 +43,7 @@ where
         }
     };
     let mut file = None;
-    match done::<M>(command, &mut file) {
+    match executed::<M>(command, &mut file) {
         Ok(code) => code,
         Err(error) => {
             let status = if matches!(error, StudyError::Description { .. }) { 2 } else { 1 };
@@ -59,7 +59,7 @@ where
 }
 
 /// Executes a command; `file` becomes the file of the study, which errors in its description are about.
-fn done<M>(command: Command, file: &mut Option<PathBuf>) -> Result<ExitCode, StudyError>
+fn executed<M>(command: Command, file: &mut Option<PathBuf>) -> Result<ExitCode, StudyError>
 where
     M: Mechanism + Default + Send + Sync + 'static,
 {
@@ -77,7 +77,7 @@ where
         }
         Command::Missing { study, out, of } => {
             let missing = missing::<M>(&read(&study, file)?, &out, of)?;
-            said(&format!("{}\n", array(&missing)))
+            printed(&format!("{}\n", array(&missing)))
         }
         Command::Query { sql, directory, out } => match out {
             Some(path) => {
@@ -85,16 +85,16 @@ where
                 eprintln!("{rows} rows in {}", path.display());
                 Ok(ExitCode::SUCCESS)
             }
-            None => said(&format!("{}\n", query(&directory, &sql)?)),
+            None => printed(&format!("{}\n", query(&directory, &sql)?)),
         },
-        Command::Names => said(&listing::<M>()),
+        Command::Names => printed(&listing::<M>()),
     }
 }
 
 /// Numbers in increasing order as job schedulers write them: `3,7-9`.
 fn array(numbers: &[u64]) -> String {
     let runs = numbers.chunk_by(|a, b| a + 1 == *b).map(|run| match run {
-        [one] => one.to_string(),
+        [number] => number.to_string(),
         [first, .., last] => format!("{first}-{last}"),
         [] => String::new(),
     });
@@ -102,7 +102,7 @@ fn array(numbers: &[u64]) -> String {
 }
 
 /// Writes to stdout. If the reader of a pipe has closed it early, that is no error.
-fn said(text: &str) -> Result<ExitCode, StudyError> {
+fn printed(text: &str) -> Result<ExitCode, StudyError> {
     match io::stdout().lock().write_all(text.as_bytes()) {
         Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(StudyError::file(Path::new("stdout"), error)),
         _ => Ok(ExitCode::SUCCESS),

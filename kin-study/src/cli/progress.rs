@@ -16,7 +16,7 @@ const TICK: Duration = Duration::from_millis(200);
 /// The progress bar of a run, which a thread updates until the run ends.
 pub(super) struct Progress {
     watch: Watch,
-    over: Sender<()>,
+    finished: Sender<()>,
     thread: JoinHandle<()>,
 }
 
@@ -24,7 +24,7 @@ impl Progress {
     /// Starts to handle Ctrl-C, and shows a bar as soon as the number of rows is known.
     pub(super) fn begin() -> Self {
         let watch = Watch { stop: listen(), ..Watch::default() };
-        let (over, watched) = channel();
+        let (finished, watched) = channel();
         let seen = watch.clone();
         let thread = std::thread::spawn(move || {
             let bar = bar();
@@ -34,7 +34,7 @@ impl Progress {
             }
             bar.finish_and_clear();
         });
-        Self { watch, over, thread }
+        Self { watch, finished, thread }
     }
 
     /// The numbers that the run updates, and its stop flag.
@@ -44,7 +44,7 @@ impl Progress {
 
     /// Removes the bar after the run; returns whether Ctrl-C was pressed.
     pub(super) fn end(self) -> bool {
-        drop(self.over);
+        drop(self.finished);
         // A panic of the bar's thread does not affect the run.
         let _ = self.thread.join();
         self.watch.stop.load(Ordering::SeqCst)

@@ -124,7 +124,7 @@ pub(crate) struct Part {
 ///
 /// # Errors
 /// The study does not fit the mechanism, or the directory holds another study or cannot be read.
-pub fn missing<M>(study: &Study, directory: &Path, count: NonZero<u64>) -> Result<Vec<u64>, StudyError>
+pub fn missing<M>(study: &Study, directory: &Path, of: NonZero<u64>) -> Result<Vec<u64>, StudyError>
 where
     M: Mechanism + Default + Send + Sync + 'static,
 {
@@ -135,11 +135,11 @@ where
     for gap in gaps(0..prepared.rows, &covered) {
         let mut row = gap.start;
         while row < gap.end {
-            let index = part_with(row, prepared.rows, count);
+            let index = part_with(row, prepared.rows, of);
             if indices.last() != Some(&index) {
                 indices.push(index);
             }
-            row = part(prepared.rows, index, count).end;
+            row = part(prepared.rows, index, of).end;
         }
     }
     Ok(indices)
