@@ -46,10 +46,10 @@ pub(crate) fn position(equations: &mut Equations<'_>, start: &[f64]) -> Result<P
         let mut other = start.to_vec();
         let rows = equations.rows_where(Equations::holonomic);
         let before = close(equations, &rows, &origins, &mut other);
-        let again = close_all(equations, &mut other);
-        if again.converged || again.gap < outcome.gap {
-            let iterations = outcome.iterations + before.iterations + again.iterations;
-            (q, outcome) = (other, Iteration { iterations, ..again });
+        let second = close_all(equations, &mut other);
+        if second.converged || second.gap < outcome.gap {
+            let iterations = outcome.iterations + before.iterations + second.iterations;
+            (q, outcome) = (other, Iteration { iterations, ..second });
         }
     }
     finish(equations, q, outcome)
@@ -76,8 +76,8 @@ fn close_small_distances(equations: &mut Equations<'_>, q: &mut [f64], outcome: 
         return outcome;
     }
     equations.scale = scale_at_q;
-    let again = close_all(equations, q);
-    Iteration { iterations: outcome.iterations + again.iterations, ..again }
+    let second = close_all(equations, q);
+    Iteration { iterations: outcome.iterations + second.iterations, ..second }
 }
 
 /// The outcome as a result: residuals in the rows' own units, or a typed error.

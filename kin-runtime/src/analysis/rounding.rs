@@ -78,21 +78,21 @@ pub(crate) fn ill_conditioned(
     let turns = equations.turns(&equations.instant(), q);
     let further = QUOTIENT_ANGLE / largest_angle(equations.model, &turns, q_dot);
     let ahead: Vec<f64> = q.iter().zip(q_dot).map(|(q, v)| q + further * v).collect();
-    let slopes = |then: Vec<f64>, now: &[f64], width: f64| -> Vec<f64> {
-        then.iter().zip(now).map(|(then, now)| (then - now) / width).collect()
+    let slopes = |values_ahead: Vec<f64>, now: &[f64], width: f64| -> Vec<f64> {
+        values_ahead.iter().zip(now).map(|(values_ahead, now)| (values_ahead - now) / width).collect()
     };
-    let mut then = Vec::new();
-    equations.write_branch_values(&ahead, &mut then);
-    let rates = slopes(then, groups, further);
+    let mut groups_ahead = Vec::new();
+    equations.write_branch_values(&ahead, &mut groups_ahead);
+    let rates = slopes(groups_ahead, groups, further);
     let mut approaches = vec![0.0; distances.len()];
     // Where nothing turns, nothing approaches anything.
     if further.is_finite() {
         let (t, inputs) = (equations.t, equations.inputs.clone());
         let later: Vec<Signal> = inputs.iter().map(|input| input.after(further)).collect();
         equations.set_checked_instant(&Instant { t: t + further, inputs: &later });
-        let then = self::distances(equations, groups, &ahead);
+        let distances_ahead = self::distances(equations, groups, &ahead);
         equations.set_checked_instant(&Instant { t, inputs: &inputs });
-        approaches = slopes(then, &distances, t + further - t);
+        approaches = slopes(distances_ahead, &distances, t + further - t);
     }
     ill_conditioned_group(equations.model, [groups, &rates], [&distances, &approaches], [q_dot, q_ddot], &turns)
 }
@@ -136,31 +136,31 @@ pub(crate) fn dominated_acceleration(
     if factor.condition < REGULAR_CONDITION {
         return Ok(None);
     }
-    let mut again = |equations: &mut Equations<'_>, beside: Vec<f64>| {
+    let mut derivatives_at = |equations: &mut Equations<'_>, beside: Vec<f64>| {
         equations.evaluate(Subset::VELOCITY, &beside, None)?;
         let factor_beside = equations.factorise(Purpose::Solutions, None);
         let q_dot = velocity::solve(equations, &factor_beside)?.as_slice().to_vec();
         let q_ddot = acceleration(equations, &beside, &q_dot, &factor_beside)?;
         Ok(vec![beside, q_dot, q_ddot])
     };
-    let found = dominated_coordinate(equations, &solution.map(<[f64]>::to_vec), 2, factor, &mut again);
+    let found = dominated_coordinate(equations, &solution.map(<[f64]>::to_vec), 2, factor, &mut derivatives_at);
     equations.evaluate(Subset::VELOCITY, solution[0], None)?;
     Ok(found)
 }
 
 /// q and its derivatives at a configuration q of the current instant.
-type Again<'a> = &'a mut dyn FnMut(&mut Equations<'_>, Vec<f64>) -> Result<Vec<Vec<f64>>, SolveError>;
+type DerivativesAt<'a> = &'a mut dyn FnMut(&mut Equations<'_>, Vec<f64>) -> Result<Vec<Vec<f64>>, SolveError>;
 
 /// The coordinate whose derivative of an order from `first` on changes most with the rounding of the rows, if that is
 /// more than [`MAX_ACCELERATION_NOISE`] of the largest derivative of this order, or of the rate that all of them show
 /// to this power, on the common scale. `all` are q and its derivatives, `factor` is the factorisation of Φ_q there, and
-/// `again` computes them at another configuration.
+/// `derivatives_at` computes them at another configuration.
 pub(crate) fn dominated_coordinate(
     equations: &mut Equations<'_>,
     all: &[Vec<f64>],
     first: usize,
     factor: &Factorization,
-    again: Again<'_>,
+    derivatives_at: DerivativesAt<'_>,
 ) -> Option<usize> {
     let q = all.first()?;
     // The rate of a motion with these derivatives: ρ with |q⁽ʲ⁾| ≤ ρʲ.
@@ -175,7 +175,7 @@ pub(crate) fn dominated_coordinate(
         let moved = factor.solve(&DVector::from_iterator(equations.rows(), rows));
         let beside = q.iter().zip(moved.iter()).map(|(q, moved)| q + moved).collect();
         // Where there are no rates beside q, those at q are not known either.
-        let derivatives_beside = again(equations, beside).unwrap_or_default();
+        let derivatives_beside = derivatives_at(equations, beside).unwrap_or_default();
         for (order, at_q) in all.iter().enumerate().skip(first) {
             let at_beside = derivatives_beside.get(order).map_or(&[][..], Vec::as_slice);
             let change = |k: usize| {

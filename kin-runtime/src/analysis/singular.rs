@@ -25,7 +25,7 @@ const INPUT_CHANGES: [f64; 4] = [1e-2, -1e-2, 0.1, -0.1];
 /// Largest number of null vectors that are tried one by one.
 const DIRECTIONS: usize = 6;
 
-/// The error if `q`, whose Φ_q was evaluated last and has the factorisation `here`, is singular.
+/// The error if `q`, whose Φ_q was evaluated last and has the factorisation `factor`, is singular.
 pub(crate) fn diagnose(equations: &mut Equations<'_>, q: &[f64], factor: &Factorization) -> Option<SolveError> {
     if let Some(error) = without_length(equations) {
         return Some(error);
@@ -60,12 +60,12 @@ pub(crate) fn explain(
     if equations.evaluate(Subset::JACOBIAN, q, None).is_err() {
         return error;
     }
-    let left = null_space(&equations.scaled(&rows).transpose(), equations.options.rank_tolerance);
+    let null_vectors = null_space(&equations.scaled(&rows).transpose(), equations.options.rank_tolerance);
     let expected_rank = rank_at_other_instants(equations, q, &rows);
     if expected_rank <= factor.rank {
         return error;
     }
-    let rows = dependent_rows(equations, &left);
+    let rows = dependent_rows(equations, &null_vectors);
     let (t, rank, condition) = (equations.t, factor.rank, factor.full_condition);
     SolveError::Singular { t, rank, expected_rank, rows, condition, limit: by_plan::limit(equations, q) }
 }
@@ -86,12 +86,15 @@ fn rank_at_other_instants(equations: &mut Equations<'_>, q: &[f64], rows: &[usiz
 }
 
 /// Names of the rows that take part in a dependency, given the left null vectors of the scaled Φ_q.
-pub(crate) fn dependent_rows(equations: &Equations<'_>, left: &nalgebra::DMatrix<f64>) -> Vec<&'static str> {
-    let largest = left.amax();
-    (0..left.nrows()).filter(|&i| left.row(i).amax() > 1e-3 * largest).map(|i| equations.row_name(i)).collect()
+pub(crate) fn dependent_rows(equations: &Equations<'_>, null_vectors: &nalgebra::DMatrix<f64>) -> Vec<&'static str> {
+    let largest = null_vectors.amax();
+    (0..null_vectors.nrows())
+        .filter(|&i| null_vectors.row(i).amax() > 1e-3 * largest)
+        .map(|i| equations.row_name(i))
+        .collect()
 }
 
-/// Largest rank of `rows` at assembled configurations around `q`; stops at the first above `here`.
+/// Largest rank of `rows` at assembled configurations around `q`; stops at the first above `rank_at_q`.
 pub(crate) fn rank_nearby(equations: &mut Equations<'_>, q: &[f64], rank_at_q: usize, rows: &[usize]) -> usize {
     let closing = equations.rows_where(|e, row| !e.drives(row) && e.holonomic(row));
     let columns: Vec<usize> = (0..equations.coordinates()).collect();

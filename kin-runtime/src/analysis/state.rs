@@ -57,6 +57,6 @@ fn corrected(equations: &mut Equations<'_>, q: &[f64], residual: f64) -> Result<
     let mut closer = q.to_vec();
     correct(equations, &mut closer)?;
     equations.evaluate(Subset::POSITION, &closer, None)?;
-    let left = largest_residual(equations);
-    Ok((left < 0.5 * residual).then_some((closer, left)))
+    let residual_after = largest_residual(equations);
+    Ok((residual_after < 0.5 * residual).then_some((closer, residual_after)))
 }

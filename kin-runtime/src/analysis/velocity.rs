@@ -77,9 +77,9 @@ pub(crate) fn inconsistency(
     right: &DVector<f64>,
     parts: f64,
 ) -> Option<(usize, f64)> {
-    let left = scaled(equations, &equations.times(x.as_slice()));
+    let product = scaled(equations, &equations.times(x.as_slice()));
     let size = right.amax().max(equations.scale.size(x.as_slice())).max(parts);
-    let (row, worst) = (left - right)
+    let (row, worst) = (product - right)
         .iter()
         .enumerate()
         .fold((0, 0.0), |best: (usize, f64), (k, r)| if r.abs() > best.1 { (k, r.abs()) } else { best });

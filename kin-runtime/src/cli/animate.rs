@@ -112,8 +112,8 @@ pub(super) fn run(args: &AnimateArgs, engine: &mut dyn Engine, session: &mut Ses
     let walk = FollowedMotion { reported: true, tells_missing: args.forces, ..walk };
     let moved = walk.with_states()?;
     note_motion(session, &moved);
-    let Moved { trajectory, motions, columns, mut ended, left, .. } = moved;
-    note_freedom(session, left);
+    let Moved { trajectory, motions, columns, mut ended, open, .. } = moved;
+    note_freedom(session, open);
     let Some(first) = trajectory.states.first() else { return ended.map_or(Ok(()), Err) };
     let choice = match one || ended.is_some() {
         true => ChosenClosures::requested_alone(engine, first),

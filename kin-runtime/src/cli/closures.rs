@@ -133,7 +133,7 @@ fn combinations(chosen_signs: &[Sign]) -> Vec<Vec<Sign>> {
     (1..1_usize << free).map(combination).collect()
 }
 
-/// The signs of all modes if they are at most two, otherwise only those that differ from `own`.
+/// The signs of all modes if they are at most two, otherwise only those that differ from `chosen_signs`.
 fn mode_name(model: &Model, chosen_signs: &[Sign], signs: &[Sign]) -> String {
     let few = signs.len() <= 2;
     let modes = model.plan.modes.iter().zip(chosen_signs).zip(signs);

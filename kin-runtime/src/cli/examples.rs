@@ -100,10 +100,10 @@ impl Names {
             needed: trial.needed,
             at: trial.at,
             to: trial.to,
-            coordinate: undriven(model, &trial.still),
+            coordinate: undriven(model, &trial.unmoved),
             path: path(model),
             point: model.points.first().map(|point| point.name).filter(|_| model.inputs.is_empty()),
-            ratio: ratio(model, &trial.still),
+            ratio: ratio(model, &trial.unmoved),
             transmission: Measure::transmission_angles(model).first().map(|measure| measure.name().to_owned()),
             drawn: !model.bodies.is_empty() || !model.points.is_empty(),
             conditions: !model.conditions.is_empty(),
@@ -149,8 +149,9 @@ impl Names {
     }
 }
 
-/// A coordinate that no driver prescribes directly and that is not `still`: the last angle, or else the last coordinate.
-fn undriven(model: &Model, still: &[usize]) -> Option<&'static str> {
+/// A coordinate that no driver prescribes directly and that is not `unmoved`: the last angle, or else the last
+/// coordinate.
+fn undriven(model: &Model, unmoved: &[usize]) -> Option<&'static str> {
     let simply_driven = |index: usize| {
         model.rows.iter().enumerate().filter(|(_, row)| row.driving || row.rheonomic).any(|(row, _)| {
             let mut entries = model.constraint_pattern.entries.iter().filter(|(r, _)| *r == row);
@@ -158,15 +159,15 @@ fn undriven(model: &Model, still: &[usize]) -> Option<&'static str> {
         })
     };
     let free = || model.coordinates.iter().enumerate().filter(|(index, _)| !simply_driven(*index)).rev();
-    let mut moving = free().filter(|(index, _)| !still.contains(index));
+    let mut moving = free().filter(|(index, _)| !unmoved.contains(index));
     let last = moving.clone().next().or_else(|| free().next());
     moving.find(|(_, c)| c.kind.is_angle()).or(last).map(|(_, c)| c.name).or(model.coordinates.first().map(|c| c.name))
 }
 
 /// `tip.x tip.x/drive`, or the same of a coordinate that no driver prescribes directly.
-fn ratio(model: &'static Model, still: &[usize]) -> Option<String> {
+fn ratio(model: &'static Model, unmoved: &[usize]) -> Option<String> {
     let point = model.points.first().map(|point| format!("{}.x", point.name));
-    let name = point.or_else(|| undriven(model, still).map(str::to_owned))?;
+    let name = point.or_else(|| undriven(model, unmoved).map(str::to_owned))?;
     let ratio = format!("{name}/{}", Measure::drivers(model).first()?);
     Measure::named(model, &ratio).map(|_| format!("{} {}", quoted(name), quoted(ratio)))
 }

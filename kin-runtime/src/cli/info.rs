@@ -97,10 +97,14 @@ pub(super) fn text(engine: &dyn Engine, known: Option<KnownConfiguration<'_>>) -
         facts.add("supplied functions", model.functions.len(), model.functions.iter().copied());
     }
     if let Some(KnownConfiguration { mobility, .. }) = known {
-        let left = mobility.degrees_of_freedom_left;
+        let freedom_left = mobility.degrees_of_freedom_left;
         let (coordinates, of_joints) = (mobility.coordinates, mobility.rows - mobility.driving_rows);
         let counted = coordinates as i64 - of_joints as i64;
-        let driven = if left == 0 { "fully driven".to_owned() } else { format!("{left} left open by the drivers") };
+        let driven = if freedom_left == 0 {
+            "fully driven".to_owned()
+        } else {
+            format!("{freedom_left} left open by the drivers")
+        };
         facts
             .add("degrees of freedom", mobility.degrees_of_freedom, [driven])
             .add(
@@ -111,8 +115,12 @@ pub(super) fn text(engine: &dyn Engine, known: Option<KnownConfiguration<'_>>) -
             .add("  independent", mobility.independent.len(), coordinate_names(model, &mobility.independent))
             .add("  dependent", mobility.dependent.len(), coordinate_names(model, &mobility.dependent));
         if mobility.velocity_level_rows > 0 {
-            let left = mobility.position_degrees_of_freedom_left;
-            let start = if left == 0 { "all determined".to_owned() } else { format!("{left} decided by the start") };
+            let freedom_left = mobility.position_degrees_of_freedom_left;
+            let start = if freedom_left == 0 {
+                "all determined".to_owned()
+            } else {
+                format!("{freedom_left} decided by the start")
+            };
             facts.add("  of position", mobility.position_degrees_of_freedom, [start]);
         }
         if let Some(generic) = mobility.generic_degrees_of_freedom.filter(|g| *g < mobility.degrees_of_freedom) {

@@ -48,8 +48,8 @@ impl GridArgs {
             text.as_deref().map(|t| MotionEnd::read(option, t, model)).transpose()
         };
         if let Some(times) = &self.times {
-            let beside = [("--from", &self.from), ("--to", &self.to), ("--steps", &self.steps)];
-            for (name, _) in beside.into_iter().filter(|(_, value)| value.is_some()) {
+            let other_options = [("--from", &self.from), ("--to", &self.to), ("--steps", &self.steps)];
+            for (name, _) in other_options.into_iter().filter(|(_, value)| value.is_some()) {
                 ledger.fault("--times", format!("cannot be combined with {name}; use one or the other"));
             }
             let times = ledger.take(values::times("--times", times, model));

@@ -92,7 +92,7 @@ const SAME_MOTION: f64 = 1e-6;
 
 /// Whether the configuration and the rates are the same, up to whole turns, with a crank of this angular speed. A feed so
 /// small that a hundred turns change the mechanism by less than 1e-4 of its size counts as none.
-fn is_same_motion(first: &State, then: &State, speed: f64) -> bool {
+fn is_same_motion(first: &State, later: &State, speed: f64) -> bool {
     let is_length = |k: usize| first.model.coordinates.get(k).is_some_and(|coordinate| coordinate.kind.is_length());
     let lengths = || first.q.iter().enumerate().filter(|(k, _)| is_length(*k)).map(|(_, x)| x);
     let size = largest(lengths());
@@ -101,14 +101,14 @@ fn is_same_motion(first: &State, then: &State, speed: f64) -> bool {
         // Also scalars, as most of them are angles.
         false => (b - a - TAU * ((b - a) / TAU).round()).abs() <= SAME_MOTION,
     };
-    let are_same = |size: f64, first: &[f64], then: &[f64]| {
-        first.iter().zip(then).all(|(a, b)| (a - b).abs() <= SAME_MOTION * size)
+    let are_same = |size: f64, first: &[f64], later: &[f64]| {
+        first.iter().zip(later).all(|(a, b)| (a - b).abs() <= SAME_MOTION * size)
     };
     let fastest = largest(&first.q_dot);
-    first.q.iter().zip(&then.q).enumerate().all(is_same_place)
-        && are_same(fastest, &first.q_dot, &then.q_dot)
+    first.q.iter().zip(&later.q).enumerate().all(is_same_place)
+        && are_same(fastest, &first.q_dot, &later.q_dot)
         // Where nothing accelerates, accelerations are rounding errors.
-        && are_same(largest(&first.q_ddot).max(speed * fastest), &first.q_ddot, &then.q_ddot)
+        && are_same(largest(&first.q_ddot).max(speed * fastest), &first.q_ddot, &later.q_ddot)
 }
 
 /// The largest magnitude.

@@ -173,7 +173,7 @@ fn run(
             return session.refuse(&error.render(), &hint);
         }
     };
-    let done: Result<(), Failure> = match &arguments.command {
+    let outcome: Result<(), Failure> = match &arguments.command {
         None => report::run(&arguments.report, engine, &mut session),
         Some(Command::Info(args)) => info::run(args, engine, &mut session),
         Some(Command::Solve(args)) => solve::run(args, engine, &mut session),
@@ -199,7 +199,7 @@ fn run(
         Some(Command::Plot(args)) => missing::run(args, "plot"),
         Some(Command::Completions(args)) => completions::run(args, command, engine.model(), &mut session),
     };
-    session.finish(done)
+    session.finish(outcome)
 }
 
 /// A hint that follows clap's message about invalid arguments.

@@ -43,7 +43,7 @@ pub(super) struct Moved {
     /// True if it ended at or near a limit before its last instant and this is no failure.
     pub(super) at_its_end: bool,
     /// Degrees of freedom that the drivers leave open at the first instant.
-    pub(super) left: usize,
+    pub(super) open: usize,
     /// Contacts that lift off or press again during the motion.
     pub(super) contacts: Vec<ContactChange>,
 }
@@ -79,7 +79,7 @@ struct MotionLeg {
     missing: Option<String>,
     ended: Option<Failure>,
     limit: Option<String>,
-    left: usize,
+    open: usize,
     contacts: Vec<ContactChange>,
 }
 
@@ -146,15 +146,15 @@ impl FollowedMotion<'_> {
             leg.trajectory = joined(first.trajectory, leg.trajectory);
             leg.contacts.splice(0..0, first.contacts.into_iter().rev());
         }
-        let MotionLeg { trajectory, ended, left, contacts, .. } = leg;
-        Ok(Moved { trajectory, motions: Vec::new(), columns: Vec::new(), ended, notes, at_its_end, left, contacts })
+        let MotionLeg { trajectory, ended, open, contacts, .. } = leg;
+        Ok(Moved { trajectory, motions: Vec::new(), columns: Vec::new(), ended, notes, at_its_end, open, contacts })
     }
 
     /// Calls `visit` with the configuration at a limit, if it was found. Quantities that depend on rates are NaN there.
-    fn at_limit(&self, stop: &Stop, beside: &State, visit: Visit<'_>) -> Result<(), Failure> {
+    fn at_limit(&self, stop: &Stop, neighbour: &State, visit: Visit<'_>) -> Result<(), Failure> {
         let Some(q) = &stop.q else { return Ok(()) };
-        let mut state = State { t: stop.t, q: q.clone(), ..beside.clone() };
-        let elapsed = stop.t - beside.t;
+        let mut state = State { t: stop.t, q: q.clone(), ..neighbour.clone() };
+        let elapsed = stop.t - neighbour.t;
         state.inputs.iter_mut().for_each(|input| *input = input.after(elapsed));
         self.without_rates(state, visit).map(|_| ())
     }
@@ -204,7 +204,7 @@ impl FollowedMotion<'_> {
         let at_its_end =
             found.is_some_and(|arc| arc.ends.iter().any(|end| !matches!(end, ArcEnd::Closed | ArcEnd::Bound)));
         let (motions, columns, contacts) = (Vec::new(), Vec::new(), Vec::new());
-        Ok(Moved { trajectory, motions, columns, ended: None, notes, at_its_end, left: 0, contacts })
+        Ok(Moved { trajectory, motions, columns, ended: None, notes, at_its_end, open: 0, contacts })
     }
 
     /// The values of the requested quantities, with angles in degrees if that is requested.
@@ -285,8 +285,8 @@ impl FollowedMotion<'_> {
             }
             (ended, _) => (ended, None),
         };
-        let left = start.degrees_of_freedom_left;
-        Ok(MotionLeg { trajectory, missing, ended, limit, left, contacts: contacts.changes })
+        let open = start.degrees_of_freedom_left;
+        Ok(MotionLeg { trajectory, missing, ended, limit, open, contacts: contacts.changes })
     }
 
     /// The motion with its states, with the values of the quantities as columns, and with motions if `reported`.

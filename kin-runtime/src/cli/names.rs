@@ -130,7 +130,7 @@ fn search(option: &str, kind: NameKind, name: &str, names: &[&str], elsewhere: O
         return Err(Failure::option(option, format!("`{name}`: this mechanism has no {}{hint}", kind.plural())));
     }
     let mut text = format!("no {noun} named `{name}`");
-    let starts = |with: char| names.iter().find(|n| n.strip_prefix(name).is_some_and(|rest| rest.starts_with(with)));
+    let starts = |mark: char| names.iter().find(|n| n.strip_prefix(name).is_some_and(|rest| rest.starts_with(mark)));
     if let Some(element) = starts('[') {
         text.push_str(&format!("; it is an array: name its elements, `{element}`"));
     } else if let Some(hint) = elsewhere {

@@ -197,8 +197,8 @@ fn one(
     watch.begin_motion(place, instants.len());
     let moved = args.motion.walk(engine, (&task.requested, &task.setup, &instants), measures, &watch).with_states()?;
     note_motion(session, &moved);
-    let Moved { trajectory, columns, ended, left, .. } = moved;
-    note_freedom(session, left);
+    let Moved { trajectory, columns, ended, open, .. } = moved;
+    note_freedom(session, open);
     let mut worst = Vec::new();
     if let Some((wanted, tolerances)) = toleranced {
         let drawn: Vec<Measure> = wanted.iter().map(|want| measures[want.y].clone()).collect();

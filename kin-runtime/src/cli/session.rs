@@ -147,8 +147,8 @@ impl<'a> Session<'a> {
     /// Prints help; returns the exit status.
     pub(super) fn help(&mut self, text: &clap::builder::StyledStr) -> u8 {
         let text = if self.colours[0] { text.ansi().to_string() } else { text.to_string() };
-        let done = self.write(Target::Out, text.as_bytes());
-        self.finish(done)
+        let outcome = self.write(Target::Out, text.as_bytes());
+        self.finish(outcome)
     }
 
     /// Prints an error of the arguments; returns the exit status.
@@ -159,9 +159,9 @@ impl<'a> Session<'a> {
     }
 
     /// Prints the error of a command, if there is one; returns the exit status.
-    pub(super) fn finish(&mut self, done: Result<(), Failure>) -> u8 {
+    pub(super) fn finish(&mut self, outcome: Result<(), Failure>) -> u8 {
         self.watch.end();
-        match done {
+        match outcome {
             Ok(()) if self.reader_left => READER_LEFT,
             Ok(()) => 0,
             Err(Failure::Interrupted(how_far)) => {

@@ -77,9 +77,9 @@ pub(super) fn driven_state(
 }
 
 /// Notes that the answer is the one of least norm among many.
-pub(super) fn note_freedom(session: &mut Session<'_>, left: usize) {
-    if left > 0 {
-        let open = text::count(left, "degree");
+pub(super) fn note_freedom(session: &mut Session<'_>, freedom_left: usize) {
+    if freedom_left > 0 {
+        let open = text::count(freedom_left, "degree");
         session.note(&format!("note: {open} of freedom left open; this is the answer of least norm"));
     }
 }
@@ -131,8 +131,8 @@ fn has_velocity_rows(engine: &dyn Engine) -> bool {
 
 /// An error when degrees of freedom are left, with the coordinates that could be given.
 pub(super) fn fully_driven(engine: &dyn Engine, mobility: &Mobility, t: f64) -> Result<(), Failure> {
-    let left = mobility.degrees_of_freedom_left;
-    if left == 0 {
+    let freedom_left = mobility.degrees_of_freedom_left;
+    if freedom_left == 0 {
         return Ok(());
     }
     let names = text::coordinate_names(engine.model(), &mobility.could_be_given);
@@ -145,10 +145,14 @@ pub(super) fn fully_driven(engine: &dyn Engine, mobility: &Mobility, t: f64) -> 
     };
     Err(Failure::Analysis(format!(
         "under-driven at t = {}: {} left open by the drivers{special}\n{}\n  \
-         give {left} of them: --given {example}=value (or {example}=value:rate:acceleration),\n  \
+         give {freedom_left} of them: --given {example}=value (or {example}=value:rate:acceleration),\n  \
          or take the smallest change, q̇ and q̈: --least-norm",
         rounded(t),
-        if left == 1 { "1 degree of freedom is".to_owned() } else { format!("{left} degrees of freedom are") },
+        if freedom_left == 1 {
+            "1 degree of freedom is".to_owned()
+        } else {
+            format!("{freedom_left} degrees of freedom are")
+        },
         listing("  could be given: ", &names),
     )))
 }
@@ -194,7 +198,7 @@ fn closures(engine: &dyn Engine, setup: &Setup, t: f64) -> Option<String> {
              may close",
             rounded(t)
         )),
-        None => all.undecided.first().map(|left| format!("whether it closes is undecided: {left}")),
+        None => all.undecided.first().map(|undecided| format!("whether it closes is undecided: {undecided}")),
         Some(closure) if closure.name().is_empty() => None,
         Some(closure) => Some(format!(
             "it closes from another start: --mode {}; `modes` lists every way in which it closes",

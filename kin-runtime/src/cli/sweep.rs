@@ -208,7 +208,7 @@ impl SweepTask<'_> {
                 Ok(moved) => {
                     note_motion(session, &moved);
                     if moved.ended.is_none() {
-                        note_freedom(session, moved.left);
+                        note_freedom(session, moved.open);
                     }
                     moved.ended
                 }

@@ -44,7 +44,7 @@ pub(super) struct ExampleValues {
     /// Whether the motion along the arc closes.
     pub(super) arc: bool,
     /// The indices of coordinates that do not change in the motion.
-    pub(super) still: Vec<usize>,
+    pub(super) unmoved: Vec<usize>,
 }
 
 impl Default for ExampleValues {
@@ -57,7 +57,7 @@ impl Default for ExampleValues {
             mode: None,
             proven: [false; 3],
             arc: false,
-            still: Vec::new(),
+            unmoved: Vec::new(),
         }
     }
 }
@@ -107,7 +107,7 @@ impl ExampleValues {
         let later: Vec<Vec<f64>> = later.map(|state| state.q).collect();
         let is_still =
             |k: &usize| later.iter().all(|q| (q[*k] - state.q[*k]).abs() <= NO_MOTION * (1.0 + state.q[*k].abs()));
-        trial.still = (0..state.q.len()).filter(is_still).collect();
+        trial.unmoved = (0..state.q.len()).filter(is_still).collect();
         trial.vary = varied(engine, &setup);
         Some(trial)
     }

@@ -210,7 +210,7 @@ impl MotionRows<'_> {
         })
     }
 
-    /// Slacks at instants: those that `of` computes from the numbers there.
+    /// Slacks at instants: those that `write_slacks` writes from the numbers there.
     fn slacks(
         &self,
         times: &[f64],

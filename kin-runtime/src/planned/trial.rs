@@ -57,7 +57,7 @@ impl<M: Mechanism> PlanFollower<M> {
         self.states[1 - self.accepted].margins.write_distances(&mut self.distances)
     }
 
-    /// The turn of a step of the length h from `here` in which its bodies turn by `turn`: that of the rows, if it is
+    /// The turn of a step of the length h from `state` in which its bodies turn by `turn`: that of the rows, if it is
     /// larger. Iterated groups are looked at within the step instead (see [`rows_are_followed`](Self::rows_are_followed)).
     #[inline]
     pub(super) fn with_rows(&self, turn: f64, state: &PlanSolution<M>, h: f64) -> f64 {
@@ -67,9 +67,9 @@ impl<M: Mechanism> PlanFollower<M> {
         }
     }
 
-    /// True if in a step of the length h from `here`, where the inputs are `from`, the gradients of rows turn no farther
-    /// than bodies may, the trial state is near its prediction by the same measure, and no group whose branch value must
-    /// be looked at comes near its limit in between.
+    /// True if in a step of the length h from `state`, where the inputs are `from`, the gradients of rows turn no
+    /// farther than bodies may, the trial state is near its prediction by the same measure, and no group whose branch
+    /// value must be looked at comes near its limit in between.
     #[inline]
     pub(super) fn rows_are_followed(
         &self,

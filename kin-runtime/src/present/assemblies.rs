@@ -64,7 +64,7 @@ pub(crate) fn doubts(all: &Assemblies) -> String {
     let uncertified = uncertified.filter_map(|(k, assembly)| Some((k, assembly.certificate.as_ref().err()?)));
     let lines = uncertified.map(|(k, why)| format!("  closure {} is not certified: {why}", k + 1));
     let lines: Vec<String> =
-        lines.chain(all.undecided.iter().map(|left: &Undecided| format!("  undecided: {left}"))).collect();
+        lines.chain(all.undecided.iter().map(|undecided: &Undecided| format!("  undecided: {undecided}"))).collect();
     let more = lines.len().saturating_sub(MAX_LISTED_DOUBTS);
     let text = lines.into_iter().take(MAX_LISTED_DOUBTS).collect::<Vec<_>>().join("\n");
     if more > 0 { format!("{text}\n  and {more} more") } else { text }

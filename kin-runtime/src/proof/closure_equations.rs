@@ -66,7 +66,7 @@ impl<'s> ClosureEquations<'s> {
     /// The equations over a region, which has an interval for every coordinate of the mechanism.
     pub(super) fn new(square: &'s Square, system: &'s mut dyn Enclosures, region: &[Interval]) -> Self {
         let reduced = Reduced::new(square);
-        let m = reduced.left.len();
+        let m = reduced.remaining.len();
         let (known, unknown, rows) = (vec![None; m], (0..m).collect(), (0..m).collect());
         let (determined, eliminated) = (Vec::new(), Vec::new());
         let [still, q] = [const { ZERO }; 2].map(|zero| vec![zero; square.coordinates()]);
@@ -80,7 +80,7 @@ impl<'s> ClosureEquations<'s> {
 
     /// Finds the known coordinates.
     fn determine(&mut self, region: &[Interval]) {
-        let m = self.reduced.left.len();
+        let m = self.reduced.remaining.len();
         self.q = everywhere(region);
         if self.evaluate(Subset::JACOBIAN, Unbounded::Infinite).is_err() {
             return;
@@ -91,8 +91,8 @@ impl<'s> ClosureEquations<'s> {
         let mut is_known = vec![false; m];
         loop {
             let open = |row: &[Interval]| {
-                let mut left = (0..m).filter(|&k| row[k] != ZERO && !is_known[k]);
-                match (left.next(), left.next()) {
+                let mut unsolved = (0..m).filter(|&k| row[k] != ZERO && !is_known[k]);
+                match (unsolved.next(), unsolved.next()) {
                     (Some(k), None) if row.iter().all(number) => Some(k),
                     _ => None,
                 }
@@ -111,7 +111,7 @@ impl<'s> ClosureEquations<'s> {
     fn eliminate(&mut self, region: &[Interval]) {
         let all = self.rows.clone();
         for k in self.unknown.clone() {
-            let column = self.reduced.left[k];
+            let column = self.reduced.remaining[k];
             let rows_with_angle = all.iter().copied().filter(|&i| self.reduced.depends(i, k)).collect::<Vec<_>>();
             let &[a, b] = rows_with_angle.as_slice() else { continue };
             let are_left = self.rows.contains(&a) && self.rows.contains(&b);
@@ -128,9 +128,10 @@ impl<'s> ClosureEquations<'s> {
     /// The angle with these two equations, if their derivatives with respect to it are those of M (cos φ, sin φ) for
     /// all values of the other coordinates.
     fn eliminated_angle(&mut self, k: usize, rows: [usize; 2], region: &[Interval]) -> Option<EliminatedAngle> {
-        let column = self.reduced.left[k];
+        let column = self.reduced.remaining[k];
         let everywhere = everywhere(region);
-        let other_unknowns: Vec<Interval> = self.unknown.iter().map(|&k| everywhere[self.reduced.left[k]]).collect();
+        let other_unknowns: Vec<Interval> =
+            self.unknown.iter().map(|&k| everywhere[self.reduced.remaining[k]]).collect();
         let mut derivatives = |angle: Interval| {
             self.go_to(&other_unknowns);
             self.q[column] = angle;
@@ -190,7 +191,7 @@ impl<'s> ClosureEquations<'s> {
 
     /// The indices of u in q.
     pub(super) fn places(&self) -> impl Iterator<Item = usize> + '_ {
-        self.unknown.iter().map(|&k| self.reduced.left[k])
+        self.unknown.iter().map(|&k| self.reduced.remaining[k])
     }
 
     /// f and its derivatives over a box, including the one with respect to t if `with_time`.
@@ -297,7 +298,7 @@ impl<'s> ClosureEquations<'s> {
     pub(super) fn known_rates(&mut self, u: &[Interval]) -> Result<Vec<Interval>, Uncertified> {
         self.over(u, Subset::TIME_DERIVATIVE)?;
         let mut of_all = vec![ZERO; self.q.len()];
-        for (&column, rate) in self.reduced.left.iter().zip(self.rates()) {
+        for (&column, rate) in self.reduced.remaining.iter().zip(self.rates()) {
             of_all[column] = rate.unwrap_or(ZERO);
         }
         Ok(of_all)
@@ -314,7 +315,7 @@ impl<'s> ClosureEquations<'s> {
         self.go_to(u);
         let mut q_dot = rates.to_vec();
         for (&k, &w) in self.unknown.iter().zip(w) {
-            q_dot[self.reduced.left[k]] = w;
+            q_dot[self.reduced.remaining[k]] = w;
         }
         let evaluated = self.system.evaluate(Subset::GAMMA, &self.q, &q_dot).map_err(|_| Uncertified::Malformed)?;
         self.square.kept(evaluated.gamma, &mut self.of_rows)?;
@@ -343,7 +344,7 @@ impl<'s> ClosureEquations<'s> {
         if !self.eliminated.is_empty() {
             self.evaluate(Subset::PHI, Unbounded::Refused).ok()?;
             for ((angle, a), (_, near)) in self.constant_parts().zip(&self.eliminated) {
-                q[self.reduced.left[angle.angle]] = angle.direction(a, *near);
+                q[self.reduced.remaining[angle.angle]] = angle.direction(a, *near);
             }
         }
         let evaluated = self.system.evaluate(Subset::PHI, &q, &self.still).ok()?;
@@ -355,11 +356,11 @@ impl<'s> ClosureEquations<'s> {
     /// Writes all coordinates over a box of u, 0 for eliminated ones.
     fn go_to(&mut self, u: &[Interval]) {
         self.q.fill(ZERO);
-        for (&column, known) in self.reduced.left.iter().zip(&self.known) {
+        for (&column, known) in self.reduced.remaining.iter().zip(&self.known) {
             self.q[column] = known.unwrap_or(ZERO);
         }
         for (&k, &x) in self.unknown.iter().zip(u) {
-            self.q[self.reduced.left[k]] = x;
+            self.q[self.reduced.remaining[k]] = x;
         }
     }
 

@@ -185,8 +185,8 @@ pub(super) fn null_vector(a: &[Vec<Interval>]) -> Option<DVector<f64>> {
     Some(svd.v_t?.row(least).transpose())
 }
 
-/// Bounds of all null vectors with the entry 1 at `unit_entry`, for all matrices in A, without that entry; `None` if there may be null
-/// vectors whose entry there is 0.
+/// Bounds of all null vectors with the entry 1 at `unit_entry`, for all matrices in A, without that entry; `None` if
+/// there may be null vectors whose entry there is 0.
 ///
 /// With the other columns B and the column b, B w = −b. With an approximate pseudoinverse C of B, w = −C b + (I − C B)
 /// w, and so
@@ -215,12 +215,12 @@ fn null_vectors(a: &[Vec<Interval>], unit_entry: usize) -> Option<Vec<Interval>>
         .collect();
     let sum = |row: &Vec<Interval>| row.iter().fold(0.0, |sum: f64, x| (sum + x.magnitude()).next_up());
     let norm = rests.iter().map(sum).fold(0.0, f64::max);
-    let left = (1.0 - norm).next_down();
-    if left <= 0.0 || left.is_nan() {
+    let contraction = (1.0 - norm).next_down();
+    if contraction <= 0.0 || contraction.is_nan() {
         return None;
     }
     let largest = first.iter().fold(0.0, |most: f64, x| most.max(x.magnitude()));
-    let bound = (largest / left).next_up();
+    let bound = (largest / contraction).next_up();
     Some(
         first
             .iter()

@@ -104,10 +104,10 @@ impl FoldSearch<'_> {
             seen += 1;
             if seen > MAX_BOXES || self.undecided.len() > before + MAX_UNDECIDED {
                 // What is left is reported as one box around all of it.
-                let left = boxes.drain(..).chain(self.undecided.drain(before..));
+                let undecided = boxes.drain(..).chain(self.undecided.drain(before..));
                 let hull =
                     |all: Vec<Interval>, other: Vec<Interval>| all.iter().zip(other).map(|(x, y)| x.hull(y)).collect();
-                let hull = left.fold(now, hull);
+                let hull = undecided.fold(now, hull);
                 return self.undecided.push(hull);
             }
             self.look(now, &mut boxes);

@@ -84,8 +84,8 @@ impl NearSolution<'_> {
                 let distances = shares.iter().map(|[away, rest]| raised(away + raised(nearer * rest)));
                 let nearer = distances.fold(0.0, f64::max).min(nearer);
                 for i in 0..n {
-                    let left = raised(nearer * rest[i]);
-                    let around = Interval::from(centre[i]) - newton[i] + Interval::new(-left, left);
+                    let radius = raised(nearer * rest[i]);
+                    let around = Interval::from(centre[i]) - newton[i] + Interval::new(-radius, radius);
                     q[i] = around.intersection(q[i]).unwrap_or(q[i]);
                 }
                 return Ok(Some(SolutionBox { radii, rest, beta, q }));

@@ -19,9 +19,9 @@ pub(super) struct Reduced {
     /// The sums of rows that do not depend on eliminated coordinates.
     equations: Vec<Sum>,
     /// The eliminated coordinates, each with the sum of rows that determines it and its factor in that sum.
-    taken: Vec<(usize, Sum, f64)>,
+    eliminated: Vec<(usize, Sum, f64)>,
     /// The remaining coordinates.
-    pub(super) left: Vec<usize>,
+    pub(super) remaining: Vec<usize>,
     /// The derivative of every equation with respect to every remaining coordinate: a sum over the entries of the rows.
     derivatives: Vec<Vec<Sum>>,
 }
@@ -40,7 +40,7 @@ impl Reduced {
         }
         // Row k of this matrix has the factors of the rows whose sum is the reduced row k.
         let mut sums = DMatrix::<f64>::identity(n, n);
-        let (mut free, mut taken) = ((0..n).collect::<Vec<usize>>(), Vec::new());
+        let (mut free, mut eliminated) = ((0..n).collect::<Vec<usize>>(), Vec::new());
         for column in (0..n).filter(|&column| constant[column]) {
             let Some(at) = free.iter().position(|&row| matrix[(row, column)].abs() == 1.0) else { continue };
             let pivot = free[at];
@@ -57,12 +57,12 @@ impl Reduced {
             }
             (matrix, sums) = (reduced, added);
             free.remove(at);
-            taken.push((column, pivot));
+            eliminated.push((column, pivot));
         }
         let sum =
             |row: usize| (0..n).map(|k| (k, sums[(row, k)])).filter(|(_, factor)| *factor != 0.0).collect::<Sum>();
-        let left: Vec<usize> =
-            (0..n).filter(|column| taken.iter().all(|(eliminated, _)| eliminated != column)).collect();
+        let remaining: Vec<usize> =
+            (0..n).filter(|column| eliminated.iter().all(|(other, _)| other != column)).collect();
         let equations: Vec<Sum> = free.iter().map(|&row| sum(row)).collect();
         let derivative = |equation: &Sum, by: usize| -> Sum {
             let factor = |row: usize| equation.iter().find(|(term_row, _)| *term_row == row).map(|(_, factor)| *factor);
@@ -70,9 +70,9 @@ impl Reduced {
             entries.filter_map(|(entry, &(row, _))| Some((entry, factor(row)?))).collect()
         };
         let derivatives =
-            equations.iter().map(|equation| left.iter().map(|&by| derivative(equation, by)).collect()).collect();
-        let taken = taken.iter().map(|&(column, row)| (column, sum(row), matrix[(row, column)])).collect();
-        Self { equations, taken, left, derivatives }
+            equations.iter().map(|equation| remaining.iter().map(|&by| derivative(equation, by)).collect()).collect();
+        let eliminated = eliminated.iter().map(|&(column, row)| (column, sum(row), matrix[(row, column)])).collect();
+        Self { equations, eliminated, remaining, derivatives }
     }
 
     /// Whether an equation depends on a remaining coordinate, given by its index among them.
@@ -93,12 +93,12 @@ impl Reduced {
 
     /// The derivatives of a reduced equation with respect to all remaining coordinates.
     pub(super) fn gradient(&self, entries: &[Interval], equation: usize) -> Vec<Interval> {
-        (0..self.left.len()).map(|k| self.derivative(entries, equation, k)).collect()
+        (0..self.remaining.len()).map(|k| self.derivative(entries, equation, k)).collect()
     }
 
     /// Writes the eliminated coordinates, given the values of the rows with these coordinates at 0.
     pub(super) fn complete(&self, rows: &[Interval], q: &mut [Interval]) {
-        for (column, sum, factor) in &self.taken {
+        for (column, sum, factor) in &self.eliminated {
             q[*column] = -(total(sum, rows) / Interval::from(*factor));
         }
     }

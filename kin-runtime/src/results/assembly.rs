@@ -126,6 +126,6 @@ impl fmt::Display for Assemblies {
             f.write_str("\n  ")?;
             named(f, &self.name(index), assembly)?;
         }
-        self.undecided.iter().try_for_each(|left| write!(f, "\n  undecided: {left}"))
+        self.undecided.iter().try_for_each(|undecided| write!(f, "\n  undecided: {undecided}"))
     }
 }

@@ -221,7 +221,7 @@ fn check_rounding(
         let off: Vec<f64> = found.iter().zip(known).map(|(found, known)| found - known).collect();
         equations.scale.size(&off) <= OF_SOLUTION * equations.scale.size(known)
     };
-    let mut again = |equations: &mut Equations<'_>, beside: Vec<f64>| {
+    let mut derivatives_at = |equations: &mut Equations<'_>, beside: Vec<f64>| {
         let (factor_beside, q_dot, q_ddot) = rates(equations, &beside)?;
         orders.begin_with(&state.instant(), further, [&beside, &q_dot, &q_ddot])?;
         let mut all = vec![beside, q_dot, q_ddot];
@@ -229,11 +229,11 @@ fn check_rounding(
         Ok(all)
     };
     // Without rates at q there is nothing with which those of the state, which the caller may have set, can be compared.
-    let Ok(all) = again(equations, state.q.clone()) else { return Ok(()) };
+    let Ok(all) = derivatives_at(equations, state.q.clone()) else { return Ok(()) };
     if !is_near(equations, &all[1], &state.q_dot) || !is_near(equations, &all[2], &state.q_ddot) {
         return Ok(());
     }
-    match dominated_coordinate(equations, &all, 3, factor, &mut again) {
+    match dominated_coordinate(equations, &all, 3, factor, &mut derivatives_at) {
         Some(k) => Err(SolveError::Rounded { t: state.t, coordinate: equations.model.coordinates[k].name }),
         None => Ok(()),
     }

@@ -110,10 +110,11 @@ impl dyn AnySolver + '_ {
         }
         let name = |k: usize| model.coordinates[k].name;
         let searched: Vec<(&'static str, Interval)> = searched.into_iter().map(|(k, x)| (name(k), x)).collect();
-        let left = |region: Vec<Interval>| Undecided::Region {
+        let undecided_region = |region: Vec<Interval>| Undecided::Region {
             coordinates: searched.iter().map(|(name, _)| *name).zip(region).collect(),
         };
-        let undecided = undecided.into_iter().map(left).chain(unfinished.map(|seen| Undecided::Unfinished { seen }));
+        let undecided =
+            undecided.into_iter().map(undecided_region).chain(unfinished.map(|seen| Undecided::Unfinished { seen }));
         let undecided = undecided.collect();
         let assembly = |([q, q_dot, q_ddot], certificate): ([Vec<f64>; 3], Certificate)| {
             let modes = self.equations_at(at).and_then(|equations| modes(&equations, &q)).unwrap_or_default();
@@ -143,12 +144,12 @@ impl dyn AnySolver + '_ {
         margins.fill(0.0);
         let [mut q, mut q_dot, mut q_ddot] = self.zeros();
         let solved = Solved { q: &mut q, q_dot: &mut q_dot, q_ddot: &mut q_ddot, margins: &mut *margins };
-        let done = self.solve(at, signs, start, Depth::Acceleration, solved);
+        let outcome = self.solve(at, signs, start, Depth::Acceleration, solved);
         // NaN is not positive either.
         let is_good = |margin: &f64| *margin > Plan::SMALLEST_MARGIN;
         match margins.iter().position(|margin| !is_good(margin)) {
             None if self.violates(at, signs, start) => Closing::Violated,
-            None if done.is_ok() => {
+            None if outcome.is_ok() => {
                 let certificate = prove(&q);
                 let modes = plan.modes.iter().zip(signs).filter_map(|(mode, &sign)| Some((mode.name, Sign::of(sign)?)));
                 Closing::Closed(Assembly { q, q_dot, q_ddot, modes: modes.collect(), certificate })

@@ -142,8 +142,8 @@ fn one(
     let walk = args.motion.walk(engine, (&task.requested, &task.setup, &instants), &measures, &watch);
     let moved = FollowedMotion { tells_missing: !wanted.is_empty(), ..walk }.with_states()?;
     note_motion(session, &moved);
-    let Moved { trajectory, columns, ended, left, .. } = moved;
-    note_freedom(session, left);
+    let Moved { trajectory, columns, ended, open, .. } = moved;
+    note_freedom(session, open);
     let states = &trajectory.states;
     if ended.as_ref().is_some_and(|failure| !matches!(failure, Failure::Interrupted(_))) {
         let (states, instants) = (states.len(), count(instants.len(), "instant"));

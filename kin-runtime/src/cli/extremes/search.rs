@@ -70,8 +70,8 @@ impl SearchedMotion<'_> {
         // An estimate of the greatest value around an instant: between two instants the curve is assumed to rise above
         // a value by no more than it drops to the neighbouring ones.
         let potential = |k: usize| {
-            let beside = [k.checked_sub(1), Some(k + 1)].into_iter().flatten().filter_map(|j| values.get(j));
-            let drop = beside.map(|other| values[k] - other).filter(|drop| drop.is_finite()).fold(0.0, f64::max);
+            let neighbours = [k.checked_sub(1), Some(k + 1)].into_iter().flatten().filter_map(|j| values.get(j));
+            let drop = neighbours.map(|other| values[k] - other).filter(|drop| drop.is_finite()).fold(0.0, f64::max);
             values[k] + drop
         };
         let is_peak = |k: &usize| {

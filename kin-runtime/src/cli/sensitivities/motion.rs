@@ -74,8 +74,8 @@ impl VariedMotion {
         };
         let moved = walk.with_states()?;
         note_motion(session, &moved);
-        let Moved { trajectory, columns, ended, left, .. } = moved;
-        note_freedom(session, left);
+        let Moved { trajectory, columns, ended, open, .. } = moved;
+        note_freedom(session, open);
         let slopes = Slopes::along(engine, setup, &trajectory.states, &measures, self.degrees);
         watch.end();
         let slopes = slopes?;

@@ -25,9 +25,9 @@ const SMALLEST_ANGLE_COLUMN: f64 = 1e-3;
 impl Scale {
     /// The scales at the current instant, from configurations around `q`, an assembled configuration.
     pub(crate) fn around(equations: &mut Equations<'_>, q: &[f64]) -> Self {
-        let distances = kept_distances(equations);
+        let distance_rows = kept_distances(equations);
         let curves: Vec<usize> = equations.rows_of_implicit_curves().collect();
-        Self::from_samples(equations, q, &distances, &curves)
+        Self::from_samples(equations, q, &distance_rows, &curves)
     }
 
     /// The scales at the current instant, from configurations around `q` in which distances may be far from those that
@@ -36,15 +36,21 @@ impl Scale {
         Self::from_samples(equations, q, &[], &[])
     }
 
-    /// The scales from samples around `q`. The rows `kept` are d² − e² with a constant e: their entries are as large as d,
-    /// which is e in every solution, but larger in most samples where e is small compared with the rest of the mechanism.
+    /// The scales from samples around `q`. The `distance_rows` are d² − e² with a constant e: their entries are as
+    /// large as d, which is e in every solution, but larger in most samples where e is small compared with the rest of
+    /// the mechanism.
     /// Of the rows `curves` of implicit curves, the samples near q show how large the entries are beside the curve.
-    fn from_samples(equations: &mut Equations<'_>, q: &[f64], distances: &[(usize, f64)], curves: &[usize]) -> Self {
+    fn from_samples(
+        equations: &mut Equations<'_>,
+        q: &[f64],
+        distance_rows: &[(usize, f64)],
+        curves: &[usize],
+    ) -> Self {
         let (s, n) = (equations.rows(), equations.coordinates());
         let length = typical_length(equations);
         let spread: Vec<f64> = (0..n).map(|k| spread(equations, k, q[k], length)).collect();
         let entries = equations.model.constraint_pattern.entries;
-        let mut sizes = typical_sizes(equations, (q, &spread), distances);
+        let mut sizes = typical_sizes(equations, (q, &spread), distance_rows);
         if !curves.is_empty() {
             let narrow: Vec<f64> = spread.iter().map(|width| NEAR_CURVE * width).collect();
             let near = typical_sizes(equations, (q, &narrow), &[]);
@@ -192,9 +198,13 @@ fn kept_distances(equations: &Equations<'_>) -> Vec<(usize, f64)> {
     known.filter(|(_, e)| *e > 0.0).collect()
 }
 
-/// The typical size of every entry of Φ_q around `q`, each coordinate within its `spread`. The rows `kept` are d² − e² with
-/// a constant e, and their entries are those of d = e.
-fn typical_sizes(equations: &mut Equations<'_>, (q, spread): (&[f64], &[f64]), distances: &[(usize, f64)]) -> Vec<f64> {
+/// The typical size of every entry of Φ_q around `q`, each coordinate within its `spread`. The `distance_rows` are
+/// d² − e² with a constant e, and their entries are those of d = e.
+fn typical_sizes(
+    equations: &mut Equations<'_>,
+    (q, spread): (&[f64], &[f64]),
+    distance_rows: &[(usize, f64)],
+) -> Vec<f64> {
     let mut random = Random::new(0x5ca1e);
     let entries = equations.model.constraint_pattern.entries;
     let mut sizes = vec![[0.0; SAMPLES]; entries.len()];
@@ -202,7 +212,7 @@ fn typical_sizes(equations: &mut Equations<'_>, (q, spread): (&[f64], &[f64]), d
     let mut shares = vec![1.0; equations.rows()];
     for k in 0..SAMPLES {
         if equations.evaluate(Subset::POSITION, &sample, None).is_ok() {
-            for &(row, e) in distances {
+            for &(row, e) in distance_rows {
                 shares[row] = (e / (equations.phi[row] + e * e).max(0.0).sqrt()).min(1.0);
             }
             let typical = sizes.iter_mut().zip(entries).zip(&equations.phi_q);

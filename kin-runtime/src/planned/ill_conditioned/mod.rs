@@ -147,8 +147,8 @@ fn advance(q: &mut [f64], q_dot: &[f64], by: f64) {
 }
 
 /// Replaces numbers by their slopes on the way from earlier ones, `width` before.
-fn write_slopes(then: &mut [f64], now: &[f64], width: f64) {
-    then.iter_mut().zip(now).for_each(|(then, now)| *then = (*then - now) / width);
+fn write_slopes(values_ahead: &mut [f64], now: &[f64], width: f64) {
+    values_ahead.iter_mut().zip(now).for_each(|(values_ahead, now)| *values_ahead = (*values_ahead - now) / width);
 }
 
 /// The indices of the steps of all groups, in the order of their signs.

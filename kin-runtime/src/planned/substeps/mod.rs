@@ -262,9 +262,10 @@ impl<M: Mechanism> PlanFollower<M> {
         Ok(good)
     }
 
-    /// The reason why no step from `here` is short enough: a group beside its limit or, if `share`, the length of a step
-    /// by the rates relative to the rest of the course, is so small that rates grow without bound, the first group
-    /// with a determinant that has such rates. (The distance of an iteration of one unknown may stay large up to its limit.)
+    /// The reason why no step from `state` is short enough: a group beside its limit or, if `share`, the length of a
+    /// step by the rates relative to the rest of the course, is so small that rates grow without bound, the first
+    /// group with a determinant that has such rates. (The distance of an iteration of one unknown may stay large up to
+    /// its limit.)
     fn fault_of_short_steps(&self, state: &PlanSolution<M>, share: f64) -> Rejection {
         let distances = self.branch.distances.as_ref();
         let group = index_of_least(distances);

@@ -99,9 +99,9 @@ impl dyn AnySolver + '_ {
         let ([mut q, mut q_dot, mut q_ddot], mut margins) = (self.zeros(), vec![0.0; self.model().plan.margins]);
         let solved = Solved { q: &mut q, q_dot: &mut q_dot, q_ddot: &mut q_ddot, margins: &mut margins };
         let inputs: Vec<Signal> = start.inputs.iter().map(|u| u.after(t - start.t)).collect();
-        let done = self.solve(&Instant { t, inputs: &inputs }, signs, guess, Depth::Position, solved);
+        let outcome = self.solve(&Instant { t, inputs: &inputs }, signs, guess, Depth::Position, solved);
         let found = q.iter().zip(guess).map(|(&x, &guess)| if x.is_finite() { x } else { guess });
-        if done.is_ok() { found.collect() } else { guess.to_vec() }
+        if outcome.is_ok() { found.collect() } else { guess.to_vec() }
     }
 
     /// The limit in a stretch where a margin changes its sign, or touches 0; its configuration is found by the motion

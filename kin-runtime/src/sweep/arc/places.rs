@@ -159,9 +159,9 @@ pub(super) fn singular_place(
         }
     } else if equations.move_to(node.t()).is_ok() && equations.evaluate(Subset::JACOBIAN, &q, None).is_ok() {
         let all: Vec<usize> = (0..equations.rows()).collect();
-        let left = null_space(&equations.scaled(&all).transpose(), DEPENDENT_PIVOT);
-        let largest = left.amax();
-        let dependent = (0..left.nrows()).filter(|&row| left.row(row).amax() > 1e-3 * largest);
+        let null_vectors = null_space(&equations.scaled(&all).transpose(), DEPENDENT_PIVOT);
+        let largest = null_vectors.amax();
+        let dependent = (0..null_vectors.nrows()).filter(|&row| null_vectors.row(row).amax() > 1e-3 * largest);
         joints = dependent.map(|row| equations.joint_name(row)).collect();
         joints.dedup();
     }

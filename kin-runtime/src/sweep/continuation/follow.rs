@@ -203,8 +203,8 @@ impl Continuation {
         Ok(())
     }
 
-    /// Takes internal steps to `target` and leaves the last of them in `accepted`; false when no step was needed. While `moved`
-    /// is false, `accepted` has no meaning and steps start from `node`.
+    /// Takes internal steps to `target` and leaves the last of them in `accepted`; false when no step was needed. While
+    /// `moved` is false, `accepted` has no meaning and steps start from `node`.
     fn take_steps(&mut self, equations: &mut Equations<'_>, target: f64, by_plan: bool) -> Result<bool, SolveError> {
         let options = equations.options;
         let mut iterations = 0;

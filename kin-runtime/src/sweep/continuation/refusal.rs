@@ -106,8 +106,8 @@ pub(super) fn refusal(
         return error;
     }
     if factor.rank < expected_rank {
-        let left = null_space(&equations.scaled(&all).transpose(), NEARLY_SINGULAR);
-        let rows = dependent_rows(equations, &left);
+        let null_vectors = null_space(&equations.scaled(&all).transpose(), NEARLY_SINGULAR);
+        let rows = dependent_rows(equations, &null_vectors);
         let (rank, condition) = (factor.rank, factor.full_condition);
         return SolveError::Singular { t, rank, expected_rank, rows, condition, limit };
     }
@@ -190,9 +190,9 @@ fn is_elsewhere(t: f64, [from, refused]: [f64; 2], step: f64) -> bool {
 }
 
 /// True for a time between two others, or outside of them by no more than `beside` and rounding.
-fn is_between(t: f64, a: f64, b: f64, beside: f64) -> bool {
-    let beside = beside + 1e-9 * a.abs().max(b.abs());
-    t >= a.min(b) - beside && t <= a.max(b) + beside
+fn is_between(t: f64, a: f64, b: f64, tolerance: f64) -> bool {
+    let tolerance = tolerance + 1e-9 * a.abs().max(b.abs());
+    t >= a.min(b) - tolerance && t <= a.max(b) + tolerance
 }
 
 #[cfg(test)]
