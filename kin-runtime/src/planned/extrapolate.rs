@@ -56,7 +56,7 @@ pub(super) struct ExtrapolatedLimit<M: Mechanism> {
     pub(super) q: M::Coordinates<f64>,
     /// The change that leaving out one of the samples causes, relative to 1 + |q_k| for a coordinate, and to the
     /// interval for its parameter.
-    error: f64,
+    pub(super) error: f64,
     /// The kind of limit, where it is clear.
     pub(super) kind: Option<LimitKind>,
 }

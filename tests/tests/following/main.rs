@@ -13,6 +13,7 @@ mod hidden;
 mod input_ranges;
 mod inputs;
 mod iterated_closures;
+mod iterated_limits;
 mod jumps;
 mod larger;
 mod late;

@@ -6,6 +6,7 @@
 //! or at a minimum of its margin. The solution of a linear system goes to infinity where its determinant changes its sign
 //! (see `pole`).
 
+mod fold;
 mod iteration;
 mod pole;
 mod spot;
@@ -145,7 +146,9 @@ impl<M: Mechanism> PlanFollower<M> {
             let located = Some(Located { at: course.at(s, inputs.as_mut()), kind: Some(LimitKind::Pole) });
             return (PlanError::Limit { t, limit: Limit { step, margin, located } }, s);
         }
-        let found = self.extrapolate(mechanism, course, (group, s), blocked);
+        // A closed form has its margin on both sides of a fold; an iteration, which has not, is followed along the arc.
+        let fold = if has_two_closures { None } else { self.fold(mechanism, course, group, blocked) };
+        let found = fold.or_else(|| self.extrapolate(mechanism, course, (group, s), blocked));
         self.q_at_limit = found.as_ref().map(|found| found.q);
         let extrapolated = found.as_ref().and_then(|found| found.kind);
         let kind = match extrapolated {
