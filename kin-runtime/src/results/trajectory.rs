@@ -15,8 +15,9 @@ use core::fmt;
 pub struct Fallback {
     /// Time of the step's end.
     pub t: f64,
-    /// The step of the plan that has no solution there; `None` for other reasons, such as a driver that jumps, or a
-    /// solution of the plan that does not satisfy all rows.
+    /// The step of the plan that has no solution at the instant to which the plan was to go, which may lie beyond this
+    /// step; `None` for other reasons, such as a driver that jumps, or a solution of the plan that does not satisfy all
+    /// rows.
     pub limit: Option<Limit>,
 }
 

@@ -3,6 +3,7 @@
 
 mod bells;
 mod corners;
+mod crossings;
 mod fast;
 mod one_step;
 mod pulses;

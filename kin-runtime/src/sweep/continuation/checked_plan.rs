@@ -187,14 +187,38 @@ impl CheckedPlan {
         Ok(true)
     }
 
-    /// One step by the plan from the node that the follower has reached to the place `s` of the course.
+    /// One step by the plan from a state to the place `s` of the course, or to `target` where `s` is too near to a place at
+    /// which branches meet: steps are shorter only for the sake of conditions, and a motion that passes there without them
+    /// passes with them. Returns the place reached; `None` where the plan has no solution.
     pub(super) fn step(
         &mut self,
         equations: &mut Equations<'_>,
-        before: &[f64],
+        from: &State,
+        to: &mut Node,
+        [s, target]: [f64; 2],
+    ) -> Result<Option<f64>, SolveError> {
+        if self.step_to(equations, from, to, s)? {
+            return Ok(Some(s));
+        }
+        if s == target || self.has_curves || !self.step_to(equations, from, to, target)? {
+            return Ok(None);
+        }
+        // The conditions must not miss the motion that the step hides.
+        self.is_placed = !self.hides_motion;
+        Ok(self.is_placed.then_some(target))
+    }
+
+    /// One step by the plan; false where it has no solution.
+    fn step_to(
+        &mut self,
+        equations: &mut Equations<'_>,
+        from: &State,
         to: &mut Node,
         s: f64,
     ) -> Result<bool, SolveError> {
+        if !self.start_at(equations, from) {
+            return Ok(false);
+        }
         match equations.move_to(s) {
             // The plan may find a limit before the length is negative.
             Err(SolveError::DegenerateGeometry { fault: Degeneracy::NegativeLength { .. }, .. }) | Ok(()) => {}
@@ -202,7 +226,7 @@ impl CheckedPlan {
         }
         to.s = s;
         to.basis = None;
-        self.solve(equations, before, &mut to.state)
+        self.solve(equations, &from.q, &mut to.state)
     }
 }
 

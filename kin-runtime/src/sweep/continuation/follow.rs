@@ -235,13 +235,12 @@ impl Continuation {
                 false => self.longest_step(equations, moved).min(self.proposed),
             };
             let smallest = *smallest.get_or_insert_with(|| shortest_step(options.min_step, length, [from, target]));
-            let (s, share) = next_parameter([from, aim], length);
+            let (mut s, share) = next_parameter([from, aim], length);
             if by_plan {
-                by_plan = self.step_by_plan(equations, moved, s)?;
-                if !by_plan {
-                    // Full Newton takes the next round.
-                    continue;
-                }
+                let reached = self.step_by_plan(equations, moved, [s, target])?;
+                by_plan = reached.is_some();
+                let Some(reached) = reached else { continue }; // Full Newton takes the next round.
+                s = reached;
                 if let Some(plan) = self.plan.as_mut().filter(|plan| self.watch.is_some() && plan.hides_motion)
                     && (s - from).abs() > smallest
                 {
@@ -360,12 +359,17 @@ impl Continuation {
         )
     }
 
-    /// One step by the plan; false where the plan has no solution.
-    fn step_by_plan(&mut self, equations: &mut Equations<'_>, moved: bool, s: f64) -> Result<bool, SolveError> {
+    /// One step by the plan, as [`CheckedPlan::step`].
+    fn step_by_plan(
+        &mut self,
+        equations: &mut Equations<'_>,
+        moved: bool,
+        to: [f64; 2],
+    ) -> Result<Option<f64>, SolveError> {
         let Self { node, accepted, next, plan, .. } = self;
-        let Some(plan) = plan else { return Ok(false) };
+        let Some(plan) = plan else { return Ok(None) };
         let from = if moved { &accepted.state } else { &node.state };
-        Ok(plan.start_at(equations, from) && plan.step(equations, &from.q, next, s)?)
+        plan.step(equations, from, next, to)
     }
 
     /// Passes the accepted step to the watch over the unilateral conditions.

@@ -14,6 +14,8 @@ const HALVINGS: usize = 30;
 /// Largest number of successive halvings in which the samples predict one another: a course that is still unclear then
 /// is zero within rounding.
 const HALVINGS_OF_KNOWN: usize = 9;
+/// Largest number of times that an interval around instants at which the motion cannot be solved is made narrower.
+const NARROWINGS: usize = 12;
 
 /// A function that gives the state of a motion at a time between two states; `None` where it cannot be solved.
 pub(crate) type Between<'f> = dyn FnMut(&mut Equations<'_>, f64) -> Option<State> + 'f;
@@ -105,7 +107,7 @@ impl EventSearch<'_, '_, '_, '_> {
             CurveShape::Unclear if depth.halved == HALVINGS || depth.known == HALVINGS_OF_KNOWN => self.monotone(a, b),
             CurveShape::Unclear => match self.middle(a, b) {
                 Some(middle) => self.halve([a, &middle, b], doubt, depth),
-                None => self.without_middle(a, b),
+                None => self.without_middle(a, b, depth),
             },
             known => self.take(known, a, b),
         }
@@ -140,17 +142,34 @@ impl EventSearch<'_, '_, '_, '_> {
         self.sample(a.t + 0.5 * (b.t - a.t))
     }
 
-    /// Searches without a sample in between: uses the shape that both ends suggest, and records the interval as
-    /// unwatched where they suggest none.
-    fn without_middle(&mut self, a: &Sample, b: &Sample) {
-        let alone = if self.patience > 0 { shape(a, b, 0.0) } else { CurveShape::Unclear };
-        if alone == CurveShape::Unclear {
-            match self.lost.last_mut() {
-                Some([_, to]) if *to == a.t => *to = b.t,
-                _ => self.lost.push([a.t, b.t]),
+    /// Searches an interval in whose middle the motion cannot be solved: the parts beside its middle half by themselves,
+    /// if it can be solved at their ends; the rest by the shape that both ends suggest. It is recorded as unwatched where
+    /// they suggest none.
+    fn without_middle(&mut self, a: &Sample, b: &Sample, depth: Depth) {
+        if self.patience > 1 && depth.halved < NARROWINGS {
+            let [before, after] = [0.25, 0.75].map(|x| self.sample(a.t + x * (b.t - a.t)));
+            self.patience -= 2;
+            if before.is_some() || after.is_some() {
+                let depth = Depth { halved: depth.halved + 1, known: 0 };
+                let places = [Some(*a), before, after, Some(*b)];
+                let solved: Vec<Sample> = places.into_iter().flatten().collect();
+                solved.windows(2).for_each(|pair| self.between(&pair[0], &pair[1], f64::INFINITY, depth));
+                return;
             }
         }
+        let alone = if self.patience > 0 { shape(a, b, 0.0) } else { CurveShape::Unclear };
+        if alone == CurveShape::Unclear {
+            self.lose(a.t, b.t);
+        }
         self.take(alone, a, b);
+    }
+
+    /// Records an interval in which the condition was not watched.
+    fn lose(&mut self, from: f64, to: f64) {
+        match self.lost.last_mut() {
+            Some([_, end]) if *end == from => *end = to,
+            _ => self.lost.push([from, to]),
+        }
     }
 
     /// Locates one crossing where the ends lie on different sides of zero.
@@ -181,9 +200,11 @@ impl EventSearch<'_, '_, '_, '_> {
         let towards = if falls { -sign * self.step.signum() } else { sign * self.step.signum() };
         let value = |s: &Sample| Value { t: s.t, f: towards * s.rate, rate: towards * s.acceleration };
         let narrow = tolerance(a.t.abs().max(b.t.abs()));
-        let mut beyond = None;
+        let (mut beyond, mut is_solved) = (None, true);
         let ends = bracket(value(a), value(b), narrow, |t| {
-            let sample = self.sample(t)?;
+            let sample = self.sample(t);
+            is_solved &= sample.is_some();
+            let sample = sample?;
             if falls && sign * sample.value < -sample.noise {
                 // This sample lies beyond the limit, so the search for the extremum can stop.
                 beyond = Some(sample);
@@ -196,7 +217,12 @@ impl EventSearch<'_, '_, '_, '_> {
             return self.monotone(&beyond, b);
         }
         let t = if ends[0].f.abs() <= ends[1].f.abs() { ends[0].t } else { ends[1].t };
-        let Some(extremum) = self.sample(t) else { return self.monotone(a, b) };
+        let is_located = is_solved || (ends[1].t - ends[0].t).abs() <= narrow;
+        let Some(extremum) = self.sample(t).filter(|_| is_located) else {
+            // The extremum was not seen, and the condition may have passed its limit there.
+            self.lose(ends[0].t, ends[1].t);
+            return self.monotone(a, b);
+        };
         if falls && extremum.touches(narrow) {
             self.found.push(LocatedEvent { crossing: Crossing::Touched, ends });
         }
