@@ -52,7 +52,8 @@ pub struct Options {
     /// True to end a sweep at the first event of a unilateral condition.
     pub stop_at_events: bool,
     /// False to correct every step of a sweep or a tracker by full Newton even if the mechanism has a plan. Answers are
-    /// the same to rounding. The plan then only names and locates the limit at which a motion ends, for the error.
+    /// the same to rounding, but full Newton may refuse to pass a crossing of branches that the plan passes. The plan
+    /// then only names and locates the limit at which a motion ends, for the error.
     pub use_plan: bool,
     /// False to factorise Φ_q densely, with its rank revealed, at every instant. Otherwise this is done only if a
     /// sparse elimination in the fixed pattern of Φ_q is not certain: if there are fewer or more rows than coordinates,

@@ -12,7 +12,6 @@
 //! At a fold s′ changes its sign while the curve goes on (H. B. Keller, Numerical solution of bifurcation and nonlinear
 //! eigenvalue problems, 1977). Beside the fold v is large, but its direction is accurate.
 
-use super::super::predict::weight;
 use crate::course::Course;
 use crate::mechanism::Mechanism;
 use crate::model::{Component, CoordinateKind, Model};
@@ -20,6 +19,7 @@ use crate::planned::extrapolate::ExtrapolatedLimit;
 use crate::planned::follower::PlanFollower;
 use crate::planned::group_limit::LimitKind;
 use crate::planned::lists::BranchValues;
+use crate::planned::predict::weight;
 use crate::planned::substeps::Blocked;
 use crate::scalar::Scalar;
 use crate::signal::{Instant, Signal};
@@ -101,19 +101,19 @@ struct ArcPoint<C> {
     s_rate: f64,
 }
 
-/// The curve of solutions; its lengths are measured with the factors of the coordinates and of s.
+/// The curve of solutions; its length is measured in radians, to which the weights convert the coordinates and s.
 struct SolutionCurve<'a, C> {
     equations: &'a mut dyn CurveEquations<C>,
-    factors: C,
-    factor_of_s: f64,
+    weights: C,
+    weight_of_s: f64,
 }
 
 impl<C: Array<f64>> SolutionCurve<'_, C> {
     /// The scalar product of two displacements (δq, δs).
     fn dot(&self, (a, a_s): (&C, f64), (b, b_s): (&C, f64)) -> f64 {
-        let terms = a.as_ref().iter().zip(b.as_ref()).zip(self.factors.as_ref());
-        let product = terms.map(|((a, b), factor)| (a * factor) * (b * factor)).sum::<f64>();
-        product + (a_s * self.factor_of_s) * (b_s * self.factor_of_s)
+        let terms = a.as_ref().iter().zip(b.as_ref()).zip(self.weights.as_ref());
+        let product = terms.map(|((a, b), weight)| (a * weight) * (b * weight)).sum::<f64>();
+        product + (a_s * self.weight_of_s) * (b_s * self.weight_of_s)
     }
 
     /// The point of the curve to which corrections orthogonal to a direction lead from (q, s), each no longer than
@@ -163,7 +163,7 @@ impl<C: Array<f64>> SolutionCurve<'_, C> {
             return None;
         }
         // Close to a fold q moves so fast that the rounding of s would be felt on its scale.
-        self.factor_of_s = speed.min(SPACING_OF_S / (f64::EPSILON * s.abs()));
+        self.weight_of_s = speed.min(SPACING_OF_S / (f64::EPSILON * s.abs()));
         tangent.as_mut().iter_mut().for_each(|x| *x *= sign);
         let mut here = self.point((q, s), (&tangent, sign), START_CORRECTION)?;
         let ([mut length, longest], mut travelled) = (STEPS, 0.0);
@@ -214,14 +214,14 @@ fn add<C: Array<f64>>(to: &mut C, factor: f64, displacement: &C) {
     to.as_mut().iter_mut().zip(displacement.as_ref()).for_each(|(to, x)| *to += factor * x);
 }
 
-/// The factors that convert coordinates to radians: lengths relative to the largest of q.
-fn factors(model: &Model, q: &[f64], factors: &mut [f64]) {
+/// Writes the weights that convert coordinates to radians: lengths count relative to the largest of q.
+fn write_weights(model: &Model, q: &[f64], weights: &mut [f64]) {
     let is_length =
         |kind: CoordinateKind| matches!(kind, CoordinateKind::Pose { component: Component::X | Component::Y, .. });
     let lengths = model.coordinates.iter().zip(q).filter(|(coordinate, _)| is_length(coordinate.kind));
     let largest = lengths.fold(0.0, |largest, (_, q)| f64::max(largest, q.abs()));
-    for ((factor, coordinate), q) in factors.iter_mut().zip(model.coordinates).zip(q) {
-        *factor = match is_length(coordinate.kind) {
+    for ((to, coordinate), q) in weights.iter_mut().zip(model.coordinates).zip(q) {
+        *to = match is_length(coordinate.kind) {
             true if largest > 0.0 => 1.0 / largest,
             true => 0.0,
             false => weight(coordinate.kind, *q),
@@ -231,7 +231,7 @@ fn factors(model: &Model, q: &[f64], factors: &mut [f64]) {
 
 impl<M: Mechanism> PlanFollower<M> {
     /// The fold of a group beyond the last place that a walk has reached; `group` is its index. `None` where the motion
-    /// does not turn back at a place at which this group changes its sign.
+    /// does not turn back at a place at which this group first changes its sign.
     pub(super) fn fold(
         &self,
         mechanism: &M,
@@ -241,9 +241,9 @@ impl<M: Mechanism> PlanFollower<M> {
     ) -> Option<ExtrapolatedLimit<M>> {
         let parameters = self.parameters.as_ref();
         let mut equations = CourseEquations { mechanism, parameters, course };
-        let mut of_coordinates = M::Coordinates::<f64>::filled(0.0);
-        factors(M::model(), blocked.state.q.as_ref(), of_coordinates.as_mut());
-        let mut curve = SolutionCurve { equations: &mut equations, factors: of_coordinates, factor_of_s: 0.0 };
+        let mut weights = M::Coordinates::<f64>::filled(0.0);
+        write_weights(M::model(), blocked.state.q.as_ref(), weights.as_mut());
+        let mut curve = SolutionCurve { equations: &mut equations, weights, weight_of_s: 0.0 };
         let [start, end] = course.ends();
         let sign = 1.0_f64.copysign(end - start);
         let (fold, sides) = curve.first_fold((blocked.state.q, blocked.interval[0]), sign)?;
@@ -252,7 +252,9 @@ impl<M: Mechanism> PlanFollower<M> {
             let at = Instant { t: course.at(point.s, inputs.as_mut()), inputs: inputs.as_ref() };
             Some(BranchValues::<M>::at(mechanism, parameters, &at, point.q.as_ref()).ok()?.as_ref()[group])
         };
-        let has_changed = branch_value(&sides[0])? * branch_value(&sides[1])? < 0.0;
+        let mode = self.branch.modes.as_ref()[group];
+        let [before, after] = [branch_value(&sides[0])?, branch_value(&sides[1])?].map(|value| mode * value);
+        let has_changed = before > 0.0 && after < 0.0;
         has_changed.then_some(ExtrapolatedLimit { s: fold.s, q: fold.q, error: 0.0, kind: Some(LimitKind::DeadCentre) })
     }
 }
