@@ -22,67 +22,67 @@ macro_rules! display {
 
 display! {
     /// Its place among the bodies.
-    Body: |info, f| write!(f, "body {}", info.0);
+    Body: |it, f| write!(f, "body {}", it.0);
     /// Its place among the points.
-    Point: |info, f| write!(f, "point {}", info.0);
+    Point: |it, f| write!(f, "point {}", it.0);
     /// Its place in q.
-    Coordinate: |info, f| write!(f, "coordinate {}", info.0);
+    Coordinate: |it, f| write!(f, "coordinate {}", it.0);
     /// Its place among the defines.
-    Quantity: |info, f| write!(f, "quantity {}", info.0);
+    Quantity: |it, f| write!(f, "quantity {}", it.0);
     /// Its place among the inputs.
-    Input: |info, f| write!(f, "input {}", info.0);
+    Input: |it, f| write!(f, "input {}", it.0);
     /// Its name.
-    CoordinateInfo: |info, f| f.write_str(info.name);
+    CoordinateInfo: |it, f| f.write_str(it.name);
     /// `l1 = 0.1 m`.
-    ParameterInfo: |info, f| {
-        f.write_str(info.name)?;
-        info.default.map_or(Ok(()), |value| write!(f, " = {value}"))?;
-        info.unit.map_or(Ok(()), |unit| write!(f, " {unit}"))
+    ParameterInfo: |it, f| {
+        f.write_str(it.name)?;
+        it.default.map_or(Ok(()), |value| write!(f, " = {value}"))?;
+        it.unit.map_or(Ok(()), |unit| write!(f, " {unit}"))
     };
     /// Its name.
-    BodyInfo: |info, f| f.write_str(info.name);
+    BodyInfo: |it, f| f.write_str(it.name);
     /// Its name, and the body that carries it.
-    PointInfo: |info, f| write!(f, "{} on {}", info.name, info.frame);
+    PointInfo: |it, f| write!(f, "{} on {}", it.name, it.frame);
     /// Its name.
-    DefineInfo: |info, f| f.write_str(info.name);
+    DefineInfo: |it, f| f.write_str(it.name);
     /// Its name and class: `drive: holonomic rheonomic bilateral, driving`.
-    RowInfo: |info, f| {
-        let [level, time, side] = info.classes();
-        write!(f, "{}: {level} {time} {side}{}", info.name, if info.driving { ", driving" } else { "" })
+    RowInfo: |it, f| {
+        let [level, time, side] = it.classes();
+        write!(f, "{}: {level} {time} {side}{}", it.name, if it.driving { ", driving" } else { "" })
     };
     /// Its name and the inequality.
-    ConditionInfo: |info, f| write!(f, "{}: {}", info.name, info.text);
+    ConditionInfo: |it, f| write!(f, "{}: {}", it.name, it.text);
     /// The number of entries and of rows.
-    Pattern: |info, f| {
-        counted(f, info.entries.len(), "entry").and_then(|()| f.write_str(" in "))?;
-        counted(f, info.rows, "row")?;
-        write!(f, ", {} constant", info.constants.len())
+    Pattern: |it, f| {
+        counted(f, it.entries.len(), "entry").and_then(|()| f.write_str(" in "))?;
+        counted(f, it.rows, "row")?;
+        write!(f, ", {} constant", it.constants.len())
     };
     /// `effort of drive`.
-    EffortInfo: |info, f| write!(f, "effort of {}", info.name);
+    EffortInfo: |it, f| write!(f, "effort of {}", it.name);
     /// `reaction of B`.
-    ReactionInfo: |info, f| write!(f, "reaction of {}", info.name);
+    ReactionInfo: |it, f| write!(f, "reaction of {}", it.name);
     /// `spring S`.
-    SpringInfo: |info, f| write!(f, "spring {}", info.name);
+    SpringInfo: |it, f| write!(f, "spring {}", it.name);
     /// `25 numbers: 1 effort, 4 reactions, 1 spring`.
-    ForceModel: |info, f| {
-        counted(f, info.count, "number")?;
+    ForceModel: |it, f| {
+        counted(f, it.count, "number")?;
         f.write_str(": ")?;
-        counted(f, info.efforts.len(), "effort")?;
+        counted(f, it.efforts.len(), "effort")?;
         f.write_str(", ")?;
-        counted(f, info.reactions.len(), "reaction")?;
+        counted(f, it.reactions.len(), "reaction")?;
         f.write_str(", ")?;
-        counted(f, info.springs.len(), "spring")
+        counted(f, it.springs.len(), "spring")
     };
     /// `revolute A`.
-    JointInfo: |info, f| write!(f, "{} {}", info.kind, info.name);
+    JointInfo: |it, f| write!(f, "{} {}", it.kind, it.name);
     /// `FourBar: 3 bodies, 9 coordinates, 9 rows (1 driving)`.
-    Model: |info, f| {
-        write!(f, "{}: ", info.name)?;
-        counted(f, info.bodies.len(), "body").and_then(|()| f.write_str(", "))?;
-        counted(f, info.coordinates.len(), "coordinate").and_then(|()| f.write_str(", "))?;
-        counted(f, info.rows.len(), "row")?;
-        write!(f, " ({} driving)", info.rows.iter().filter(|row| row.driving).count())
+    Model: |it, f| {
+        write!(f, "{}: ", it.name)?;
+        counted(f, it.bodies.len(), "body").and_then(|()| f.write_str(", "))?;
+        counted(f, it.coordinates.len(), "coordinate").and_then(|()| f.write_str(", "))?;
+        counted(f, it.rows.len(), "row")?;
+        write!(f, " ({} driving)", it.rows.iter().filter(|row| row.driving).count())
     };
 }
 
