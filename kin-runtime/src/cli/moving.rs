@@ -370,12 +370,12 @@ fn note_events(session: &mut Session<'_>, trajectory: &Trajectory) {
 /// Stretches that are listed one by one; further ones are counted.
 const MAX_LISTED_STRETCHES: usize = 3;
 
-/// Notes where unilateral conditions changed too fast to be watched.
+/// Notes where unilateral conditions changed too fast to be watched, or the motion could not be solved.
 fn note_unwatched(session: &mut Session<'_>, trajectory: &Trajectory) {
     for unwatched in trajectory.unwatched.iter().take(MAX_LISTED_STRETCHES) {
         session.note(&format!(
-            "note: condition {unwatched}: it changes too fast there and may have met its limit more often than reported; \
-             try more instants (--steps)"
+            "note: condition {unwatched}: it changes too fast there, or branches meet, and it may have met its limit more \
+             often than reported; try more instants (--steps)"
         ));
     }
     if trajectory.unwatched.len() > MAX_LISTED_STRETCHES {

@@ -82,8 +82,8 @@ forces, and velocity ratios of the former to a driver or an input (tip.x/drive).
 The values of inputs and given coordinates belong to the first instant; from there they continue
 with constant acceleration. When a unilateral condition reaches its limit, stderr says at which t,
 and json lists it under `events`; stretches of t in which a condition changes too fast to be
-watched are under `unwatched`. If the mechanism has masses, contacts that lift off or press again
-are reported in the same way, in json under `contacts`.
+watched, or branches meet, are under `unwatched`. If the mechanism has masses, contacts that lift
+off or press again are reported in the same way, in json under `contacts`.
 
 With --to limit (and --from limit) the motion ends where the mechanism can go no further: the last
 row is the limit itself, at which rates have no value, and rows are closer together near it. If no

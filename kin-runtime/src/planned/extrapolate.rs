@@ -48,14 +48,14 @@ const AGREEMENT: f64 = 1e-7;
 /// of a curve w may seem to go to 0 before it is followed around the corner.
 const AT_LIMIT: f64 = 0.01;
 
-/// An extrapolated limit.
-pub(super) struct ExtrapolatedLimit<M: Mechanism> {
+/// A limit that is located more accurately than by the last state reached.
+pub(super) struct RefinedLimit<M: Mechanism> {
     /// Its parameter on the course.
     pub(super) s: f64,
     /// q there.
     pub(super) q: M::Coordinates<f64>,
     /// The change that leaving out one of the samples causes, relative to 1 + |q_k| for a coordinate, and to the
-    /// interval for its parameter.
+    /// interval for its parameter; 0 if it was not extrapolated.
     pub(super) error: f64,
     /// The kind of limit, where it is clear.
     pub(super) kind: Option<LimitKind>,
@@ -70,16 +70,16 @@ impl<M: Mechanism> PlanFollower<M> {
         course: &dyn Course,
         (group, at): (usize, f64),
         blocked: &Blocked<M>,
-    ) -> Option<ExtrapolatedLimit<M>> {
+    ) -> Option<RefinedLimit<M>> {
         // Narrow intervals avoid the influence of other limits, wide ones that of rounding; the one with the smallest
         // error is used.
-        let mut best: Option<ExtrapolatedLimit<M>> = None;
+        let mut best: Option<RefinedLimit<M>> = None;
         for (k, width) in FARTHEST_DISTANCES.into_iter().chain(FURTHER_WIDTHS).enumerate() {
             if k == FARTHEST_DISTANCES.len() && best.as_ref().is_some_and(|best| best.error <= AGREEMENT) {
                 break;
             }
             let found = self.extrapolate_from(mechanism, course, (group, at, width), blocked);
-            let is_better = |found: &ExtrapolatedLimit<M>| best.as_ref().is_none_or(|best| found.error < best.error);
+            let is_better = |found: &RefinedLimit<M>| best.as_ref().is_none_or(|best| found.error < best.error);
             if let Some(found) = found.filter(is_better) {
                 best = Some(found);
             }
@@ -94,7 +94,7 @@ impl<M: Mechanism> PlanFollower<M> {
         course: &dyn Course,
         (group, at, width): (usize, f64, f64),
         blocked: &Blocked<M>,
-    ) -> Option<ExtrapolatedLimit<M>> {
+    ) -> Option<RefinedLimit<M>> {
         let margin = M::model().plan.margin_of_group(group)?;
         // Moves away from the limit in steps that grow with the distance.
         let [start, _] = course.ends();
@@ -134,7 +134,7 @@ impl<M: Mechanism> PlanFollower<M> {
             *seen = (*w, *s, q.as_ref());
         }
         let (s, error, kind) = interpolated(&seen, reach, q.as_mut())?;
-        let found = ExtrapolatedLimit::<M> { s, q, error, kind };
+        let found = RefinedLimit::<M> { s, q, error, kind };
         let is_there = group < M::model().plan.modes.len() || {
             let mut inputs = M::Inputs::<f64>::filled(Signal::constant(0.0));
             let at = Instant { t: course.at(s, inputs.as_mut()), inputs: inputs.as_ref() };

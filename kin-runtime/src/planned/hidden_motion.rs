@@ -15,7 +15,7 @@ use super::parts::Span;
 use super::predict::{largest_turn, turned};
 use crate::course::{Between, Course, kind};
 use crate::mechanism::{LengthError, Mechanism};
-use crate::model::{Component, CoordinateKind, Model};
+use crate::model::Model;
 use crate::plan::{Depth, Plan, Solved};
 use crate::scalar::compare::{Compare, least_or_nan};
 use crate::signal::{Instant, Signal};
@@ -107,7 +107,7 @@ fn certainty_of_lengths<V: Compare>(
     let zero = V::from_f64(0.0);
     let (mut away, mut motion, mut size) = (zero, zero, zero);
     for (k, coordinate) in model.coordinates.iter().enumerate() {
-        if matches!(coordinate.kind, CoordinateKind::Pose { component: Component::X | Component::Y, .. }) {
+        if coordinate.kind.is_length() {
             away = away.greatest((found[k] - cubic[k]).abs());
             motion = motion.greatest(v0[k].abs()).greatest(v1[k].abs());
             size = size.greatest(q0[k].abs()).greatest(q1[k].abs());

@@ -41,7 +41,8 @@ pub struct Trajectory {
     pub events: Vec<Event>,
     /// Unilateral conditions that were violated at the first instant, by their indices in [`Model::conditions`].
     pub violated_at_start: Vec<usize>,
-    /// Stretches in which unilateral conditions changed too fast to be watched, so that `events` may be incomplete.
+    /// Stretches in which unilateral conditions changed too fast to be watched, or the motion could not be solved, so
+    /// that `events` may be incomplete.
     pub unwatched: Vec<Unwatched>,
     /// True if the sweep ended at its first event because [`stop_at_events`](crate::Options::stop_at_events) is set;
     /// the last state is the one at the event.

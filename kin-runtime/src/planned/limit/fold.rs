@@ -14,8 +14,8 @@
 
 use crate::course::Course;
 use crate::mechanism::Mechanism;
-use crate::model::{Component, CoordinateKind, Model};
-use crate::planned::extrapolate::ExtrapolatedLimit;
+use crate::model::Model;
+use crate::planned::extrapolate::RefinedLimit;
 use crate::planned::follower::PlanFollower;
 use crate::planned::group_limit::LimitKind;
 use crate::planned::lists::BranchValues;
@@ -216,12 +216,10 @@ fn add<C: Array<f64>>(to: &mut C, factor: f64, displacement: &C) {
 
 /// Writes the weights that convert coordinates to radians: lengths count relative to the largest of q.
 fn write_weights(model: &Model, q: &[f64], weights: &mut [f64]) {
-    let is_length =
-        |kind: CoordinateKind| matches!(kind, CoordinateKind::Pose { component: Component::X | Component::Y, .. });
-    let lengths = model.coordinates.iter().zip(q).filter(|(coordinate, _)| is_length(coordinate.kind));
+    let lengths = model.coordinates.iter().zip(q).filter(|(coordinate, _)| coordinate.kind.is_length());
     let largest = lengths.fold(0.0, |largest, (_, q)| f64::max(largest, q.abs()));
     for ((to, coordinate), q) in weights.iter_mut().zip(model.coordinates).zip(q) {
-        *to = match is_length(coordinate.kind) {
+        *to = match coordinate.kind.is_length() {
             true if largest > 0.0 => 1.0 / largest,
             true => 0.0,
             false => weight(coordinate.kind, *q),
@@ -238,7 +236,7 @@ impl<M: Mechanism> PlanFollower<M> {
         course: &dyn Course,
         group: usize,
         blocked: &Blocked<M>,
-    ) -> Option<ExtrapolatedLimit<M>> {
+    ) -> Option<RefinedLimit<M>> {
         let parameters = self.parameters.as_ref();
         let mut equations = CourseEquations { mechanism, parameters, course };
         let mut weights = M::Coordinates::<f64>::filled(0.0);
@@ -255,6 +253,6 @@ impl<M: Mechanism> PlanFollower<M> {
         let mode = self.branch.modes.as_ref()[group];
         let [before, after] = [branch_value(&sides[0])?, branch_value(&sides[1])?].map(|value| mode * value);
         let has_changed = before > 0.0 && after < 0.0;
-        has_changed.then_some(ExtrapolatedLimit { s: fold.s, q: fold.q, error: 0.0, kind: Some(LimitKind::DeadCentre) })
+        has_changed.then_some(RefinedLimit { s: fold.s, q: fold.q, error: 0.0, kind: Some(LimitKind::DeadCentre) })
     }
 }

@@ -150,8 +150,8 @@ impl<M: Mechanism> PlanFollower<M> {
         let fold = if has_two_closures { None } else { self.fold(mechanism, course, group, blocked) };
         let found = fold.or_else(|| self.extrapolate(mechanism, course, (group, s), blocked));
         self.q_at_limit = found.as_ref().map(|found| found.q);
-        let extrapolated = found.as_ref().and_then(|found| found.kind);
-        let kind = match extrapolated {
+        let kind_found = found.as_ref().and_then(|found| found.kind);
+        let kind = match kind_found {
             _ if is_there && least < -NO_MARGIN => Some(LimitKind::DeadCentre),
             Some(kind) => Some(kind),
             None => is_there.then_some(LimitKind::BranchPoint),
