@@ -1,6 +1,7 @@
 //! Following a mechanism whose inputs come one instant at a time: what a controller calls in its loop.
 
 use crate::analysis;
+use crate::analysis::forces::Sharing;
 use crate::analysis::position::position;
 use crate::course::{InputPath, PathShape};
 use crate::equations::Equations;
@@ -10,12 +11,12 @@ use crate::mechanism::Mechanism;
 use crate::modes::{WantedAssembly, assemble_in};
 use crate::motion::Motion;
 use crate::ratios::{VelocityRatios, velocity_ratios};
-use crate::report::motion::motion;
 use crate::signal::Instant;
-use crate::solver::{Position, Solver};
+use crate::solver::{Settings, Solver, motion_at, scaled_around};
 use crate::state::State;
 use crate::sweep::continuation::Continuation;
 use crate::trajectory::Fallback;
+use core::borrow::Borrow;
 
 /// A mechanism that is followed from instant to instant, as its inputs come in.
 ///
@@ -84,25 +85,26 @@ pub struct Tracker<'m> {
     equations: Equations<'m>,
     follower: Continuation,
     wanted: WantedAssembly,
+    by_plan: Box<StateByPlan<'m>>,
+    sharing: Sharing,
     /// Whether the last update ended at a limit that was located.
     is_at_limit: bool,
 }
 
+/// The state that the plan finds near a complete start, or else from the guesses; `None` where the general path must be
+/// used.
+type StateByPlan<'m> = dyn Fn(&Instant<'_>, Option<&[f64]>) -> Option<State> + 'm;
+
 impl<'m> Tracker<'m> {
-    fn new<M: Mechanism>(
-        solver: &Solver<'_, M>,
-        system: Box<dyn System + 'm>,
+    fn new(
+        (settings, wanted): (Settings<'_>, WantedAssembly),
+        (system, by_plan): (Box<dyn System + 'm>, Box<StateByPlan<'m>>),
         at: &Instant<'_>,
-        by_plan: Option<State>,
-        first: impl FnOnce(&mut Equations<'_>, &WantedAssembly) -> Result<Position, SolveError>,
+        start: Option<&[f64]>,
     ) -> Result<Self, SolveError> {
-        let wanted = solver.wanted()?;
-        let mut equations = Equations::new(system, solver.settings.options, &solver.settings.given, None, at)?;
-        let follower = match by_plan {
-            Some(state) => Continuation::new(&mut equations, state, None)?,
-            None => begin(&mut equations, &wanted, first)?,
-        };
-        Ok(Self { equations, follower, wanted, is_at_limit: false })
+        let mut equations = Equations::new(system, settings.options, &settings.given, None, at)?;
+        let follower = begin(&mut equations, &wanted, by_plan(at, start), start)?;
+        Ok(Self { equations, follower, wanted, by_plan, sharing: settings.sharing, is_at_limit: false })
     }
 
     /// The last good instant.
@@ -181,7 +183,7 @@ impl<'m> Tracker<'m> {
     /// # Errors
     /// As [`Solver::state`]; the last good instant stays then.
     pub fn restart(&mut self, at: &Instant<'_>) -> Result<&State, SolveError> {
-        self.anew(at, assemble_in)
+        self.anew(at, None)
     }
 
     /// Restarts from a complete start, n numbers.
@@ -189,20 +191,17 @@ impl<'m> Tracker<'m> {
     /// # Errors
     /// As [`Solver::state_from`]; the last good instant stays then.
     pub fn restart_from(&mut self, at: &Instant<'_>, start: &[f64]) -> Result<&State, SolveError> {
-        self.anew(at, |equations, _| position(equations, start))
+        self.anew(at, Some(start))
     }
 
-    fn anew(
-        &mut self,
-        at: &Instant<'_>,
-        first: impl FnOnce(&mut Equations<'_>, &WantedAssembly) -> Result<Position, SolveError>,
-    ) -> Result<&State, SolveError> {
+    fn anew(&mut self, at: &Instant<'_>, start: Option<&[f64]>) -> Result<&State, SolveError> {
         self.is_at_limit = false;
         self.equations.check_instant(at)?;
+        let by_plan = (self.by_plan)(at, start);
         let scale = self.equations.scale.clone();
         let begun = self.equations.begin_at(at.t);
         self.equations.set_instant(at)?;
-        match self.equations.by_time(|equations| begin(equations, &self.wanted, first)) {
+        match self.equations.by_time(|equations| begin(equations, &self.wanted, by_plan, start)) {
             Ok(follower) => self.follower = follower,
             Err(error) => {
                 self.equations.scale = scale;
@@ -213,12 +212,13 @@ impl<'m> Tracker<'m> {
         Ok(self.follower.state())
     }
 
-    /// Motion of bodies, points, defines and joints at the last good instant.
+    /// Motion of bodies, points, defines and joints, and forces, at the last good instant.
     ///
     /// # Errors
     /// [`NonFinite`](SolveError::NonFinite).
     pub fn motion(&mut self) -> Result<Motion, SolveError> {
-        self.look(motion)
+        let sharing = self.sharing;
+        self.look(|equations, state| motion_at(equations, state, sharing))
     }
 
     /// The derivatives of q with respect to each driving row and each input at the last good instant.
@@ -226,7 +226,12 @@ impl<'m> Tracker<'m> {
     /// # Errors
     /// As [`Solver::velocity_ratios`].
     pub fn velocity_ratios(&mut self) -> Result<VelocityRatios, SolveError> {
-        self.look(velocity_ratios)
+        self.look(|equations, state| {
+            let scale = equations.scale.clone();
+            let found = scaled_around(equations, state).and_then(|equations| velocity_ratios(equations, state));
+            equations.scale = scale;
+            found
+        })
     }
 
     /// Evaluates something at the last good instant.
@@ -254,8 +259,7 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     /// # Errors
     /// As [`state`](Self::state).
     pub fn tracker(&self, at: &Instant<'_>) -> Result<Tracker<'m>, SolveError> {
-        let evaluator = Box::new(Evaluator::<_, M>::new(self.mechanism));
-        Tracker::new(self, evaluator, at, self.state_by_plan(at, None), assemble_in)
+        self.tracker_of(self.mechanism, at, None)
     }
 
     /// [`tracker`](Self::tracker) from a complete start, n numbers.
@@ -263,10 +267,7 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     /// # Errors
     /// As [`state_from`](Self::state_from).
     pub fn tracker_from(&self, at: &Instant<'_>, start: &[f64]) -> Result<Tracker<'m>, SolveError> {
-        let evaluator = Box::new(Evaluator::<_, M>::new(self.mechanism));
-        Tracker::new(self, evaluator, at, self.state_by_plan(at, Some(start)), |equations, _| {
-            position(equations, start)
-        })
+        self.tracker_of(self.mechanism, at, Some(start))
     }
 
     /// [`tracker`](Self::tracker) with a copy of the mechanism, so that a controller can keep it.
@@ -277,18 +278,43 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     where
         M: Clone + 'static,
     {
-        let evaluator = Box::new(Evaluator::<M, M>::new(self.mechanism.clone()));
-        Tracker::new(self, evaluator, at, self.state_by_plan(at, None), assemble_in)
+        self.tracker_of(self.mechanism.clone(), at, None)
+    }
+
+    /// A tracker that holds the mechanism, or a reference to it, from a complete start or else from the guesses.
+    fn tracker_of<'t, B: Borrow<M> + Clone + 't>(
+        &self,
+        mechanism: B,
+        at: &Instant<'_>,
+        start: Option<&[f64]>,
+    ) -> Result<Tracker<'t>, SolveError>
+    where
+        M: 't,
+    {
+        let settings = self.settings.without_functions();
+        let (held, held_settings) = (mechanism.clone(), settings.clone());
+        let by_plan = move |at: &Instant<'_>, start: Option<&[f64]>| {
+            Solver::<M> { mechanism: held.borrow(), settings: held_settings.clone() }.state_by_plan(at, start)
+        };
+        let system = Box::new(Evaluator::<B, M>::new(mechanism));
+        Tracker::new((settings, self.wanted()?), (system, Box::new(by_plan)), at, start)
     }
 }
 
-/// Solves the first position and its state, and begins to follow its branch.
+/// The first state, found by the plan or else by position analysis, whose branch will be followed.
 fn begin(
     equations: &mut Equations<'_>,
     wanted: &WantedAssembly,
-    first: impl FnOnce(&mut Equations<'_>, &WantedAssembly) -> Result<Position, SolveError>,
+    by_plan: Option<State>,
+    start: Option<&[f64]>,
 ) -> Result<Continuation, SolveError> {
-    let position = first(equations, wanted)?;
+    if let Some(state) = by_plan {
+        return Continuation::new(equations, state, None);
+    }
+    let position = match start {
+        Some(start) => position(equations, start)?,
+        None => assemble_in(equations, wanted)?,
+    };
     let (state, factor) = analysis::state(equations, position)?;
     Continuation::new(equations, state, Some(factor))
 }

@@ -21,7 +21,7 @@ use crate::workspace::Subset;
 use nalgebra::DVector;
 
 /// Condition number of the scaled Φ_q below which a configuration counts as far from every singular one.
-const REGULAR_CONDITION: f64 = 1e3;
+pub(crate) const REGULAR_CONDITION: f64 = 1e3;
 
 /// Number of trials with rounding errors of random signs, and the factor by which they are enlarged, so that the
 /// changes of the rates exceed the rounding of these rates themselves.

@@ -4,12 +4,10 @@ use crate::mechanism::Mechanism;
 use crate::plan::{Depth, Plan, Solved, StepKind};
 use crate::planned::accurate_solution::solve_accurately;
 use crate::planned::lists::Margins;
-use crate::planned::steep_rows::{certainty_of_slopes, may_be_steep};
 use crate::scalar::Scalar;
 use crate::scalar::lanes::Octet;
 use crate::signal::{Instant, Signal};
 use crate::workspace::Array;
-use core::f64::consts::PI;
 
 /// A state of every lane; `Q` is an array of its own or a slice of the results.
 #[derive(Clone, Copy)]
@@ -147,84 +145,6 @@ impl<Q: AsRef<[Octet]> + AsMut<[Octet]>> BlockSolution<Q> {
         self.margin.set(lane, poses.margin.lane(lane));
         self.good[lane] = poses.is_good(lane);
         limit
-    }
-
-    /// Refuses lanes in which rounding errors dominate a solution because the slopes of iterated rows change too fast.
-    /// Rates count if accelerations have been computed.
-    #[inline(always)]
-    pub(super) fn refuse_steep<M: Mechanism>(
-        &mut self,
-        mechanism: &M,
-        (parameters, at): (&[Octet], &Instant<'_, Octet>),
-        depth: Depth,
-    ) {
-        if !may_be_steep::<M>() {
-            return;
-        }
-        let [mut turns, still] = [M::Coordinates::<Octet>::filled(Octet::default()); 2];
-        let counted = mechanism.turns_with(parameters, at, self.q.as_ref(), turns.as_mut());
-        debug_assert!(counted.is_ok(), "the columns have been counted");
-        let rates = match depth {
-            Depth::Acceleration => [self.q_dot.as_ref(), self.q_ddot.as_ref()],
-            _ => [still.as_ref(); 2],
-        };
-        let solution = [self.q.as_ref(), rates[0], rates[1]];
-        let certainty = certainty_of_slopes(M::model(), M::DISTANCES_IN_ROWS, turns.as_ref(), solution);
-        for lane in 0..Octet::COUNT {
-            // The comparison is written so that NaN is refused.
-            let is_certain = certainty.lane(lane) >= 0.0;
-            if self.is_good(lane) && !is_certain {
-                self.refuse(lane);
-                self.margin.set(lane, 0.0);
-            }
-        }
-    }
-
-    /// Refuses lanes in which a group solved by Newton's iteration is more than half a turn away from its start.
-    #[inline(always)]
-    pub(super) fn refuse_turned<M: Mechanism>(&mut self, start: &[Octet]) {
-        for k in M::model().iterated_angles() {
-            let away = self.q.as_ref()[k] - start[k];
-            if away.is_within(PI) {
-                continue;
-            }
-            for lane in 0..Octet::COUNT {
-                if self.is_good(lane) && away.lane(lane).abs() > PI {
-                    self.refuse(lane);
-                    self.margin.set(lane, 0.0);
-                }
-            }
-        }
-    }
-
-    /// Refuses lanes in which an iteration has led to another closure than that of the start: a group has another
-    /// orientation than in `signs`, those of the start.
-    #[inline(always)]
-    pub(super) fn refuse_other_closures<M: Mechanism>(
-        &mut self,
-        mechanism: &M,
-        (parameters, at): (&[Octet], &Instant<'_, Octet>),
-        signs: &[Octet],
-    ) {
-        let plan = &M::model().plan;
-        if !plan.iterates() {
-            return;
-        }
-        let mut found = M::Coordinates::<Octet>::filled(Octet::default());
-        let found = &mut found.as_mut()[..plan.signs()];
-        let counted = mechanism.branches_with(parameters, at, self.q.as_ref(), found);
-        debug_assert!(counted.is_ok(), "the columns have been counted");
-        for group in plan.modes.len()..plan.modes.len() + plan.iterations {
-            let sign = found[group] * signs[group];
-            for lane in 0..Octet::COUNT {
-                // The comparison is written so that NaN is refused.
-                let keeps = sign.lane(lane) > 0.0;
-                if self.is_good(lane) && !keeps {
-                    self.refuse(lane);
-                    self.margin.set(lane, 0.0);
-                }
-            }
-        }
     }
 
     /// Whether a lane is solved.

@@ -56,6 +56,7 @@
 //! keeps no states, so that millions of motions fit into memory.
 
 mod block_solution;
+mod checks;
 mod column;
 mod end;
 mod evaluation;

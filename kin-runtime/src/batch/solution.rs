@@ -4,7 +4,6 @@ use super::BatchError;
 use super::block_solution::{BlockSolution, Question};
 use super::column::{Arguments, Column, Configurations, check_list, check_signals};
 use super::modes::Modes;
-use super::motion::least_length;
 use super::run::{BatchShape, CHUNK, Progress, drive};
 use crate::mechanism::{LengthError, Mechanism};
 use crate::plan::Depth;
@@ -59,8 +58,9 @@ pub(super) struct SolvedBlock<'s> {
 ///
 /// A configuration is *solved* when all margins of the plan exceed
 /// [`Plan::SMALLEST_MARGIN`](crate::plan::Plan::SMALLEST_MARGIN), all numbers are finite, and no iteration has ended more
-/// than half a turn away from its start or, with [`Modes::OfStart`], at another closure than that of the start. For others
-/// q, q̇ and q̈ are 0, and the margin shows the reason.
+/// than half a turn away from its start or, with [`Modes::OfStart`], at another closure than that of the start. A length
+/// that a joint keeps must not be negative, and rounding errors must not dominate the rates, as they do beside a crossing
+/// of branches. For others q, q̇ and q̈ are 0.
 pub struct Solutions<M: Mechanism> {
     count: usize,
     /// For every block q, q̇ and q̈, the smallest margin, and 1 in the lanes that are solved.
@@ -105,7 +105,7 @@ impl<M: Mechanism> Solutions<M> {
     }
 
     /// The smallest margin of each configuration: 1 far from all limits, 0 at a limit, negative beyond it; also 0 if it
-    /// is not finite.
+    /// is not finite, and if the configuration is not solved for another reason than its margins.
     pub fn margin(&self) -> impl Iterator<Item = f64> {
         self.column(Self::MARGIN)
     }
@@ -185,16 +185,10 @@ impl<M: Mechanism> Solve<'_, M> {
         }
         let mut poses = BlockSolution { q, q_dot, q_ddot, margin: Octet::default(), good: [true; Octet::COUNT] };
         let mut good = Octet::from_f64(1.0);
-        let all = poses.solve(self.mechanism, &Question { parameters, at, modes, start, depth }, margins).is_none();
-        poses.refuse_steep(self.mechanism, (parameters, at), depth);
-        poses.refuse_turned::<M>(start);
-        if matches!(self.modes, Modes::OfStart) {
-            poses.refuse_other_closures(self.mechanism, (parameters, at), signs.as_ref());
-        }
-        let lengths = least_length(self.mechanism, parameters, at);
-        for lane in (0..Octet::COUNT).filter(|lane| lengths.lane(*lane) < 0.0) {
-            poses.refuse(lane);
-        }
+        let question = Question { parameters, at, modes, start, depth };
+        let all = poses.solve(self.mechanism, &question, margins).is_none();
+        let of_start = matches!(self.modes, Modes::OfStart);
+        poses.check(self.mechanism, &question, (signs, of_start), margins);
         if !all || poses.good != [true; Octet::COUNT] {
             poses.clear_bad();
             good = Octet::generate(|lane| f64::from(u8::from(poses.is_good(lane))));

@@ -202,6 +202,7 @@ where
             let refusals = if instant == 0 {
                 let modes = motion.modes.as_mut();
                 self.sweeps.modes.of_block(self.mechanism, block.parameters, &at, block.q, block.q_dot, modes);
+                motion.modes_of_start = matches!(self.sweeps.modes, Modes::OfStart);
                 motion.begin(self.mechanism, &at)
             } else {
                 motion.advance(self.mechanism, &at, t)

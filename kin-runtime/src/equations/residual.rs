@@ -9,7 +9,7 @@
 //! |Φᵢ| ≤ ε Rᵢ        |Φ_q q̇ + Φ_t|ᵢ ≤ δ Rᵢ maxⱼ |q̇ⱼ|/cⱼ        |Φ_q q̈ − γ|ᵢ ≤ δ Rᵢ maxⱼ |q̈ⱼ|/cⱼ
 //! ```
 //!
-//! where L is the largest arm of an angle in a row of lengths. If |Φ_t|ᵢ or |γ|ᵢ is larger than Rᵢ times the largest rate, it
+//! where L is the largest arm of an angle in a row of lengths, 1 if there is none. If |Φ_t|ᵢ or |γ|ᵢ is larger than Rᵢ times the largest rate, it
 //! takes the place of this product. ε is at least the rounding error of q, and no residual counts that has underflowed.
 
 use crate::equations::system::Parts;
@@ -56,11 +56,16 @@ fn largest(x: &[f64], lengths: &[f64], inverse: f64) -> f64 {
     })
 }
 
-/// L, the largest arm of an angle.
-fn arm(rows: &[RowSums]) -> f64 {
+/// The largest arm of an angle in rows of lengths.
+fn largest_arm(rows: &[RowSums]) -> f64 {
     let arms = rows.iter().map(|row| if row.lengths > 0.0 { row.angles / row.lengths } else { 0.0 });
-    let arm = arms.fold(0.0, |most, arm| if arm > most { arm } else { most });
-    if arm > 0.0 && arm.is_finite() { arm } else { 1.0 }
+    arms.fold(0.0, |most, arm| if arm > most { arm } else { most })
+}
+
+/// L for the largest arm. An arm that is a rounding error, as the slope of a cam at its highest place, counts as none.
+fn unit_of(arm: f64, q: &[f64], lengths: &[f64]) -> f64 {
+    let far = q.iter().zip(lengths).fold(0.0, |most, (x, length)| f64::max(most, x.abs() * length));
+    if arm > rounding(far) && arm.is_finite() { arm } else { 1.0 }
 }
 
 /// Writes Rᵢ for every row; returns the largest residual allowed at q, relative to these sizes. `sizes` and the buffer
@@ -95,7 +100,7 @@ pub(crate) fn write_sizes(
         sums[1] += length * a.abs();
     }
     finish(row, sums);
-    let unit = if arm > 0.0 && arm.is_finite() { arm } else { 1.0 };
+    let unit = unit_of(arm, q, lengths);
     sizes.iter_mut().zip(angles).for_each(|(size, angle)| *size = *size * unit + *angle);
     position.max(rounding(largest(q, lengths, 1.0 / unit)))
 }
@@ -152,7 +157,7 @@ pub(crate) fn closed(
         row.velocity += a * q_dot[j];
         row.acceleration += a * q_ddot[j];
     }
-    let unit = arm(rows);
+    let unit = unit_of(largest_arm(rows), q, lengths);
     let inverse = 1.0 / unit;
     let allowed = tolerances.position.max(rounding(largest(q, lengths, inverse)));
     let [fast, faster] = [q_dot, q_ddot].map(|rates| tolerances.rates * largest(rates, lengths, inverse));

@@ -190,8 +190,9 @@ impl<'m, M: Mechanism> Planned<'m, M> {
     pub fn flip<'k>(&mut self, mode: impl Into<ModeKey<'k>>) -> Result<(), PlanError> {
         let (sign, requested) = self.mode_mut(mode.into())?;
         *sign = -*sign;
-        *requested = 1.0;
-        self.follower.starts_anew = true;
+        // A second request takes the first one back.
+        *requested = 1.0 - *requested;
+        self.follower.starts_anew = self.follower.requested.as_ref().contains(&1.0);
         Ok(())
     }
 

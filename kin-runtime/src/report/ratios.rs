@@ -21,6 +21,7 @@
 //! function of u then. Φ_u is the part of Φ_t that is linear in u̇, Φ_t(u̇ = 1) − Φ_t(u̇ = 0); the right-hand side of l
 //! is the part of γ that is even in q̇ and u̇ together, at q̇ = k, u̇ = 1.
 
+use crate::analysis::rounding::{REGULAR_CONDITION, dominated_coordinate};
 use crate::analysis::velocity::{factorize, inconsistency, scaled};
 use crate::equations::Equations;
 use crate::error::SolveError;
@@ -87,12 +88,12 @@ pub(crate) fn velocity_ratios(equations: &mut Equations<'_>, state: &State) -> R
     let distances = distances(equations)?;
     let mut drivers = Vec::new();
     for row in equations.rows_where(|e, row| e.drives(row)) {
-        let mut unit = DVector::zeros(equations.rows());
-        unit[row] = 1.0;
-        let first = respond(equations, &factor, &unit)?;
-        let bend = equations.along(None, |equations| gamma(equations, &state.q, first.as_slice()))?;
-        let second = respond(equations, &factor, &bend)?;
-        let distance = distances.iter().find(|(distance_row, _)| *distance_row == row).map(|&(_, f)| f);
+        let [first, second] = certain_responses(equations, &factor, &state.q, &|equations, factor, q| {
+            let first = first_of_row(equations, factor, row)?;
+            let bend = equations.along(None, |equations| gamma(equations, q, first.as_slice()))?;
+            Ok([first, respond(equations, factor, &bend)?])
+        })?;
+        let distance = distance_of(&distances, row);
         drivers.push(VelocityRatio {
             row: Some(row),
             name: equations.row_name(row),
@@ -108,6 +109,75 @@ pub(crate) fn velocity_ratios(equations: &mut Equations<'_>, state: &State) -> R
     }
     let inputs = (0..equations.inputs.len()).map(|k| input_ratio(equations, &factor, &state.q, k));
     Ok(VelocityRatios { drivers, inputs: inputs.collect::<Result<_, _>>()? })
+}
+
+/// The numbers of a ratio as a response of Φ_q: k and l, those of a distance not yet per change of f itself.
+type Responses<'r> = &'r dyn Fn(&mut Equations<'_>, &Factorization, &[f64]) -> Result<[DVector<f64>; 2], SolveError>;
+
+/// The responses at q; an error if rounding errors dominate l there.
+fn certain_responses(
+    equations: &mut Equations<'_>,
+    factor: &Factorization,
+    q: &[f64],
+    responses: Responses<'_>,
+) -> Result<[DVector<f64>; 2], SolveError> {
+    let found = responses(equations, factor, q)?;
+    if factor.condition < REGULAR_CONDITION {
+        return Ok(found);
+    }
+    let all =
+        |q: Vec<f64>, [first, second]: &[DVector<f64>; 2]| vec![q, first.as_slice().into(), second.as_slice().into()];
+    let mut responses_at = |equations: &mut Equations<'_>, beside: Vec<f64>| {
+        let factor_beside = factorize(equations, &beside, Some(factor.rank))?;
+        let found = responses(equations, &factor_beside, &beside)?;
+        Ok(all(beside, &found))
+    };
+    let dominated = dominated_coordinate(equations, &all(q.to_vec(), &found), 2, factor, &mut responses_at);
+    equations.evaluate(Subset::VELOCITY, q, None)?;
+    match dominated {
+        Some(k) => Err(SolveError::Rounded { t: equations.t, coordinate: equations.model.coordinates[k].name }),
+        None => Ok(found),
+    }
+}
+
+/// Φ_q k = e_d for a driving row d.
+fn first_of_row(equations: &Equations<'_>, factor: &Factorization, row: usize) -> Result<DVector<f64>, SolveError> {
+    let mut unit = DVector::zeros(equations.rows());
+    unit[row] = 1.0;
+    respond(equations, factor, &unit)
+}
+
+/// Φ_q k = −Φ_u for input k.
+fn first_of_input(
+    equations: &mut Equations<'_>,
+    factor: &Factorization,
+    q: &[f64],
+    k: usize,
+) -> Result<DVector<f64>, SolveError> {
+    let phi_u = equations.along(Some(k), |equations| {
+        equations.evaluate(Subset::TIME_DERIVATIVE, q, None)?;
+        Ok(equations.phi_t.clone())
+    })?;
+    respond(equations, factor, &-phi_u)
+}
+
+/// ∂q/∂f for every driving row f in `rows` and every input in `inputs`; none for those that cannot move alone.
+pub(crate) fn first_ratios(
+    equations: &mut Equations<'_>,
+    q: &[f64],
+    rows: &[usize],
+    inputs: &[usize],
+) -> Result<[Vec<Option<Vec<f64>>>; 2], SolveError> {
+    equations.check("q", q)?;
+    let factor = factorize(equations, q, None)?;
+    let distances = distances(equations)?;
+    let of_row = |row: usize| {
+        let first = first_of_row(equations, &factor, row).ok()?;
+        Some((distance_of(&distances, row).map_or(1.0, |f| 2.0 * f) * first).as_slice().to_vec())
+    };
+    let of_rows = rows.iter().copied().map(of_row).collect();
+    let of_inputs = inputs.iter().map(|&k| Some(first_of_input(equations, &factor, q, k).ok()?.as_slice().to_vec()));
+    Ok([of_rows, of_inputs.collect()])
 }
 
 /// ∂o/∂f of every observable, for a driving row or an input with k = ∂q/∂f. The rate of an observable is linear in q̇
@@ -141,13 +211,11 @@ fn input_ratio(
     q: &[f64],
     k: usize,
 ) -> Result<VelocityRatio, SolveError> {
-    let phi_u = equations.along(Some(k), |equations| {
-        equations.evaluate(Subset::TIME_DERIVATIVE, q, None)?;
-        Ok(equations.phi_t.clone())
+    let [first, second] = certain_responses(equations, factor, q, &|equations, factor, q| {
+        let first = first_of_input(equations, factor, q, k)?;
+        let bend = equations.along(Some(k), |equations| gamma(equations, q, first.as_slice()))?;
+        Ok([first, respond(equations, factor, &bend)?])
     })?;
-    let first = respond(equations, factor, &-phi_u)?;
-    let bend = equations.along(Some(k), |equations| gamma(equations, q, first.as_slice()))?;
-    let second = respond(equations, factor, &bend)?;
     let Signal { rate, acceleration, .. } = equations.inputs[k];
     Ok(VelocityRatio {
         row: None,
@@ -171,6 +239,11 @@ fn distances(equations: &Equations<'_>) -> Result<Vec<(usize, f64)>, SolveError>
     };
     let squared = |joint: &&JointInfo| matches!(joint.kind, JointKind::Distance | JointKind::Driver);
     Ok(equations.model.joints.iter().filter(squared).filter_map(value).collect())
+}
+
+/// The distance f of a row |d|² − f²; none for other rows.
+fn distance_of(distances: &[(usize, f64)], row: usize) -> Option<f64> {
+    distances.iter().find(|(distance_row, _)| *distance_row == row).map(|&(_, f)| f)
 }
 
 /// γ at q and q̇.

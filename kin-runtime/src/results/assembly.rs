@@ -11,9 +11,9 @@ use core::fmt;
 pub struct Assembly {
     /// q, n numbers; angles within half a turn of the guess, unless drivers determine them.
     pub q: Vec<f64>,
-    /// q̇, n numbers.
+    /// q̇, n numbers; NaN if rounding errors dominate the rates, beside a crossing of branches.
     pub q_dot: Vec<f64>,
-    /// q̈, n numbers.
+    /// q̈, n numbers; NaN with q̇.
     pub q_ddot: Vec<f64>,
     /// The names and signs of its assembly modes; empty if all groups close by iteration.
     pub modes: Vec<(&'static str, Sign)>,

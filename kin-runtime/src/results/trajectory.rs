@@ -53,7 +53,8 @@ pub struct Trajectory {
     pub q_at_limit: Option<Vec<f64>>,
     /// What a sweep along the arc found; none for a sweep over instants.
     pub arc: Option<SolutionArc>,
-    /// Number of instants that were reached, whether their states were kept or not.
+    /// Number of instants that were reached, whether their states were kept or not; with that of the event at which the
+    /// sweep stopped, if it did.
     pub reached: usize,
 }
 

@@ -89,7 +89,7 @@ fn measure_sensitivities(
     })?;
     if measures.iter().any(|measure| measure.force().is_some()) {
         let by = sensitivities_by(solver, variation, state, parameters)?;
-        let mut equations = solver.equations_at(&state.instant())?;
+        let mut equations = solver.equations_of_state(state)?;
         let at = forces(&mut equations, state, solver.settings().sharing).ok();
         write_forces(model, measures, (at.as_ref(), &by), &mut all);
     }

@@ -123,7 +123,7 @@ fn sensitivities_by(
         by.extend((0..chunk.len()).map(|lane| reported(model, model.parameters[chunk[lane]].name, lane, varied)));
         margins = varied.margins.iter().map(|margin| margin.value()).collect();
         let Some(info) = model.forces else { return Ok(()) };
-        let mut equations = solver.equations_at(&state.instant())?;
+        let mut equations = solver.equations_of_state(state)?;
         forces::forces(&mut equations, variation, info, state, varied, &mut by[first..]);
         Ok(())
     })?;
@@ -154,7 +154,7 @@ pub(crate) fn vary(
     let settings = solver.settings();
     let is_free = settings.given.is_empty();
     if !(is_free && planned(settings.options.use_plan, variation, state, parameters, &mut all)?) {
-        by_rows(&mut solver.equations_at(&state.instant())?, variation, state, parameters, &mut all)?;
+        by_rows(&mut solver.equations_of_state(state)?, variation, state, parameters, &mut all)?;
     }
     for (chunk, varied) in parameters.chunks(WIDTH).zip(&mut all) {
         variation.begin(&state.instant(), chunk);

@@ -80,7 +80,10 @@ impl<'m, M: Mechanism> Varying<'m, M> {
         write_numbers(values, self.parameters.as_mut());
         for (index, &parameter) in parameters.iter().take(WIDTH).enumerate() {
             if let Some(number) = self.parameters.as_mut().get_mut(parameter) {
-                *number = Number::variable(number.value(), index);
+                // A parameter may be listed more than once.
+                let mut by = number.by();
+                by[index] = 1.0;
+                *number = Number::new(number.value(), by);
             }
         }
     }

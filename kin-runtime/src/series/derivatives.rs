@@ -125,7 +125,7 @@ impl<M: Mechanism> Solver<'_, M> {
             return Ok(Derivatives::new(state, further, q, true));
         }
         let mut orders = HigherOrders::new(self.mechanism, order);
-        derivatives(&mut self.equations(&state.instant())?, &mut orders, state, order, further)
+        derivatives(&mut self.equations_of(state)?, &mut orders, state, order, further)
     }
 }
 
@@ -200,7 +200,7 @@ fn add_orders(
 }
 
 /// Largest deviation of q̇ and q̈ from those at q, relative to the largest of each, for which they count as the rates there.
-/// Others are numbers of the caller's own, with no rounding errors of a solution.
+/// Others are numbers of the caller's own, or more accurate than rounding at q allows.
 const OF_SOLUTION: f64 = 1e-3;
 
 /// The error if rounding dominates a derivative of the third order or above; `factor` is the factorisation of Φ_q at q.
@@ -221,19 +221,26 @@ fn check_rounding(
         let off: Vec<f64> = found.iter().zip(known).map(|(found, known)| found - known).collect();
         equations.scale.size(&off) <= OF_SOLUTION * equations.scale.size(known)
     };
-    let mut derivatives_at = |equations: &mut Equations<'_>, beside: Vec<f64>| {
-        let (factor_beside, q_dot, q_ddot) = rates(equations, &beside)?;
+    let mut derivatives_at = |equations: &mut Equations<'_>, beside: Vec<f64>, own: bool| {
+        let (factor_beside, q_dot, q_ddot) = match own {
+            true => (factorize(equations, &beside, Some(factor.rank))?, state.q_dot.clone(), state.q_ddot.clone()),
+            false => rates(equations, &beside)?,
+        };
         orders.begin_with(&state.instant(), further, [&beside, &q_dot, &q_ddot])?;
         let mut all = vec![beside, q_dot, q_ddot];
         add_orders(equations, orders, Some(&factor_beside), order, &mut all)?;
         Ok(all)
     };
     // Without rates at q there is nothing with which those of the state, which the caller may have set, can be compared.
-    let Ok(all) = derivatives_at(equations, state.q.clone()) else { return Ok(()) };
-    if !is_near(equations, &all[1], &state.q_dot) || !is_near(equations, &all[2], &state.q_ddot) {
-        return Ok(());
+    let Ok(mut all) = derivatives_at(equations, state.q.clone(), false) else { return Ok(()) };
+    // Rates of the caller's own, and those that are more accurate than rounding at q allows, are kept beside q.
+    let own = !is_near(equations, &all[1], &state.q_dot) || !is_near(equations, &all[2], &state.q_ddot);
+    if own {
+        let Ok(with_own) = derivatives_at(equations, state.q.clone(), true) else { return Ok(()) };
+        all = with_own;
     }
-    match dominated_coordinate(equations, &all, 3, factor, &mut derivatives_at) {
+    let mut beside_at = |equations: &mut Equations<'_>, beside: Vec<f64>| derivatives_at(equations, beside, own);
+    match dominated_coordinate(equations, &all, 3, factor, &mut beside_at) {
         Some(k) => Err(SolveError::Rounded { t: state.t, coordinate: equations.model.coordinates[k].name }),
         None => Ok(()),
     }

@@ -30,6 +30,9 @@ pub(crate) trait AnySolver {
     /// The equations at an instant.
     fn equations_at(&self, at: &Instant<'_>) -> Result<Equations<'_>, SolveError>;
 
+    /// The equations at the instant of a solved state, with the prescribed coordinates of the state.
+    fn equations_of_state(&self, state: &State) -> Result<Equations<'_>, SolveError>;
+
     /// q of the mechanism assembled from the guesses.
     fn assembled(&self, at: &Instant<'_>) -> Result<Vec<f64>, SolveError>;
 
@@ -102,6 +105,10 @@ impl<M: Mechanism> AnySolver for Solver<'_, M> {
 
     fn equations_at(&self, at: &Instant<'_>) -> Result<Equations<'_>, SolveError> {
         self.equations(at)
+    }
+
+    fn equations_of_state(&self, state: &State) -> Result<Equations<'_>, SolveError> {
+        self.equations_of(state)
     }
 
     fn assembled(&self, at: &Instant<'_>) -> Result<Vec<f64>, SolveError> {

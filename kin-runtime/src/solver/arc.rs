@@ -14,9 +14,9 @@ impl<M: Mechanism> Solver<'_, M> {
     /// driver can go no further it turns back, and the mechanism continues in its other closure. So a four-bar whose
     /// crank only rocks is swept through both of its dead centres, and its coupler point traces its whole curve.
     ///
-    /// The states, `steps` + 1 of them, lie at equal distances along the curve of all (q, t) with Φ(q, t) = 0; their
+    /// The states, `steps` + 1 of them, or one if the curve is a point, lie at equal distances along the curve of all (q, t) with Φ(q, t) = 0; their
     /// times increase and decrease, and rates are those at the given speed of the driver: they grow without bound
-    /// towards a dead centre and are NaN at it. With `to` the curve is followed towards it as long as t stays between
+    /// towards a dead centre and are NaN at it, and where rounding errors dominate them. With `to` the curve is followed towards it as long as t stays between
     /// `from` and `to`, otherwise until it closes: until all bodies are where they began, up to whole turns. A curve
     /// that does not close is followed in both directions from the start. [`Trajectory::arc`] has the special places:
     /// every dead centre and cusp with an enclosure. Where branches cross the curve ends, because it is not determined
@@ -71,7 +71,7 @@ fn along_arc(solver: &dyn AnySolver, window: Window, steps: usize) -> Result<Tra
     }
     let q = solver.assembled(&at)?;
     let mut equations = solver.equations_at(&at)?;
-    equations.observed = Observed::new(settings.observer, steps + 1);
+    equations.observed = Observed::new(settings.observer, steps.saturating_add(1));
     let (states, arc) = solution_arc(&mut equations, &q, window, steps)?;
     Ok(Trajectory { reached: states.len(), states, arc: Some(arc), ..Trajectory::new(solver.model()) })
 }

@@ -4,17 +4,20 @@ use super::Solver;
 use super::any_solver::AnySolver;
 use crate::analysis::acceleration::acceleration;
 use crate::analysis::position::position;
-use crate::analysis::velocity::velocity;
+use crate::analysis::rounding::settle_rates;
+use crate::analysis::velocity::{factorize, velocity};
 use crate::assembly::{Assemblies, Assembly, Undecided};
 use crate::certificate::{Certificate, Uncertified};
-use crate::equations::geometry;
 use crate::equations::scale::Scale;
+use crate::equations::{Equations, geometry};
 use crate::error::SolveError;
+use crate::linear::Factorization;
 use crate::mechanism::Mechanism;
 use crate::model::Model;
 use crate::modes::modes;
 use crate::plan::{Depth, Plan, Solved, StepKind};
 use crate::planned::Sign;
+use crate::planned::branch::FAR_FROM_LIMITS;
 use crate::proof::{Certified, Closing, MarginSign, Prover, SearchOutcome, combinations, search, zeros};
 use crate::scalar::Interval;
 use crate::signal::Instant;
@@ -150,6 +153,9 @@ impl dyn AnySolver + '_ {
         match margins.iter().position(|margin| !is_good(margin)) {
             None if self.violates(at, signs, start) => Closing::Violated,
             None if outcome.is_ok() => {
+                if margins.iter().any(|margin| *margin < FAR_FROM_LIMITS) {
+                    self.settle(at, [&mut q, &mut q_dot, &mut q_ddot]);
+                }
                 let certificate = prove(&q);
                 let modes = plan.modes.iter().zip(signs).filter_map(|(mode, &sign)| Some((mode.name, Sign::of(sign)?)));
                 Closing::Closed(Assembly { q, q_dot, q_ddot, modes: modes.collect(), certificate })
@@ -184,12 +190,32 @@ impl dyn AnySolver + '_ {
         equations.scale = Scale::around(equations, &q);
         let (q_dot, factor) = velocity(equations, &q, None).ok()?;
         let q_ddot = acceleration(equations, &q, &q_dot, &factor).ok()?;
-        Some([q, q_dot, q_ddot])
+        let mut lists = [q, q_dot, q_ddot];
+        settle(equations, lists.each_mut(), &factor);
+        Some(lists)
+    }
+
+    /// Settles the rates of a solution beside a limit of the plan.
+    #[cold]
+    fn settle(&self, at: &Instant<'_>, lists: [&mut Vec<f64>; 3]) {
+        let Ok(mut equations) = self.equations_at(at) else { return };
+        equations.scale = Scale::around(&mut equations, lists[0]);
+        if let Ok(factor) = factorize(&mut equations, lists[0], None) {
+            settle(&mut equations, lists, &factor);
+        }
     }
 
     /// Room for q, q̇ and q̈.
     pub(super) fn zeros(&self) -> [Vec<f64>; 3] {
         [(); 3].map(|()| zeros(self.model().coordinates.len()))
+    }
+}
+
+/// Replaces rates that rounding errors dominate, by NaN where no accurate ones are found.
+fn settle(equations: &mut Equations<'_>, [q, q_dot, q_ddot]: [&mut Vec<f64>; 3], factor: &Factorization) {
+    if settle_rates(equations, [q, q_dot, q_ddot], factor).is_err() {
+        q_dot.fill(f64::NAN);
+        q_ddot.fill(f64::NAN);
     }
 }
 

@@ -317,10 +317,8 @@ fn write_guess(
     guesses: &[(usize, f64)],
     guess: &mut [f64],
 ) -> Option<()> {
-    for (&coordinate, &value) in guessed_coordinates.iter().zip(values) {
-        *guess.get_mut(coordinate)? = value;
-    }
-    for &(coordinate, value) in guesses {
+    let own = guessed_coordinates.iter().copied().zip(values.iter().copied());
+    for (coordinate, value) in own.chain(guesses.iter().copied()) {
         *guess.get_mut(coordinate)? = Some(value).filter(|value| value.is_finite())?;
     }
     Some(())

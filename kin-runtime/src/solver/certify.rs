@@ -6,7 +6,7 @@ use crate::certificate::{Certificate, Uncertified};
 use crate::mechanism::Mechanism;
 use crate::mobility::mobility;
 use crate::proof::{Prover, Square};
-use crate::signal::Instant;
+use crate::signal::{Instant, Signal};
 use crate::state::State;
 
 impl<M: Mechanism> Solver<'_, M> {
@@ -40,7 +40,7 @@ impl<M: Mechanism> Solver<'_, M> {
     /// ```
     ///
     /// # Errors
-    /// The reason why there is no certificate. Only [`NotASolution`](Uncertified::NotASolution) means that the state is
+    /// The reason why there is no certificate; prescribed coordinates are those of the state. Only [`NotASolution`](Uncertified::NotASolution) means that the state is
     /// wrong.
     pub fn certify(&self, state: &State) -> Result<Certificate, Uncertified> {
         (self as &dyn AnySolver).certificate(state)
@@ -49,14 +49,18 @@ impl<M: Mechanism> Solver<'_, M> {
 
 impl dyn AnySolver + '_ {
     fn certificate(&self, state: &State) -> Result<Certificate, Uncertified> {
-        let square = self.square(&state.instant(), &state.q)?;
+        let square = self.square_with(&self.settings().given_at(state), &state.instant(), &state.q)?;
         let mut system = self.boxes(&state.instant());
         Prover::new(&square).certify(&mut *system, [&state.q, &state.q_dot, &state.q_ddot])
     }
 
     /// The rows to which a certificate applies.
     pub(super) fn square(&self, at: &Instant<'_>, q: &[f64]) -> Result<Square, Uncertified> {
-        let (model, given) = (self.model(), &self.settings().given);
+        self.square_with(&self.settings().given, at, q)
+    }
+
+    fn square_with(&self, given: &[(usize, Signal)], at: &Instant<'_>, q: &[f64]) -> Result<Square, Uncertified> {
+        let model = self.model();
         if at.inputs.len() != model.inputs.len() || given.iter().any(|&(k, _)| k >= model.coordinates.len()) {
             return Err(Uncertified::Malformed);
         }

@@ -10,51 +10,47 @@ use crate::signal::{Instant, Signal};
 use crate::state::State;
 
 /// Gives the state at an instant near a known state, with its normal forces.
-type Between<'b> = &'b dyn Fn(f64, &State) -> Option<(State, Vec<f64>)>;
+type Between<'b> = &'b dyn Fn(f64, &State) -> Option<(State, Vec<Option<f64>>)>;
 
 /// Watches normal forces from state to state.
 #[derive(Default)]
 pub(crate) struct ContactWatch {
-    /// The last two states with their normal forces, 0 for a contact without one.
-    last: Vec<(State, Vec<f64>)>,
+    /// For every joint the last two states at which its normal force is determined, with this force; empty for joints
+    /// that are no contacts.
+    last: Vec<Vec<(State, f64)>>,
     /// The changes that were found.
     pub(crate) changes: Vec<ContactChange>,
 }
 
 impl ContactWatch {
     /// The next state of a motion.
-    pub(crate) fn push(&mut self, state: State, forces: &Forces, between: Between<'_>) {
-        let normals = normals(forces);
-        for k in 0..normals.len() {
-            let (name, value) = (contact(forces, k), normals[k]);
-            let found = match self.last.as_slice() {
+    pub(crate) fn push(&mut self, state: &State, forces: &Forces, between: Between<'_>) {
+        self.last.resize(forces.reactions.len(), Vec::new());
+        for (k, (reaction, last)) in forces.reactions.iter().zip(&mut self.last).enumerate() {
+            let (name, Some(value)) = (reaction.name, reaction.normal) else { continue };
+            let found = match last.as_slice() {
                 [] if value < 0.0 => vec![ContactChange { name, t: state.t, lifts_off: true, within: 0.0 }],
                 [] => Vec::new(),
-                [.., (before, earlier)] if (earlier[k] < 0.0) != (value < 0.0) => {
-                    vec![change(name, k, (before, earlier[k]), (&state, value), between)]
+                [.., (before, earlier)] if (*earlier < 0.0) != (value < 0.0) => {
+                    vec![change(name, k, (before, *earlier), (state, value), between)]
                 }
                 [(first, earliest), (before, earlier)] => {
-                    let values = [(first, earliest[k]), (before, earlier[k]), (&state, value)];
-                    dip(name, k, values, between)
+                    dip(name, k, [(first, *earliest), (before, *earlier), (state, value)], between)
                 }
                 _ => Vec::new(),
             };
             self.changes.extend(found);
+            if last.len() == 2 {
+                last.remove(0);
+            }
+            last.push((state.clone(), value));
         }
-        if self.last.len() == 2 {
-            self.last.remove(0);
-        }
-        self.last.push((state, normals));
     }
 }
 
-/// The normal forces of all contacts.
-fn normals(forces: &Forces) -> Vec<f64> {
-    forces.reactions.iter().filter_map(|reaction| reaction.normal).collect()
-}
-
-fn contact(forces: &Forces, k: usize) -> &'static str {
-    forces.reactions.iter().filter(|reaction| reaction.normal.is_some()).nth(k).map_or("", |reaction| reaction.name)
+/// The normal forces of all joints, of those that are contacts and where they are determined.
+fn normals(forces: &Forces) -> Vec<Option<f64>> {
+    forces.reactions.iter().map(|reaction| reaction.normal).collect()
 }
 
 /// The change of sign between two states.
@@ -65,7 +61,7 @@ fn change(name: &'static str, k: usize, from: (&State, f64), to: (&State, f64), 
     let near = |t: f64| if (t - from.0.t).abs() < (to.0.t - t).abs() { from.0 } else { to.0 };
     let evaluate = |t: f64| {
         let (state, normals) = between(t, near(t))?;
-        Some(value((&state, *normals.get(k)?)))
+        Some(value((&state, (*normals.get(k)?)?)))
     };
     let [first, last] = bracket(value(from), value(to), tolerance(to.0.t.abs()), evaluate);
     let t = if first.f.abs() < last.f.abs() { first.t } else { last.t };
@@ -89,7 +85,7 @@ fn dip(name: &'static str, k: usize, values: [(&State, f64); 3], between: Betwee
         return Vec::new();
     }
     let Some((state, normals)) = between(t, b) else { return Vec::new() };
-    let Some(value) = normals.get(k).copied().filter(|value| sign * value < 0.0) else { return Vec::new() };
+    let Some(value) = normals.get(k).copied().flatten().filter(|value| sign * value < 0.0) else { return Vec::new() };
     // The least force is between the first and the second state, or between the second and the third.
     let (from, to) = if (t - b.t) * h < 0.0 { ((a, sign * x), (b, sign * y)) } else { ((b, sign * y), (c, sign * z)) };
     vec![change(name, k, from, (&state, value), between), change(name, k, (&state, value), to, between)]
@@ -123,9 +119,8 @@ impl<M: Mechanism> Solver<'_, M> {
 
 /// As [`Solver::watch_contacts`].
 fn watch_contacts(solver: &dyn AnySolver, watch: &mut ContactWatch, state: &State) -> Result<(), SolveError> {
-    let forces =
-        |state: &State| forces_of(&mut solver.equations_at(&state.instant())?, state, solver.settings().sharing);
-    watch.push(state.clone(), &forces(state)?, &|t, near| {
+    let forces = |state: &State| forces_of(&mut solver.equations_of_state(state)?, state, solver.settings().sharing);
+    watch.push(state, &forces(state)?, &|t, near| {
         let state = beside(solver, t, near)?;
         let normals = normals(&forces(&state).ok()?);
         Some((state, normals))

@@ -21,7 +21,7 @@ use crate::plan::Plan;
 use crate::planned::{PlanError, Planned, Sign};
 use crate::ratios::{VelocityRatios, velocity_ratios};
 use crate::report::motion::{motion, point_jacobian};
-use crate::signal::Instant;
+use crate::signal::{Instant, Signal};
 use crate::state::State;
 use crate::transmission::{TransmissionAngle, transmission_angles};
 use nalgebra::DMatrix;
@@ -178,7 +178,7 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     /// # Errors
     /// [`NonFinite`](SolveError::NonFinite) and [`Length`](SolveError::Length).
     pub fn motion(&self, state: &State) -> Result<Motion, SolveError> {
-        motion_at(&mut self.equations(&state.instant())?, state, self.settings.sharing)
+        motion_at(&mut self.equations_of(state)?, state, self.settings.sharing)
     }
 
     /// The values of quantities at a solved state, in their order, in the units of the mechanism and in radians. A
@@ -190,12 +190,9 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     pub fn measure(&self, state: &State, measures: &[Measure]) -> Result<Vec<f64>, SolveError> {
         match known(state, measures) {
             Some(known) => Ok(known),
-            None => values(
-                scaled_around(&mut self.equations(&state.instant())?, state)?,
-                state,
-                measures,
-                self.settings.sharing,
-            ),
+            None => {
+                values(scaled_around(&mut self.equations_of(state)?, state)?, state, measures, self.settings.sharing)
+            }
         }
     }
 
@@ -229,11 +226,11 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     /// # Errors
     /// For a mechanism without masses and loads, and when a list has another length.
     pub fn loads(&self, state: &State) -> Result<Vec<Load>, SolveError> {
-        analysis::forces::loads(&self.equations(&state.instant())?, state)
+        analysis::forces::loads(&self.equations_of(state)?, state)
     }
 
     fn shared_forces(&self, state: &State, sharing: Sharing) -> Result<Forces, SolveError> {
-        analysis::forces::forces(&mut self.equations(&state.instant())?, state, sharing)
+        analysis::forces::forces(&mut self.equations_of(state)?, state, sharing)
     }
 
     /// Estimated condition number of the scaled Φ_q at a state: see [`State::condition`].
@@ -244,7 +241,7 @@ impl<'m, M: Mechanism> Solver<'m, M> {
         if let Some(condition) = state.condition {
             return Ok(condition);
         }
-        Ok(factorize(scaled_around(&mut self.equations(&state.instant())?, state)?, &state.q, None)?.condition)
+        Ok(factorize(scaled_around(&mut self.equations_of(state)?, state)?, &state.q, None)?.condition)
     }
 
     /// Degrees of freedom, independent coordinates, redundant rows and conditioning at a configuration.
@@ -261,7 +258,7 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     /// As [`velocity`](Self::velocity); [`InconsistentVelocity`](SolveError::InconsistentVelocity) also if one driving
     /// row cannot move without another.
     pub fn velocity_ratios(&self, state: &State) -> Result<VelocityRatios, SolveError> {
-        velocity_ratios(scaled_around(&mut self.equations(&state.instant())?, state)?, state)
+        velocity_ratios(scaled_around(&mut self.equations_of(state)?, state)?, state)
     }
 
     /// ∂r_P/∂q of a named point, 2×n.
@@ -294,8 +291,17 @@ impl<'m, M: Mechanism> Solver<'m, M> {
 
     /// The equations at an instant.
     pub(crate) fn equations(&self, at: &Instant<'_>) -> Result<Equations<'_>, SolveError> {
+        self.equations_with(&self.settings.given, at)
+    }
+
+    /// The equations at the instant of a solved state, with the prescribed coordinates of the state.
+    pub(crate) fn equations_of(&self, state: &State) -> Result<Equations<'_>, SolveError> {
+        self.equations_with(&self.settings.given_at(state), &state.instant())
+    }
+
+    fn equations_with(&self, given: &[(usize, Signal)], at: &Instant<'_>) -> Result<Equations<'_>, SolveError> {
         let evaluator = Box::new(Evaluator::<_, M>::new(self.mechanism));
-        Equations::new(evaluator, self.settings.options, &self.settings.given, self.settings.inputs, at)
+        Equations::new(evaluator, self.settings.options, given, self.settings.inputs, at)
     }
 }
 
@@ -325,7 +331,10 @@ fn are_of_coordinates(guesses: &[(usize, f64)], coordinates: usize) -> Result<()
 }
 
 /// The equations, scaled around a state.
-fn scaled_around<'e, 'a>(equations: &'e mut Equations<'a>, state: &State) -> Result<&'e mut Equations<'a>, SolveError> {
+pub(crate) fn scaled_around<'e, 'a>(
+    equations: &'e mut Equations<'a>,
+    state: &State,
+) -> Result<&'e mut Equations<'a>, SolveError> {
     equations.check("q", &state.q)?;
     equations.scale = Scale::around(equations, &state.q);
     Ok(equations)
@@ -347,7 +356,7 @@ fn acceleration_at(equations: &mut Equations<'_>, q: &[f64], q_dot: &[f64]) -> R
     Ok(found)
 }
 
-fn motion_at(equations: &mut Equations<'_>, state: &State, sharing: Sharing) -> Result<Motion, SolveError> {
+pub(crate) fn motion_at(equations: &mut Equations<'_>, state: &State, sharing: Sharing) -> Result<Motion, SolveError> {
     let mut motion = motion(equations, state)?;
     // Forces are optional: without them the motion is still valid.
     if equations.model.forces.is_some() {

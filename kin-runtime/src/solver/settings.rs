@@ -9,6 +9,7 @@ use crate::observer::Observer;
 use crate::options::Options;
 use crate::planned::{ModeKey, Sign};
 use crate::signal::Signal;
+use crate::state::State;
 use core::fmt;
 
 /// The settings of a solver, which do not depend on the type of the mechanism.
@@ -37,6 +38,21 @@ impl Settings<'_> {
     pub(crate) fn prescribe(&mut self, coordinate: usize, signal: Signal) {
         self.given.retain(|&(k, _)| k != coordinate);
         self.given.push((coordinate, signal));
+    }
+
+    /// The prescribed coordinates at a state. In a sweep their signals belong to its first instant, so that those at
+    /// another state follow from the state itself.
+    pub(crate) fn given_at(&self, state: &State) -> Vec<(usize, Signal)> {
+        let numbers_of = |k: usize| Some(Signal::new(*state.q.get(k)?, *state.q_dot.get(k)?, *state.q_ddot.get(k)?));
+        let is_finite = |u: &Signal| [u.value, u.rate, u.acceleration].iter().all(|x| x.is_finite());
+        let signal_at = |&(k, signal): &(usize, Signal)| (k, numbers_of(k).filter(is_finite).unwrap_or(signal));
+        self.given.iter().map(signal_at).collect()
+    }
+
+    /// The same without functions of the caller.
+    pub(crate) fn without_functions(&self) -> Settings<'static> {
+        let Self { options, guesses, given, modes, sharing, .. } = self.clone();
+        Settings { options, guesses, given, modes, inputs: None, observer: None, sharing }
     }
 
     /// The same with these guesses and signs of modes, by their indices.

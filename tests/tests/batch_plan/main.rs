@@ -3,6 +3,7 @@
 
 mod batched;
 mod columns;
+mod first_instant;
 mod limits;
 mod motions;
 mod passing;

@@ -26,6 +26,7 @@ mod lifts;
 mod located;
 mod moving;
 mod platforms;
+mod rates_beside_crossings;
 mod redundant;
 mod rig;
 mod side_by_side;

@@ -7,6 +7,7 @@ mod crossings;
 mod fast;
 mod one_step;
 mod pulses;
+mod resting_cams;
 mod starts;
 mod surroundings;
 mod touches;

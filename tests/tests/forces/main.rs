@@ -2,6 +2,7 @@
 
 mod batches;
 mod contacts;
+mod few_contacts;
 mod laws;
 mod machines;
 mod pictures;

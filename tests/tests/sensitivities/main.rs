@@ -6,5 +6,6 @@ mod laws;
 mod machines;
 mod overflow;
 mod references;
+mod repeated;
 mod undetermined;
 mod varied;

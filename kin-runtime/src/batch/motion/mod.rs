@@ -7,6 +7,7 @@
 mod rows;
 
 use super::block_solution::{BlockSolution, Limits, Question, copy_lane};
+use super::checks::least_length;
 use super::end::{End, Outcome};
 use crate::mechanism::Mechanism;
 use crate::plan::{Depth, Plan};
@@ -28,6 +29,8 @@ use crate::workspace::Array;
 pub(super) struct BlockMotion<M: Mechanism> {
     pub(super) parameters: M::Parameters<Octet>,
     pub(super) modes: Modes<M, Octet>,
+    /// Whether the modes are those of the start of the first instant, which an iteration must keep.
+    pub(super) modes_of_start: bool,
     pub(super) predicted: M::Coordinates<Octet>,
     distances: Distances<M, Octet>,
     margins: Margins<M, Octet>,
@@ -58,6 +61,7 @@ impl<M: Mechanism> BlockMotion<M> {
         Self {
             parameters: Array::filled(nothing),
             modes: Modes::filled(nothing),
+            modes_of_start: false,
             predicted: Array::filled(nothing),
             distances: Distances::filled(nothing),
             margins: Margins::filled(nothing),
@@ -81,16 +85,10 @@ impl<M: Mechanism> BlockMotion<M> {
     /// Solves the first instant, from the start in `predicted`.
     pub(super) fn begin(&mut self, mechanism: &M, at: &Instant<'_, Octet>) -> Option<Refusals> {
         let mut limits = self.solve(mechanism, at);
-        self.orient(mechanism, at);
+        let question = question(self.parameters.as_ref(), at, &self.modes, self.predicted.as_ref());
         let trial = &mut self.poses[1 - self.good];
-        trial.refuse_steep(mechanism, (self.parameters.as_ref(), at), Depth::Acceleration);
-        let lengths = least_length(mechanism, self.parameters.as_ref(), at);
-        for lane in 0..Octet::COUNT {
-            if lengths.lane(lane) < 0.0 {
-                self.poses[1 - self.good].refuse(lane);
-                self.poses[1 - self.good].margin.set(lane, 0.0);
-            }
-        }
+        let rounded = trial.check(mechanism, &question, (&self.modes, self.modes_of_start), &self.margins);
+        self.orient(mechanism, at);
         if self.poses[1 - self.good].good != [true; Octet::COUNT] {
             limits.get_or_insert([None; Octet::COUNT]);
         }
@@ -99,8 +97,8 @@ impl<M: Mechanism> BlockMotion<M> {
         weights(M::model(), self.poses[self.good].q.as_ref(), self.weights.as_mut());
         let poses = self.poses();
         let limits = limits?;
-        let refused =
-            |lane: usize| (!poses.is_good(lane)).then(|| (poses.margin.lane(lane), limit_of::<M>(limits[lane])));
+        let limit = |lane: usize| rounded[lane].or_else(|| limit_of::<M>(limits[lane]));
+        let refused = |lane: usize| (!poses.is_good(lane)).then(|| (poses.margin.lane(lane), limit(lane)));
         Some(core::array::from_fn(refused))
     }
 
@@ -209,9 +207,7 @@ impl<M: Mechanism> BlockMotion<M> {
 
     #[inline(never)]
     fn solve(&mut self, mechanism: &M, at: &Instant<'_, Octet>) -> Option<Limits> {
-        let modes = self.modes.of_closures();
-        let (parameters, start) = (self.parameters.as_ref(), self.predicted.as_ref());
-        let question = Question { parameters, at, modes, start, depth: Depth::Acceleration };
+        let question = question(self.parameters.as_ref(), at, &self.modes, self.predicted.as_ref());
         self.poses[1 - self.good].solve(mechanism, &question, &mut self.margins)
     }
 
@@ -340,23 +336,19 @@ impl<M: Mechanism> BlockMotion<M> {
     }
 }
 
+/// The problem of q, q̇ and q̈ of a block.
+fn question<'b, M: Mechanism>(
+    parameters: &'b [Octet],
+    at: &'b Instant<'b, Octet>,
+    modes: &'b Modes<M, Octet>,
+    start: &'b [Octet],
+) -> Question<'b> {
+    Question { parameters, at, modes: modes.of_closures(), start, depth: Depth::Acceleration }
+}
+
 /// Sets one lane of every number.
 fn set_lane(to: &mut [Octet], from: &[f64], lane: usize) {
     to.iter_mut().zip(from).for_each(|(to, x)| to.set(lane, *x));
-}
-
-/// The smallest of the lengths that joints keep; 1 if there are none.
-#[inline]
-pub(super) fn least_length<M: Mechanism>(mechanism: &M, parameters: &[Octet], at: &Instant<'_, Octet>) -> Octet {
-    let most = Octet::from_f64(1.0);
-    if M::LENGTHS == 0 {
-        return most;
-    }
-    let mut lengths = M::Rows::<Octet>::filled(most);
-    let lengths = &mut lengths.as_mut()[..M::LENGTHS];
-    let counted = mechanism.lengths_with(parameters, at, lengths);
-    debug_assert!(counted.is_ok(), "the columns have been counted");
-    lengths.iter().fold(most, |least, length| least.least(*length))
 }
 
 /// True if the numbers of all lanes are finite and not negative.

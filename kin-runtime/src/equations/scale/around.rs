@@ -164,7 +164,7 @@ impl Scale {
 }
 
 /// A typical distance of joints from the origins of their bodies: of moving bodies, or else of the ground, or else the
-/// radii, which come last because those of gears may be numbers of teeth.
+/// radii, curves and kept distances, which come last because radii of gears may be numbers of teeth.
 fn typical_length(equations: &Equations<'_>) -> f64 {
     let at = Instant { t: equations.t, inputs: &equations.inputs };
     let Ok(numbers) = equations.system.geometry(&at) else { return 1.0 };
@@ -179,6 +179,7 @@ fn typical_length(equations: &Equations<'_>) -> f64 {
             _ => {}
         }
     }
+    lengths[2].extend(equations.lengths.iter().filter_map(|length| numbers.get(length.offset)).map(|e| e.abs()));
     for joint in 0..equations.model.joints.len() {
         let points = CURVE_SAMPLES.iter().filter_map(|&s| equations.system.curve(&at, joint, s));
         lengths[2].extend(points.map(|point| point.r[0].hypot(point.r[1])));

@@ -17,6 +17,11 @@ use crate::workspace::Array;
 /// Distances √margin below which the accuracy of the rates is checked.
 pub(super) const CHECKED_DISTANCE: f64 = 0.1;
 
+/// Upper bound of √margin where rounding errors may dominate the rates beside a crossing: (ε/[`MAX_ACCELERATION_NOISE`])^⅓
+/// for the smallest share of the drive, and six times that for motions in which w changes faster than bodies turn.
+#[cfg(all(feature = "simd", feature = "alloc"))]
+const NEAR_CROSSING: f64 = 1e-2;
+
 /// Ratio √margin / |w| below which the outer pins of a group nearly coincide while its closures are apart.
 const PINS: f64 = 0.5;
 
@@ -139,6 +144,12 @@ impl<M: Mechanism> PlanFollower<M> {
             None => PlanError::NonFinite { what: "margins", index: place, name: "", t },
         }
     }
+}
+
+/// Whether [`ill_conditioned_group`] may refuse a group with this √margin and this branch value.
+#[cfg(all(feature = "simd", feature = "alloc"))]
+pub(crate) fn may_be_ill_conditioned(distance: f64, branch_value: f64) -> bool {
+    distance < NEAR_CROSSING || distance < CHECKED_DISTANCE.min(PINS * branch_value.abs())
 }
 
 /// Moves a configuration along its rates.

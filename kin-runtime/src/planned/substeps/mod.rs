@@ -59,7 +59,8 @@ impl<M: Mechanism> PlanFollower<M> {
         let (mut proposed, mut smallest, mut nearest) = (f64::INFINITY, f64::NAN, self.nearest);
         // The end of the last step that hides motion. Steps do not grow before it, so that they do not step over that.
         let (mut refused, direction) = (s, (end - s).signum());
-        for _ in 0..control.max_steps {
+        // The last round only finds that the end was reached.
+        for _ in 0..=control.max_steps {
             let remaining = end - s;
             if remaining == 0.0 {
                 return self.arrive(mechanism, course, at, state);

@@ -17,6 +17,7 @@ use crate::course::{Between, Course, PathShape, kind};
 use crate::mechanism::{LengthError, Mechanism};
 use crate::model::Model;
 use crate::plan::StepKind;
+use crate::scalar::compare::all_finite;
 use crate::signal::{Instant, Signal};
 use crate::workspace::Array;
 
@@ -32,7 +33,7 @@ impl<M: Mechanism> PlanFollower<M> {
     }
 
     /// Solves the plan at an instant from a start in the given modes, with parameters of the caller.
-    #[cfg(feature = "std")]
+    #[cfg(any(feature = "std", all(feature = "simd", feature = "alloc")))]
     pub(crate) fn begin(
         mechanism: &M,
         parameters: M::Parameters<f64>,
@@ -75,6 +76,11 @@ impl<M: Mechanism> PlanFollower<M> {
         modes: Modes<M>,
     ) -> Result<(), PlanError> {
         self.q_at_limit = None;
+        if !all_finite(self.parameters.as_ref())
+            && let Some(error) = self.unusable(at)
+        {
+            return Err(error);
+        }
         self.lengths_exist(mechanism, at)?;
         let before = core::mem::replace(&mut self.branch.modes, modes);
         self.predicted.as_mut().copy_from_slice(start);

@@ -7,7 +7,7 @@ use crate::error::SolveError;
 use crate::forces::Forces;
 use crate::model::{Model, Observable};
 use crate::motion::{BodyMotion, Motion, PointMotion};
-use crate::ratios::{observed_ratio, velocity_ratios};
+use crate::ratios::{first_ratios, observed_ratio};
 use crate::report::motion::motion;
 use crate::signal::Signal;
 use crate::state::State;
@@ -99,7 +99,10 @@ pub(crate) fn values(
     let observed = has(|kind| matches!(kind, Kind::Observable(_)));
     let motion = observed.then(|| motion(equations, state)).transpose()?;
     let loads: Option<Forces> = match has(|kind| matches!(kind, Kind::Force(..) | Kind::Effort(_))) {
-        true => forces(equations, state, sharing).ok(),
+        true => match forces(equations, state, sharing) {
+            Err(error @ SolveError::NegativeMass { .. }) => return Err(error),
+            found => found.ok(),
+        },
         false => None,
     };
     let mut of_forces = Vec::new();
@@ -111,10 +114,10 @@ pub(crate) fn values(
     let pairs: Vec<_> = measures.iter().filter_map(pair).collect();
     let transmitted = if pairs.is_empty() { Vec::new() } else { angles(equations, &state.q, &pairs)? };
     let mut transmitted = transmitted.into_iter();
-    let ratios = match measures.iter().any(|measure| measure.per.is_some()) {
-        true => ratios(equations, state).unwrap_or_default(),
-        false => Vec::new(),
-    };
+    let mut places: Vec<DriverPlace> =
+        measures.iter().filter_map(|measure| Some(measure.per.as_ref()?.place)).collect();
+    places.dedup();
+    let ratios = if places.is_empty() { Vec::new() } else { ratios(equations, state, &places).unwrap_or_default() };
     let value = |measure: &Measure| match (measure.kind, measure.per) {
         (Kind::Transmission(_), _) => transmitted.next().flatten().unwrap_or(f64::NAN),
         (_, Some(driver)) => {
@@ -162,17 +165,18 @@ fn of_pose(model: &Model, bodies: &[BodyMotion], observable: usize) -> Option<Si
     Some(bodies.get(body).map_or(Signal::UNKNOWN, |body| body.rates(component)))
 }
 
-/// The ratios of all driving rows and inputs.
-fn ratios(equations: &mut Equations<'_>, state: &State) -> Result<Vec<Ratio>, SolveError> {
-    let found = velocity_ratios(equations, state)?;
-    let declared = equations.model.rows.len();
-    let rows = found.drivers.into_iter().filter_map(|ratio| Some((DriverPlace::Row(ratio.row?), ratio.first)));
-    let rows = rows.filter(|(place, _)| !matches!(place, DriverPlace::Row(row) if *row >= declared));
-    let inputs = found.inputs.into_iter().enumerate().map(|(k, ratio)| (DriverPlace::Input(k), ratio.first));
+/// The ratios to driving rows and inputs, of those that can move alone.
+fn ratios(equations: &mut Equations<'_>, state: &State, places: &[DriverPlace]) -> Result<Vec<Ratio>, SolveError> {
+    let row = |place: &DriverPlace| if let DriverPlace::Row(row) = place { Some(*row) } else { None };
+    let input = |place: &DriverPlace| if let DriverPlace::Input(input) = place { Some(*input) } else { None };
+    let (rows, inputs): (Vec<usize>, Vec<usize>) =
+        (places.iter().filter_map(row).collect(), places.iter().filter_map(input).collect());
+    let [of_rows, of_inputs] = first_ratios(equations, &state.q, &rows, &inputs)?;
+    let of_rows = rows.into_iter().map(DriverPlace::Row).zip(of_rows);
     let mut all = Vec::new();
-    for (place, first) in rows.chain(inputs) {
-        let input = if let DriverPlace::Input(input) = place { Some(input) } else { None };
-        let observed = observed_ratio(equations, &state.q, &first, input)?;
+    for (place, first) in of_rows.chain(inputs.into_iter().map(DriverPlace::Input).zip(of_inputs)) {
+        let Some(first) = first else { continue };
+        let observed = observed_ratio(equations, &state.q, &first, input(&place))?;
         all.push(Ratio { place, first, observed });
     }
     Ok(all)

@@ -4,6 +4,7 @@ use super::bordered::{ArcNode, Bordered};
 use super::places::between;
 use crate::analysis::acceleration::acceleration;
 use crate::analysis::poses::poses;
+use crate::analysis::rounding::settle_rates;
 use crate::analysis::velocity::velocity;
 use crate::arc::{ArcEnd, ArcPlace, SolutionArc};
 use crate::equations::Equations;
@@ -29,7 +30,7 @@ pub(super) fn states(
     nodes.iter_mut().for_each(|node| node.s -= first);
     places.iter_mut().for_each(|place| place.s -= first);
     let length = nodes.last().map_or(0.0, |node| node.s);
-    let mut states = Vec::with_capacity(steps + 1);
+    let mut states = Vec::new();
     let count = if length > SAME_PLACE { steps } else { 0 };
     for k in 0..=count {
         let s = if k == count { length } else { length * k as f64 / count as f64 };
@@ -50,15 +51,17 @@ pub(super) fn states(
     Ok((states, SolutionArc { length, places, ends }))
 }
 
-/// The state at a place; rates are NaN where the driver does not determine them.
+/// The state at a place; rates are NaN where the driver does not determine them, and where rounding errors dominate them.
 fn state(equations: &mut Equations<'_>, node: &ArcNode) -> Result<State, SolveError> {
     equations.move_to(node.t())?;
     let q = node.q().to_vec();
     equations.evaluate(Subset::POSITION, &q, None)?;
     let residual = equations.phi.iter().fold(0.0, |most: f64, phi| most.max(phi.abs()));
-    let rates = velocity(equations, &q, None).and_then(|(q_dot, factor)| {
-        let q_ddot = acceleration(equations, &q, &q_dot, &factor)?;
-        Ok((q_dot, q_ddot, factor.condition))
+    let rates = velocity(equations, &q, None).and_then(|(mut q_dot, factor)| {
+        let mut q_ddot = acceleration(equations, &q, &q_dot, &factor)?;
+        let condition = factor.condition;
+        settle_rates(equations, [&mut q.clone(), &mut q_dot, &mut q_ddot], &factor)?;
+        Ok((q_dot, q_ddot, condition))
     });
     let still = || vec![0.0; q.len()];
     let (q_dot, q_ddot, condition) = match rates {

@@ -219,7 +219,8 @@ impl Continuation {
         let mut refused = self.s;
         let direction = (target - self.s).signum();
         let has_passed = |s: f64, refused: f64| (s - refused) * direction >= 0.0;
-        for _ in 0..options.max_steps {
+        // The last round only finds that the target was reached.
+        for _ in 0..=options.max_steps {
             let ReachedNode { s: from, .. } = self.reached(moved);
             if from == target {
                 if self.accepted.basis.is_some() {

@@ -180,7 +180,16 @@ impl EventSearch<'_, '_, '_, '_> {
         let sign = if self.side { 1.0 } else { -1.0 };
         let value = |s: &Sample| Value { t: s.t, f: sign * s.value, rate: sign * s.rate };
         let narrow = tolerance(a.t.abs().max(b.t.abs()));
-        let ends = bracket(value(a), value(b), narrow, |t| self.sample(t).as_ref().map(value));
+        let mut is_solved = true;
+        let ends = bracket(value(a), value(b), narrow, |t| {
+            let sample = self.sample(t);
+            is_solved &= sample.is_some();
+            sample.as_ref().map(value)
+        });
+        if !is_solved && (ends[1].t - ends[0].t).abs() > narrow {
+            // The instant of the event is known to lie in this interval only, in which there may be further ones.
+            self.lose(ends[0].t, ends[1].t);
+        }
         self.found
             .push(LocatedEvent { crossing: if self.side { Crossing::Violated } else { Crossing::Restored }, ends });
         self.side = !self.side;

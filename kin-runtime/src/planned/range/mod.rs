@@ -1,30 +1,21 @@
 //! The range of an input: the values with which the mechanism closes, around the last accepted state.
 //!
 //! From that state the branch is followed with time and all other inputs constant, while the one input increases and
-//! then decreases, until a group reaches its limit. [`limit`](super::limit) locates the limit as in any motion.
+//! then decreases, until a group reaches its limit ([`search`]). [`limit`](super::limit) locates the limit as in any
+//! motion. An input that turns a body is followed until the motion repeats ([`period`]).
+
+mod period;
+mod search;
 
 use super::error::PlanError;
-use super::follower::{Control, PlanFollower};
 use super::group_limit::Limit;
-use super::substeps::natural_step;
 use super::{MaybeOwned, Planned};
-use crate::course::Course;
 use crate::mechanism::{LengthError, Mechanism};
 use crate::model::Input;
 use crate::signal::{Instant, Signal};
 use crate::text::rounded;
 use crate::workspace::Array;
 use core::fmt;
-
-/// Length, in steps, of the first interval of the input (*stretch*) in which a limit is searched.
-const STRETCH: f64 = 40.0;
-/// Ratio of the lengths of successive stretches.
-const GROWTH: f64 = 8.0;
-/// Number of stretches.
-const STRETCHES: usize = 24;
-
-/// Largest number of steps on one stretch: after these, a bar that turns without a limit has turned twenty times.
-const STEPS: usize = 400;
 
 /// The values of an input with which the mechanism closes, with time and the other inputs constant: those between the
 /// limits of the branch of a known state.
@@ -98,44 +89,18 @@ impl fmt::Display for OutOfRange {
     }
 }
 
-/// The path of one input, with time and the other inputs constant.
-struct OfInput<'a> {
-    at: Instant<'a>,
-    input: usize,
-    ends: [f64; 2],
-}
-
-impl Course for OfInput<'_> {
-    fn ends(&self) -> [f64; 2] {
-        self.ends
-    }
-
-    fn at(&self, s: f64, inputs: &mut [Signal]) -> f64 {
-        for (k, (to, u)) in inputs.iter_mut().zip(self.at.inputs).enumerate() {
-            *to = if k == self.input { Signal::new(s, 1.0, 0.0) } else { Signal::constant(u.value) };
-        }
-        self.at.t
-    }
-
-    fn is_frozen(&self) -> bool {
-        true
-    }
-
-    fn has_rates_of_end(&self) -> bool {
-        false
-    }
-}
-
 impl<M: Mechanism> Planned<'_, M> {
     /// The values of an input with which the mechanism closes, with time and the other inputs as at the last accepted
     /// state, on the branch of that state. The limits are exact to rounding.
     ///
     /// The state does not change, and nothing is allocated. It takes as long as some hundred calls of
-    /// [`at`](Self::at), whose errors therefore do not contain the range. An input that moves nothing, or with which a
-    /// body turns fully, has no limits.
+    /// [`at`](Self::at), whose errors therefore do not contain the range; if a body turns hundreds of times on the way to
+    /// a limit, as the spindle of a jack does, it takes longer. An input that moves nothing has no limits, nor has one with
+    /// which the motion repeats after whole turns of a body.
     ///
     /// # Errors
-    /// [`PlanError::Length`] with the handle of another mechanism.
+    /// [`PlanError::Length`] with the handle of another mechanism. [`PlanError::TooManySteps`] if after 20 000 steps in
+    /// one direction there is neither a limit nor a motion that repeats.
     ///
     /// ```
     /// use kin_runtime::{Instant, Kinematics, Signal, mechanism};
@@ -161,15 +126,20 @@ impl<M: Mechanism> Planned<'_, M> {
         let name = M::model().inputs.get(input.0).copied();
         let unknown = LengthError { what: "inputs", expected: M::INPUTS, found: input.0 + 1 };
         let name = name.ok_or(unknown)?;
-        let [(least, low), (greatest, high)] =
-            [-1.0, 1.0].map(|direction| self.follower.range_end(self.mechanism.get(), input.0, direction));
+        let mechanism = self.mechanism.get();
+        let turns_freely = self.follower.repeats_in_turns(mechanism, input.0);
+        let end = |direction: f64| match turns_freely {
+            true => Ok((direction * f64::INFINITY, None)),
+            false => self.follower.range_end(mechanism, input.0, direction),
+        };
+        let [(least, low), (greatest, high)] = [end(-1.0)?, end(1.0)?];
         Ok(InputRange { input: name, least, greatest, unit: M::model().units.of(name), limits: [low, high] })
     }
 
     /// The input because of which the mechanism does not close at an instant, with the range in which it closes, for an
     /// error message. The inputs that have changed since the last accepted state are tested in their order, each with
     /// all others at their new values or, if the mechanism does not close with these, at their old ones. `None` if no
-    /// single input is the cause.
+    /// single input is the cause, or if its range cannot be found.
     ///
     /// The state does not change, and nothing is allocated. It takes as long as some hundred calls of [`at`](Self::at)
     /// for every input.
@@ -215,63 +185,5 @@ impl<M: Mechanism> Planned<'_, M> {
             let range = moved.range_of(Input(k)).ok()?;
             (!range.contains(requested)).then_some(OutOfRange { value: requested, range })
         })
-    }
-}
-
-impl<M: Mechanism> PlanFollower<M> {
-    /// The value of an input at which the branch ends in one direction, and the limit there; infinite if no limit was
-    /// met.
-    #[cold]
-    #[inline(never)]
-    fn range_end(&self, mechanism: &M, input: usize, direction: f64) -> (f64, Option<Limit>) {
-        let mut follower = *self;
-        let nowhere = (direction * f64::INFINITY, None);
-        let control = Control { max_steps: STEPS, ..Control::USUAL };
-        let mut reach: f64 = 0.0;
-        for _ in 0..STRETCHES {
-            let inputs = follower.inputs;
-            let at = Instant { t: follower.t, inputs: inputs.as_ref() };
-            let Some(from) = at.inputs.get(input).map(|u| u.value) else { return nowhere };
-            // The rates with respect to the input.
-            let course = OfInput { at, input, ends: [from; 2] };
-            let mut signals = inputs;
-            follower.predicted = follower.state().q;
-            if !follower.solve_at(mechanism, &course, from, &mut signals).unwrap_or(false) {
-                return nowhere;
-            }
-            let tried = follower.trial();
-            let rates = [tried.q_dot.as_ref(), tried.q_ddot.as_ref()];
-            let step = natural_step(rates, follower.weights.as_ref(), control.rotation);
-            if !step.is_finite() && reach == 0.0 {
-                // The input turns no body, or moves nothing at all.
-                let moves = rates[0].iter().any(|rate| *rate != 0.0);
-                reach = if moves { 1.0 + from.abs() } else { return nowhere };
-            } else {
-                reach = f64::max(GROWTH * reach, if step.is_finite() { STRETCH * step } else { 0.0 });
-            }
-            let to = from + direction * reach;
-            let mut signals = inputs;
-            if let Some(u) = signals.as_mut().get_mut(input) {
-                *u = Signal::constant(to);
-            }
-            let end = Instant { t: at.t, inputs: signals.as_ref() };
-            let course = OfInput { at, input, ends: [from, to] };
-            match follower.walk(mechanism, &course, &end, &control) {
-                Ok(()) => {
-                    let nearest = follower.measure();
-                    follower.accept(&end, nearest, false);
-                    let q = follower.state().q;
-                    follower.measure_turns(mechanism, &end, &q);
-                }
-                Err(blocked) => {
-                    let (error, place) = follower.refusal_at(mechanism, &course, &end, &blocked);
-                    return match (error, place) {
-                        (PlanError::TooManySteps { .. }, _) => nowhere,
-                        (error, place) => (place, error.limit().copied()),
-                    };
-                }
-            }
-        }
-        nowhere
     }
 }
