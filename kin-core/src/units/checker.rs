@@ -161,7 +161,8 @@ impl<'m> Checker<'m> {
             *unit_met = match *unit_met {
                 ComparedUnit::Nothing => ComparedUnit::One(WrittenUnit { unit, angle }),
                 ComparedUnit::One(other) if other.unit.agrees(unit) => {
-                    ComparedUnit::One(WrittenUnit { angle: other.angle.max(angle), ..other })
+                    let known = if other.unit.scale.is_some() { other.unit } else { unit };
+                    ComparedUnit::One(WrittenUnit { unit: known, angle: other.angle.max(angle) })
                 }
                 _ => ComparedUnit::Several,
             };

@@ -1,10 +1,6 @@
 //! The units of a mechanism: those that are written, and those that follow from them.
 
-use super::checker::{
-    Checker, ComparedUnit,
-    QuantityUnit::{Of, Plain},
-    WrittenUnit, base, texts,
-};
+use super::checker::{Checker, ComparedUnit, QuantityUnit::Of, WrittenUnit, base, texts};
 use super::parse::symbol_of;
 use super::unit::{Unit, near};
 use crate::mechanism::Mechanism;
@@ -57,7 +53,6 @@ pub fn derive(mechanism: &Mechanism) -> Units {
     for (k, define) in mechanism.defines.iter().enumerate() {
         let derived = match checker.defines.get(k).copied().flatten() {
             Some((Of(unit), angle)) => text(&units, &checker, unit, angle),
-            Some((Plain, 1.0)) => Some("rad".to_owned()),
             _ => None,
         };
         named.extend(named_unit(&define.name, &define.unit, derived));
@@ -66,11 +61,12 @@ pub fn derive(mechanism: &Mechanism) -> Units {
     units
 }
 
-/// A unit as text in the units of the mechanism; `None` for a number.
+/// A unit as text in the units of the mechanism; `None` for a number, and for an open scale: `1000*slider.x` may be in m
+/// or in mm.
 fn text(units: &Units, checker: &Checker<'_>, unit: Unit, angle: f64) -> Option<String> {
     let [length, time, mass] = unit.powers;
     let scale = checker.length.scale.unwrap_or(1.0).powf(length) * checker.time.scale.unwrap_or(1.0).powf(time);
-    let is_in_base_units = mass.abs() < 1e-9 && unit.scale.is_none_or(|found| near(found, scale));
+    let is_in_base_units = mass.abs() < 1e-9 && near(unit.scale?, scale);
     if !is_in_base_units {
         return Some(symbol_of(unit).map_or_else(|| unit.to_string(), str::to_owned));
     }

@@ -79,10 +79,9 @@ impl Checker<'_> {
             if angle == 1.0 {
                 self.report_turns(formula, quantity_of_formula);
             }
-            match quantity {
-                Of(unit) => self.meets(formula, unit, angle),
-                Plain if angle != 0.0 => self.meets(formula, Unit::NUMBER, angle),
-                _ => {}
+            // A number times an angle, as in `s = 0.05*crank.phi`, need not be an angle.
+            if let Of(unit) = quantity {
+                self.meets(formula, unit, angle);
             }
         }
         match (left, right) {

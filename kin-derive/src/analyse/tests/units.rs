@@ -73,7 +73,7 @@ fn derived(source: &str) -> units::Units {
 fn units_follow_from_expressions() {
     let found = derived(
         "#[body(crank, x = 0, y = 0)] #[coordinates(u, v, n)] #[input(feed, turn)] #[input(p, unit = \"Pa\")]
-        #[define(area = l*crank.phi*l, speed = w*crank.phi*l, way = 2*crank.x + l, ratio = l/r, angle = 2*crank.phi)]
+        #[define(area = l*crank.phi*l, speed = w*crank.phi*l, way = 2*crank.x + l, ratio = l/r, angle = crank.phi + 0.1)]
         #[define(force = crank.phi*k, unit = \"N\")]
         #[driver(a: crank.phi = turn)] #[constraint(b: u = l + 2*feed)] #[constraint(c: v = feed - l)]
         #[constraint(d: n = sin(t))]
@@ -87,6 +87,26 @@ fn units_follow_from_expressions() {
     assert_eq!(named, expected);
     let nothing = derived("#[coordinates(u)] #[driver(a: u = t)] struct S { l: f64 }");
     assert_eq!(nothing, units::Units::default());
+}
+
+/// The unit of a quantity times a factor of conversion is not known, nor is that of a number times an angle: it may be in
+/// degrees, in turns or a travel.
+#[test]
+fn a_product_with_a_conversion_has_no_derived_unit() {
+    let found = derived(
+        "#[body(crank, x = 0, y = 0)] #[body(slider, y = 0, phi = 0)] #[coordinates(s, travel, lift)] #[input(u, w)]
+        #[define(in_mm = slider.x*1000, speed = v*3600/1000, rpm = omega*60/(2*pi), share = slider.x/l*100)]
+        #[define(degrees = crank.phi*180/pi, turns = omega*t/(2*pi), camber = -180/pi*crank.phi, part = 0.5*crank.phi)]
+        #[define(twice = 2*slider.x, angle = -crank.phi, rate = 2*omega)]
+        #[define(e = u - slider.x*1000, f = w - 2*crank.phi)]
+        #[driver(a: crank.phi = omega*t)] #[driver(b: slider.x = l)]
+        #[constraint(c: s = 0.05*crank.phi)] #[constraint(d: travel = slider.x*1000)]
+        #[constraint(g: lift = slider.x*1000 + k)]
+        struct S { #[param(0.7, unit = \"m\")] l: f64, #[param(3, unit = \"rad/s\")] omega: f64,
+            #[param(10, unit = \"m/s\")] v: f64, #[param(10, unit = \"mm\")] k: f64 }",
+    );
+    let named: Vec<String> = found.named.iter().map(|(name, unit)| format!("{name} {unit}")).collect();
+    assert_eq!(named, ["lift mm", "twice m", "angle rad", "rate rad/s"]);
 }
 
 /// A frequency in Hz times a time counts turns.
