@@ -3,8 +3,9 @@
 use super::parse::{angle_factor, parse};
 use super::unit::{Unit, near};
 use crate::error::{ModelError, Origin};
-use crate::mechanism::{Formula, Mechanism};
+use crate::mechanism::{Formula, Mechanism, Member};
 use QuantityUnit::{Any, Of};
+use std::collections::BTreeMap;
 
 /// The unit of a quantity, as far as it is known.
 #[derive(Clone, Copy, Debug)]
@@ -25,8 +26,9 @@ pub(super) struct Checker<'m> {
     pub(super) mechanism: &'m Mechanism,
     /// The written units of parameters, scalar coordinates, inputs and defines.
     pub(super) written: [Vec<Option<WrittenUnit>>; 4],
-    /// The units with which scalar coordinates and inputs without a unit are compared.
-    pub(super) compared: [Vec<ComparedUnit>; 2],
+    /// The units with which scalar coordinates and inputs without a unit are compared, by kind, family and index; `None`
+    /// for units that do not agree with one another.
+    pub(super) compared: BTreeMap<(Named, usize, [i64; 2]), Option<WrittenUnit>>,
     /// The unit of positions.
     pub(super) length: Unit,
     /// The first name whose unit contains that unit, in words: ``the unit of `l1` ``.
@@ -50,18 +52,16 @@ pub(super) struct WrittenUnit {
     pub(super) angle: f64,
 }
 
-/// The unit with which a name without a unit is compared in equations.
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) enum ComparedUnit {
-    #[default]
-    Nothing,
-    One(WrittenUnit),
-    /// Units that do not agree with one another.
-    Several,
+impl WrittenUnit {
+    /// The unit of what is compared with both; `None` if they do not agree.
+    fn and(self, other: Self) -> Option<Self> {
+        let unit = if self.unit.scale.is_some() { self.unit } else { other.unit };
+        self.unit.agrees(other.unit).then_some(Self { unit, angle: self.angle.max(other.angle) })
+    }
 }
 
 /// Kinds of names that may have a unit.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Named {
     Parameter,
     Scalar,
@@ -125,7 +125,7 @@ impl<'m> Checker<'m> {
                 m.inputs.iter().map(|u| written(&u.unit)).collect(),
                 m.defines.iter().map(|d| written(&d.unit)).collect(),
             ],
-            compared: [vec![ComparedUnit::Nothing; m.scalars.len()], vec![ComparedUnit::Nothing; m.inputs.len()]],
+            compared: BTreeMap::new(),
             length: Unit { powers: [1.0, 0.0, 0.0], scale: length.map(|base| base.scale) },
             first_length: length.map(|base| {
                 let words = if base.alone { "the unit" } else { "the length in the unit" };
@@ -150,22 +150,40 @@ impl<'m> Checker<'m> {
     }
 
     /// If the formula is the name of a scalar coordinate or an input alone, records the unit with which it is compared.
-    pub(super) fn meets(&mut self, formula: &Formula, unit: Unit, angle: f64) {
-        let (named, member) = match formula {
-            Formula::Neg(a) => return self.meets(a, unit, angle),
-            Formula::Scalar(member) => (Named::Scalar, member),
-            Formula::Input(member) => (Named::Input, member),
-            _ => return,
-        };
-        if let Some(unit_met) = self.compared[named as usize - 1].get_mut(member.family) {
-            *unit_met = match *unit_met {
-                ComparedUnit::Nothing => ComparedUnit::One(WrittenUnit { unit, angle }),
-                ComparedUnit::One(other) if other.unit.agrees(unit) => {
-                    let known = if other.unit.scale.is_some() { other.unit } else { unit };
-                    ComparedUnit::One(WrittenUnit { unit: known, angle: other.angle.max(angle) })
-                }
-                _ => ComparedUnit::Several,
-            };
+    /// Returns the unit with which it was compared before, if the two do not agree.
+    pub(super) fn meets(&mut self, formula: &Formula, unit: Unit, angle: f64) -> Option<Unit> {
+        let (named, member) = name_alone(formula)?;
+        if self.written(named, member.family).is_some() {
+            return None;
         }
+        let met = WrittenUnit { unit, angle };
+        let key = (named, member.family, [member.index.scale, member.index.offset]);
+        let before = self.compared.entry(key).or_insert(Some(met)).as_mut()?;
+        if let Some(both) = before.and(met) {
+            *before = both;
+            return None;
+        }
+        // In ranges one index may stand for different members.
+        if member.index.scale == 0 {
+            return Some(before.unit);
+        }
+        self.compared.insert(key, None);
+        None
+    }
+
+    /// The unit with which all members of a family are compared.
+    pub(super) fn compared(&self, named: Named, family: usize) -> Option<WrittenUnit> {
+        let members = self.compared.range((named, family, [i64::MIN; 2])..=(named, family, [i64::MAX; 2]));
+        members.map(|(_, met)| *met).reduce(|one, other| one?.and(other?)).flatten()
+    }
+}
+
+/// The scalar coordinate or the input that a formula consists of, with any sign.
+pub(super) fn name_alone(formula: &Formula) -> Option<(Named, &Member)> {
+    match formula {
+        Formula::Neg(a) => name_alone(a),
+        Formula::Scalar(member) => Some((Named::Scalar, member)),
+        Formula::Input(member) => Some((Named::Input, member)),
+        _ => None,
     }
 }

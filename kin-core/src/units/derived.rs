@@ -1,6 +1,6 @@
 //! The units of a mechanism: those that are written, and those that follow from them.
 
-use super::checker::{Checker, ComparedUnit, QuantityUnit::Of, WrittenUnit, base, texts};
+use super::checker::{Checker, Named, QuantityUnit::Of, WrittenUnit, base, texts};
 use super::parse::symbol_of;
 use super::unit::{Unit, near};
 use crate::mechanism::Mechanism;
@@ -31,25 +31,15 @@ pub fn derive(mechanism: &Mechanism) -> Units {
     let named_unit = |name: &str, written: &Option<String>, derived: Option<String>| {
         written.clone().or(derived).map(|unit| (name.to_owned(), unit))
     };
-    let compared_unit = |compared_unit: Option<&ComparedUnit>| match compared_unit {
-        Some(ComparedUnit::One(WrittenUnit { unit, angle })) => text(&units, &checker, *unit, *angle),
-        _ => None,
+    let compared_unit = |named, k| {
+        let WrittenUnit { unit, angle } = checker.compared(named, k)?;
+        text(&units, &checker, unit, angle)
     };
     let mut named = Vec::new();
-    named.extend(
-        mechanism
-            .scalars
-            .iter()
-            .zip(0..)
-            .filter_map(|(s, k)| named_unit(&s.name, &s.unit, compared_unit(checker.compared[0].get(k)))),
-    );
-    named.extend(
-        mechanism
-            .inputs
-            .iter()
-            .zip(0..)
-            .filter_map(|(u, k)| named_unit(&u.name, &u.unit, compared_unit(checker.compared[1].get(k)))),
-    );
+    let scalars = mechanism.scalars.iter().zip(0..);
+    named.extend(scalars.filter_map(|(s, k)| named_unit(&s.name, &s.unit, compared_unit(Named::Scalar, k))));
+    let inputs = mechanism.inputs.iter().zip(0..);
+    named.extend(inputs.filter_map(|(u, k)| named_unit(&u.name, &u.unit, compared_unit(Named::Input, k))));
     for (k, define) in mechanism.defines.iter().enumerate() {
         let derived = match checker.defines.get(k).copied().flatten() {
             Some((Of(unit), angle)) => text(&units, &checker, unit, angle),

@@ -10,7 +10,8 @@
 //!   a number with time or with another number, as in `2*t` and `0.1*sin(a)`, take any unit, too. A factor that is
 //!   typical of conversions (powers of ten, 12, 25.4, 30, 60, 180, …) leaves the scale open: `l_mm/1000`, `n*2*pi/60`.
 //! - t alone takes any unit, too, as in `phi = t`; multiplied by a quantity with a unit it is a time.
-//! - Parameters, scalar coordinates, inputs and defines without a unit, and supplied functions, agree with every unit.
+//! - Parameters, scalar coordinates, inputs and defines without a unit, and supplied functions, agree with every unit; a
+//!   scalar coordinate or an input with the same one in every place.
 //! - Arguments of sin, cos, tan, asin, acos, atan, exp and ln are numbers; so are their results.
 
 #[cfg(feature = "compiler")]

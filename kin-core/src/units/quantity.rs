@@ -3,7 +3,7 @@
 use super::checker::{
     Checker, Named,
     QuantityUnit::{self, Any, Clock, Of, Plain},
-    WrittenUnit,
+    WrittenUnit, name_alone,
 };
 use super::conversion::{conversion, converts};
 use super::unit::Unit;
@@ -44,7 +44,7 @@ impl Checker<'_> {
     /// Checks that `formula` has `unit`. An error points at the first name in the formula, or at `at` if there is none.
     pub(super) fn expect(&mut self, formula: &Formula, unit: Unit, at: Origin) {
         self.at = at;
-        let Of(found) = self.quantity(formula) else { return self.meets(formula, unit, 1.0) };
+        let Of(found) = self.quantity(formula) else { return self.take(formula, unit, 1.0) };
         if unit == Unit::NUMBER {
             self.report_turns(formula, Of(found));
         }
@@ -71,6 +71,33 @@ impl Checker<'_> {
         }
     }
 
+    /// Records that a name without a unit stands where `unit` is expected. If it has been compared with another unit, that
+    /// is an error at the name.
+    fn take(&mut self, formula: &Formula, unit: Unit, angle: f64) {
+        if let Some(before) = self.meets(formula, unit, angle) {
+            let (name, hint) = (self.name_of(formula), conversion(before, unit));
+            let message = format!(
+                "the units do not agree: `{name}` is {before} in another place, but {unit} is expected here{hint}"
+            );
+            self.errors.push(ModelError::new(first_origin(formula).unwrap_or(self.at), message));
+        }
+    }
+
+    /// The name of the scalar coordinate or the input that a formula consists of, with its index.
+    fn name_of(&self, formula: &Formula) -> String {
+        let m = self.mechanism;
+        let Some((named, member)) = name_alone(formula) else { return String::new() };
+        let found = match named {
+            Named::Scalar => m.scalars.get(member.family).map(|scalar| (&scalar.name, scalar.len)),
+            _ => m.inputs.get(member.family).map(|input| (&input.name, input.len)),
+        };
+        match found {
+            Some((name, Some(_))) => format!("{name}[{}]", member.index.offset),
+            Some((name, None)) => name.clone(),
+            None => String::new(),
+        }
+    }
+
     /// Checks that both formulas have one unit, and returns it. An error points at the second if it contains a name.
     pub(super) fn same(&mut self, a: &Formula, b: &Formula) -> QuantityUnit {
         let (left, right) = (self.quantity(a), self.quantity(b));
@@ -80,8 +107,14 @@ impl Checker<'_> {
                 self.report_turns(formula, quantity_of_formula);
             }
             // A number times an angle, as in `s = 0.05*crank.phi`, need not be an angle.
-            if let Of(unit) = quantity {
-                self.meets(formula, unit, angle);
+            if let Of(unit) = quantity
+                && let Some(before) = self.meets(formula, unit, angle)
+            {
+                let origin = first_origin(other).or_else(|| first_origin(formula)).unwrap_or(self.at);
+                let (name, hint) = (self.name_of(formula), conversion(unit, before));
+                let message =
+                    format!("the units do not agree: this is {unit}, but `{name}` is {before} in another place{hint}");
+                self.errors.push(ModelError::new(origin, message));
             }
         }
         match (left, right) {
@@ -218,6 +251,10 @@ impl Checker<'_> {
                 let argument = self.quantity(a);
                 if matches!(function, Function::Sin | Function::Cos | Function::Tan) {
                     self.report_turns(a, argument);
+                }
+                if let Any = argument {
+                    let is_of_angles = matches!(function, Function::Sin | Function::Cos | Function::Tan);
+                    self.take(a, Unit::NUMBER, f64::from(u8::from(is_of_angles)));
                 }
                 if let Of(unit) = argument
                     && !unit.agrees(Unit::NUMBER)

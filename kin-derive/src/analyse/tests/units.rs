@@ -162,3 +162,41 @@ fn a_load_that_is_a_number_times_a_rate_says_what_the_factor_is() {
     assert_eq!(Vec::<String>::new(), of("torque(friction: crank = -c*dot(crank.phi))"));
     assert_eq!(Vec::<String>::new(), of("torque(friction: crank = -c*0.01*dot(crank.phi))"));
 }
+
+/// A scalar coordinate or an input without a unit has one unit wherever it occurs.
+#[test]
+fn degrees_do_not_reach_a_sine_through_a_name_without_a_unit() {
+    let of = |rows: &str| {
+        errors(&format!(
+            "#[coordinates(phi, psi, list[2])] #[input(turn)] {rows}
+            struct S {{ #[param(30, unit = \"deg\")] g: f64, #[param(1, unit = \"m\")] l: f64, #[param(1)] k: f64 }}"
+        ))
+    };
+    let row = "#[constraint(row: l*cos(phi) + l*cos(psi) = l*sin(list[0]) + l*sin(list[1]))]";
+    let said =
+        "the units do not agree: this is deg, but `phi` is a number or rad in another place; times pi/180 it is rad";
+    for driver in ["phi = g", "-phi = g + 3", "g = phi"] {
+        assert_eq!(vec![said], of(&format!("{row} #[driver(d: {driver})]")), "{driver}");
+    }
+    assert_eq!(vec![said], of(&format!("{row} #[driver(d: phi = 2)] #[guess(phi = g)]")));
+    let said = "the units do not agree: `phi` is deg in another place, but a number or rad is expected here; \
+                times pi/180 it is rad";
+    assert_eq!(vec![said], of(&format!("#[driver(d: phi = g)] {row}")));
+    let said = "the units do not agree: `turn` is deg in another place, but a number or rad is expected here; \
+                times pi/180 it is rad";
+    let through_input = "#[driver(d: phi = 2)] #[define(e = turn - g)]";
+    assert_eq!(vec![said], of(&format!("{row} {through_input} #[driver(f: psi = sin(turn))]")));
+    let said = "the units do not agree: this is deg, but `list[1]` is a number or rad in another place; \
+                times pi/180 it is rad";
+    assert_eq!(vec![said], of(&format!("{row} #[driver(d: list[1] = g)]")));
+    let of_members = "#[constraint(a: list[0] = l)] #[constraint(b: list[1] = g)]";
+    for right in [
+        &format!("{row} #[driver(d: phi = g*pi/180)]"),
+        "#[constraint(row: l*cos(phi*pi/180) = psi)] #[driver(d: phi = g)]",
+        "#[constraint(row: l*cos(k*phi) = psi)] #[driver(d: phi = g)]",
+        of_members,
+    ] {
+        let units: Vec<_> = of(right).into_iter().filter(|error| error.contains("units")).collect();
+        assert_eq!(Vec::<String>::new(), units, "{right}");
+    }
+}
