@@ -1,6 +1,6 @@
 //! The state of the check of units.
 
-use super::parse::{angle_factor, parse};
+use super::parse::{UnknownUnit, angle_factor, parse};
 use super::unit::{Unit, near};
 use crate::error::{ModelError, Origin};
 use crate::mechanism::{Formula, Mechanism, Member};
@@ -35,8 +35,10 @@ pub(super) struct Checker<'m> {
     pub(super) first_length: Option<String>,
     /// The unit of t.
     pub(super) time: Unit,
-    /// The unit of masses.
+    /// The unit of masses: the one that is written, or the one that follows from the units of loads.
     pub(super) mass: Unit,
+    /// True if a unit of mass is written.
+    pub(super) mass_is_written: bool,
     /// The units of the defines that have been checked.
     pub(super) defines: Vec<Option<(QuantityUnit, f64)>>,
     /// The origin of the current formula.
@@ -111,10 +113,19 @@ fn base_in<'m>(name: &'m str, text: &'m str, kind: usize) -> Option<BaseUnit<'m>
 
 impl<'m> Checker<'m> {
     pub(super) fn new(mechanism: &'m Mechanism) -> Self {
+        let mut checker = Self::with_units(mechanism, parse);
+        if !checker.mass_is_written {
+            checker.mass.scale = Self::mass_of_loads(mechanism);
+        }
+        checker
+    }
+
+    /// The state with units that `read` reads.
+    pub(super) fn with_units(mechanism: &'m Mechanism, read: fn(&str) -> Result<Unit, UnknownUnit>) -> Self {
         let m = mechanism;
         let written = |unit: &Option<String>| {
             let text = unit.as_deref()?;
-            Some(WrittenUnit { unit: parse(text).ok()?, angle: angle_factor(text).exponent })
+            Some(WrittenUnit { unit: read(text).ok()?, angle: angle_factor(text).exponent })
         };
         let [length, time, mass] = [0, 1, 2].map(|kind| base(m, kind));
         Self {
@@ -133,6 +144,7 @@ impl<'m> Checker<'m> {
             }),
             time: Unit { powers: [0.0, 1.0, 0.0], scale: Some(time.map_or(1.0, |base| base.scale)) },
             mass: Unit { powers: [0.0, 0.0, 1.0], scale: mass.map(|base| base.scale) },
+            mass_is_written: mass.is_some(),
             defines: vec![None; m.defines.len()],
             at: Origin::default(),
             errors: Vec::new(),

@@ -126,6 +126,18 @@ pub fn angle_factor(text: &str) -> AngleFactor {
     })
 }
 
+/// A unit with radians in place of its degrees and turns: N*m/rad for N*m/deg.
+#[cfg(feature = "compiler")]
+pub(super) fn in_radians(text: &str) -> Result<Unit, UnknownUnit> {
+    let size = |name| match name {
+        "deg" | "°" => PI / 180.0,
+        "rev" | "turn" | "turns" | "rpm" => 2.0 * PI,
+        _ => 1.0,
+    };
+    let counted: f64 = factors(text).map(|(name, power)| f64::powf(size(name), power)).product();
+    parse(text).map(|unit| Unit { scale: unit.scale.map(|scale| scale / counted), ..unit })
+}
+
 /// The exponent of Hz in a valid unit.
 #[cfg(feature = "compiler")]
 pub(super) fn hertz(text: &str) -> f64 {
@@ -186,6 +198,14 @@ mod tests {
         ] {
             let unit = parse(text).unwrap();
             assert!(unit.agrees(Unit { powers, scale: Some(scale) }), "{text}: {unit:?}");
+        }
+    }
+
+    #[cfg(feature = "compiler")]
+    #[test]
+    fn degrees_and_turns_are_replaced_by_radians() {
+        for (text, expected) in [("N*m/deg", "N*m"), ("mm/rev", "mm"), ("deg/s^2", "rad/s^2"), ("rpm", "1/min")] {
+            assert!(in_radians(text).unwrap().agrees(parse(expected).unwrap()), "{text}");
         }
     }
 

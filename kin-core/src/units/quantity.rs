@@ -49,17 +49,20 @@ impl Checker<'_> {
             self.report_turns(formula, Of(found));
         }
         if !found.agrees(unit) {
-            let wanted = match unit.scale {
-                None => kind(unit),
-                Some(_) if unit == Unit::NUMBER => "an angle in rad".to_owned(),
-                Some(_) => unit.to_string(),
+            // Where no mass has a unit, forces and couples have no scale of their own.
+            let follows = unit.powers[2] != 0.0 && !self.mass_is_written;
+            let is_open = unit.scale.is_none() || follows && !found.is_like(unit);
+            let wanted = match is_open {
+                true => kind(unit),
+                false if unit == Unit::NUMBER => "an angle in rad".to_owned(),
+                false => unit.to_string(),
             };
             let like = match &self.first_length {
                 Some(first_length) if unit == self.length && found.is_like(unit) => format!(", {first_length},"),
                 _ => String::new(),
             };
-            // Forces and couples have no scale of their own. A number before a rate is no coefficient of damping.
-            let is_load = unit.scale.is_none() && unit.powers[1] == -2.0;
+            // A number before a rate is no coefficient of damping.
+            let is_load = is_open && unit.powers[1] == -2.0;
             let hint = match is_load && found.powers[2] == 0.0 {
                 true => {
                     format!("; a number has no unit: let a parameter or a factor be {}", kind(factor_of(unit, found)))

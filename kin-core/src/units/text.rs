@@ -18,6 +18,12 @@ impl fmt::Display for Unit {
         if let Some(symbol) = parse::symbol_of(*self) {
             return f.write_str(symbol);
         }
+        // A unit per degree or per revolution.
+        for angle in ["deg", "rev"] {
+            if let Some(symbol) = parse::parse(angle).ok().and_then(|angle| parse::symbol_of(self.times(angle))) {
+                return write!(f, "{symbol}/{angle}");
+            }
+        }
         if let Some(scale) = self.scale
             && !near(scale, 1.0)
         {

@@ -200,3 +200,45 @@ fn degrees_do_not_reach_a_sine_through_a_name_without_a_unit() {
         assert_eq!(Vec::<String>::new(), units, "{right}");
     }
 }
+
+/// If no mass has a unit, the forces, couples, stiffnesses and dampings must agree with one another.
+#[test]
+fn forces_agree_where_no_mass_has_a_unit() {
+    let of = |loads: &str, units: [&str; 3]| {
+        let [f, k, tau] = units;
+        errors(&format!(
+            "#[body(crank, x = 0, y = 0)] #[driver(d: crank.phi = 0.3)] {loads}
+            struct S {{ #[param(1, unit = \"m\")] l: f64, #[param(3, unit = \"GPa\")] modulus: f64,
+                #[param(2, unit = \"{f}\")] f: f64, #[param(500, unit = \"{k}\")] k: f64,
+                #[param(5, unit = \"{tau}\")] tau: f64 }}"
+        ))
+    };
+    let force = "#[force(F: crank @ (l, 0), (0, f))]";
+    let spring = "#[spring(S: ground @ (0, 0), crank @ (0, l), stiffness = k)]";
+    let torque = "#[torque(T: crank = tau)]";
+    let torsion = "#[torsion_spring(T: ground, crank, stiffness = tau)]";
+    assert_eq!(
+        of(&format!("{force} {spring}"), ["kN", "N/m", "N*m"]),
+        ["the units do not agree: this is N/m, but N/mm is expected here; divided by 1000 it is N/mm"]
+    );
+    assert_eq!(
+        of(&format!("{force} {torque}"), ["N", "N/m", "N*mm"]),
+        ["the units do not agree: this is N·mm, but N·m is expected here; divided by 1000 it is N·m"]
+    );
+    // Two of three are in N.
+    assert_eq!(
+        of(&format!("{force} {spring} {torque}"), ["kN", "N/m", "N*m"]),
+        ["the units do not agree: this is kN, but N is expected here; times 1000 it is N"]
+    );
+    let per_degree = "the units do not agree: this is N·m/deg, but N·m is expected here; times 180/pi it is N·m";
+    assert_eq!(of(torsion, ["N", "N/m", "N*m/deg"]), [per_degree]);
+    assert_eq!(of(&format!("{force} {torsion}"), ["N", "N/m", "N*m/deg"]), [per_degree]);
+    for (loads, units) in [
+        (format!("{force} {spring} {torque}"), ["N", "N/m", "N*m"]),
+        (format!("{force} {spring} {torsion}"), ["kN", "N/mm", "kN*m/rad"]),
+        ("#[torsion_spring(T: ground, crank, stiffness = tau*180/pi)]".to_owned(), ["kN", "N/m", "N*m/deg"]),
+        ("#[force(F: crank @ (l, 0), (0, f))] #[torque(T: crank = tau/1000)]".to_owned(), ["N", "N/m", "N*mm"]),
+    ] {
+        assert_eq!(Vec::<String>::new(), of(&loads, units), "{loads}");
+    }
+}
