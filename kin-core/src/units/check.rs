@@ -2,7 +2,7 @@
 
 use super::checker::{
     Checker,
-    QuantityUnit::{Of, Plain},
+    QuantityUnit::{MultipleOfAngle, Of, Plain},
 };
 use super::quantity::first_origin;
 use super::unit::Unit;
@@ -41,7 +41,7 @@ impl Checker<'_> {
                 }
             }
             if let Some(phi) = &body.phi {
-                self.expect(phi, Unit::NUMBER, body.origin);
+                self.expect_angle(phi, body.origin);
             }
         }
         m.points.iter().for_each(|point| self.place(&point.place));
@@ -52,7 +52,7 @@ impl Checker<'_> {
         }
         for guess in &m.guesses {
             match guess.target {
-                GuessTarget::Pose(_, Component::Phi) => self.expect(&guess.value, Unit::NUMBER, guess.origin),
+                GuessTarget::Pose(_, Component::Phi) => self.expect_angle(&guess.value, guess.origin),
                 GuessTarget::Pose(..) => self.expect(&guess.value, self.length, guess.origin),
                 GuessTarget::Scalar(member) => {
                     self.at = guess.origin;
@@ -79,6 +79,7 @@ impl Checker<'_> {
                 Dimension::Common => None,
                 Dimension::CommonLength => match operand {
                     Operand::Radii(_) => agreed.filter(|unit| *unit != Unit::NUMBER).map(|_| self.length),
+                    Operand::Value(offset) => agreed.or_else(|| self.beside_teeth(joint, offset)),
                     _ => agreed,
                 },
             };
@@ -97,6 +98,9 @@ impl Checker<'_> {
                     }
                 }
                 Operand::Axis(axis) => self.axis(axis),
+                Operand::Value(value) if slot.dimension == Dimension::Angle => {
+                    self.expect_angle(&value.value, value.origin);
+                }
                 Operand::Value(value) => self.measured(value, wanted),
                 Operand::Radii(radii) => {
                     for radius in [&radii.i, &radii.j] {
@@ -133,6 +137,18 @@ impl Checker<'_> {
         }
     }
 
+    /// The unit of an offset in degrees or turns beside radii that are plain numbers: it must be in rad.
+    fn beside_teeth(&mut self, joint: &Statement, offset: &Value) -> Option<Unit> {
+        let radii = joint.operands.iter().find_map(|(_, operand)| match operand {
+            Operand::Radii(radii) => Some([&radii.i, &radii.j]),
+            _ => None,
+        })?;
+        let Of(unit) = self.quantity(&offset.value) else { return None };
+        let is_counted = unit.is_number() && !unit.agrees(Unit::NUMBER);
+        let are_plain = radii.into_iter().all(|radius| matches!(self.quantity(&radius.value), Plain));
+        (is_counted && are_plain).then_some(Unit::NUMBER)
+    }
+
     fn measured(&mut self, value: &Value, wanted: Option<Unit>) {
         if let Some(unit) = wanted {
             self.expect(&value.value, unit, value.origin);
@@ -160,7 +176,7 @@ impl Checker<'_> {
     fn radius(&mut self, radius: &Value) {
         let number = match self.quantity(&radius.value) {
             Of(unit) => unit.is_number(),
-            Plain => true,
+            Plain | MultipleOfAngle => true,
             _ => false,
         };
         if number && self.angle(&radius.value) != 0.0 {

@@ -17,6 +17,9 @@ pub(super) enum QuantityUnit {
     /// t or a power of it: in products a time; in sums and comparisons it takes any unit, as a number does, so that
     /// `phi = t` means one radian per unit of time.
     Clock(Unit),
+    /// A number times an angle in rad, as in `2*crank.phi`: it takes any unit that is expected, as a plain number does,
+    /// except degrees and turns.
+    MultipleOfAngle,
     /// A quantity with this unit.
     Of(Unit),
 }

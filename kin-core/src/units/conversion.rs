@@ -7,6 +7,9 @@ use core::f64::consts::PI;
 /// Numbers that are typical of conversions, besides powers of ten.
 const FACTORS: [f64; 8] = [12.0, 25.4, 2.54, 30.0, 60.0, 180.0, 360.0, 3600.0];
 
+/// Numbers that differ from a factor with π by less than this share are taken for it.
+const MAX_DEVIATION: f64 = 0.01;
+
 /// Factors from which hints are composed, besides powers of ten; [`converts`] accepts every product that contains one.
 const PARTS: [(f64, &str); 8] = [
     (1.0, ""),
@@ -31,6 +34,39 @@ pub(super) fn converts(formula: &Formula) -> bool {
         Formula::Mul(a, b) | Formula::Div(a, b, _) => converts(a) || converts(b),
         _ => false,
     }
+}
+
+/// True for a number with a factor π, which converts revolutions into radians.
+pub(super) fn has_pi(formula: &Formula) -> bool {
+    match formula {
+        Formula::Pi => true,
+        Formula::Neg(a) | Formula::Pow(a, _) => has_pi(a),
+        Formula::Mul(a, b) | Formula::Div(a, b, _) => has_pi(a) || has_pi(b),
+        _ => false,
+    }
+}
+
+/// True for a number that may convert an angle into degrees or turns, or back.
+pub(super) fn converts_angles(formula: &Formula) -> bool {
+    let is_near = |v: f64| {
+        let known = [180.0 / PI, PI, 2.0 * PI].into_iter().flat_map(|known| [known, 1.0 / known]);
+        known.into_iter().any(|known| (v.abs() / known - 1.0).abs() < MAX_DEVIATION)
+    };
+    let is_number = formula.literal().is_some_and(is_near);
+    is_number
+        || converts(formula)
+        || has_pi(formula)
+        || match formula {
+            Formula::Neg(a) => converts_angles(a),
+            Formula::Mul(a, b) | Formula::Div(a, b, _) => converts_angles(a) || converts_angles(b),
+            _ => false,
+        }
+}
+
+/// True for a number with a factor π, and for one that is about π or 2π: it converts turns into radians.
+pub(super) fn converts_turns(formula: &Formula) -> bool {
+    let is_near = |v: f64| [PI, 2.0 * PI].into_iter().any(|known| (v.abs() / known - 1.0).abs() < MAX_DEVIATION);
+    has_pi(formula) || formula.literal().is_some_and(is_near)
 }
 
 /// A hint how to convert one unit to the other; empty if no typical factor does it. A formula that follows the hint has

@@ -7,8 +7,9 @@
 //! - x and y of bodies and points, and distances, are lengths in the unit of length that most of the written units
 //!   contain; φ is an angle; t is a time in the unit of time that most of them contain, or s; `dot` divides by the unit of t.
 //! - A plain number takes the unit that its context needs: in `l + 0.1` it is a length, in `2*l` a factor. Products of
-//!   a number with time or with another number, as in `2*t` and `0.1*sin(a)`, take any unit, too. A factor that is
-//!   typical of conversions (powers of ten, 12, 25.4, 30, 60, 180, …) leaves the scale open: `l_mm/1000`, `n*2*pi/60`.
+//!   a number with t or with another number, as in `2*t` and `0.1*sin(a)`, take any unit, too; those with an angle, as in
+//!   `2*phi`, any but degrees and turns. A factor that is typical of conversions (powers of ten, 12, 25.4, 30, 60, 180, …)
+//!   leaves the scale open: `l_mm/1000`, `n*2*pi/60`.
 //! - t alone takes any unit, too, as in `phi = t`; multiplied by a quantity with a unit it is a time.
 //! - Parameters, scalar coordinates, inputs and defines without a unit, and supplied functions, agree with every unit; a
 //!   scalar coordinate or an input with the same one in every place.
@@ -25,6 +26,8 @@ mod derived;
 #[cfg(feature = "compiler")]
 mod forces;
 mod parse;
+#[cfg(feature = "compiler")]
+mod product;
 #[cfg(feature = "compiler")]
 mod quantity;
 mod text;

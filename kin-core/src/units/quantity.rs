@@ -2,10 +2,10 @@
 
 use super::checker::{
     Checker, Named,
-    QuantityUnit::{self, Any, Clock, Of, Plain},
+    QuantityUnit::{self, Any, Clock, MultipleOfAngle, Of, Plain},
     WrittenUnit, name_alone,
 };
-use super::conversion::{conversion, converts};
+use super::conversion::conversion;
 use super::unit::Unit;
 use crate::error::{ModelError, Origin};
 use crate::mechanism::{Component, CurveVariable, Formula, Function, Place};
@@ -41,10 +41,22 @@ impl Checker<'_> {
         }
     }
 
+    /// Checks that `formula` is an angle in rad.
+    pub(super) fn expect_angle(&mut self, formula: &Formula, at: Origin) {
+        self.at = at;
+        let quantity = self.quantity(formula);
+        self.report_turns(formula, quantity);
+        self.expect(formula, Unit::NUMBER, at);
+    }
+
     /// Checks that `formula` has `unit`. An error points at the first name in the formula, or at `at` if there is none.
     pub(super) fn expect(&mut self, formula: &Formula, unit: Unit, at: Origin) {
         self.at = at;
-        let Of(found) = self.quantity(formula) else { return self.take(formula, unit, 1.0) };
+        let found = match self.quantity(formula) {
+            Of(found) => found,
+            MultipleOfAngle if unit.is_number() => Unit::NUMBER,
+            _ => return self.take(formula, unit, 1.0),
+        };
         if unit == Unit::NUMBER {
             self.report_turns(formula, Of(found));
         }
@@ -106,7 +118,9 @@ impl Checker<'_> {
         let (left, right) = (self.quantity(a), self.quantity(b));
         for ((formula, quantity, quantity_of_formula), other) in [((a, right, left), b), ((b, left, right), a)] {
             let angle = self.angle(other);
-            if angle == 1.0 {
+            let is_in_radians =
+                matches!(quantity, MultipleOfAngle) || matches!(quantity, Of(unit) if unit == Unit::NUMBER);
+            if angle == 1.0 && (is_in_radians || matches!(quantity_of_formula, Of(_))) {
                 self.report_turns(formula, quantity_of_formula);
             }
             // A number times an angle, as in `s = 0.05*crank.phi`, need not be an angle.
@@ -120,7 +134,12 @@ impl Checker<'_> {
                 self.errors.push(ModelError::new(origin, message));
             }
         }
-        match (left, right) {
+        // A multiple of an angle takes any unit but another unit of angles.
+        let beside = |quantity, other| match (quantity, other) {
+            (MultipleOfAngle, Of(unit)) if unit.is_number() && !unit.agrees(Unit::NUMBER) => Of(Unit::NUMBER),
+            _ => quantity,
+        };
+        match (beside(left, right), beside(right, left)) {
             (Of(one), Of(other)) if !one.agrees(other) => {
                 let (found, found_in_other, origin) = match (first_origin(a), first_origin(b)) {
                     (_, Some(origin)) => (other, one, origin),
@@ -140,6 +159,7 @@ impl Checker<'_> {
             (Clock(one), Clock(other)) if !one.agrees(other) => Any,
             (Any, _) | (_, Any) => Any,
             (Clock(unit), _) | (_, Clock(unit)) => Clock(unit),
+            (MultipleOfAngle, _) | (_, MultipleOfAngle) => MultipleOfAngle,
             (Plain, Plain) => Plain,
         }
     }
@@ -153,7 +173,11 @@ impl Checker<'_> {
         let before = std::mem::replace(&mut self.at, define.origin);
         let known = match self.written(Named::Define, k) {
             Some(WrittenUnit { unit, angle }) => {
-                self.expect(&define.formula, unit, define.origin);
+                if unit == Unit::NUMBER && angle == 1.0 {
+                    self.expect_angle(&define.formula, define.origin);
+                } else {
+                    self.expect(&define.formula, unit, define.origin);
+                }
                 (Of(unit), angle)
             }
             None => (self.quantity(&define.formula), self.angle(&define.formula)),
@@ -186,21 +210,23 @@ impl Checker<'_> {
             Formula::Neg(a) => self.quantity(a),
             Formula::Add(a, b) | Formula::Sub(a, b) => self.same(a, b),
             Formula::Mul(a, b) => {
-                let (left, right) = (self.quantity(a), self.quantity(b));
-                product([(left, a), (right, b)])
+                let factors = [(self.quantity(a), &**a), (self.quantity(b), &**b)];
+                self.product(factors, formula)
             }
             Formula::Div(a, b, _) => {
-                let (left, right) = (self.quantity(a), self.quantity(b));
-                let inverse = match right {
+                let inverse = match self.quantity(b) {
                     Of(unit) => Of(unit.power(-1.0)),
                     Clock(unit) => Clock(unit.power(-1.0)),
+                    MultipleOfAngle => Plain,
                     other => other,
                 };
-                product([(left, a), (inverse, b)])
+                let factors = [(self.quantity(a), &**a), (inverse, &**b)];
+                self.product(factors, formula)
             }
             Formula::Pow(a, n) => match self.quantity(a) {
                 Of(unit) => Of(unit.power(*n)),
                 Clock(unit) => Clock(unit.power(*n)),
+                MultipleOfAngle => Plain,
                 other => other,
             },
             Formula::Call(function, a) => self.call(*function, a),
@@ -215,6 +241,7 @@ impl Checker<'_> {
             Formula::Dot(a, _) => match self.quantity(a) {
                 Of(unit) => Of(unit.times(self.time.power(-1.0))),
                 Clock(_) => Any,
+                MultipleOfAngle => Plain,
                 other => other,
             },
         }
@@ -248,6 +275,7 @@ impl Checker<'_> {
             Function::Sqrt => match self.quantity(a) {
                 Of(unit) => Of(unit.power(0.5)),
                 Clock(unit) => Clock(unit.power(0.5)),
+                MultipleOfAngle => Plain,
                 other => other,
             },
             _ => {
@@ -272,40 +300,6 @@ impl Checker<'_> {
                 if a.literal().is_some() { Plain } else { Of(Unit::NUMBER) }
             }
         }
-    }
-}
-
-/// A product. A plain number does not change the unit of the other factor, but a typical factor of conversions leaves
-/// its scale open. Number times number is a plain number, and number times t may have any unit, since the number may be
-/// a rate.
-fn product(factors: [(QuantityUnit, &Formula); 2]) -> QuantityUnit {
-    match factors.map(|(quantity, _)| quantity) {
-        [Of(a), Of(b) | Clock(b)] | [Clock(a), Of(b)] => Of(a.times(b)),
-        [Clock(a), Clock(b)] => Clock(a.times(b)),
-        [Any, _] | [_, Any] | [Plain, Clock(_)] | [Clock(_), Plain] => Any,
-        [Plain, Plain] => Plain,
-        [Plain, Of(unit)] | [Of(unit), Plain] => {
-            let plain = factors.iter().find(|(quantity, _)| matches!(quantity, Plain)).map(|(_, formula)| *formula);
-            if unit.is_time() {
-                Any
-            } else if unit.agrees(Unit::NUMBER) {
-                Plain
-            } else if plain.is_some_and(|plain| converts(plain) || !unit.has_length() && has_pi(plain)) {
-                Of(Unit { scale: None, ..unit })
-            } else {
-                Of(unit)
-            }
-        }
-    }
-}
-
-/// True for a number with a factor π, which converts revolutions into radians.
-pub(super) fn has_pi(formula: &Formula) -> bool {
-    match formula {
-        Formula::Pi => true,
-        Formula::Neg(a) | Formula::Pow(a, _) => has_pi(a),
-        Formula::Mul(a, b) | Formula::Div(a, b, _) => has_pi(a) || has_pi(b),
-        _ => false,
     }
 }
 

@@ -4,20 +4,23 @@
 //! counts turns. A factor π, as in 2π f t, converts it.
 
 use super::checker::{Checker, Named, QuantityUnit};
+use super::conversion::{converts_angles, converts_turns};
 use super::parse::hertz;
-use super::quantity::{first_origin, has_pi};
+use super::quantity::first_origin;
 use super::unit::Unit;
 use crate::error::ModelError;
 use crate::mechanism::{Formula, Mechanism};
 
-/// Numbers that differ from π or 2π by less than this share convert turns to radians, too.
-const MAX_DEVIATION_FROM_PI: f64 = 0.01;
-
 impl Checker<'_> {
     /// Reports an error if a formula counts turns where an angle in radians is needed; `quantity` is what it measures.
     pub(super) fn report_turns(&mut self, formula: &Formula, quantity: QuantityUnit) {
-        let QuantityUnit::Of(unit) = quantity else { return };
-        if unit != Unit::NUMBER || self.angle(formula) != 0.0 || turns(self.mechanism, formula, DEPTH) != 1.0 {
+        // In `f*t*360` or `f*t/57.3` a plain number may convert turns to another unit.
+        let converts: Converts = match quantity {
+            QuantityUnit::Of(unit) if unit == Unit::NUMBER => converts_turns,
+            QuantityUnit::Plain => converts_angles,
+            _ => return,
+        };
+        if self.angle(formula) != 0.0 || turns(self.mechanism, formula, (converts, DEPTH)) != 1.0 {
             return;
         }
         let message = "this is a number of turns, a frequency in Hz times a time, and an angle in rad is expected here; \
@@ -29,9 +32,12 @@ impl Checker<'_> {
 /// Defines that contain others are looked into down to this depth.
 const DEPTH: usize = 4;
 
-/// The exponent of Hz in the unit of a formula; 0 for a product with a factor that converts turns to radians. `depth` is
-/// how many more defines inside one another are looked into.
-fn turns(mechanism: &Mechanism, formula: &Formula, depth: usize) -> f64 {
+/// True for a number that converts turns.
+type Converts = fn(&Formula) -> bool;
+
+/// The exponent of Hz in the unit of a formula; 0 for a product with a factor that `converts` turns. `depth` is how many
+/// more defines inside one another are looked into.
+fn turns(mechanism: &Mechanism, formula: &Formula, (converts, depth): (Converts, usize)) -> f64 {
     let m = mechanism;
     let written = |unit: &Option<String>| unit.as_deref().map_or(0.0, hertz);
     let turns_of_name = |named: Named, k: usize| match named {
@@ -39,11 +45,11 @@ fn turns(mechanism: &Mechanism, formula: &Formula, depth: usize) -> f64 {
         Named::Scalar => m.scalars.get(k).map_or(0.0, |s| written(&s.unit)),
         Named::Input => m.inputs.get(k).map_or(0.0, |u| written(&u.unit)),
         Named::Define => m.defines.get(k).map_or(0.0, |define| match (&define.unit, depth.checked_sub(1)) {
-            (None, Some(depth)) => turns(m, &define.formula, depth),
+            (None, Some(depth)) => turns(m, &define.formula, (converts, depth)),
             (unit, _) => written(unit),
         }),
     };
-    let turns_of = |formula: &Formula| turns(m, formula, depth);
+    let turns_of = |formula: &Formula| turns(m, formula, (converts, depth));
     match formula {
         Formula::Parameter(member) => turns_of_name(Named::Parameter, member.family),
         Formula::Scalar(member) => turns_of_name(Named::Scalar, member.family),
@@ -60,12 +66,4 @@ fn turns(mechanism: &Mechanism, formula: &Formula, depth: usize) -> f64 {
         Formula::Pow(a, n) => n * turns_of(a),
         _ => 0.0,
     }
-}
-
-/// True for a number with a factor π, and for one that is about π or 2π.
-fn converts(formula: &Formula) -> bool {
-    let pi = core::f64::consts::PI;
-    let is_near =
-        |v: f64| [pi, 2.0 * pi].into_iter().any(|known| (v.abs() / known - 1.0).abs() < MAX_DEVIATION_FROM_PI);
-    has_pi(formula) || formula.literal().is_some_and(is_near)
 }

@@ -242,3 +242,101 @@ fn forces_agree_where_no_mass_has_a_unit() {
         assert_eq!(Vec::<String>::new(), of(&loads, units), "{loads}");
     }
 }
+
+/// A mechanism with angles and times in several units; `d` is its driver, `parts` are other attributes.
+fn angles(driver: &str, parts: &str) -> Vec<String> {
+    errors(&format!(
+        "#[body(crank, x = 0, y = 0)] #[body(slider, y = 0, phi = 0)] #[driver(d: {driver})] #[driver(s: slider.x = l)] {parts}
+        struct S {{ #[param(30, unit = \"deg\")] g: f64, #[param(2, unit = \"rev\")] turns: f64,
+            #[param(2, unit = \"Hz\")] f: f64, #[param(2, unit = \"s\")] period: f64, #[param(1, unit = \"m\")] l: f64,
+            #[param(0.3, unit = \"rad\")] a: f64, #[param(3)] k: f64 }}"
+    ))
+}
+
+/// In `2*crank.phi` the number is a factor: the product is in rad, not in degrees or turns.
+#[test]
+fn a_multiple_of_an_angle_is_not_in_degrees() {
+    let said = "the units do not agree: this is deg, but the other quantity is a number or rad; times pi/180 it is rad";
+    for wrong in ["2*crank.phi = g", "crank.phi/2 = g + 3", "2*crank.phi + 3*a = g", "-2*crank.phi = g"] {
+        assert_eq!(angles(wrong, ""), [said], "{wrong}");
+    }
+    assert_eq!(angles("crank.phi = t", "#[define(e = 2*crank.phi)] #[unilateral(end: e < g)]"), [said]);
+    let said = "the units do not agree: this is a number or rad, but rev is expected here; divided by (2*pi) it is rev";
+    assert_eq!(angles("crank.phi = t", "#[define(turned = 1*crank.phi, unit = \"rev\")]"), [said]);
+    let gear = |rest: &str| {
+        let gear = format!("#[body(wheel, x = 1, y = 0)] #[gear(G: crank, wheel, radii = {rest})]");
+        angles("crank.phi = t", &gear)
+    };
+    assert_eq!(
+        gear("(20, 30), offset = g"),
+        ["the units do not agree: this is deg, but an angle in rad is expected here; times pi/180 it is rad"]
+    );
+    for right in ["(20, 30), offset = 20*a", "(20, 30), offset = l", "(0.2, 0.3), offset = 20*g*pi/180"] {
+        assert_eq!(Vec::<String>::new(), gear(right), "{right}");
+    }
+    for right in [
+        "2*crank.phi = a",
+        "crank.phi*180/pi = g",
+        "180/pi*crank.phi = g + 3",
+        "57.3*crank.phi = g",
+        "crank.phi/6.2832 = turns",
+        "2*crank.phi = g*pi/180",
+        "k*crank.phi = g",
+        "crank.phi = 2*(turns*360)*pi/180",
+        "2*crank.phi = l",
+        "30*sin(crank.phi) = g",
+        "crank.phi = 2*a*(l/l)",
+    ] {
+        assert_eq!(Vec::<String>::new(), angles(right, ""), "{right}");
+    }
+    assert_eq!(
+        Vec::<String>::new(),
+        angles("crank.phi = t", "#[define(e = 2*crank.phi)] #[define(h = 2*e*180/pi, unit = \"deg\")]")
+    );
+}
+
+/// The order of the factors of a number of turns makes no difference.
+#[test]
+fn a_multiple_of_a_number_of_turns_is_no_angle() {
+    let said = "this is a number of turns, a frequency in Hz times a time, and an angle in rad is expected here; \
+                times 2*pi it is rad";
+    for wrong in ["crank.phi = f*t*3", "crank.phi = a*sin(f*t*3)", "2*crank.phi = f*t*3", "crank.phi = -(f*t)/2"] {
+        assert_eq!(angles(wrong, ""), [said], "{wrong}");
+    }
+    assert_eq!(angles("crank.phi = e", "#[define(e = f*t*3)]"), [said]);
+    assert_eq!(angles("crank.phi = t", "#[define(e = f*t*3, unit = \"rad\")]"), [said]);
+    for right in ["crank.phi = f*t*3*2*pi", "crank.phi = f*t*360/57.3"] {
+        assert_eq!(Vec::<String>::new(), angles(right, ""), "{right}");
+    }
+    for right in ["turns < f*t*3 + k*crank.phi", "g < f*t*360 + k*crank.phi", "k*crank.phi < f*t*3", "slider.x < f*t*3"]
+    {
+        assert_eq!(Vec::<String>::new(), angles("crank.phi = t", &format!("#[unilateral(u: {right})]")), "{right}");
+    }
+    assert_eq!(Vec::<String>::new(), angles("crank.phi = t", "#[define(e = f*t*3, unit = \"1\")]"));
+}
+
+/// A number times a period is a period; a number times t may have any unit.
+#[test]
+fn a_multiple_of_a_time_is_a_time() {
+    let distance =
+        |length: &str| format!("#[distance(D: ground @ (0, 0), rod @ (0, 0), length = {length})] #[bodies(rod)]");
+    assert_eq!(
+        angles("crank.phi = t", &distance("2*period")),
+        ["the units do not agree: this is s, but m is expected here"]
+    );
+    let units = |driver: &str| {
+        let all = angles(driver, "");
+        all.into_iter().filter(|error| error.contains("units")).collect::<Vec<_>>()
+    };
+    for right in [
+        "crank.phi = 2*t",
+        "crank.phi = 3*(t - period)",
+        "crank.phi = 0.5*(t - period)*(t - period)",
+        "crank.phi = 2*pi*t/period",
+        "crank.phi = t/(2*period)",
+        "crank.phi = sin(2*pi*(t - 2*period)/period)",
+        "period + t = 2*period + 0*crank.phi*t",
+    ] {
+        assert_eq!(Vec::<String>::new(), units(right), "{right}");
+    }
+}
