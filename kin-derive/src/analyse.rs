@@ -53,19 +53,18 @@ fn check_model(lowered: &Lowered, report: &Report) {
     let mut errors = if is_complete { check(mechanism) } else { check_parts(mechanism) };
     // Errors that only `check` finds, such as a body without joints, do not concern the rows.
     let rows_are_correct = errors.is_empty() || (is_complete && check_parts(mechanism).is_empty());
-    if rows_are_correct && is_complete {
-        // Without errors, `derive_equations` checks the structure.
-        let has_errors = !errors.is_empty();
+    if rows_are_correct {
         let are_written = kin_core::units::are_written(mechanism);
         let units = if are_written { kin_core::units::check(mechanism) } else { Vec::new() };
-        // A row whose units do not agree is probably wrong, and errors about its structure would mislead.
-        if units.is_empty() && has_errors {
+        if !is_complete {
+            // A statement that is degenerate, such as a length that is computed as 0, is so whatever is missing.
+            errors = kin_core::assemble(mechanism).err().unwrap_or_default();
+        } else if units.is_empty() && !errors.is_empty() {
+            // Without errors, `derive_equations` checks the structure. A row whose units do not agree is probably wrong,
+            // and errors about its structure would mislead.
             errors.extend(checked_equations(lowered).err().unwrap_or_default());
         }
         errors.extend(units);
-    } else if rows_are_correct {
-        // A statement that is degenerate, such as a length that is computed as 0, is so whatever is missing.
-        errors = kin_core::assemble(mechanism).err().unwrap_or_default();
     }
     for error in errors {
         report.error(lowered.span(error.origin), error.message);

@@ -115,3 +115,22 @@ fn circles_are_named() {
     );
     one_error("#[body(a, origin = a @ (0, 0))] #[angle(N: a = t)] struct S;", &["`a` carries itself"]);
 }
+
+/// The units of the other statements are checked, too, and so is whether these are degenerate.
+#[test]
+fn a_wrong_unit_is_reported_beside_a_wrong_name() {
+    let of = |revolute: &str, driver: &str, rest: &str| {
+        errors(&format!(
+            "#[bodies(crank)] #[revolute(O: ground @ (0, 0), crank @ ({revolute}, 0))] #[driver(drive: {driver})] {rest}
+            struct S {{ #[param(1, unit = \"m\")] l: f64, #[param(1, unit = \"kg\")] m: f64 }}"
+        ))
+    };
+    let name = "no body or point named `crnk`; did you mean `crank`?";
+    let unit = "the units do not agree: this is kg, but the other quantity is m";
+    assert_eq!(of("l + m", "crnk.phi = 3*t", ""), [name, unit]);
+    assert_eq!(of("l + m", "crank.phi = 3*t", ""), [unit]);
+    assert_eq!(of("l", "crnk.phi = 3*t", ""), [name]);
+    // A define that cannot be read has no unit.
+    let misspelt = of("l + reach", "crank.phi = t", "#[define(reach = crnk.x, unit = \"m\")]");
+    assert_eq!(misspelt, [name]);
+}
