@@ -231,5 +231,10 @@ mod tests {
         for text in ["m", "mm", "rad/s", "rpm", "m/s", "m^2", "m^2/s", "1/s^3"] {
             assert_eq!(text, parse(text).unwrap().to_string());
         }
+        for (text, shown) in
+            [("N*m/deg", "N·m/deg"), ("mm/rev", "mm/rev"), ("deg^2", "0.000305 rad"), ("mrad", "0.00100 rad")]
+        {
+            assert_eq!(shown, parse(text).unwrap().to_string());
+        }
     }
 }

@@ -11,7 +11,10 @@ impl fmt::Display for Unit {
         if self.is_number() {
             return match (self.scale, parse::symbol_of(*self)) {
                 (_, Some(symbol)) => f.write_str(symbol),
-                (Some(scale), _) if !near(scale, 1.0) => write!(f, "{:.3} rad", scale),
+                (Some(scale), _) if !near(scale, 1.0) => {
+                    let digits = (2.0 - scale.log10().floor()).clamp(3.0, 12.0) as usize;
+                    write!(f, "{scale:.digits$} rad")
+                }
                 _ => f.write_str("a number or rad"),
             };
         }
