@@ -32,9 +32,14 @@ pub(super) fn chain(first: Expr, rest: Vec<(Operator, Expr)>, inverse: Operator)
     if rest.len() < LONGEST_AS_WRITTEN {
         return rest.into_iter().try_fold(first, |left, (operator, right)| binary(operator, left, right));
     }
+    let mut operands: Vec<(Operator, Expr)> = core::iter::once((plain(inverse), first)).chain(rest).collect();
+    if inverse == Operator::Div {
+        // Factors come before divisors, since / b * c is not / (b / c) where c is 0. The terms of a sum keep their order,
+        // which determines the rounding errors; a negation has none.
+        operands.sort_by_key(|(operator, _)| *operator == inverse);
+    }
     // Neighbours are paired until one operand is left. A pair keeps the operator before its first operand; if this is
     // the inverse operator, the operator inside the pair is exchanged: − b − c = −(b + c), − b + c = −(b − c).
-    let mut operands: Vec<(Operator, Expr)> = core::iter::once((plain(inverse), first)).chain(rest).collect();
     while operands.len() > 1 {
         let mut paired = Vec::with_capacity(operands.len().div_ceil(2));
         let mut waiting = operands.into_iter();

@@ -211,6 +211,29 @@ fn expressions_bind_as_in_rust() {
     }
 }
 
+/// True if `name` is part of a divisor.
+fn divides(f: &Formula, name: &str) -> bool {
+    match f {
+        Formula::Div(a, b, _) => divides(a, name) || shape(b).contains(name),
+        Formula::Mul(a, b) => divides(a, name) || divides(b, name),
+        _ => false,
+    }
+}
+
+/// Factors of a long product, which may be 0, stay factors when the product is balanced.
+#[test]
+fn no_factor_becomes_a_divisor() {
+    for count in [1, 15, 16, 17, 40] {
+        let others = " * l1".repeat(count);
+        for source in
+            [format!("2 / u * v{others}"), format!("2{others} / u * v"), format!("2{others} / u / u / u * v * v")]
+        {
+            let product = formula(&source);
+            assert!(divides(&product, "u") && !divides(&product, "v") && !divides(&product, "l1"), "{source}");
+        }
+    }
+}
+
 #[test]
 fn fragments_of_macro_rules_bind_as_the_user_sees_them() {
     use proc_macro2::{Delimiter, Group};
