@@ -34,7 +34,8 @@ pub(super) fn bodies(input: ParseStream, keyword: &Ident, report: &Report, items
 
 /// Parses `phi1, u[3], unit = "rad"`.
 pub(super) fn coordinates(input: ParseStream, keyword: &Ident, report: &Report, items: &mut Vec<Item>) -> bool {
-    let any = nonempty(input, keyword, "#[coordinates(phi1, phi2)]", report);
+    const FORM: &str = "#[coordinates(phi1, phi2)]";
+    let any = nonempty(input, keyword, FORM, report);
     let (mut options, first) = (Options::of(keyword, &["unit"]), items.len());
     let complete = list(input, report, |input| {
         if options.read(input)? {
@@ -59,13 +60,15 @@ pub(super) fn coordinates(input: ParseStream, keyword: &Ident, report: &Report, 
         }
         Ok(())
     });
+    let complete = any && complete && options.have_names(&items[first..], FORM, report);
     options.give(items, first);
-    any && complete
+    complete
 }
 
 /// Parses `boom_length, u[3], default = 0.3, unit = "m"`.
 pub(super) fn inputs(input: ParseStream, keyword: &Ident, report: &Report, items: &mut Vec<Item>) -> bool {
-    let any = nonempty(input, keyword, "#[input(boom_length, stick_length)]", report);
+    const FORM: &str = "#[input(boom_length, stick_length)]";
+    let any = nonempty(input, keyword, FORM, report);
     let (mut options, first) = (Options::of(keyword, &["default", "unit"]), items.len());
     let complete = list(input, report, |input| {
         if options.read(input)? {
@@ -83,8 +86,9 @@ pub(super) fn inputs(input: ParseStream, keyword: &Ident, report: &Report, items
         }
         Ok(())
     });
+    let complete = any && complete && options.have_names(&items[first..], FORM, report);
     options.give(items, first);
-    any && complete
+    complete
 }
 
 /// Parses `tip = coupler @ (0, 0.1)`.
@@ -114,8 +118,9 @@ pub(super) fn defines(input: ParseStream, keyword: &Ident, report: &Report, item
         items.push(Item::Define(DefineDecl { name, value, unit: None }));
         Ok(())
     });
+    let complete = any && complete && options.have_names(&items[first..], FORM, report);
     options.give(items, first);
-    any && complete
+    complete
 }
 
 /// An example of `function`.

@@ -8,6 +8,7 @@ use super::node::no_unit_in_default;
 use super::reject::here;
 use super::unit::unit;
 use crate::ast::{Item, text};
+use crate::report::Report;
 use crate::suggest::{did_you_mean, nearest, quoted};
 use syn::ext::IdentExt;
 use syn::parse::ParseStream;
@@ -84,6 +85,17 @@ impl<'k> Options<'k> {
             true => is_text && (key == "unit" || resembles),
             false => self.allowed.contains(&key) || resembles,
         }
+    }
+
+    /// Reports options that apply to no name; false if there are any.
+    pub(super) fn have_names(&self, declared: &[Item], form: &str, report: &Report) -> bool {
+        if !self.any || !declared.is_empty() {
+            return true;
+        }
+        let keyword = self.keyword;
+        let message = format!("`{keyword}` declares no name; names come before the options: `{form}`");
+        report.error(keyword.span(), message);
+        false
     }
 
     /// Assigns the options to all items that the attribute has declared.

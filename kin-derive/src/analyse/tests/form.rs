@@ -212,6 +212,13 @@ fn rows_say_how_they_are_written() {
         ("#[mechanism]", "once"),
         ("#[input()] #[driver(D: crank.phi = t)]", "is empty"),
         (
+            "#[coordinates(unit = \"rad\")] #[driver(D: crank.phi = t + u)]",
+            "`coordinates` declares no name; names come before the options: `#[coordinates(phi1, phi2)]`",
+        ),
+        ("#[input(default = 3, unit = \"m\")]", "`input` declares no name"),
+        ("#[define(unit = \"m\")]", "`define` declares no name"),
+        ("#[define(unit = \"nonsense\")]", "unit"),
+        (
             "#[input(u = 1)] #[driver(D: crank.phi = u)]",
             "its value is given at run time, and a default with `#[input(u, default = …)]`",
         ),
