@@ -4,22 +4,12 @@ use super::lowerer::{Class, Lowerer};
 use super::names::Symbol;
 use super::range::IndexRange;
 use super::scope::{Allow, Scope};
-use crate::ast::{BodyDecl, Bracket, Expr, ExprKind, Item, NewName, PointExpr, text};
+use crate::ast::{BodyDecl, Expr, ExprKind, Item, NewName, PointExpr, text};
 use kin_core::check::{chain, cycle};
 use kin_core::mechanism::{BodyOrigin, Mechanism};
 
 /// A body without prescribed components.
 pub(super) const FREE: BodyOrigin = BodyOrigin::Free { x: None, y: None };
-
-/// The range of the index variable in the brackets of a declaration.
-fn range_of(name: &NewName) -> IndexRange {
-    match &name.bracket {
-        Some(Bracket::Range(range)) => IndexRange::Over(range.clone()),
-        Some(Bracket::Hole(words)) => IndexRange::Unknown(words.clone()),
-        Some(Bracket::Len(len, _)) => IndexRange::Counted(text(&name.ident), *len),
-        None => IndexRange::None,
-    }
-}
 
 /// A point or a define with its index among those of its kind.
 enum Named<'d> {
@@ -38,18 +28,20 @@ impl Named<'_> {
 
 impl Lowerer<'_> {
     /// Lowers points and defines, each after those on which it depends; cyclic dependencies are reported.
-    pub(super) fn points_and_defines(&mut self, items: &[Item], mechanism: &mut Mechanism) {
+    pub(super) fn points_and_defines(&mut self, items: &[Item], ranges: &[IndexRange], mechanism: &mut Mechanism) {
         let (mut points, mut defines) = (Vec::new(), Vec::new());
-        let mut named = Vec::new();
-        for item in items {
+        let (mut named, mut ranges_of_named) = (Vec::new(), Vec::new());
+        for (item, range) in items.iter().zip(ranges) {
             match item {
                 Item::Point(decl) => {
                     points.push(named.len());
                     named.push(Named::Point(points.len() - 1, decl));
+                    ranges_of_named.push(range);
                 }
                 Item::Define(decl) => {
                     defines.push(named.len());
                     named.push(Named::Define(defines.len() - 1, decl));
+                    ranges_of_named.push(range);
                 }
                 Item::Body(_)
                 | Item::Scalar(_)
@@ -85,17 +77,17 @@ impl Lowerer<'_> {
             if in_circle[k] {
                 continue;
             }
-            let range = range_of(named[k].name());
+            let range = ranges_of_named[k];
             match &named[k] {
                 Named::Point(number, decl) => {
-                    if let Some(place) = self.place(&decl.place, &range) {
+                    if let Some(place) = self.place(&decl.place, range) {
                         mechanism.points[*number].place = place;
                         self.points[*number] = Some(mechanism.points[*number].clone());
                     }
                 }
                 Named::Define(number, decl) => {
                     self.reached = Class::Constant;
-                    let scope = Scope { place: "a define", allow: Allow::Everything, range: &range };
+                    let scope = Scope { place: "a define", allow: Allow::Everything, range };
                     if let Some(formula) = self.formula(&decl.value, &scope) {
                         self.constants[*number] = self.constant(&formula);
                         mechanism.defines[*number].formula = formula;
@@ -117,22 +109,21 @@ impl Lowerer<'_> {
     }
 
     /// Lowers the held components and origins of bodies.
-    pub(super) fn bodies(&mut self, items: &[Item], mechanism: &mut Mechanism) {
-        let decls = items.iter().filter_map(|item| match item {
-            Item::Body(decl) => Some(decl),
+    pub(super) fn bodies(&mut self, items: &[Item], ranges: &[IndexRange], mechanism: &mut Mechanism) {
+        let decls = items.iter().zip(ranges).filter_map(|(item, range)| match item {
+            Item::Body(decl) => Some((decl, range)),
             _ => None,
         });
-        for (k, decl) in decls.enumerate() {
-            self.body_decl(decl, &mut mechanism.bodies[k]);
+        for (k, (decl, range)) in decls.enumerate() {
+            self.body_decl(decl, range, &mut mechanism.bodies[k]);
         }
     }
 
-    fn body_decl(&mut self, decl: &BodyDecl, body: &mut kin_core::mechanism::Body) {
-        let range = range_of(&decl.name);
-        let carried = decl.carried.as_ref().map(|(key, point)| (key, self.place(point, &range)));
+    fn body_decl(&mut self, decl: &BodyDecl, range: &IndexRange, body: &mut kin_core::mechanism::Body) {
+        let carried = decl.carried.as_ref().map(|(key, point)| (key, self.place(point, range)));
         let (mut x, mut y) = (None, None);
         for (key, value) in &decl.held {
-            let scope = Scope { place: "a held coordinate", allow: Allow::Scalars, range: &range };
+            let scope = Scope { place: "a held coordinate", allow: Allow::Scalars, range };
             let formula = self.formula(value, &scope);
             match text(key).as_str() {
                 "phi" => body.phi = formula,

@@ -69,8 +69,9 @@ impl Lowerer<'_> {
             return false;
         }
         match range {
-            IndexRange::Unknown(words) => words.contains(&name),
             // A longer name is more likely a misspelt one.
+            IndexRange::Unknown(words) if words.is_empty() => name.chars().count() == 1,
+            IndexRange::Unknown(words) => words.contains(&name),
             IndexRange::Counted(family, len) if name.chars().count() == 1 => {
                 self.report.error(used.ident.span(), unnamed(&name, family, *len));
                 true

@@ -104,12 +104,12 @@ pub(crate) fn lower(description: Description, item: ItemStruct, report: &Report)
         origin: lowerer.origin(description.name.span()),
         ..Mechanism::default()
     };
-    let (names, shapes) = lowerer.declare(&description, &mut mechanism);
+    let (names, ranges) = lowerer.declare(&description, &mut mechanism);
     lowerer.names = names;
     lowerer.index_variables_differ(&description.items);
-    lowerer.points_and_defines(&description.items, &mut mechanism);
-    lowerer.bodies(&description.items, &mut mechanism);
-    lowerer.rows(&description.items, &shapes, &mut mechanism);
+    lowerer.points_and_defines(&description.items, &ranges, &mut mechanism);
+    lowerer.bodies(&description.items, &ranges, &mut mechanism);
+    lowerer.rows(&description.items, &ranges, &mut mechanism);
     if lowerer.completing {
         skeleton(&mut mechanism);
     }

@@ -12,7 +12,8 @@ pub(super) enum IndexRange {
     Over(RangeDecl),
     /// The members are counted without an index variable: the name of the family and their number.
     Counted(String, usize),
-    /// The brackets could not be read; the words that may be index variables.
+    /// The brackets could not be read; the words that may be index variables. Without words, every single letter may
+    /// be one.
     Unknown(Vec<String>),
 }
 

@@ -112,6 +112,11 @@ fn ranges_are_literals_that_hold_something() {
     one_error(&chain("#[angle(X[i in 0..=3]: link[i] = 0)]"), &["start..end"]);
     one_error(&chain("#[angle(X[i in 0..n]: link[i] = 0)]"), &["integer literals"]);
     one_error(&chain("#[angle(X[3]: link[0] = 0)]"), &["needs an index variable"]);
+    // Uses of the index variable that is missing are no further errors.
+    one_error(&chain("#[angle(X[3]: link[i] = i*t)]"), &["needs an index variable"]);
+    one_error(&chain("#[point(X[3] = link[i] @ (i, 0))]"), &["needs an index variable"]);
+    one_error(&chain("#[define(X[3] = link[i].phi + i)]"), &["needs an index variable"]);
+    one_error(&chain("#[bodies(y[3])] #[body(X[k in 1..3], x = 2*k, y = 0)]"), &["counted from 0"]);
     one_error(&chain("#[angle(X[0..3]: link[0] = 0)]"), &["names its index"]);
     one_error(&chain("#[angle(X[i in -1..3]: link[0] = 0)]"), &["begins at 0 or later"]);
     one_error(&chain("#[bodies(more[-1])]"), &["at least one member"]);
