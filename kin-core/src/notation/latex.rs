@@ -1,6 +1,6 @@
 //! Writes formulas as LaTeX.
 
-use super::name::{BaseSymbol, Name};
+use super::name::{BaseSymbol, Name, greek};
 use super::parts::{self, SumSigns};
 use super::tree::FormulaTree;
 
@@ -36,17 +36,10 @@ fn is_open(formula: &FormulaTree) -> bool {
 }
 
 /// The LaTeX command of a function, if there is one.
-fn known(function: &str) -> Option<&'static str> {
-    Some(match function {
-        "sin" => r"\sin",
-        "cos" => r"\cos",
-        "tan" => r"\tan",
-        "asin" => r"\arcsin",
-        "acos" => r"\arccos",
-        "atan" => r"\arctan",
-        "exp" => r"\exp",
-        "ln" => r"\ln",
-        _ => return None,
+fn known(function: &str) -> Option<String> {
+    parts::is_known(function).then(|| match function {
+        "asin" | "acos" | "atan" => format!(r"\arc{}", &function[1..]),
+        _ => format!(r"\{function}"),
     })
 }
 
@@ -70,10 +63,11 @@ fn within(formula: &FormulaTree, least: u8) -> String {
     if formula.strength() < least { bracketed(formula) } else { write(formula) }
 }
 
-/// The base of a power, in brackets unless it is a single symbol.
+/// The base of a power, in brackets unless it is a single symbol or a number without a power of ten.
 fn powered(formula: &FormulaTree) -> String {
     match formula {
-        FormulaTree::Number(_) | FormulaTree::Name(_) => write(formula),
+        FormulaTree::Name(own) => name(own),
+        FormulaTree::Number(value) if !number(*value).contains('^') => number(*value),
         _ => bracketed(formula),
     }
 }
@@ -101,9 +95,7 @@ fn number(value: f64) -> String {
 pub(super) fn name(name: &Name) -> String {
     let letter = match &name.base {
         BaseSymbol::Letter(letter) => letter.to_string(),
-        BaseSymbol::Greek("phi", _) => r"\varphi".to_owned(),
-        BaseSymbol::Greek("epsilon", _) => r"\varepsilon".to_owned(),
-        BaseSymbol::Greek(greek, _) => format!(r"\{greek}"),
+        BaseSymbol::Greek(name, _) => command(name),
         BaseSymbol::Word(word) => format!(r"\mathrm{{{}}}", upright(word)),
     };
     let dotted = match name.order {
@@ -121,7 +113,23 @@ pub(super) fn name(name: &Name) -> String {
     format!("{dotted}_{{{}}}", index.collect::<Vec<_>>().join(","))
 }
 
-/// A word in text mode, with special characters escaped.
+/// The command for a Greek letter.
+fn command(greek: &str) -> String {
+    match greek {
+        "phi" | "epsilon" => format!(r"\var{greek}"),
+        _ => format!(r"\{greek}"),
+    }
+}
+
+/// A word in upright letters, with commands for Greek letters and special characters.
 fn upright(word: &str) -> String {
-    word.replace('_', r"\_").replace('#', r"\#")
+    let mut out = String::new();
+    for c in word.chars() {
+        match (c, greek(c)) {
+            (_, Some(name)) => out.push_str(&format!("{{{}}}", command(name))),
+            ('_' | '#', None) => out.extend(['\\', c]),
+            (_, None) => out.push(c),
+        }
+    }
+    out
 }

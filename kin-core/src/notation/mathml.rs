@@ -40,7 +40,12 @@ fn terms(parts: &[(bool, FormulaTree)]) -> Vec<String> {
 
 /// True for a function whose argument is written without brackets.
 fn is_open(formula: &FormulaTree) -> bool {
-    matches!(formula, FormulaTree::Call(_, 0, arguments) if matches!(arguments[..], [FormulaTree::Name(_)]))
+    match formula {
+        FormulaTree::Call(function, 0, arguments) => {
+            parts::is_known(function) && matches!(arguments[..], [FormulaTree::Name(_)])
+        }
+        _ => false,
+    }
 }
 
 fn call(function: &str, primes: usize, arguments: &[FormulaTree]) -> String {
@@ -50,9 +55,10 @@ fn call(function: &str, primes: usize, arguments: &[FormulaTree]) -> String {
         "abs" => return format!("<mrow><mo>|</mo>{list}<mo>|</mo></mrow>"),
         _ => {}
     }
+    let is_open = primes == 0 && parts::is_known(function);
     let function = format!("<mi>{}{}</mi><mo>&#x2061;</mo>", escaped(function), "′".repeat(primes));
     match arguments {
-        [FormulaTree::Name(_)] if primes == 0 => {
+        [FormulaTree::Name(_)] if is_open => {
             format!("<mrow>{function}<mspace width=\"0.15em\"></mspace>{list}</mrow>")
         }
         _ => format!("<mrow>{function}<mo>(</mo>{list}<mo>)</mo></mrow>"),

@@ -97,7 +97,8 @@ fn symbol(name: &str) -> (BaseSymbol, Option<String>) {
         _ => (name, None),
     };
     let mut letters = stem.chars();
-    let base = match (letters.next(), letters.next(), GREEK.iter().find(|(greek, _)| *greek == stem)) {
+    let named = GREEK.iter().find(|(greek, letter)| *greek == stem || stem.chars().eq([*letter]));
+    let base = match (letters.next(), letters.next(), named) {
         (_, _, Some(&(greek, letter))) => BaseSymbol::Greek(greek, letter),
         (Some(letter), None, _) => BaseSymbol::Letter(letter),
         _ => BaseSymbol::Word(stem.to_owned()),
@@ -107,4 +108,9 @@ fn symbol(name: &str) -> (BaseSymbol, Option<String>) {
 
 fn is_symbol(stem: &str) -> bool {
     stem.chars().count() == 1 || GREEK.iter().any(|(greek, _)| *greek == stem)
+}
+
+/// The name of a Greek letter.
+pub(super) fn greek(letter: char) -> Option<&'static str> {
+    GREEK.iter().find(|(_, greek)| *greek == letter).map(|(name, _)| *name)
 }

@@ -12,6 +12,12 @@ pub(super) struct SumSigns {
     pub(super) minus: &'static str,
 }
 
+/// True for a function of the language with an argument that may be written without brackets. Of other functions, f t
+/// would be read as a product.
+pub(super) fn is_known(function: &str) -> bool {
+    matches!(function, "sin" | "cos" | "tan" | "asin" | "acos" | "atan" | "exp" | "ln")
+}
+
 /// The terms of a sum with their signs; `within` writes a formula, in brackets if it binds less tightly than given.
 pub(super) fn terms(
     terms: &[(bool, FormulaTree)],

@@ -19,6 +19,10 @@ fn names_become_symbols() {
         ("d_max", "d_max", r"d_{\mathrm{max}}"),
         ("boom_length", "boom_length", r"\mathrm{boom\_length}"),
         ("t", "t", "t"),
+        ("φ", "φ", r"\varphi"),
+        ("ω_max", "ω_max", r"\omega_{\mathrm{max}}"),
+        ("Δs", "Δs", r"\mathrm{{\Delta}s}"),
+        ("crank_ω.x", "x_crank_ω", r"x_{\mathrm{crank\_{\omega}}}"),
     ] {
         let name = Name::new(written);
         assert_eq!(name.write(Notation::Unicode), unicode, "{written}");
@@ -42,6 +46,10 @@ fn brackets_stand_where_they_must() {
         ("sqrt(a*b)", "√(a b)", r"\sqrt{a\,b}"),
         ("f''(u)", "f′′(u)", r"\operatorname{f}''\left(u\right)"),
         ("-a*-b", "a b", r"a\,b"),
+        ("(0.1 + 0.2)^1.5", "(0.1 + 0.2)^1.5", r"\left(0.1 + 0.2\right)^{1.5}"),
+        ("0.30000000000000004^1.5", "0.30000000000000004^1.5", r"\left(3.0000000000000004\cdot 10^{-1}\right)^{1.5}"),
+        ("asin(a)*b", "asin(a) b", r"\left(\arcsin a\right)\,b"),
+        ("a*f(t)*cos(phi)", "a f(t) cos φ", r"a\,\operatorname{f}\left(t\right)\,\cos\varphi"),
     ] {
         assert_eq!(all(text), [unicode, latex], "{text}");
     }
@@ -98,6 +106,17 @@ fn long_sums_are_broken_before_their_signs() {
     let nested = FormulaTree::parse("-2*((a + b + c)*(d - e) + f)").expect("a formula");
     assert_eq!(nested.lines(Notation::Unicode, 12), ["−2 ((a + b", " + c) (d − e)", " + f)"]);
     assert_eq!(nested.lines(Notation::Latex, 40), [nested.write(Notation::Latex)]);
+}
+
+/// The argument of a supplied function is in brackets, because l f t would be a product.
+#[test]
+fn only_functions_of_the_language_have_no_brackets() {
+    let mathml = |text: &str| FormulaTree::parse(text).expect("a formula").write(Notation::MathMl);
+    for (text, opens) in
+        [("l*f(t)*cos(phi)", 1), ("f'(t)", 1), ("f(t)*l", 1), ("l*sin(t)*exp(phi)", 0), ("sin(t)*l", 1)]
+    {
+        assert_eq!(mathml(text).matches("<mo>(</mo>").count(), opens, "{text}");
+    }
 }
 
 #[test]
