@@ -39,6 +39,9 @@ impl Graph {
         if self.depends(angle).is_static() {
             return self.plain_dot(u, d);
         }
+        if d.iter().all(|component| self.is_zero(*component)) {
+            return self.zero();
+        }
         self.intern(Node::Dot(Turning { angle, u, d }))
     }
 
@@ -46,6 +49,9 @@ impl Graph {
     pub fn cross(&mut self, angle: ExprId, u: [ExprId; 2], d: [ExprId; 2]) -> ExprId {
         if self.depends(angle).is_static() {
             return self.plain_cross(u, d);
+        }
+        if d.iter().all(|component| self.is_zero(*component)) {
+            return self.zero();
         }
         self.intern(Node::Cross(Turning { angle, u, d }))
     }

@@ -13,14 +13,19 @@ const ENTRY: [usize; 2] = [24, 72];
 
 /// Matrices with names for entries that are too long.
 pub(super) struct Assembled {
-    /// The name of each matrix, and its entries row by row.
-    pub(super) matrices: Vec<(&'static str, Vec<Vec<String>>)>,
+    pub(super) matrices: Vec<Matrix>,
     /// Entries that were too long, with the names that stand for them.
     pub(super) long: Vec<EquationLine>,
-    /// The names of the rows.
-    pub(super) rows: Vec<String>,
     /// The symbols of the coordinates.
     pub(super) coordinates: Vec<String>,
+}
+
+pub(super) struct Matrix {
+    name: &'static str,
+    /// The entries row by row.
+    entries: Vec<Vec<String>>,
+    /// The names of the rows: Φ has no rows of velocity level.
+    rows: Vec<String>,
 }
 
 impl Sheet {
@@ -63,10 +68,16 @@ impl Sheet {
         let phi_q = rows.iter().map(of_row).collect();
         let phi_t = column(&rows, &mut entry, |row| &row.phi_t);
         let gamma = column(&rows, &mut entry, |row| &row.gamma);
+        let named = |name, entries, rows: &[&Row]| {
+            let rows = rows.iter().map(|row| row.name.clone()).collect();
+            Matrix { name, entries, rows }
+        };
+        let phi = (!positions.is_empty()).then(|| named("Φ", phi, &positions));
+        let others = [("Φ_q", phi_q), ("Φ_t", phi_t), ("γ", gamma)];
+        let others = others.into_iter().map(|(name, entries)| named(name, entries, &rows));
         Some(Assembled {
-            matrices: vec![("Φ", phi), ("Φ_q", phi_q), ("Φ_t", phi_t), ("γ", gamma)],
+            matrices: phi.into_iter().chain(others).collect(),
             long,
-            rows: rows.iter().map(|row| row.name.clone()).collect(),
             coordinates: self.coordinates.iter().map(|name| symbol(name, notation)).collect(),
         })
     }
@@ -77,18 +88,20 @@ impl Assembled {
     pub(super) fn lines(self, notation: Notation) -> Vec<EquationLine> {
         let q = self.coordinates.iter().map(|name| vec![name.clone()]).collect();
         let q = EquationLine { left: called("q", notation), right: vec![bracketed(q, notation)] };
-        let matrix =
-            |(name, rows)| EquationLine { left: called(name, notation), right: vec![bracketed(rows, notation)] };
+        let matrix = |matrix: Matrix| {
+            let right = vec![bracketed(matrix.entries, notation)];
+            EquationLine { left: called(matrix.name, notation), right }
+        };
         std::iter::once(q).chain(self.matrices.into_iter().map(matrix)).chain(self.long).collect()
     }
 
     /// The matrices as text, each with the names of its rows beside it, and Φ_q with the names of its columns above it.
     pub(super) fn text(&self) -> String {
         let mut out = String::new();
-        for (name, rows) in &self.matrices {
+        for Matrix { name, entries, rows } in &self.matrices {
             let head = (*name == "Φ_q").then_some(&self.coordinates[..]);
             out.push('\n');
-            out.push_str(&matrix(name, head, rows, &self.rows));
+            out.push_str(&matrix(name, head, entries, rows));
         }
         out
     }

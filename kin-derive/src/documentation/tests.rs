@@ -1,12 +1,48 @@
 //! Tests of the equations in the documentation of the struct.
 
 use super::text;
+use crate::analyse::{analyse, derive_equations};
 use crate::corpus::repository::{Found, mechanisms};
+use kin_core::sheet::{Rows, Sheet};
 use proc_macro2::TokenStream;
 use quote::quote;
 
 fn documented(item: TokenStream) -> String {
     text(quote! { () #item })
+}
+
+/// The sheet of a correct description.
+fn sheet(item: TokenStream) -> Sheet {
+    let Ok(lowered) = analyse(TokenStream::new(), item).1 else { panic!("a description with errors") };
+    let (system, structure) = derive_equations(&lowered).expect("correct rows");
+    let plan = kin_core::plan::plan_with_formulas(&system, structure.rank);
+    Sheet::of_system(&lowered.mechanism, &system, &plan)
+}
+
+fn matrices(item: TokenStream) -> Sheet {
+    Sheet { rows: Rows::Together, ..sheet(item) }
+}
+
+/// Φ has no rows of velocity level; what such a row is at rest is 0 if nothing moves it.
+#[test]
+fn the_rows_of_every_matrix_have_their_own_names() {
+    let text = matrices(quote! {
+        #[bodies(w)]
+        #[knife_edge(K: w @ (0, 0))]
+        #[speed(V: w @ (0, 0), value = 2)]
+        #[angle(W: w = t)]
+        struct Skate;
+    })
+    .text();
+    for line in ["Φ = [ φ_w − t ]  W\n", "Φ_t = ⎡  0 ⎤  K\n", "⎢ −2 ⎥  V\n", "⎣ −1 ⎦  W\n"] {
+        assert!(text.contains(line), "{line}\n{text}");
+    }
+    let velocities = matrices(quote! {
+        #[coordinates(u)]
+        #[nonholonomic(V: dot(u) = 2)]
+        struct Moved;
+    });
+    assert!(!velocities.text().contains("Φ =") && !velocities.latex().contains(r"\Phi &="), "{}", velocities.text());
 }
 
 #[test]
