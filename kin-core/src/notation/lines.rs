@@ -59,13 +59,7 @@ impl FormulaTree {
             Self::Sum(parts) if self.columns() > width / 2 => {
                 let mut lead = lead;
                 for (index, (minus, term)) in parts.iter().enumerate() {
-                    let sign = match (index, minus) {
-                        (0, false) => "",
-                        (0, true) => marks.signs.first,
-                        (_, false) => marks.signs.plus,
-                        (_, true) => marks.signs.minus,
-                    };
-                    let before = std::mem::take(&mut lead) + sign;
+                    let before = std::mem::take(&mut lead) + marks.signs.before(index, *minus);
                     match term.strength() < 2 {
                         true => out.push(format!("{before}{}{}{}", marks.open, term.write(notation), marks.close)),
                         false => term.pieces((notation, width), before, out),

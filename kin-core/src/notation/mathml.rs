@@ -1,5 +1,6 @@
 //! Writes formulas as Presentation MathML, which browsers display without scripts or network access.
 
+use super::markup::escaped;
 use super::name::{BaseSymbol, Name};
 use super::parts::{self, SumSigns};
 use super::tree::FormulaTree;
@@ -100,8 +101,4 @@ fn powered(name: &Name, power: Option<&str>) -> String {
         None => format!("<msub>{dotted}{index}</msub>"),
         Some(power) => format!("<msubsup>{dotted}{index}{power}</msubsup>"),
     }
-}
-
-fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }

@@ -12,6 +12,18 @@ pub(super) struct SumSigns {
     pub(super) minus: &'static str,
 }
 
+impl SumSigns {
+    /// The sign before the term at `index`.
+    pub(super) fn before(&self, index: usize, minus: bool) -> &'static str {
+        match (index, minus) {
+            (0, false) => "",
+            (0, true) => self.first,
+            (_, false) => self.plus,
+            (_, true) => self.minus,
+        }
+    }
+}
+
 /// True for a function of the language with an argument that may be written without brackets. Of other functions, f t
 /// would be read as a product.
 pub(super) fn is_known(function: &str) -> bool {
@@ -25,13 +37,7 @@ pub(super) fn terms(
     within: impl Fn(&FormulaTree, u8) -> String,
 ) -> Vec<String> {
     let written_term = |(index, (minus, term)): (usize, &(bool, FormulaTree))| {
-        let sign = match (index, minus) {
-            (0, false) => "",
-            (0, true) => signs.first,
-            (_, false) => signs.plus,
-            (_, true) => signs.minus,
-        };
-        format!("{sign}{}", within(term, if *minus || index > 0 { 2 } else { 1 }))
+        format!("{}{}", signs.before(index, *minus), within(term, if *minus || index > 0 { 2 } else { 1 }))
     };
     terms.iter().enumerate().map(written_term).collect()
 }

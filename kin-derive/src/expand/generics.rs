@@ -2,7 +2,8 @@
 
 use super::functions;
 use crate::lower::Lowered;
-use proc_macro2::{Ident, Span, TokenStream, TokenTree};
+use crate::parse::mentioned;
+use proc_macro2::{Ident, Span, TokenStream};
 use quote::{ToTokens, quote};
 use syn::{GenericParam, Generics, parse_quote};
 
@@ -39,18 +40,9 @@ pub(crate) fn of_functions(lowered: &Lowered) -> Generics {
 /// A supplied function may have any type that implements the trait, including a type parameter of the struct.
 fn add_functions(lowered: &Lowered, generics: &mut Generics) {
     let types: Vec<Ident> = generics.type_params().map(|parameter| parameter.ident.clone()).collect();
-    for ty in functions::types(lowered).filter(|ty| mentions(ty.to_token_stream(), &types)) {
+    for ty in functions::types(lowered).filter(|ty| mentioned(ty.to_token_stream(), &types).is_some()) {
         generics.make_where_clause().predicates.push(parse_quote! { #ty: __kin::ScalarFunction });
     }
-}
-
-/// True if the tokens of a type contain one of the type parameters.
-fn mentions(tokens: TokenStream, types: &[Ident]) -> bool {
-    tokens.into_iter().any(|tree| match tree {
-        TokenTree::Ident(ident) => types.contains(&ident),
-        TokenTree::Group(group) => mentions(group.stream(), types),
-        _ => false,
-    })
 }
 
 /// The generic arguments with `f64` for numbers and the defaults of other parameters.

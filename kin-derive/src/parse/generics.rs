@@ -68,7 +68,7 @@ pub(super) fn scalar_parameter(ty: &Type, types: &[Ident]) -> Result<Option<Iden
 }
 
 /// The first type parameter in the tokens of a type.
-fn mentioned(tokens: TokenStream, types: &[Ident]) -> Option<Ident> {
+pub(crate) fn mentioned(tokens: TokenStream, types: &[Ident]) -> Option<Ident> {
     tokens.into_iter().find_map(|tree| match tree {
         TokenTree::Ident(ident) => types.iter().find(|name| **name == ident).cloned(),
         TokenTree::Group(group) => mentioned(group.stream(), types),

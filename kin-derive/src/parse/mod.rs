@@ -27,6 +27,7 @@ mod strip;
 mod unit;
 mod written;
 
+pub(crate) use generics::mentioned;
 #[cfg(test)]
 pub(crate) use keyword::vocabulary;
 pub(crate) use strip::without_ours;
