@@ -39,6 +39,28 @@ fn bare_surroundings() {
     works(&bare::Bare);
 }
 
+/// Only uses outside of the macro are uses of something deprecated.
+mod deprecated {
+    #![deny(warnings)]
+
+    #[kin_runtime::mechanism(cross_check)]
+    #[bodies(arm)]
+    #[revolute(O: ground @ (0, 0), arm @ (l, 0))]
+    #[driver(drive: arm.phi = t)]
+    #[deprecated]
+    pub(super) struct Old {
+        #[deprecated]
+        #[param(1)]
+        pub l: f64,
+    }
+}
+
+#[test]
+#[expect(deprecated, reason = "this is a use outside of the macro")]
+fn deprecated_items() {
+    works(&deprecated::Old::default());
+}
+
 /// Constants and statics with the names of generated local variables: a `let` cannot shadow them.
 mod constants {
     #![expect(non_upper_case_globals, dead_code, reason = "collisions are wanted")]

@@ -64,8 +64,8 @@ pub(crate) fn expand(
         #(#attributes)*
         #documentation
         #bare
-        // The user's numbers may resemble a rounded π, which is not an error.
-        #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
+        // The user's numbers may resemble a rounded π, which is not an error. What is deprecated is so for its users.
+        #[allow(clippy::all, clippy::pedantic, clippy::nursery, deprecated)]
         const _: () = {
             use ::kin_runtime::private as __kin;
             // Not every mechanism uses all of them.

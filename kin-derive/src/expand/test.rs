@@ -17,6 +17,7 @@ pub(super) fn cross_check(lowered: &Lowered) -> TokenStream {
     quote! {
         #[cfg(test)]
         #[test]
+        #[allow(deprecated)]
         fn #test() {
             let __checked =
                 ::kin_runtime::private::cross_check(&<#name #arguments as ::core::default::Default>::default());
