@@ -253,3 +253,22 @@ fn a_sum_of_thousands_of_terms_is_expanded() {
     let sheet = crate::documentation::text(quote! { () #tokens });
     assert!(sheet.contains("long") && sheet.contains("drive"), "{sheet}");
 }
+
+/// A handle is an array; where the members of a family are not counted from 0, its documentation says so.
+#[test]
+fn handles_say_from_where_their_members_are_counted() {
+    let code = expansion(
+        quote! {},
+        quote! {
+            #[bodies(link[3])]
+            #[revolute(pin[i in 0..3]: ground @ (i, 0), link[i] @ (0, 0))]
+            #[driver(drive[i in 0..3]: link[i].phi = t)]
+            /// The tips.
+            #[point(p[i in 1..3] = link[i] @ (i, 0))]
+            #[define(s[i in 0..3] = link[i].phi)]
+            struct Fan;
+        },
+    );
+    let said = "counted from 0: the first is `p[1]` of the description, the last `p[2]`.";
+    assert!(code.contains(said) && code.matches("counted from 0").count() == 1, "{code}");
+}

@@ -4,6 +4,7 @@
 use crate::lower::{Lowered, MentionKind};
 use kin_core::Origin;
 use kin_core::check::MAX_MEMBERS;
+use kin_core::mechanism::Range;
 use kin_core::system::KinematicSystem;
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
@@ -15,29 +16,27 @@ pub(crate) fn handles(lowered: &Lowered, system: &KinematicSystem) -> TokenStrea
     let mut constants = TokenStream::new();
     for (family, body) in mechanism.bodies.iter().enumerate() {
         let indices = indices(set.bodies.iter().map(|b| b.family.0), family);
-        constants.extend(constant(lowered, &body.name, body.origin, body.len, "Body", &indices));
+        constants.extend(constant(lowered, &body.name, body.origin, counted(body.len), "Body", &indices));
     }
     let mut index = set.coordinates.len() - mechanism.scalars.iter().map(|s| s.len.unwrap_or(1)).sum::<usize>();
     for scalar in &mechanism.scalars {
         let indices: Vec<usize> = (index..index + scalar.len.unwrap_or(1)).collect();
         index += indices.len();
-        constants.extend(constant(lowered, &scalar.name, scalar.origin, scalar.len, "Coordinate", &indices));
+        constants.extend(constant(lowered, &scalar.name, scalar.origin, counted(scalar.len), "Coordinate", &indices));
     }
     for (family, point) in mechanism.points.iter().enumerate() {
         let indices = indices(set.points.iter().map(|p| p.family.0), family);
-        let len = point.range.map(|_| indices.len());
-        constants.extend(constant(lowered, &point.name, point.origin, len, "Point", &indices));
+        constants.extend(constant(lowered, &point.name, point.origin, point.range, "Point", &indices));
     }
     for (family, define) in mechanism.defines.iter().enumerate() {
         let indices = indices(set.defines.iter().map(|d| d.family.0), family);
-        let len = define.range.map(|_| indices.len());
-        constants.extend(constant(lowered, &define.name, define.origin, len, "Quantity", &indices));
+        constants.extend(constant(lowered, &define.name, define.origin, define.range, "Quantity", &indices));
     }
     let mut index = 0;
     for input in &mechanism.inputs {
         let indices: Vec<usize> = (index..index + input.len.unwrap_or(1)).collect();
         index += indices.len();
-        constants.extend(constant(lowered, &input.name, input.origin, input.len, "Input", &indices));
+        constants.extend(constant(lowered, &input.name, input.origin, counted(input.len), "Input", &indices));
     }
     let name = &lowered.item.ident;
     let (impl_generics, type_generics, where_clause) = lowered.item.generics.split_for_impl();
@@ -53,7 +52,7 @@ pub(crate) fn handles(lowered: &Lowered, system: &KinematicSystem) -> TokenStrea
 /// The constants for a description with errors: all names, with meaningless indices.
 pub(crate) fn placeholders(lowered: &Lowered) -> TokenStream {
     let mechanism = &lowered.mechanism;
-    let range = |range: Option<kin_core::mechanism::Range>| range.map(|range| range.indices().count());
+    let range = |range: Option<Range>| range.map(|range| range.indices().count());
     let bodies = mechanism.bodies.iter().map(|b| (&b.name, b.origin, b.len, "Body"));
     let scalars = mechanism.scalars.iter().map(|s| (&s.name, s.origin, s.len, "Coordinate"));
     let inputs = mechanism.inputs.iter().map(|i| (&i.name, i.origin, i.len, "Input"));
@@ -83,11 +82,16 @@ fn indices(families: impl Iterator<Item = usize>, family: usize) -> Vec<usize> {
     families.enumerate().filter(|(_, f)| *f == family).map(|(index, _)| index).collect()
 }
 
+/// The range of a family with a length.
+fn counted(len: Option<usize>) -> Option<Range> {
+    len.map(|len| Range { start: 0, end: i64::try_from(len).unwrap_or(i64::MAX) })
+}
+
 fn constant(
     lowered: &Lowered,
     name: &str,
     origin: Origin,
-    len: Option<usize>,
+    range: Option<Range>,
     ty: &str,
     indices: &[usize],
 ) -> TokenStream {
@@ -95,9 +99,16 @@ fn constant(
     let span = lowered.span(origin);
     let handle = handle_name(name, span, lowered);
     let written = lowered.docs.names.iter().find(|(documented, _)| documented == name).map(|(_, doc)| doc.clone());
-    let doc = written.unwrap_or_else(|| format!(" The {} `{name}`.", ty.to_lowercase()));
+    let mut doc = written.unwrap_or_else(|| format!(" The {} `{name}`.", ty.to_lowercase()));
+    if let Some(Range { start, end }) = range.filter(|range| range.start > 0) {
+        let last = end - 1;
+        doc.push_str(&format!(
+            "\n\n The elements of this array are counted from 0: the first is `{name}[{start}]` of the description, the \
+             last `{name}[{last}]`."
+        ));
+    }
     let ty = Ident::new(ty, Span::call_site());
-    let (ty, value) = match len {
+    let (ty, value) = match range.map(|_| indices.len()) {
         None => (quote! { __kin::#ty }, quote! { #(__kin::#ty(#indices))* }),
         Some(len) => (quote! { [__kin::#ty; #len] }, quote! { [#(__kin::#ty(#indices)),*] }),
     };
