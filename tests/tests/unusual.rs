@@ -275,7 +275,10 @@ fn columns_of_a_trajectory() {
     assert_eq!(Some(vec![0.0; 2]), trajectory.column("u_ddot"));
     assert_eq!(Some(vec![2.0; 2]), trajectory.column("weight.y"));
     assert_eq!((Some(vec![0.0, 1.0]), None), (trajectory.column("t"), trajectory.column("weight")));
-    assert!(trajectory.column_names().iter().all(|name| trajectory.column(name).is_some()));
+    assert_eq!(Some(vec![5.0; 2]), trajectory.column("dot(u)"), "its name is taken");
+    let names = trajectory.column_names();
+    assert_eq!(["t", "u", "dot(u)", "u_ddot", "u_dot", "u_dot_dot", "u_dot_ddot"], names[..7]);
+    assert!(names.iter().all(|name| trajectory.column(name).is_some()));
     // A state that was constructed by hand.
     trajectory.states[1].q.clear();
     trajectory.states[1].bodies.clear();

@@ -297,10 +297,10 @@ impl Names for ConstraintSet {
         match symbol {
             Symbol::Parameter(k) => name(&self.parameters, k),
             Symbol::Time => "t".to_owned(),
-            Symbol::Input(k, order) => name(&self.inputs, k) + crate::expr::suffix(order),
+            Symbol::Input(k, order) => self.rate_name(&name(&self.inputs, k), order),
             Symbol::Coordinate(k) => self.coordinate_name(k).to_owned(),
-            Symbol::Rate(k) => format!("{}_dot", self.coordinate_name(k)),
-            Symbol::Acceleration(k) => format!("{}_ddot", self.coordinate_name(k)),
+            Symbol::Rate(k) => self.rate_name(self.coordinate_name(k), 1),
+            Symbol::Acceleration(k) => self.rate_name(self.coordinate_name(k), 2),
             Symbol::Start(k) => format!("{}_start", self.coordinate_name(k)),
             Symbol::Unknown(k) => self.coordinate_name(k).to_owned(),
             other => other.of_plan(),
@@ -333,6 +333,20 @@ impl ConstraintSet {
     /// The name of q_k.
     pub fn coordinate_name(&self, k: u32) -> &str {
         self.coordinates.get(k as usize).map_or("", |c| c.name.as_str())
+    }
+
+    /// The name of the derivative of this order of `name`: `u_dot`, or `dot(u)` if the user has given the name `u_dot`
+    /// to something else.
+    pub(crate) fn rate_name(&self, name: &str, order: u8) -> String {
+        let suffix = crate::expr::suffix(order);
+        let rate = format!("{name}{suffix}");
+        // Names with a dot or an index are no identifiers, and neither are those of their rates.
+        let mut given = (self.parameters.iter().chain(&self.inputs))
+            .chain(self.coordinates.iter().map(|coordinate| &coordinate.name));
+        match order > 0 && !name.contains(['.', '[']) && given.any(|given| *given == rate) {
+            true => format!("{}({name})", suffix.trim_start_matches('_')),
+            false => rate,
+        }
     }
 
     /// The name of input `k`.

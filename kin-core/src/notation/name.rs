@@ -14,7 +14,7 @@ pub struct Name {
 }
 
 /// A symbol without dots and indices.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum BaseSymbol {
     /// A single Latin letter.
     Letter(char),
@@ -59,12 +59,13 @@ const GREEK: [(&str, char); 30] = [
 ];
 
 impl Name {
-    /// Splits a name into its parts.
+    /// Splits a name into its parts; a name in backquotes is shown as it is written.
     pub fn new(written: &str) -> Self {
-        let (stem, order) = match written.strip_suffix("_ddot") {
-            Some(stem) => (stem, 2),
-            None => written.strip_suffix("_dot").map_or((written, 0), |stem| (stem, 1)),
-        };
+        if let Some(verbatim) = written.strip_prefix('`').and_then(|name| name.strip_suffix('`')) {
+            let base = BaseSymbol::Word(verbatim.to_owned());
+            return Self { written: verbatim.to_owned(), base, order: 0, index: Vec::new() };
+        }
+        let (stem, order) = Self::stem(written);
         let (owner, name) = match stem.rsplit_once('.') {
             Some((owner, name)) => (Some(owner), name),
             None => (None, stem),
@@ -77,6 +78,17 @@ impl Name {
         });
         let index = digits.into_iter().chain(place.map(str::to_owned)).chain(owner).collect();
         Self { written: written.to_owned(), base, order, index }
+    }
+}
+
+impl Name {
+    /// The name without its derivatives, and their number: `u` and 1 for `u_dot` and for `dot(u)`.
+    pub(crate) fn stem(written: &str) -> (&str, usize) {
+        let inside = |function: &str| written.strip_prefix(function)?.strip_prefix('(')?.strip_suffix(')');
+        let of_order = |order: usize, suffix: &str, function: &str| {
+            Some((written.strip_suffix(suffix).or_else(|| inside(function))?, order))
+        };
+        of_order(2, "_ddot", "ddot").or_else(|| of_order(1, "_dot", "dot")).unwrap_or((written, 0))
     }
 }
 

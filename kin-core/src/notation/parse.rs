@@ -160,7 +160,16 @@ impl<'t> FormulaParser<'t> {
         while self.take(',') {
             arguments.push(self.sum()?);
         }
-        if self.take(')') { Ok(FormulaTree::Call(name.to_owned(), primes, arguments)) } else { self.error("`)`") }
+        if !self.take(')') {
+            return self.error("`)`");
+        }
+        Ok(match (name, arguments.as_slice()) {
+            // The rate of something for which the name `u_dot` is taken.
+            ("dot" | "ddot", [FormulaTree::Name(own)]) if primes == 0 => {
+                FormulaTree::Name(Name::new(&format!("{name}({})", own.written)))
+            }
+            _ => FormulaTree::Call(name.to_owned(), primes, arguments),
+        })
     }
 
     fn number(&mut self) -> Result<f64, ParseError> {

@@ -36,6 +36,18 @@ impl FormulaTree {
         }
     }
 
+    /// Calls `visit` with every name.
+    pub(crate) fn for_each_name(&mut self, visit: &mut dyn FnMut(&mut Name)) {
+        match self {
+            Self::Number(_) => {}
+            Self::Name(name) => visit(name),
+            Self::Minus(a) | Self::Power(a, _) => a.for_each_name(visit),
+            Self::Sum(terms) => terms.iter_mut().for_each(|(_, term)| term.for_each_name(visit)),
+            Self::Product(parts) | Self::Call(_, _, parts) => parts.iter_mut().for_each(|a| a.for_each_name(visit)),
+            Self::Quotient(a, b) => [a, b].into_iter().for_each(|a| a.for_each_name(visit)),
+        }
+    }
+
     /// True for the literal 0.
     pub fn is_zero(&self) -> bool {
         *self == Self::Number(0.0)

@@ -1,6 +1,6 @@
 //! The equations of a row in every notation; a right side may be broken into several lines.
 
-use super::shown::{Row, ShownFormula, symbol};
+use super::shown::{Row, ShownFormula, rate_symbol, symbol};
 use crate::notation::Notation;
 use crate::notation::escaped;
 
@@ -45,7 +45,7 @@ pub(super) fn derivatives(row: &Row, notation: Notation, width: usize) -> Vec<Eq
     let phi = of_row(phi(row), &row.name, notation);
     let by = |coordinate: &str| match row.position {
         true => symbol(coordinate, notation),
-        false => symbol(&format!("{coordinate}_dot"), notation),
+        false => rate_symbol(coordinate, notation),
     };
     let partial = |by: &str| match notation {
         Notation::Unicode => format!("∂{phi}/∂{by}"),

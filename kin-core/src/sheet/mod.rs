@@ -14,6 +14,7 @@ mod lines;
 mod of_system;
 mod shown;
 mod steps;
+mod symbols;
 mod text;
 
 pub use content::{Dynamics, Joint, Rows, Sheet};

@@ -36,7 +36,7 @@ impl Sheet {
             Dynamics::new(&coordinates, mass, terms.forces.iter().map(String::as_str))
         });
         let (steps, unsolved) = (SheetStep::of_plan(plan), String::new());
-        Self {
+        let sheet = Self {
             name: set.name.clone(),
             doc: String::new(),
             coordinates,
@@ -45,7 +45,8 @@ impl Sheet {
             steps,
             unsolved,
             dynamics,
-        }
+        };
+        sheet.with_distinct_symbols()
     }
 }
 

@@ -51,3 +51,11 @@ impl ShownFormula {
 pub(super) fn symbol(name: &str, notation: Notation) -> String {
     Name::new(name).write(notation)
 }
+
+/// The symbol of the rate of a name.
+pub(super) fn rate_symbol(name: &str, notation: Notation) -> String {
+    match name.strip_suffix('`') {
+        Some(verbatim) => symbol(&format!("{verbatim}_dot`"), notation),
+        None => symbol(&format!("{name}_dot"), notation),
+    }
+}

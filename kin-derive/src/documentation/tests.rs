@@ -46,6 +46,33 @@ fn the_rows_of_every_matrix_have_their_own_names() {
 }
 
 #[test]
+fn names_that_would_be_one_symbol_are_shown_as_they_are_written() {
+    let sheet = sheet(quote! {
+        #[body(crank, x = 0, y = 0)]
+        #[coordinates(u, u_dot)]
+        #[nonholonomic(slip: dot(u) = dot(crank.phi) + l2*dot(u_dot))]
+        #[constraint(turn: crank.phi = phi_crank + l1*t - l_1*t + l[1]*t + l2*t)]
+        #[constraint(second: u_dot = l2)]
+        struct Names { phi_crank: f64, l1: f64, l_1: f64, l: [f64; 2], l2: f64 }
+    });
+    let text = sheet.text();
+    let rows = [
+        "Φ turn = crank.phi − phi_crank − l1 t + l_1 t − l[1] t − l₂ t = 0",
+        "Φ second = u_dot − l₂ = 0",
+        "η slip = u̇ − crank.phi_dot − l₂ u_dot_dot = 0",
+        "∂η/∂u̇ = 1",
+        "∂η/∂u_dot_dot = −l₂",
+    ];
+    let spaces = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
+    for row in rows {
+        assert!(spaces(&text).contains(row), "{row}\n{text}");
+    }
+    let latex = sheet.latex();
+    assert!(latex.contains(r"\mathrm{l[1]}\,t") && latex.contains(r"\mathrm{l\_1}\,t"), "{latex}");
+    assert!(latex.contains(r"\dot{u}") && latex.contains(r"\mathrm{u\_dot}"), "{latex}");
+}
+
+#[test]
 fn a_slider_crank() {
     insta::assert_snapshot!(documented(quote! {
         #[bodies(crank, rod)]

@@ -338,6 +338,21 @@ impl Model {
         self.coordinates.iter().position(|coordinate| coordinate.name == name)
     }
 
+    /// The names of a value, its rate and its acceleration: `u`, `u_dot`, `u_ddot`; for a rate `dot(u)`, if something
+    /// else is called `u_dot`.
+    #[cfg(feature = "std")]
+    pub(crate) fn with_rates(&self, name: &str) -> [String; 3] {
+        let is_given = |name: &str| {
+            let defines = self.defines.iter().map(|define| define.name);
+            self.coordinate(name).is_some() || self.inputs.contains(&name) || defines.into_iter().any(|d| d == name)
+        };
+        ["", "dot", "ddot"].map(|derivative| match format!("{name}_{derivative}") {
+            _ if derivative.is_empty() => name.to_owned(),
+            given if is_given(&given) => format!("{derivative}({name})"),
+            rate => rate,
+        })
+    }
+
     /// The input called `name`.
     pub fn input(&self, name: &str) -> Option<Input> {
         self.inputs.iter().position(|input| *input == name).map(Input)

@@ -97,8 +97,7 @@ impl Trajectory {
 
     /// Names of columns for [`column`](Self::column): `t`, then every coordinate with its rate and acceleration.
     pub fn column_names(&self) -> Vec<String> {
-        let with_rates = |name: &str| ["", "_dot", "_ddot"].map(|suffix| format!("{name}{suffix}"));
-        let coordinates = self.model.coordinates.iter().flat_map(|coordinate| with_rates(coordinate.name));
+        let coordinates = self.model.coordinates.iter().flat_map(|coordinate| self.model.with_rates(coordinate.name));
         core::iter::once("t".to_owned()).chain(coordinates).collect()
     }
 

@@ -37,7 +37,7 @@ impl Names for Naming<'_> {
             Symbol::Mode(k) => self.modes.get(&k).cloned().unwrap_or_default(),
             // The lines are written before any value is saved, so that this symbol can stand for an
             // acceleration.
-            Symbol::Saved(k) => format!("{}_ddot", self.set.coordinate_name(k)),
+            Symbol::Saved(k) => self.set.rate_name(self.set.coordinate_name(k), 2),
             other => self.set.symbol(other),
         }
     }

@@ -127,7 +127,8 @@ impl FormulaWriter<'_> {
 
     /// The name of coordinate k, its rate or its acceleration.
     fn coordinate(&self, k: u32, order: usize) -> String {
-        format!("{}{}", self.system.set.coordinate_name(k), ["", "_dot", "_ddot"][order])
+        let set = &self.system.set;
+        set.rate_name(set.coordinate_name(k), order as u8)
     }
 
     fn symbol(&mut self, k: u32, order: usize) -> ExprId {

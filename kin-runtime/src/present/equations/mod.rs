@@ -41,7 +41,7 @@ pub(crate) fn sheet(model: &Model, chosen: &[usize], part: SheetPart) -> Sheet {
     let dynamics = model.forces.filter(|forces| rows == Rows::Both && !forces.generalized.is_empty()).map(|forces| {
         Dynamics::new(&coordinates, forces.mass_matrix.iter().copied(), forces.generalized.iter().copied())
     });
-    Sheet {
+    let sheet = Sheet {
         name: model.name.to_owned(),
         doc: model.doc.to_owned(),
         coordinates,
@@ -50,7 +50,8 @@ pub(crate) fn sheet(model: &Model, chosen: &[usize], part: SheetPart) -> Sheet {
         steps: model.solution.iter().filter(takes_part).map(step).collect(),
         unsolved: unsolved.unwrap_or_default().to_owned(),
         dynamics,
-    }
+    };
+    sheet.with_distinct_symbols()
 }
 
 fn step(step: &StepText) -> SheetStep {

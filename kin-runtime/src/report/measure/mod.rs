@@ -117,9 +117,6 @@ enum DriverPlace {
     Input(usize),
 }
 
-/// The endings of the names of a value, its rate and its acceleration.
-const SUFFIXES: [&str; 3] = ["", "_dot", "_ddot"];
-
 impl Measure {
     /// The quantity with this name; `None` if the mechanism has none.
     pub fn named(model: &'static Model, name: &str) -> Option<Self> {
@@ -151,7 +148,7 @@ impl Measure {
         all.extend(Self::held_poses(model));
         all.extend(model.points.iter().enumerate().map(speed));
         for (k, name) in model.inputs.iter().enumerate() {
-            all.extend(Self::with_rates(name, Kind::Input(k), Dimension::named(&model.units, name)));
+            all.extend(Self::with_rates(model, name, Kind::Input(k), Dimension::named(&model.units, name)));
             all.extend(Self::effort(model, &format!("{name}.effort")));
         }
         all.extend(Self::transmission_angles(model));
@@ -180,7 +177,7 @@ impl Measure {
     /// t and every coordinate with its rate and acceleration; with `reported` also the other reported quantities.
     pub(crate) fn standard(model: &'static Model, reported: bool) -> Vec<Self> {
         let mut out = vec![Self::new("t".to_owned(), Kind::Time, Dimension::In(dimension::time(&model.units)))];
-        let mut add = |name: &str, kind: Kind, dimension| out.extend(Self::with_rates(name, kind, dimension));
+        let mut add = |name: &str, kind: Kind, dimension| out.extend(Self::with_rates(model, name, kind, dimension));
         for (k, coordinate) in model.coordinates.iter().enumerate() {
             let dimension = match coordinate.kind {
                 CoordinateKind::Pose { component: Component::Phi, .. } => Dimension::Angle,
@@ -227,9 +224,10 @@ impl Measure {
     }
 
     /// A value with its rate and its acceleration.
-    fn with_rates(name: &str, kind: Kind, dimension: Dimension) -> [Self; 3] {
-        let with = |order: usize| Self { order, ..Self::new(format!("{name}{}", SUFFIXES[order]), kind, dimension) };
-        [0, 1, 2].map(with)
+    fn with_rates(model: &Model, name: &str, kind: Kind, dimension: Dimension) -> [Self; 3] {
+        let mut orders = 0..;
+        let with = |name| Self { order: orders.next().unwrap_or(0), ..Self::new(name, kind, dimension) };
+        model.with_rates(name).map(with)
     }
 
     fn new(name: String, kind: Kind, dimension: Dimension) -> Self {

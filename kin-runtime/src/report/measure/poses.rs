@@ -12,6 +12,7 @@ impl Measure {
             held.flat_map(move |k| {
                 let (component, dimension) = kinds[k];
                 Self::with_rates(
+                    model,
                     &format!("{}.{component}", body.name),
                     Kind::Observable(body.observables[k]),
                     dimension,

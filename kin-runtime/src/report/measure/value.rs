@@ -60,11 +60,10 @@ impl Measure {
 impl Trajectory {
     /// One quantity over all states, by its name ([`Measure`]): `t`, a coordinate (`crank.phi`), x, y or φ of a body
     /// (held and carried ones, too), x, y or the speed of a named point (`tip.x`), or an input; also its rate
-    /// (`crank.phi_dot`) and its acceleration (`crank.phi_ddot`). A quantity that itself has such a name takes
-    /// precedence over a rate. `None` for other names, and for quantities that a state does not contain.
+    /// (`crank.phi_dot`) and its acceleration (`crank.phi_ddot`). The rate of u is called `dot(u)` where something else
+    /// is called `u_dot`. `None` for other names, and for quantities that a state does not contain.
     pub fn column(&self, name: &str) -> Option<Vec<f64>> {
-        let named = Measure::all(self.model).into_iter().filter(|measure| measure.name == name);
-        let measure = named.min_by_key(|measure| measure.order)?;
+        let measure = Measure::all(self.model).into_iter().find(|measure| measure.name == name)?;
         let value = |state: &State| match measure.kind {
             Kind::Observable(row) => Some(of_order(of_pose(self.model, &state.bodies, row)?, measure.order)),
             _ => measure.of_state(state),
