@@ -127,6 +127,26 @@ impl Lowering<'_> {
         SignedValue { value: self.emit(Instruction::Mul(a.value, b.value)), negative: a.negative != b.negative }
     }
 
+    /// The value that equals `id`, and is +0 where that is 0. For x < 0, atan2(+0, x) is π and atan2(−0, x) is −π, and
+    /// the sign of a zero would otherwise depend on the sign with which a difference is computed.
+    fn positive_zero(&mut self, id: ExprId) -> ValueId {
+        let SignedValue { value, negative } = self.signed(id);
+        let zero = self.number(0.0);
+        match self.out.instructions[value.index()] {
+            Instruction::Number(_) => self.positive(id),
+            _ if negative => self.emit(Instruction::Sub(zero, value)),
+            _ => self.emit(Instruction::Add(value, zero)),
+        }
+    }
+
+    /// The value that equals the angle `id` up to whole turns: of π and −π, either will do.
+    fn up_to_whole_turns(&mut self, id: ExprId) -> ValueId {
+        let Node::Atan2(y, x) = self.graph.node(id) else { return self.positive(id) };
+        let (SignedValue { value: y, negative }, x) = (self.signed(y), self.positive(x));
+        let angle = self.emit(Instruction::Atan2(y, x));
+        if negative { self.negate(angle) } else { angle }
+    }
+
     fn opposite(a: SignedValue) -> SignedValue {
         SignedValue { negative: !a.negative, ..a }
     }
@@ -172,12 +192,12 @@ impl Lowering<'_> {
                 SignedValue { value: self.emit(Instruction::Sign(value)), negative }
             }
             Node::Atan2(y, x) => {
-                let (SignedValue { value: y, negative }, x) = (self.signed(y), self.positive(x));
-                SignedValue { value: self.emit(Instruction::Atan2(y, x)), negative }
+                let (y, x) = (self.positive_zero(y), self.positive(x));
+                plain(self.emit(Instruction::Atan2(y, x)))
             }
             Node::Opaque(a) => self.signed(a),
             Node::Nearest(a, b) => {
-                let (a, b) = (self.positive(a), self.positive(b));
+                let (a, b) = (self.up_to_whole_turns(a), self.positive(b));
                 plain(self.emit(Instruction::Nearest(a, b)))
             }
             Node::RotX(r) => self.rotation(r, true),

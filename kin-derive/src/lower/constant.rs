@@ -30,7 +30,8 @@ impl Lowerer<'_> {
             }
             Formula::Pow(a, n) => self.constant(a)?.powf(*n),
             Formula::Call(function, a) => value(*function, self.constant(a)?),
-            Formula::Atan2(y, x) => self.constant(y)?.atan2(self.constant(x)?),
+            // −0 + 0 is +0.
+            Formula::Atan2(y, x) => (self.constant(y)? + 0.0).atan2(self.constant(x)?),
             Formula::Define(member) => (*self.constants.get(member.family)?)?,
             Formula::Index(_)
             | Formula::Time

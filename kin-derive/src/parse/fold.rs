@@ -30,7 +30,8 @@ fn value(expr: &Expr, noun: &str) -> Result<f64> {
         }
         ExprKind::Pow(a, n) => value(a, noun)?.powf(*n),
         ExprKind::Call(function, a) => function::value(*function, value(a, noun)?),
-        ExprKind::Atan2(y, x) => value(y, noun)?.atan2(value(x, noun)?),
+        // −0 + 0 is +0.
+        ExprKind::Atan2(y, x) => (value(y, noun)? + 0.0).atan2(value(x, noun)?),
         ExprKind::Name(name) | ExprKind::Component(name, _) => {
             let message = format!("{noun} is a constant made of numbers and `pi`; `{}` has no value here", name.text());
             return Err(Error::new(name.ident.span(), message));

@@ -226,3 +226,45 @@ fn a_time_too_large_for_the_motion_is_told_so() {
     let refused = Square.solver().sweep(&[1e9, -1.0]).unwrap_err();
     assert!(!refused.to_string().contains("neighbouring floating-point numbers are"), "{refused}");
 }
+
+/// The direction from (x1, y1) to (x2, y2), and the same beside the opposite difference, with which it shares a value.
+mod directions {
+    use super::*;
+
+    #[mechanism]
+    #[body(crank, x = 0, y = 0)]
+    #[driver(drive: crank.phi = atan2(y2 - y1, x2 - x1))]
+    pub(super) struct Alone {
+        pub x1: f64,
+        pub y1: f64,
+        pub x2: f64,
+        pub y2: f64,
+    }
+
+    #[mechanism]
+    #[body(crank, x = 0, y = 0)]
+    #[define(opposite = y1 - y2)]
+    #[define(direction = atan2(-opposite, x2 - x1))]
+    #[driver(drive: crank.phi = atan2(y2 - y1, x2 - x1))]
+    pub(super) struct Beside {
+        pub x1: f64,
+        pub y1: f64,
+        pub x2: f64,
+        pub y2: f64,
+    }
+}
+
+/// On its cut `atan2` is π, whatever sign a zero has with which it was computed.
+#[test]
+fn atan2_of_a_zero_is_half_a_turn_whatever_its_sign() {
+    use core::f64::consts::PI;
+    for (y1, y2) in [(0.5, 0.5), (0.0, -0.0), (-0.0, 0.0), (0.0, 0.0)] {
+        let alone = directions::Alone { x1: 1.0, y1, x2: 0.0, y2 };
+        assert_eq!(alone.state_at(&Instant::at(0.0)).unwrap().q, [PI], "{y1}, {y2}");
+        let beside = directions::Beside { x1: 1.0, y1, x2: 0.0, y2 };
+        let state = beside.state_at(&Instant::at(0.0)).unwrap();
+        assert_eq!(state.q, [PI], "{y1}, {y2}");
+        let motion = beside.solver().motion(&state).unwrap();
+        assert_eq!(motion.defines[1].value, PI, "{y1}, {y2}");
+    }
+}
