@@ -4,7 +4,7 @@
 //! along r_C:  m (g − r̈_C)        along φ:  −J φ̈
 //! ```
 //! Kinetic energy ½ m ṙ_C² + ½ J φ̇², potential energy −m g·r_C, which is 0 at the origin. Several masses of one body
-//! add up. After Haug (1989), section 6.1.
+//! add up. A field that varies in time has the applied power −m ġ·r_C. After Haug (1989), section 6.1.
 
 use super::free_bodies::FreeBodies;
 use super::load::{Acting, Exerted, LoadType, Work, load};
@@ -30,6 +30,7 @@ impl LoadType for Mass {
         let (mass, inertia) = (bodies.formula(&self.mass), bodies.formula(&self.inertia));
         let [x, y, phi] = [posed.r[0], posed.r[1], posed.angle].map(|e| bodies.motion(e));
         let field = bodies.field;
+        let field_rate = field.map(|g| bodies.motion(g).rate);
         let graph = &mut bodies.a.graph;
         let mut acting = Acting::nothing(graph.zero());
         acting.mass = Some((posed.frame, [mass, inertia]));
@@ -59,6 +60,9 @@ impl LoadType for Mass {
         acting.kinetic = graph.mul(half, doubled_energy);
         let work = graph.plain_dot(weight, posed.r);
         acting.gravity = graph.neg(work);
+        let varied = graph.plain_dot(field_rate, posed.r);
+        let gained = graph.mul(mass, varied);
+        acting.applied_power = graph.neg(gained);
         acting
     }
 }

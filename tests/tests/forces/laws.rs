@@ -83,6 +83,7 @@ mod powers {
         carried: Carried, [0.0, 0.4, 1.3];
         angles: Angles, [0.0, 0.4, 1.3];
         carriage: Carriage, [0.0, 0.7, 2.0];
+        shaken: Shaken, [0.0, 0.4, 1.3];
         belts: Belts, [0.1, 0.7, 2.0];
         incline: Incline, [0.1, 0.7];
         discs: Discs, [0.1, 0.7];

@@ -83,6 +83,19 @@ pub(crate) struct Angles;
 #[derive(Default)]
 pub(crate) struct Carriage;
 
+/// Two links in a field of gravity that varies in time.
+#[mechanism]
+#[bodies(arm, hand)]
+#[revolute(O: ground @ (0.4, -0.3), arm @ (0, 0))]
+#[revolute(A: arm @ (0.5, 0), hand @ (0, 0))]
+#[driver(lift: arm.phi = sin(t))]
+#[driver(turn: hand.phi = 2*t)]
+#[gravity(3*sin(2*t), -9.81*(1 + 0.2*t))]
+#[mass(arm @ (0.2, 0.01), mass = 3, inertia = 0.1)]
+#[mass(hand @ (0.1, 0.02), mass = 1, inertia = 0.01)]
+#[derive(Default)]
+pub(crate) struct Shaken;
+
 /// A belt in the ground and one on a moving arm, and a spring on the arm.
 #[mechanism]
 #[bodies(motor, arm, gripper)]
