@@ -6,6 +6,7 @@ use crate::constraint::{ConstraintSet, RowMeaning};
 use crate::error::{ModelError, quoted};
 use crate::mechanism::Mechanism;
 use crate::system::KinematicSystem;
+use crate::vocabulary::JointKind;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// An error for every declaration with redundant rows, in order of declaration.
@@ -168,7 +169,7 @@ fn advice(set: &ConstraintSet, redundant_joints: &[usize], redundant: &[&Redunda
         return format!("remove {pronoun}");
     }
     // Members of a family may differ in which of their rows are redundant.
-    let mut kinds: Vec<(Option<&str>, Vec<usize>)> = Vec::new();
+    let mut kinds: Vec<(Option<String>, Vec<usize>)> = Vec::new();
     for &joint in redundant_joints {
         let instead = instead_of(set, joint, redundant);
         match kinds.iter_mut().find(|(known, _)| *known == instead) {
@@ -191,25 +192,39 @@ fn advice(set: &ConstraintSet, redundant_joints: &[usize], redundant: &[&Redunda
     parts.collect::<Vec<_>>().join(", and ")
 }
 
-/// The kind of joint that has only the non-redundant rows of this joint, if there is one.
-fn instead_of(set: &ConstraintSet, index: usize, redundant: &[&Redundancy]) -> Option<&'static str> {
+/// What has only the rows of this joint that are not redundant; `None` if there are none.
+fn instead_of(set: &ConstraintSet, index: usize, redundant: &[&Redundancy]) -> Option<String> {
     let joint = &set.joints[index];
-    let is_redundant = |row: usize| redundant.iter().any(|r| r.row == row);
-    let (mut redundant_rows, mut rest) = (Vec::new(), Vec::new());
-    for row in joint.first_row..joint.first_row + joint.rows {
-        let rows = if is_redundant(row) { &mut redundant_rows } else { &mut rest };
-        rows.push(set.rows[row].meaning);
-    }
+    let is_redundant = |row: &usize| redundant.iter().any(|r| r.row == *row);
+    let (redundant_rows, rest): (Vec<usize>, Vec<usize>) =
+        (joint.first_row..joint.first_row + joint.rows).partition(is_redundant);
+    let meanings = |rows: &[usize]| rows.iter().map(|row| set.rows[*row].meaning).collect::<Vec<_>>();
     use RowMeaning::{AcrossAxis, Angle, Coincidence};
-    match (&redundant_rows[..], &rest[..]) {
-        ([Angle], [AcrossAxis(_)]) => Some("`point_on_line`, which does not prescribe the angle"),
-        ([Angle], [Coincidence(_), Coincidence(_)]) => Some("`revolute`, which does not prescribe the angle"),
-        ([AcrossAxis(_)] | [Coincidence(_), Coincidence(_)], [Angle]) => {
-            Some("`relative_angle`, which does not prescribe the position")
+    let instead = match (&meanings(&redundant_rows)[..], &meanings(&rest)[..]) {
+        (_, []) => return None,
+        ([Angle], [AcrossAxis(_)]) => "`point_on_line`, which does not prescribe the angle",
+        ([Angle], [Coincidence(_), Coincidence(_)]) => "`revolute`, which does not prescribe the angle",
+        (_, [Angle]) => "`relative_angle`, which does not prescribe the position",
+        (_, [Coincidence(_)]) => "`point_on_line`, which holds the point in one direction only",
+        ([Coincidence(_)], [Coincidence(_), Angle]) => "`translational`, which lets the point move in one direction",
+        _ if joint.kind == JointKind::RollingOnLine && rest.contains(&joint.first_row) => {
+            "`point_on_line`, which does not prescribe how far the disc rolls"
         }
-        ([Coincidence(_)], _) => Some("`point_on_line`, which holds the point in one direction only"),
-        _ => None,
-    }
+        _ if joint.kind == JointKind::RollingOnLine => {
+            "`rack_pinion` with the opposite radius, which does not prescribe the distance from the line"
+        }
+        _ => {
+            let names = quoted(rest.iter().map(|row| set.rows[*row].name.as_str()), "and");
+            return Some(format!(
+                "statements that prescribe only what {names} {}",
+                match rest.len() {
+                    1 => "does",
+                    _ => "do",
+                }
+            ));
+        }
+    };
+    Some(instead.to_owned())
 }
 
 /// The number of driving rows.

@@ -83,6 +83,53 @@ struct Rests;
 #[translational(rail[i in 0..3]: ground @ (0, 0), slider[i] @ (0, 0), axis = (1, 0))]
 struct Row;
 
+/// Joints of which some rows are needed: what has only these rows replaces them.
+mod parts {
+    use kin_runtime::mechanism;
+
+    /// The wheel of a cart must still roll.
+    #[mechanism]
+    #[bodies(cart, wheel)]
+    #[translational(T: ground @ (0, 0), cart @ (0, 0), axis = (1, 0))]
+    #[revolute(P: cart @ (0, r), wheel @ (0, 0))]
+    #[rolling(R: ground @ (0, 0), wheel @ (0, 0), axis = (1, 0), radius = r)]
+    #[driver(d: cart.x = t)]
+    struct Cart {
+        #[param(0.3)]
+        r: f64,
+    }
+
+    /// The angle and one direction of the weld are needed.
+    #[mechanism]
+    #[bodies(a, b)]
+    #[translational(T: ground @ (0, 0), a @ (0, 0), axis = (1, 0))]
+    #[y(Y: b @ (0, 0) = 0)]
+    #[fixed(F: a @ (0, 0), b @ (0, 0))]
+    #[driver(d: a.x = t)]
+    struct OneOfThree;
+
+    /// One direction of the weld is needed.
+    #[mechanism]
+    #[bodies(a, b)]
+    #[translational(T: ground @ (0, 0), a @ (0, 0), axis = (1, 0))]
+    #[translational(T2: ground @ (0, 0), b @ (0, 0), axis = (1, 0))]
+    #[fixed(F: a @ (0, 0), b @ (0, 0))]
+    #[driver(d: a.x = t)]
+    struct TwoOfThree;
+
+    /// The planet's rolling is needed, its position is not.
+    #[mechanism]
+    #[bodies(sun, planet)]
+    #[coordinates(psi)]
+    #[revolute(S: ground @ (0, 0), sun @ (0, 0))]
+    #[x(X: planet @ (0, 0) = 3)]
+    #[y(Y: planet @ (0, 0) = 0)]
+    #[constraint(level: psi = 0)]
+    #[rolling(R: sun @ (0, 0), planet @ (0, 0), radii = (1, 2), along = psi)]
+    #[driver(d: sun.phi = t)]
+    struct Planet;
+}
+
 fn main() {
     let _ = (Twice, Wedges, Guides::default(), Hidden, Overdriven, Family, Allowed);
 }
