@@ -65,6 +65,23 @@ impl Assembly<'_> {
         self.nonzero(radius, "this radius", right)
     }
 
+    /// A length, which must be positive. Literal ones have been checked by a rule before.
+    pub(crate) fn length(&mut self, length: &Value) -> ExprId {
+        let formula = self.formula(&length.value);
+        let (origin, quantity) = (length.origin, "this length");
+        match self.graph.literal(formula) {
+            Some(0.0) => {
+                let message = "is 0, whose row has no gradient; points that coincide are joined with `revolute`";
+                self.degenerate(origin, quantity, message);
+            }
+            Some(value) if value < 0.0 => {
+                self.degenerate(origin, quantity, format_args!("is {value}; a length is positive"));
+            }
+            _ => {}
+        }
+        formula
+    }
+
     /// A value that must not be 0; the `quantity` and what is `right` are parts of the message.
     pub(crate) fn nonzero(&mut self, value: &Value, quantity: &str, right: &str) -> ExprId {
         let before = self.errors.len();

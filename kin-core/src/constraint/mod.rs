@@ -10,6 +10,7 @@ mod declared;
 mod define;
 mod formula;
 mod layout;
+mod loads;
 mod placed;
 mod pose;
 mod rows;

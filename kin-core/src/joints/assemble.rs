@@ -14,7 +14,7 @@ use core::ops::Range;
 ///
 /// # Errors
 /// Indices out of range and cyclic definitions, which [`check`](crate::check::check) also finds; and operands that are
-/// degenerate for a member of a family or after constant folding, such as a radius of 0, of which `check` finds only
+/// degenerate for a member of a family or after constant folding, such as a radius of 0 or a negative mass, of which `check` finds only
 /// literal ones.
 pub fn assemble(mechanism: &Mechanism) -> Result<ConstraintSet, Vec<ModelError>> {
     let mut set = ConstraintSet { name: mechanism.name.clone(), ..ConstraintSet::default() };
@@ -25,6 +25,7 @@ pub fn assemble(mechanism: &Mechanism) -> Result<ConstraintSet, Vec<ModelError>>
     joints(&mut assembly, &mut set);
     assembly.conditions(&mut set);
     assembly.guesses(&mut set);
+    assembly.check_loads();
     (set.graph, set.distances) = (assembly.graph, assembly.distances);
     mark_scalars(&mut set);
     if assembly.errors.is_empty() { Ok(set) } else { Err(assembly.errors) }

@@ -9,8 +9,6 @@
 
 use super::joint::{JointType, joint};
 use crate::constraint::{Assembly, JointRows, PlacedPoint, RowMeaning};
-use crate::error::Origin;
-use crate::expr::ExprId;
 use crate::mechanism::{Function, OperandSlot, OperandType, Place, Value};
 use crate::vectors::{Equation, NamedJoint, Terms, equals};
 use crate::vocabulary::Role;
@@ -31,8 +29,7 @@ joint! {
 impl JointType for Distance {
     fn rows(&self, a: &mut Assembly<'_>) -> JointRows {
         let (p, q) = (a.place(&self.p), a.place(&self.q));
-        let length = a.formula(&self.length.value);
-        between(a, &p, &q, length, self.length.origin)
+        between(a, &p, &q, &self.length)
     }
 
     fn vector_equations(joint: &NamedJoint<'_>) -> Vec<Equation> {
@@ -42,27 +39,8 @@ impl JointType for Distance {
 }
 
 /// The row |r_Q − r_P|² − e².
-pub(super) fn between(
-    a: &mut Assembly<'_>,
-    p: &PlacedPoint,
-    q: &PlacedPoint,
-    length: ExprId,
-    origin: Origin,
-) -> JointRows {
-    // Literal lengths have been checked by a rule before; here the length may become a number by constant folding.
-    match a.graph.literal(length) {
-        Some(0.0) => {
-            a.degenerate(
-                origin,
-                "this length",
-                "is 0, whose row has no gradient; points that coincide are joined with `revolute`",
-            );
-        }
-        Some(value) if value < 0.0 => {
-            a.degenerate(origin, "this length", format_args!("is {value}; a length is positive"));
-        }
-        _ => {}
-    }
+pub(super) fn between(a: &mut Assembly<'_>, p: &PlacedPoint, q: &PlacedPoint, length: &Value) -> JointRows {
+    let length = a.length(length);
     let mut rows = JointRows::between(p, q);
     rows.geometry.push((Role::Value, p.frame, vec![length]));
     let square = a.square_of_distance(p, q);

@@ -29,8 +29,7 @@ impl JointType for Driver {
     fn rows(&self, a: &mut Assembly<'_>) -> JointRows {
         if let Formula::Distance(p, q) = &self.left {
             let (p, q) = (a.place(p), a.place(q));
-            let length = a.formula(&self.right.value);
-            return distance::between(a, &p, &q, length, self.right.origin);
+            return distance::between(a, &p, &q, &self.right);
         }
         JointRows::equation(a, &self.left, &self.right.value)
     }

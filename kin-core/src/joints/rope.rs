@@ -29,7 +29,7 @@ joint! {
 impl JointType for Rope {
     fn rows(&self, a: &mut Assembly<'_>) -> JointRows {
         let points: Vec<_> = self.points.iter().map(|place| a.place(place)).collect();
-        let target = a.formula(&self.length.value);
+        let target = a.length(&self.length);
         let mut length = a.graph.zero();
         for (pair, place) in points.windows(2).zip(self.points.iter().skip(1)) {
             let square = a.square_of_distance(&pair[0], &pair[1]);

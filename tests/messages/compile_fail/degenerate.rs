@@ -79,6 +79,24 @@ struct Driven {
 #[driver(turn: crank.phi = sqrt(minus)*t + ln(0) + pow(0, -1) + exp(1e3))]
 struct NoValue;
 
+/// Masses, springs and ropes whose sizes have been folded.
+#[mechanism]
+#[bodies(crank, link[3])]
+#[revolute(O: ground @ (0, 0), crank @ (0, 0))]
+#[revolute(P[i in 0..3]: ground @ (i, 0), link[i] @ (0, 0))]
+#[rope(A: ground @ (1, 0), crank @ (1, 0), length = 1 - 3)]
+#[rope(B: ground @ (1, 0), crank @ (2, 0), length = nothing)]
+#[mass(crank @ (0, 0), mass = 1 - 3, inertia = -2 * 3)]
+#[mass(M[i in 0..3]: link[i] @ (0, 0), mass = 1 - i)]
+#[spring(S: ground @ (1, 0), crank @ (1, 0), stiffness = 1 - 1)]
+#[torsion_spring(T: ground, crank, stiffness = 0 * l, damping = nothing)]
+#[torsion_spring(U[i in 0..3]: ground, link[i], stiffness = l * i)]
+#[define(nothing = l - l)]
+struct Loads {
+    #[param(1)]
+    l: f64,
+}
+
 fn main() {
     let _ = (Folded::default(), Lengths::default(), Radii::default());
 }
