@@ -4,8 +4,9 @@ use super::engine::Engine;
 use super::failure::Failure;
 use super::setup::Setup;
 use super::solved::misfit;
-use super::turns::turn;
+use super::turns::{angle_unit, turn};
 use crate::error::SolveError;
+use crate::model::CoordinateInfo;
 use crate::planned::Limit;
 use crate::state::State;
 use std::f64::consts::TAU;
@@ -93,19 +94,26 @@ const SAME_MOTION: f64 = 1e-6;
 /// Whether the configuration and the rates are the same, up to whole turns, with a crank of this angular speed. A feed so
 /// small that a hundred turns change the mechanism by less than 1e-4 of its size counts as none.
 fn is_same_motion(first: &State, later: &State, speed: f64) -> bool {
-    let is_length = |k: usize| first.model.coordinates.get(k).is_some_and(|coordinate| coordinate.kind.is_length());
-    let lengths = || first.q.iter().enumerate().filter(|(k, _)| is_length(*k)).map(|(_, x)| x);
+    let (model, coordinates) = (first.model, first.model.coordinates);
+    let lengths = || first.q.iter().zip(coordinates).filter(|(_, c)| c.kind.is_length()).map(|(x, _)| x);
     let size = largest(lengths());
-    let is_same_place = |(k, (a, b)): (usize, (&f64, &f64))| match is_length(k) {
-        true => (a - b).abs() <= SAME_MOTION * size,
-        // Also scalars, as most of them are angles.
-        false => (b - a - TAU * ((b - a) / TAU).round()).abs() <= SAME_MOTION,
+    let is_same_place = |(k, coordinate): (usize, &CoordinateInfo)| {
+        let (a, b, rate) = (first.q[k], later.q[k], first.q_dot[k]);
+        match angle_unit(model, coordinate) {
+            _ if coordinate.kind.is_length() => (a - b).abs() <= SAME_MOTION * size,
+            // Also scalars without a unit, as most of them are angles.
+            Some(unit) => {
+                let angle = unit * (b - a);
+                (angle - TAU * (angle / TAU).round()).abs() <= SAME_MOTION
+            }
+            None => (a - b).abs() <= SAME_MOTION * largest(&[a, b, rate / speed]),
+        }
     };
     let are_same = |size: f64, first: &[f64], later: &[f64]| {
         first.iter().zip(later).all(|(a, b)| (a - b).abs() <= SAME_MOTION * size)
     };
     let fastest = largest(&first.q_dot);
-    first.q.iter().zip(&later.q).enumerate().all(is_same_place)
+    coordinates.iter().enumerate().all(is_same_place)
         && are_same(fastest, &first.q_dot, &later.q_dot)
         // Where nothing accelerates, accelerations are rounding errors.
         && are_same(largest(&first.q_ddot).max(speed * fastest), &first.q_ddot, &later.q_ddot)

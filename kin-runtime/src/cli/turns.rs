@@ -7,7 +7,7 @@ use crate::measure::Dimension;
 use crate::model::{CoordinateInfo, Model};
 use crate::present::units::ResultUnits;
 use crate::signal::Instant;
-use kin_core::units::{Unit, parse};
+use kin_core::units::parse;
 use std::f64::consts::TAU;
 
 /// The relative changes of a speed, also those within a turn, that count as none.
@@ -33,12 +33,12 @@ pub(super) fn turn(engine: &dyn Engine, setup: &Setup, from: f64) -> Option<f64>
     speed(engine, setup, from).map(|speed| TAU / speed)
 }
 
-/// The speed of the slowest of the cranks that are driven at constant speed.
+/// The speed of the slowest of the cranks that are driven at constant speed, in radians per unit of time.
 pub(super) fn speed(engine: &dyn Engine, setup: &Setup, from: f64) -> Option<f64> {
     slowest(engine, setup, from, &|_| true)
 }
 
-/// The speed of the slowest of the cranks that these drivers drive at constant speed.
+/// The speed of the slowest of the cranks that these drivers drive at constant speed, in radians per unit of time.
 fn slowest(engine: &dyn Engine, setup: &Setup, from: f64, counts: &dyn Fn(&str) -> bool) -> Option<f64> {
     let model = engine.model();
     // The mechanism may close at other times only. Rows with a constant factor determine the rates of their cranks alone.
@@ -58,9 +58,7 @@ fn slowest(engine: &dyn Engine, setup: &Setup, from: f64, counts: &dyn Fn(&str) 
         model.joints.get(model.rows[row].joint).filter(|joint| counts(joint.name))?;
         let mut entries = pattern.entries.iter().enumerate().filter(|(_, (entry_row, _))| *entry_row == row);
         let (Some((entry, &(_, column))), None) = (entries.next(), entries.next()) else { return None };
-        if !may_turn(model, model.coordinates.get(column)?) {
-            return None;
-        }
+        let unit = angle_unit(model, model.coordinates.get(column)?)?;
         let [speed, acceleration] = match &rates {
             Ok([q_dot, q_ddot]) => [*q_dot.get(column)?, *q_ddot.get(column)?],
             Err([phi_t, gamma]) => {
@@ -68,7 +66,7 @@ fn slowest(engine: &dyn Engine, setup: &Setup, from: f64, counts: &dyn Fn(&str) 
                 [-phi_t.get(row)? / factor, gamma.get(row)? / factor]
             }
         };
-        let (speed, acceleration) = (speed.abs(), acceleration.abs());
+        let (speed, acceleration) = (unit * speed.abs(), unit * acceleration.abs());
         let is_steady = speed > 0.0 && acceleration <= STEADY_CHANGE * speed * speed;
         (is_steady && SHARES.iter().all(|share| is_as_fast(row, from + share * TAU / speed))).then_some(speed)
     };
@@ -77,11 +75,12 @@ fn slowest(engine: &dyn Engine, setup: &Setup, from: f64, counts: &dyn Fn(&str) 
     slowest.is_finite().then_some(slowest)
 }
 
-/// True for an angle, and for a scalar coordinate whose unit is not known.
-fn may_turn(model: &Model, coordinate: &CoordinateInfo) -> bool {
+/// The unit of a coordinate in radians: that of an angle, and of a scalar coordinate whose unit is one of angles or not
+/// known; `None` for other coordinates, which do not turn.
+pub(super) fn angle_unit(model: &Model, coordinate: &CoordinateInfo) -> Option<f64> {
     match ResultUnits::of(model).dimension(coordinate.name) {
-        Dimension::Length => false,
-        Dimension::In(unit) => parse(unit).is_ok_and(Unit::is_number),
-        Dimension::Angle | Dimension::Unknown => true,
+        Dimension::Length => None,
+        Dimension::In(unit) => parse(unit).ok().filter(|unit| unit.is_number())?.scale,
+        Dimension::Angle | Dimension::Unknown => Some(1.0),
     }
 }

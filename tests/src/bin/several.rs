@@ -205,6 +205,35 @@ struct WithUnits {
     l: f64,
 }
 
+/// A dial whose angle is a scalar coordinate in degrees.
+#[mechanism]
+#[coordinates(theta, unit = "deg")]
+#[coordinates(x, y, unit = "mm")]
+#[driver(drive: theta = turned + 360 * n * t)]
+#[constraint(across: x = r * cos(theta * pi / 180))]
+#[constraint(along: y = r * sin(theta * pi / 180))]
+struct Dial {
+    #[param(40, unit = "mm")]
+    r: f64,
+    #[param(0.5, unit = "1/s")]
+    n: f64,
+    #[param(0, unit = "deg")]
+    turned: f64,
+}
+
+/// A spindle that counts its turns and feeds a nut.
+#[mechanism]
+#[coordinates(turns, unit = "rev")]
+#[coordinates(nut, unit = "mm")]
+#[driver(drive: turns = n * t)]
+#[constraint(thread: nut = lead * turns)]
+struct Counter {
+    #[param(2, unit = "rev/s")]
+    n: f64,
+    #[param(4, unit = "mm/rev")]
+    lead: f64,
+}
+
 fn main() -> ExitCode {
     let mut args: Vec<OsString> = std::env::args_os().collect();
     let name = if args.len() > 1 { args.remove(1) } else { OsString::new() };
@@ -213,9 +242,11 @@ fn main() -> ExitCode {
         Some("balanced") => run_from::<Balanced>(args),
         Some("carriage") => run_from::<Carriage>(args),
         Some("cam") => run("CamTable", args),
+        Some("counter") => run_from::<Counter>(args),
         Some("chain") => run("Chain10", args),
         Some("wrong_cam") => run_from::<WrongCam>(args),
         Some("dead_centre") => run_from::<DeadCentre>(args),
+        Some("dial") => run_from::<Dial>(args),
         Some("eccentric") => run_from::<Eccentric>(args),
         Some("excavator") => run("MeasuredExcavator", args),
         Some("fourbar") => run("FourbarLectureMid", args),
@@ -238,7 +269,7 @@ fn main() -> ExitCode {
         Some("with_units") => run_from::<WithUnits>(args),
         _ => {
             eprintln!(
-                "error: the first argument is arm, balanced, cam, carriage, chain, wrong_cam, dead_centre, eccentric, excavator, fourbar, ends, faster, infeasible, kite, leg, lever, limits, loaded, nearly, press, redundant, robot, singular, spindle, teeth, underdriven or with_units"
+                "error: the first argument is arm, balanced, cam, carriage, chain, counter, wrong_cam, dead_centre, dial, eccentric, excavator, fourbar, ends, faster, infeasible, kite, leg, lever, limits, loaded, nearly, press, redundant, robot, singular, spindle, teeth, underdriven or with_units"
             );
             ExitCode::from(2)
         }

@@ -15,6 +15,7 @@ mod pictures;
 mod plan;
 mod quantities;
 mod terminal;
+mod turns;
 mod unclosed;
 mod unwatched;
 
