@@ -332,12 +332,18 @@ fn as_far(
     let last = steps - usize::from(out.limits[1].is_some());
     let mut times: Vec<f64> = (first..=last).map(|k| if k == steps { to } else { place(k) }).collect();
     // The motion is followed from the start in both directions. The start is therefore one of the instants; it takes
-    // the place of the nearest one between the ends.
+    // the place of the nearest one that has others on both sides, which stay between the start and the ends.
     let distance = |k: &usize| (times[*k] - start).abs();
-    let between = 1 - first..times.len().saturating_sub(usize::from(last == steps));
-    let mut behind = match between.min_by(|a, b| distance(a).total_cmp(&distance(b))) {
+    let inner = 1..times.len().saturating_sub(1);
+    let mut behind = match inner.min_by(|a, b| distance(a).total_cmp(&distance(b))) {
         Some(nearest) if start != from && start != to => {
             times[nearest] = start;
+            if times[nearest - 1] >= start {
+                times[nearest - 1] = 0.5 * (from + start);
+            }
+            if times[nearest + 1] <= start {
+                times[nearest + 1] = 0.5 * (start + to);
+            }
             nearest
         }
         _ => {

@@ -4,8 +4,8 @@
 use super::closures::settled;
 use super::engine::Engine;
 use super::failure::{Failure, Ledger, zip3};
+use super::followed::FollowedMotion;
 use super::instants::{ArcArgs, GridArgs, Instants, RequestedInstants, instant};
-use super::moving::FollowedMotion;
 use super::options::{AngleArgs, FreedomArgs, InstantArgs, SetupArgs};
 use super::output::{Destination, OutputArgs};
 use super::session::Session;

@@ -234,6 +234,40 @@ struct Counter {
     lead: f64,
 }
 
+/// A follower on an eccentric disc that swings between two limits at t = -2 and t = 2, and lifts off where it falls fast.
+#[mechanism]
+#[bodies(cam, follower)]
+#[revolute(O: ground @ (0, 0), cam @ (0, 0))]
+#[translational(way: ground @ (0, 0), follower @ (0, 0), axis = (0, 1))]
+#[flat_follower(contact: cam @ (0, 0), follower @ (0, 0), axis = (1, 0), support(theta) = 0.05 + 0.01*cos(theta))]
+#[driver(drive: cam.phi = 40 * t + sqrt(4 - t * t))]
+#[unilateral(late: cam.phi > 42)]
+#[unilateral(early: cam.phi < -38)]
+#[unilateral(past: cam.phi > 2)]
+#[guess(follower.y = 0.05)]
+#[gravity(0, -9.81)]
+#[mass(follower @ (0, 0), mass = 2)]
+#[derive(Default)]
+struct Swinging;
+
+/// A slider-crank whose slider is pushed from one dead centre, at t = -3, to the other, at t = 1.
+#[mechanism]
+#[body(crank, x = 0, y = 0)]
+#[bodies(rod)]
+#[body(slider, y = 0, phi = 0)]
+#[revolute(A: crank @ (0.2, 0), rod @ (0, 0))]
+#[revolute(B: rod @ (0.7, 0), slider @ (0, 0))]
+#[driver(push: slider.x = start + 0.1 * t)]
+#[unilateral(low: slider.x > least)]
+#[unilateral(high: slider.x < 0.85)]
+#[guess(crank.phi = 0.5, rod.phi = -0.2, slider.x = 0.8)]
+struct Pushed {
+    #[param(0.8)]
+    start: f64,
+    #[param(0.6)]
+    least: f64,
+}
+
 fn main() -> ExitCode {
     let mut args: Vec<OsString> = std::env::args_os().collect();
     let name = if args.len() > 1 { args.remove(1) } else { OsString::new() };
@@ -260,16 +294,18 @@ fn main() -> ExitCode {
         Some("loaded") => run_from::<Loaded>(args),
         Some("nearly") => run_from::<Nearly>(args),
         Some("press") => run_from::<Press>(args),
+        Some("pushed") => run_from::<Pushed>(args),
         Some("redundant") => run("RedundantParallelogram", args),
         Some("robot") => run("Robot3rrr", args),
         Some("singular") => run("SingularSliderCrank", args),
         Some("spindle") => run_from::<Spindle>(args),
+        Some("swinging") => run_from::<Swinging>(args),
         Some("teeth") => run_from::<Teeth>(args),
         Some("underdriven") => run("UnderdrivenFivebar", args),
         Some("with_units") => run_from::<WithUnits>(args),
         _ => {
             eprintln!(
-                "error: the first argument is arm, balanced, cam, carriage, chain, counter, wrong_cam, dead_centre, dial, eccentric, excavator, fourbar, ends, faster, infeasible, kite, leg, lever, limits, loaded, nearly, press, redundant, robot, singular, spindle, teeth, underdriven or with_units"
+                "error: the first argument is arm, balanced, cam, carriage, chain, counter, wrong_cam, dead_centre, dial, eccentric, excavator, fourbar, ends, faster, infeasible, kite, leg, lever, limits, loaded, nearly, press, pushed, redundant, robot, singular, spindle, swinging, teeth, underdriven or with_units"
             );
             ExitCode::from(2)
         }

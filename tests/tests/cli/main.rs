@@ -4,6 +4,7 @@ use std::path::PathBuf;
 use std::process::{Command, Stdio};
 
 mod arc;
+mod between_limits;
 mod completions;
 mod files;
 mod forces;

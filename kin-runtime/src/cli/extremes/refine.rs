@@ -5,8 +5,8 @@
 //! all quantities are nearly straight between neighbouring instants.
 
 use super::search::solve;
+use crate::cli::followed::FollowedMotion;
 use crate::cli::instants::Instants;
-use crate::cli::moving::FollowedMotion;
 use crate::state::State;
 
 /// The largest distance of a quantity from the straight line between two instants, relative to its range.

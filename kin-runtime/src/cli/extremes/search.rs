@@ -2,8 +2,8 @@
 
 use serde::Serialize;
 
+use crate::cli::followed::FollowedMotion;
 use crate::cli::instants::Instants;
-use crate::cli::moving::FollowedMotion;
 use crate::nonlinear::peak::peak;
 use crate::serial::NamedValues;
 use crate::state::State;

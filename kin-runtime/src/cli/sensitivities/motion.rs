@@ -2,8 +2,9 @@
 
 use crate::cli::engine::Engine;
 use crate::cli::failure::Failure;
+use crate::cli::followed::{FollowedMotion, Moved};
 use crate::cli::instants::RequestedInstants;
-use crate::cli::moving::{FollowedMotion, Moved, note_motion};
+use crate::cli::motion_notes::note_motion;
 use crate::cli::options::FreedomArgs;
 use crate::cli::output::{Destination, Form, json};
 use crate::cli::session::Session;
