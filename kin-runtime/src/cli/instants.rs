@@ -2,11 +2,10 @@
 
 use super::engine::{Arc, Engine};
 use super::failure::{Failure, Ledger};
-use super::limit_search::{Sought, Stop, limit};
+use super::limit_search::{Sought, Stop, is_limit, limit};
 use super::setup::Setup;
 use super::turns::{natural_end, speed, turn};
 use super::values::{self, TimeOrAngle};
-use crate::error::SolveError;
 use crate::model::Model;
 use crate::observer::Reached;
 use crate::present::number::rounded;
@@ -244,8 +243,8 @@ fn open_end(engine: &dyn Engine, setup: &Setup, from: f64, steps: usize) -> Opti
     let go_on = |_: Reached<'_>| ControlFlow::Continue(());
     let first = [from, from + (to - from) / steps.max(1) as f64];
     let (trajectory, error) = engine.sweep_each(setup, &first, false, &go_on, &mut |_| ControlFlow::Continue(()));
-    let is_limit = matches!(error, Some(SolveError::StepRefused { .. } | SolveError::Singular { .. }));
-    (!is_limit || trajectory.reached == 0).then_some(to)
+    let is_limited = error.as_ref().is_some_and(is_limit);
+    (!is_limited || trajectory.reached == 0).then_some(to)
 }
 
 /// The time of an instant; for an angle, the time at which the driven crank has turned by it.

@@ -3,7 +3,7 @@
 use super::failure::Failure;
 use super::followed::{FollowedMotion, Moved, Visit};
 use super::force_notes::missing_force;
-use super::limit_search::Stop;
+use super::limit_search::{Stop, is_limit};
 use super::solved::{analysis, driven_state, fully_driven};
 use crate::error::SolveError;
 use crate::events::{Crossing, Event};
@@ -204,7 +204,7 @@ impl FollowedMotion<'_> {
         let until: Vec<f64> = times.iter().copied().chain(watched.map(|stop| stop.t)).collect();
         let (mut trajectory, error) = engine.sweep_each(setup, &until, self.stop_at_events, &observe, &mut step);
         let error = error.filter(|error| finished < times.len() || matches!(error, SolveError::Stopped { .. }));
-        let at_limit = matches!(error, Some(SolveError::StepRefused { .. } | SolveError::Singular { .. }));
+        let at_limit = error.as_ref().is_some_and(is_limit);
         let ended = match (why, error) {
             (Some((at, failure)), _) => {
                 trajectory.events.retain(|event| (event.t - first).abs() < (at - first).abs());

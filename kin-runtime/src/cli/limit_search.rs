@@ -5,9 +5,10 @@ use super::failure::Failure;
 use super::setup::Setup;
 use super::solved::misfit;
 use super::turns::{angle_unit, turn};
-use crate::error::SolveError;
+use crate::error::{Refusal, SolveError};
 use crate::model::CoordinateInfo;
 use crate::planned::Limit;
+use crate::present::number::rounded;
 use crate::state::State;
 use std::f64::consts::TAU;
 use std::ops::ControlFlow;
@@ -67,7 +68,7 @@ pub(super) fn limit(engine: &dyn Engine, setup: &Setup, start: f64, direction: f
             // Numbers that grow too large farther away, as exp(−t) does towards the past, are no limit.
             Some(SolveError::NonFinite { .. }) if followed.is_some() => break,
             Some(error @ (SolveError::StepRefused { t, .. } | SolveError::Singular { t, .. }))
-                if trajectory.reached > 0 =>
+                if is_limit(&error) && trajectory.reached > 0 =>
             {
                 let found = error.limit();
                 let (q, t) = (trajectory.q_at_limit, found.and_then(Limit::at).unwrap_or(t));
@@ -75,10 +76,28 @@ pub(super) fn limit(engine: &dyn Engine, setup: &Setup, start: f64, direction: f
                 let text = found.map_or_else(|| error.to_string(), ToString::to_string);
                 return Ok(Sought::Found(Stop { t, q, name, text }));
             }
+            Some(SolveError::StepRefused { t, reason: reason @ Refusal::TooManySteps, .. }) => {
+                let (t, option) = (rounded(t), if direction < 0.0 { "--from" } else { "--to" });
+                return Err(Failure::Analysis(format!(
+                    "{}: no limit is met up to t = {t}, where the search for one ends: {reason}\n  \
+                     write a time in place of the limit: {option} {t}",
+                    engine.model().name
+                )));
+            }
             Some(error) => return Err(misfit(engine, setup, start, &error)),
         }
     }
     Ok(Sought::None(followed.unwrap_or(start)))
+}
+
+/// Whether the mechanism can go no further where a motion ends with this error. A motion that needs too many internal
+/// steps goes on.
+pub(super) const fn is_limit(error: &SolveError) -> bool {
+    match error {
+        SolveError::StepRefused { reason, .. } => !matches!(reason, Refusal::TooManySteps),
+        SolveError::Singular { .. } => true,
+        _ => false,
+    }
 }
 
 /// `dead centre of A, B, D`.

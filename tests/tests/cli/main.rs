@@ -12,6 +12,7 @@ mod help;
 #[cfg(target_os = "linux")]
 mod interrupt;
 mod matrices;
+mod no_limit;
 mod pictures;
 mod plan;
 mod quantities;
