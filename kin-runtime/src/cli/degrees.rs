@@ -4,8 +4,10 @@ use std::borrow::Cow;
 
 use crate::measure::Dimension;
 use crate::model::{Component, CoordinateKind, Model};
-use crate::motion::Motion;
+use crate::motion::{BodyMotion, Motion};
 use crate::present::units::ResultUnits;
+use crate::sensitivities::Sensitivities;
+use crate::signal::Signal;
 use crate::state::State;
 
 /// The state with angles in degrees, if `degrees`.
@@ -14,20 +16,10 @@ pub(super) fn state<'s>(model: &Model, state: &'s State, degrees: bool) -> Cow<'
         return Cow::Borrowed(state);
     }
     let (units, mut shown) = (ResultUnits::of(model), state.clone());
-    for (k, coordinate) in model.coordinates.iter().enumerate() {
-        let angle = match coordinate.kind {
-            CoordinateKind::Pose { component, .. } => component == Component::Phi,
-            CoordinateKind::Scalar => units.dimension(coordinate.name) == Dimension::Angle,
-        };
-        if angle {
-            for values in [&mut shown.q, &mut shown.q_dot, &mut shown.q_ddot] {
-                values.get_mut(k).into_iter().for_each(turn);
-            }
-        }
-    }
+    turn_coordinates(model, [&mut shown.q, &mut shown.q_dot, &mut shown.q_ddot]);
     for (name, input) in model.inputs.iter().zip(&mut shown.inputs) {
         if units.dimension(name) == Dimension::Angle {
-            [&mut input.value, &mut input.rate, &mut input.acceleration].into_iter().for_each(turn);
+            turn_signal(input);
         }
     }
     Cow::Owned(shown)
@@ -38,21 +30,58 @@ pub(super) fn motion<'m>(model: &Model, motion: &'m Motion, degrees: bool) -> Co
     if !degrees {
         return Cow::Borrowed(motion);
     }
-    let (units, mut shown) = (ResultUnits::of(model), motion.clone());
-    for body in &mut shown.bodies {
+    let mut shown = motion.clone();
+    turn_motion(model, &mut shown.bodies, &mut shown.defines, &mut shown.joints);
+    Cow::Owned(shown)
+}
+
+/// The derivatives of angles in degrees, if `degrees`, by parameters in their own units.
+pub(super) fn sensitivities(found: &Sensitivities, degrees: bool) -> Cow<'_, Sensitivities> {
+    if !degrees {
+        return Cow::Borrowed(found);
+    }
+    let (model, mut shown) = (found.model, found.clone());
+    for by in &mut shown.by {
+        turn_coordinates(model, [&mut by.q, &mut by.q_dot, &mut by.q_ddot]);
+        turn_motion(model, &mut by.bodies, &mut by.defines, &mut by.joints);
+    }
+    Cow::Owned(shown)
+}
+
+/// Coordinates, their rates and their accelerations.
+fn turn_coordinates(model: &Model, mut lists: [&mut Vec<f64>; 3]) {
+    let units = ResultUnits::of(model);
+    for (k, coordinate) in model.coordinates.iter().enumerate() {
+        let angle = match coordinate.kind {
+            CoordinateKind::Pose { component, .. } => component == Component::Phi,
+            CoordinateKind::Scalar => units.dimension(coordinate.name) == Dimension::Angle,
+        };
+        if angle {
+            lists.iter_mut().filter_map(|values| values.get_mut(k)).for_each(turn);
+        }
+    }
+}
+
+/// Poses, defines and joint quantities.
+fn turn_motion(model: &Model, bodies: &mut [BodyMotion], defines: &mut [Signal], joints: &mut [Vec<Signal>]) {
+    let units = ResultUnits::of(model);
+    for body in bodies {
         [&mut body.phi, &mut body.phi_dot, &mut body.phi_ddot].into_iter().for_each(turn);
     }
-    let defines = model.defines.iter().map(|define| define.name.to_owned()).zip(&mut shown.defines);
-    let joints = model.joints.iter().zip(&mut shown.joints).flat_map(|(joint, quantities)| {
+    let defines = model.defines.iter().map(|define| define.name.to_owned()).zip(defines);
+    let joints = model.joints.iter().zip(joints).flat_map(|(joint, quantities)| {
         let names = joint.quantities.iter().map(|quantity| format!("{}.{}", joint.name, quantity.name));
         names.zip(quantities)
     });
     for (name, rates) in defines.chain(joints) {
         if units.dimension(&name) == Dimension::Angle {
-            [&mut rates.value, &mut rates.rate, &mut rates.acceleration].into_iter().for_each(turn);
+            turn_signal(rates);
         }
     }
-    Cow::Owned(shown)
+}
+
+fn turn_signal(signal: &mut Signal) {
+    [&mut signal.value, &mut signal.rate, &mut signal.acceleration].into_iter().for_each(turn);
 }
 
 fn turn(value: &mut f64) {

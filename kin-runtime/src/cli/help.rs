@@ -79,6 +79,12 @@ fn with_defaults(command: clap::Command, name: &str) -> clap::Command {
     );
     let command = command.mut_arg("format", |arg| arg.help(short).long_help(long));
     let (steps, end) = match name {
+        // One instant, or those of a motion.
+        "sensitivities" => {
+            return command.mut_arg("at", |arg| arg.conflicts_with_all(["from", "to", "steps", "times"]));
+        }
+        // All modes are listed, and the option is refused.
+        "modes" | "limits" => return command.mut_arg("mode", |arg| arg.hide(true)),
         "sweep" => (sweep::STEPS, END),
         "extremes" => (extremes::STEPS, END),
         "animate" => (animate::STEPS, END),

@@ -54,7 +54,8 @@ pub(super) fn run(args: &LimitsArgs, engine: &mut dyn Engine, session: &mut Sess
     let ends = ledger.take(moment("--from", &args.from)).zip(ledger.take(moment("--to", &args.to)));
     let output = ledger.take(session.destination(&args.output, "limits"));
     let setup = ledger.take(args.setup.apply_complete(engine).and_then(Setup::without_closure));
-    let ((from, to), output, setup) = ledger.close(zip3(ends, output, setup))?;
+    let all_modes = ledger.take(args.setup.without_mode("limits"));
+    let (((from, to), output, setup), ()) = ledger.close(zip3(ends, output, setup).zip(all_modes))?;
     let from = MotionEnd::At(from.unwrap_or(values::TimeOrAngle::At(0.0)));
     let times = RequestedInstants::Grid { from, to: to.map(MotionEnd::At), steps: 1 }.instants(&*engine, &setup)?.times;
     let (Some(&from), Some(&to)) = (times.first(), times.last()) else { return Ok(()) };

@@ -125,6 +125,14 @@ impl SetupArgs {
         ledger.close(Some(setup))
     }
 
+    /// An error if an assembly mode is chosen, for a command that lists all of them.
+    pub(super) fn without_mode(&self, command: &str) -> Result<(), Failure> {
+        match self.mode.first() {
+            None => Ok(()),
+            Some(mode) => Err(Failure::option("--mode", format!("`{command}` lists all modes; leave `{mode}` out"))),
+        }
+    }
+
     /// As [`apply`](Self::apply), for a command that needs a value for every input.
     pub(super) fn apply_complete(&self, engine: &mut dyn Engine) -> Result<Setup, Failure> {
         let setup = self.apply(engine)?;

@@ -64,8 +64,8 @@ pub(super) const HELP: Help = Help {
         ]
     },
     details: "\
-csv has one row: t, then every coordinate, its rate (NAME_dot) and acceleration (NAME_ddot), and
-with --forces the forces.
+csv has one row: t, then every coordinate, its rate (NAME_dot) and acceleration (NAME_ddot), with
+--forces the forces, and with --certify the bounds of all of the former (NAME_lower, NAME_upper).
 WHAT names the quantities of `sweep`. A velocity ratio NAME/DRIVER or NAME/INPUT is a derivative:
 the ratios of a point to all inputs are its Jacobian.
 A certificate is a proof by interval arithmetic: a box with exactly one solution, and an interval
@@ -103,7 +103,10 @@ pub(super) fn run(args: &SolveArgs, engine: &mut dyn Engine, session: &mut Sessi
                 measures.extend(Measure::forces(model));
                 column_values(model, Some(forces), &mut values);
             }
-            csv(measures.iter().map(Measure::name), values.into_iter())?
+            let bounds =
+                solved.certificate.as_ref().map_or_else(Vec::new, |certified| certificate::columns(model, certified));
+            let names = measures.iter().map(Measure::name).chain(bounds.iter().map(|(name, _)| name.as_str()));
+            csv(names, values.into_iter().chain(bounds.iter().map(|(_, value)| *value)))?
         }
         _ => format!(
             "{} at t = {}{}\n{}{}",

@@ -40,7 +40,7 @@ pub(super) struct SweepArgs {
     #[command(flatten)]
     vary: VaryArgs,
     /// End the sweep where the first unilateral condition meets its limit
-    #[arg(long)]
+    #[arg(long, conflicts_with = "along_arc")]
     stop_at_events: bool,
     /// Also points, defines and joint quantities, after the coordinates
     #[arg(long)]
@@ -93,8 +93,8 @@ limit is met, the motion takes one turn of the driven crank, or one unit of time
 With --along-arc t is an unknown as well: at a dead centre the driver turns back, and the mechanism
 goes on into its other closure, until all bodies are where they began. The rows are equally spaced
 along the arc. Dead centres, cusps of named points and branch points are reported, in json under
-`arc`. Where branches cross the motion ends, because the equations do not determine which of
-them continues it.
+`arc`; unilateral conditions and contacts are not watched. Where branches cross the motion ends,
+because the equations do not determine which of them continues it.
 
 Rows are written to csv and json as soon as they are computed. When a sweep fails midway the
 finished rows are written and the status is 1. Ctrl-C ends a sweep in the same way, with status

@@ -34,6 +34,11 @@ pub(super) struct At<'o> {
 type Apply = fn(&SetupArgs, &mut dyn Engine) -> Result<Setup, Failure>;
 
 impl AtArgs {
+    /// As [`SetupArgs::without_mode`].
+    pub(super) fn without_mode(&self, command: &str) -> Result<(), Failure> {
+        self.setup.without_mode(command)
+    }
+
     /// Reads the options of `command`; errors go to the ledger.
     pub(super) fn read<'o>(
         &self,

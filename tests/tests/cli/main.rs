@@ -13,6 +13,7 @@ mod help;
 mod interrupt;
 mod matrices;
 mod no_limit;
+mod options;
 mod pictures;
 mod plan;
 mod quantities;

@@ -4,6 +4,7 @@
 mod motion;
 
 use crate::cli::columns::quantities as named;
+use crate::cli::degrees;
 use crate::cli::engine::Engine;
 use crate::cli::examples::{Help, Names};
 use crate::cli::failure::{Failure, Ledger};
@@ -99,6 +100,7 @@ pub(in crate::cli) fn run(
     let (state, _) = driven_state(engine, &setup, t, args.freedom.least_norm)?;
     note_modes(session, engine, &setup, t);
     let found = engine.sensitivities(&setup, &state).map_err(|error| analysis(engine, &error))?;
+    let found = degrees::sensitivities(&found, args.angles.degrees).into_owned();
     let (model, values) = (engine.model(), engine.parameters());
     if model.parameters.is_empty() {
         session.note("note: this mechanism has no parameters by which anything could be differentiated");
@@ -115,9 +117,10 @@ pub(in crate::cli) fn run(
         }
         Form::Csv => csv(&found),
         _ => format!(
-            "{}, sensitivities at t = {}\n{}{}",
+            "{}, sensitivities at t = {}{}\n{}{}",
             model.name,
             rounded(t),
+            if args.angles.degrees { ", angles in degrees" } else { "" },
             text(&found, &values),
             tolerance_text(&deviations)
         ),
