@@ -112,7 +112,7 @@ pub(super) fn run(args: &AnimateArgs, engine: &mut dyn Engine, session: &mut Ses
     let walk = args.motion.walk(engine, (&requested, &setup, &instants), &measures, &watch);
     let walk = FollowedMotion { reported: true, tells_missing: args.forces, ..walk };
     let moved = walk.with_states()?;
-    note_motion(session, &moved);
+    note_motion(session, &moved, None);
     let Moved { trajectory, motions, columns, mut ended, open, .. } = moved;
     note_freedom(session, open);
     let Some(first) = trajectory.states.first() else { return ended.map_or(Ok(()), Err) };

@@ -7,10 +7,18 @@ use crate::model::Model;
 use crate::present::animation::ColumnInfo;
 use crate::present::units::ResultUnits;
 
-/// The quantities with these names; all unknown names are reported at once.
+/// The quantities with these names; all names that are unknown or repeated are
+/// reported at once.
 pub(super) fn quantities(model: &'static Model, names: &[String]) -> Result<Vec<Measure>, Failure> {
     let mut ledger = Ledger::default();
     let found: Vec<Measure> = names.iter().filter_map(|name| ledger.take(find_quantity(model, "WHAT", name))).collect();
+    for (k, measure) in found.iter().enumerate() {
+        let is_same = |other: &&Measure| other.name() == measure.name();
+        // A third time is no further mistake.
+        if found[..k].iter().filter(is_same).count() == 1 {
+            ledger.fault("WHAT", format!("`{}` is named twice", measure.name()));
+        }
+    }
     ledger.close(Some(found))
 }
 

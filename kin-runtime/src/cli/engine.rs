@@ -160,14 +160,17 @@ impl<M: Mechanism + Default> Engine for Bound<M> {
     }
 
     fn assemble(&self, setup: &Setup, t: f64) -> Result<Vec<f64>, SolveError> {
+        let setup = &*setup.beginning_at(t);
         self.solver(setup).assemble(&Instant { t, inputs: &setup.inputs })
     }
 
     fn state(&self, setup: &Setup, t: f64) -> Result<State, SolveError> {
+        let setup = &*setup.beginning_at(t);
         self.solver(setup).state(&Instant { t, inputs: &setup.inputs })
     }
 
     fn out_of_range(&self, setup: &Setup, t: f64) -> Option<OutOfRange> {
+        let setup = &*setup.beginning_at(t);
         self.solver(setup).out_of_range(&Instant { t, inputs: &setup.inputs })
     }
 
@@ -180,6 +183,7 @@ impl<M: Mechanism + Default> Engine for Bound<M> {
         visit: &mut dyn FnMut(&State) -> ControlFlow<()>,
     ) -> (Trajectory, Option<SolveError>) {
         let first = times.first().copied().unwrap_or(0.0);
+        let setup = &*setup.beginning_at(first);
         let inputs = setup.inputs_from(first);
         let solver = self.solver(setup).with_inputs(&inputs).stop_at_events(stop_at_events).with_observer(observer);
         match solver.sweep_each(times, visit) {
@@ -189,12 +193,14 @@ impl<M: Mechanism + Default> Engine for Bound<M> {
     }
 
     fn sweep_along_arc(&self, setup: &Setup, arc: Arc, observer: Observer<'_>) -> Result<Trajectory, SolveError> {
+        let setup = &*setup.beginning_at(arc.from);
         let inputs = setup.inputs_from(arc.from);
         let solver = self.solver(setup).with_inputs(&inputs).with_observer(observer);
         solver.sweep_along_arc(arc.from, arc.to, arc.steps)
     }
 
     fn sweep_from(&self, setup: &Setup, first: f64, start: &[f64], times: &[f64]) -> Result<Trajectory, SolveError> {
+        let setup = &*setup.beginning_at(first);
         let inputs = setup.inputs_from(first);
         // Prescribed coordinates have their values at the first of these instants.
         let later = setup.after(times.first().copied().unwrap_or(first) - first);
@@ -224,6 +230,7 @@ impl<M: Mechanism + Default> Engine for Bound<M> {
         watch: &mut ContactWatch,
         state: &State,
     ) -> Result<(), SolveError> {
+        let setup = &*setup.beginning_at(first);
         let inputs = setup.inputs_from(first);
         self.solver(setup).with_inputs(&inputs).watch_contacts(watch, state)
     }
@@ -288,14 +295,17 @@ impl<M: Mechanism + Default> Engine for Bound<M> {
     }
 
     fn assemblies(&self, setup: &Setup, t: f64) -> Result<Assemblies, SolveError> {
+        let setup = &*setup.beginning_at(t);
         self.solver(setup).assemblies(&Instant { t, inputs: &setup.inputs })
     }
 
     fn closes_by_signs(&self, setup: &Setup, t: f64) -> bool {
+        let setup = &*setup.beginning_at(t);
         self.solver(setup).closes_by_signs(&Instant { t, inputs: &setup.inputs })
     }
 
     fn ranges(&self, setup: &Setup, from: f64, to: f64) -> Result<Ranges, SolveError> {
+        let setup = &*setup.beginning_at(from);
         self.solver(setup).ranges(&Instant { t: from, inputs: &setup.inputs }, to)
     }
 

@@ -170,6 +170,12 @@ impl Instants {
 }
 
 impl RequestedInstants {
+    /// The time at which inputs and prescribed coordinates have their values, if it is not the first instant: 0 for a motion
+    /// that begins at a limit, whose time is not known.
+    pub(super) fn since(&self) -> Option<f64> {
+        matches!(self, Self::Grid { from: MotionEnd::Limit, .. }).then_some(0.0)
+    }
+
     /// Whether no end is given.
     pub(super) fn is_open(&self) -> bool {
         matches!(self, Self::Grid { to: None, .. })

@@ -8,27 +8,33 @@ use crate::present::condition;
 use crate::present::text::count;
 use crate::trajectory::Trajectory;
 
-/// Prints the notes about a motion.
-pub(super) fn note_motion(session: &mut Session<'_>, moved: &Moved) {
+/// Prints the notes about a motion, with its name if there are several: `event: r = 0.2: t = 0.5: …`.
+pub(super) fn note_motion(session: &mut Session<'_>, moved: &Moved, name: Option<&str>) {
     let trajectory = &moved.trajectory;
-    moved.notes.iter().for_each(|note| session.note(note));
-    note_events(session, trajectory);
-    moved.contacts.iter().for_each(|change| session.note(&contact(change)));
-    note_unwatched(session, trajectory);
-    note_fallbacks(session, trajectory);
+    let mut notes = moved.notes.clone();
+    note_events(&mut notes, trajectory);
+    notes.extend(moved.contacts.iter().map(contact));
+    note_unwatched(&mut notes, trajectory);
+    note_fallbacks(&mut notes, trajectory);
+    for note in notes {
+        match (name, note.split_once(": ")) {
+            (Some(name), Some((kind, text))) => session.note(&format!("{kind}: {name}: {text}")),
+            _ => session.note(&note),
+        }
+    }
 }
 
 /// Notes where unilateral conditions met their limits.
-fn note_events(session: &mut Session<'_>, trajectory: &Trajectory) {
+fn note_events(notes: &mut Vec<String>, trajectory: &Trajectory) {
     let violated: Vec<&str> = trajectory.violated_at_start().map(|condition| condition.name).collect();
     if !violated.is_empty() {
-        session.note(&format!("note: violated at the first instant: {}", violated.join(", ")));
+        notes.push(format!("note: violated at the first instant: {}", violated.join(", ")));
     }
     for event in &trajectory.events {
-        session.note(&condition::line(trajectory.model, event));
+        notes.push(condition::line(trajectory.model, event));
     }
     if trajectory.stopped {
-        session.note("note: the sweep stopped there; the last row is the event");
+        notes.push("note: the sweep stopped there; the last row is the event".to_owned());
     }
 }
 
@@ -36,15 +42,15 @@ fn note_events(session: &mut Session<'_>, trajectory: &Trajectory) {
 const MAX_LISTED_STRETCHES: usize = 3;
 
 /// Notes where unilateral conditions changed too fast to be watched, or the motion could not be solved.
-fn note_unwatched(session: &mut Session<'_>, trajectory: &Trajectory) {
+fn note_unwatched(notes: &mut Vec<String>, trajectory: &Trajectory) {
     for unwatched in trajectory.unwatched.iter().take(MAX_LISTED_STRETCHES) {
-        session.note(&format!(
+        notes.push(format!(
             "note: condition {unwatched}: it changes too fast there, or branches meet, and it may have met its limit more \
              often than reported; try more instants (--steps)"
         ));
     }
     if trajectory.unwatched.len() > MAX_LISTED_STRETCHES {
-        session.note(&format!(
+        notes.push(format!(
             "note: the same in {}",
             count(trajectory.unwatched.len() - MAX_LISTED_STRETCHES, "more place")
         ));
@@ -53,13 +59,13 @@ fn note_unwatched(session: &mut Session<'_>, trajectory: &Trajectory) {
 
 /// Notes where full Newton took over from the plan. A motion that ended at a limit has no such note: there it always
 /// takes over in the last steps, and the error has the reason.
-fn note_fallbacks(session: &mut Session<'_>, trajectory: &Trajectory) {
+fn note_fallbacks(notes: &mut Vec<String>, trajectory: &Trajectory) {
     if trajectory.q_at_limit.is_some() {
         return;
     }
     if let Some(first) = trajectory.fallbacks.first() {
         let steps = count(trajectory.fallbacks.len(), "internal step");
-        session.note(&format!("note: full Newton took over from the plan on {steps}, first {first}"));
+        notes.push(format!("note: full Newton took over from the plan on {steps}, first {first}"));
     }
 }
 

@@ -92,9 +92,10 @@ fn unit_in_rate(measured: Measured<'_>) -> Option<Unit> {
     Some(parse(measured.unit?).ok()?.times(time.power(-f64::from(measured.rate.0))))
 }
 
-/// The product, correctly rounded if the factor or its inverse is a whole number: 700 times 0.001 is 0.7.
+/// The product, correctly rounded if the factor or its inverse is a whole number apart from rounding: 700 times 0.001 is
+/// 0.7.
 fn scaled(value: f64, factor: f64) -> f64 {
-    let whole = |x: f64| (x - x.round()).abs() < 1e-9 * x;
+    let whole = |x: f64| (x - x.round()).abs() < 8.0 * f64::EPSILON * x;
     match factor {
         factor if whole(factor) => value * factor.round(),
         factor if whole(1.0 / factor) => value / (1.0 / factor).round(),

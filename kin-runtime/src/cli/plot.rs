@@ -134,8 +134,9 @@ pub(super) fn run(args: &PlotArgs, engine: &mut dyn Engine, session: &mut Sessio
     let (mut runs, mut failure) = (Vec::new(), None);
     for (index, choice) in choices.iter().enumerate() {
         choice.set(engine);
-        let one = one(args, &*engine, &task, (&measures, toleranced), (index, choices.len()), session);
         let name = choice.name(model);
+        let place = ((index, choices.len()), (choices.len() > 1).then_some(name.as_str()));
+        let one = one(args, &*engine, &task, (&measures, toleranced), place, session);
         match one {
             Ok((columns, worst, limits, ended)) => {
                 // Without an instant there is no curve, and an existing file is kept.
@@ -190,14 +191,14 @@ fn one(
     engine: &dyn Engine,
     task: &MotionTask<'_>,
     (measures, toleranced): (&[Measure], Option<Toleranced<'_>>),
-    place: (usize, usize),
+    (place, name): ((usize, usize), Option<&str>),
     session: &mut Session<'_>,
 ) -> Result<Numbers, Failure> {
     let instants = task.requested.instants(engine, &task.setup)?;
     let watch = session.watch();
     watch.begin_motion(place, instants.len());
     let moved = args.motion.walk(engine, (&task.requested, &task.setup, &instants), measures, &watch).with_states()?;
-    note_motion(session, &moved);
+    note_motion(session, &moved, name);
     let Moved { trajectory, columns, ended, open, .. } = moved;
     note_freedom(session, open);
     let mut worst = Vec::new();

@@ -7,6 +7,7 @@ use crate::model::Model;
 use crate::planned::Sign;
 use crate::signal::Signal;
 use crate::solver::Settings;
+use std::borrow::Cow;
 
 /// Where the analysis starts and what is prescribed.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -17,6 +18,8 @@ pub(super) struct Setup {
     pub(super) given: Vec<(usize, Signal)>,
     /// All inputs, at the first instant.
     pub(super) inputs: Vec<Signal>,
+    /// The time at which prescribed coordinates and inputs have these values, if it is not the first instant.
+    pub(super) since: Option<f64>,
     /// The requested signs of modes, by their indices.
     pub(super) modes: Vec<(usize, Sign)>,
     /// The requested closure, by its number in the list that the command `modes` prints; counted from 1.
@@ -51,6 +54,13 @@ impl Setup {
         self.given.iter().for_each(|&(coordinate, signal)| settings.prescribe(coordinate, signal));
         settings.sharing = if self.least_norm { Sharing::LeastNorm } else { Sharing::Undetermined };
         settings
+    }
+
+    /// The setup of an analysis that begins at `t`, with the values that prescribed coordinates and inputs have there.
+    pub(super) fn beginning_at(&self, t: f64) -> Cow<'_, Self> {
+        let Some(since) = self.since else { return Cow::Borrowed(self) };
+        let inputs = self.inputs.iter().map(|input| input.after(t - since)).collect();
+        Cow::Owned(Self { inputs, since: None, ..self.after(t - since) })
     }
 
     /// The same with prescribed coordinates as they are after some time.

@@ -161,7 +161,8 @@ pub(super) fn fully_driven(engine: &dyn Engine, mobility: &Mobility, t: f64) -> 
 pub(super) fn misfit(engine: &dyn Engine, setup: &Setup, t: f64, error: &SolveError) -> Failure {
     let conflict = matches!(error, SolveError::GivenConflict { open: 1.., .. });
     let without = Setup { given: Vec::new(), ..setup.clone() };
-    let mobility = |q: Vec<f64>| engine.mobility(&without, &Instant { t, inputs: &without.inputs }, &q);
+    let inputs = &without.beginning_at(t).inputs;
+    let mobility = |q: Vec<f64>| engine.mobility(&without, &Instant { t, inputs }, &q);
     match engine.assemble(&without, t).and_then(mobility) {
         Ok(open) if conflict => {
             let names = text::coordinate_names(engine.model(), &open.could_be_given);

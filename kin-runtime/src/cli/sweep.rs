@@ -80,15 +80,17 @@ json has a list of motions. WHAT names quantities to be listed instead: coordina
 tip.speed), defines, joint quantities (B.angle), inputs, transmission angles (B.transmission),
 forces, and velocity ratios of the former to a driver or an input (tip.x/drive).
 
-The values of inputs and given coordinates belong to the first instant; from there they continue
-with constant acceleration. When a unilateral condition reaches its limit, stderr says at which t,
-and json lists it under `events`; stretches of t in which a condition changes too fast to be
-watched, or branches meet, are under `unwatched`. If the mechanism has masses, contacts that lift
-off or press again are reported in the same way, in json under `contacts`.
+The values of inputs and given coordinates belong to the first instant, with --from limit to t = 0;
+from there they continue with constant acceleration. When a unilateral condition reaches its limit,
+stderr says at which t, and json lists it under `events`; stretches of t in which a condition
+changes too fast to be watched, or branches meet, are under `unwatched`. If the mechanism has
+masses, contacts that lift off or press again are reported in the same way, in json under
+`contacts`.
 
-With --to limit (and --from limit) the motion ends where the mechanism can go no further: the last
-row is the limit itself, at which rates have no value, and rows are closer together near it. If no
-limit is met, the motion takes one turn of the driven crank, or one unit of time; a note says so.
+With --to limit (and --from limit) the motion ends where the mechanism can go no further, and rows
+are closer together near it. The last row is the limit itself, at which rates have no value, unless
+only the way there is known: where a row is not defined beyond it, or velocities are integrated. If
+no limit is met, the motion takes one turn of the driven crank, or one unit of time; a note says so.
 
 With --along-arc t is an unknown as well: at a dead centre the driver turns back, and the mechanism
 goes on into its other closure, until all bodies are where they began. The rows are equally spaced
@@ -205,9 +207,10 @@ impl SweepTask<'_> {
         let mut failure = None;
         let finished = all.len();
         for (MotionOutcome { rows, instants, moved }, choice) in all.into_iter().zip(&self.choices) {
+            let name = choice.name(model);
             let ended = match moved {
                 Ok(moved) => {
-                    note_motion(session, &moved);
+                    note_motion(session, &moved, self.are_several().then_some(&name));
                     if moved.ended.is_none() {
                         note_freedom(session, moved.open);
                     }
@@ -222,7 +225,7 @@ impl SweepTask<'_> {
                 session.note(&format!("the sweep ended early: {rows} of {instants} written"));
             }
             if self.are_several() && !interrupted {
-                session.note(&format!("note: {}: {ended}", choice.name(model)));
+                session.note(&format!("note: {name}: {ended}"));
             }
             failure = failure.or(Some(ended));
         }

@@ -94,7 +94,7 @@ impl MotionArgs {
         let output = ledger.take(session.destination(output, command));
         let setup = ledger.take(self.setup.apply_complete(engine));
         let (requested, output, setup) = zip3(requested, output, setup)?;
-        let setup = Setup { least_norm: self.freedom.least_norm, ..setup };
+        let setup = Setup { least_norm: self.freedom.least_norm, since: requested.since(), ..setup };
         let first = ledger.take(requested.first(engine, &setup))?;
         let setup = ledger.take(settled(engine, setup, first))?;
         Some(MotionTask { requested, setup, output })

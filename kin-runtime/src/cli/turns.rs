@@ -40,7 +40,7 @@ pub(super) fn speed(engine: &dyn Engine, setup: &Setup, from: f64) -> Option<f64
 
 /// The speed of the slowest of the cranks that these drivers drive at constant speed, in radians per unit of time.
 fn slowest(engine: &dyn Engine, setup: &Setup, from: f64, counts: &dyn Fn(&str) -> bool) -> Option<f64> {
-    let model = engine.model();
+    let (model, setup) = (engine.model(), &*setup.beginning_at(from));
     // The mechanism may close at other times only. Rows with a constant factor determine the rates of their cranks alone.
     let rates = match driven_state(engine, setup, from, true) {
         Ok((state, _)) => Ok([state.q_dot, state.q_ddot]),

@@ -21,6 +21,7 @@ mod terminal;
 mod turns;
 mod unclosed;
 mod unwatched;
+mod values;
 
 use serde_json::Value;
 

@@ -90,7 +90,9 @@ pub(super) fn run(args: &ExtremesArgs, engine: &mut dyn Engine, session: &mut Se
     let several = choices.len() > 1;
     for (index, choice) in choices.iter().enumerate() {
         choice.set(engine);
-        let found = one(args, &*engine, (&task, &wanted), (index, choices.len()), session);
+        let name = choice.name(model);
+        let place = ((index, choices.len()), several.then_some(name.as_str()));
+        let found = one(args, &*engine, (&task, &wanted), place, session);
         let ended = match found {
             Ok((found, ended)) => {
                 let varied = several.then(|| choice.pairs(model).collect());
@@ -100,7 +102,7 @@ pub(super) fn run(args: &ExtremesArgs, engine: &mut dyn Engine, session: &mut Se
             Err(failure) => Some(failure),
         };
         if let (Some(ended), true) = (&ended, several && !watch.interrupted()) {
-            session.note(&format!("note: {}: {ended}", choice.name(model)));
+            session.note(&format!("note: {name}: {ended}"));
         }
         failure = failure.or(ended);
         if watch.interrupted() {
@@ -126,7 +128,7 @@ fn one(
     args: &ExtremesArgs,
     engine: &dyn Engine,
     (task, wanted): (&MotionTask<'_>, &[Measure]),
-    place: (usize, usize),
+    (place, name): ((usize, usize), Option<&str>),
     session: &mut Session<'_>,
 ) -> Result<(MotionRecord, Option<Failure>), Failure> {
     let model = engine.model();
@@ -142,7 +144,7 @@ fn one(
     };
     let walk = args.motion.walk(engine, (&task.requested, &task.setup, &instants), &measures, &watch);
     let moved = FollowedMotion { tells_missing: !wanted.is_empty(), ..walk }.with_states()?;
-    note_motion(session, &moved);
+    note_motion(session, &moved, name);
     let Moved { trajectory, columns, ended, open, .. } = moved;
     note_freedom(session, open);
     let states = &trajectory.states;

@@ -12,6 +12,7 @@ use crate::cli::instants::{GridArgs, RequestedInstants};
 use crate::cli::options::{AngleArgs, FreedomArgs, SetupArgs};
 use crate::cli::output::{Form, OutputArgs, json};
 use crate::cli::session::Session;
+use crate::cli::setup::Setup;
 use crate::cli::solved::{analysis, driven_state, note_modes};
 use crate::cli::task::{At, AtArgs};
 use crate::cli::tolerance::tolerances;
@@ -88,6 +89,7 @@ pub(in crate::cli) fn run(
     let ((At { t, setup, output }, tolerances), (requested, measures)) =
         ledger.close(at.zip(tolerances).zip(requested.zip(measures)))?;
     if args.grid.is_given() || !measures.is_empty() {
+        let since = requested.since();
         let course = motion::VariedMotion {
             requested,
             measures,
@@ -95,7 +97,7 @@ pub(in crate::cli) fn run(
             freedom: args.freedom,
             degrees: args.angles.degrees,
         };
-        return course.run(&*engine, &setup, &output, session);
+        return course.run(&*engine, &Setup { since, ..setup }, &output, session);
     }
     let (state, _) = driven_state(engine, &setup, t, args.freedom.least_norm)?;
     note_modes(session, engine, &setup, t);

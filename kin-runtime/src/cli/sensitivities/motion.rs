@@ -74,7 +74,7 @@ impl VariedMotion {
             watch: &watch,
         };
         let moved = walk.with_states()?;
-        note_motion(session, &moved);
+        note_motion(session, &moved, None);
         let Moved { trajectory, columns, ended, open, .. } = moved;
         note_freedom(session, open);
         let slopes = Slopes::along(engine, setup, &trajectory.states, &measures, self.degrees);
