@@ -103,7 +103,14 @@ fn add_curves(graph: &mut Graph, sum: ExprId, seen: &mut BTreeSet<ExprId>, curve
                 None if is_composed(graph, id) => _ = curves.insert(id),
                 None => {
                     let mut operands = Vec::new();
-                    node.for_each_operand(|operand| operands.push(operand));
+                    match node {
+                        // The curve of a rate over a divisor is the factor of the rate.
+                        Node::Div(a, b) if graph.depends(a).on(Depends::RATE) => {
+                            let one = graph.number(1.0);
+                            operands.extend([a, graph.div(one, b)]);
+                        }
+                        _ => node.for_each_operand(|operand| operands.push(operand)),
+                    }
                     operands.into_iter().for_each(|operand| add_curves(graph, operand, seen, curves));
                 }
             },
@@ -123,6 +130,7 @@ fn is_composed(graph: &Graph, id: ExprId) -> bool {
     };
     let within = graph.reachable([id]);
     is_curve(id)
+        && !graph.depends(id).on(Depends::RATE)
         && within.iter().any(|&inner| inner != id && is_curve(inner) && variable(graph, inner).is_none())
         && !within.iter().any(|&inner| matches!(graph.node(inner), Node::Supplied(..)))
 }
@@ -138,9 +146,13 @@ enum Variable {
     Coordinate(u32),
 }
 
-/// What an expression varies with; `None` if it varies with several variables.
+/// What an expression varies with; `None` if it varies with several variables or with rates, which are not known where
+/// curves are enclosed.
 fn variable(graph: &Graph, id: ExprId) -> Option<Variable> {
     let depends = graph.depends(id);
+    if depends.on(Depends::RATE) {
+        return None;
+    }
     if depends.is_static() {
         return Some(Variable::None);
     }

@@ -1,6 +1,7 @@
 //! Rows of velocity level compared with exact motions: circles, a trailer that straightens, and motions that are also
 //! written with equations of position level.
 
+mod coefficients;
 mod limits;
 mod pulses;
 
