@@ -18,7 +18,8 @@ pub struct KnownCurves {
     /// time, of an input, or of a coordinate for which the plan does not iterate on the row, and more than one sinusoid.
     pub hide_motion: bool,
     /// The curves that can be enclosed over a step: functions of time and inputs alone or of a single coordinate, and curves
-    /// over curves, as a radius over the angle of a point; then the arguments of supplied functions.
+    /// over curves, as a radius over the angle of a point; where velocities are integrated, functions of several variables,
+    /// too, and the functions of which these consist; then the arguments of supplied functions.
     pub program: Program,
     /// The supplied functions, in the order of their arguments.
     pub supplied: Vec<usize>,
@@ -68,57 +69,94 @@ fn hides_motion(graph: &Graph, expression: ExprId, varies: &dyn Fn(ExprId) -> bo
 }
 
 /// The parts of rows that hide motion and depend on time and inputs alone or on a single coordinate, or are curves over
-/// curves, each once, without supplied functions; and these functions with their arguments.
-fn enclosable(graph: &mut Graph, rows: &[ConstraintRow]) -> (Vec<ExprId>, BTreeSet<(usize, ExprId)>) {
-    let (mut curves, mut seen) = (BTreeSet::new(), BTreeSet::new());
+/// curves, each once, without supplied functions; and these functions with their arguments. If velocities are integrated, all
+/// parts that hide motion.
+fn enclosable(
+    graph: &mut Graph,
+    rows: &[ConstraintRow],
+    is_integrated: bool,
+) -> (Vec<ExprId>, BTreeSet<(usize, ExprId)>) {
+    let mut curves = Curves { is_integrated, ..Curves::default() };
     let expressions: Vec<_> = rows.iter().map(|row| row.velocity.map_or(row.phi, |velocity| velocity.eta)).collect();
-    expressions.iter().for_each(|&expression| add_curves(graph, expression, &mut seen, &mut curves));
+    expressions.iter().for_each(|&expression| curves.add_sum(graph, expression));
+    if is_integrated {
+        curves.found.extend(functions_within(graph, &expressions));
+    }
     let supplied = graph.reachable(expressions).into_iter().filter_map(|id| match graph.node(id) {
         Node::Supplied(function, _, argument) => Some((function as usize, argument)),
         _ => None,
     });
-    (curves.into_iter().collect(), supplied.collect())
+    (curves.found.into_iter().collect(), supplied.collect())
 }
 
-/// Adds the curves of a sum: the terms that depend on the same variable together, and the curves within the other terms.
-fn add_curves(graph: &mut Graph, sum: ExprId, seen: &mut BTreeSet<ExprId>, curves: &mut BTreeSet<ExprId>) {
-    if !seen.insert(sum) {
-        return;
-    }
-    let mut of_variable: BTreeMap<Variable, ExprId> = BTreeMap::new();
-    let mut terms = vec![(sum, false)];
-    while let Some((id, is_negative)) = terms.pop() {
-        match graph.node(id) {
-            Node::Add(a, b) => terms.extend([(b, is_negative), (a, is_negative)]),
-            Node::Sub(a, b) => terms.extend([(b, !is_negative), (a, is_negative)]),
-            Node::Neg(a) => terms.push((a, !is_negative)),
-            Node::Opaque(a) => terms.push((a, is_negative)),
-            node => match variable(graph, id) {
-                Some(Variable::None) => {}
-                Some(variable) => {
-                    let before = of_variable.get(&variable).copied().unwrap_or_else(|| graph.zero());
-                    let sum = if is_negative { graph.sub(before, id) } else { graph.add(before, id) };
-                    of_variable.insert(variable, sum);
-                }
-                None if is_composed(graph, id) => _ = curves.insert(id),
-                None => {
-                    let mut operands = Vec::new();
-                    match node {
-                        // The curve of a rate over a divisor is the factor of the rate.
-                        Node::Div(a, b) if graph.depends(a).on(Depends::RATE) => {
-                            let one = graph.number(1.0);
-                            operands.extend([a, graph.div(one, b)]);
-                        }
-                        _ => node.for_each_operand(|operand| operands.push(operand)),
-                    }
-                    operands.into_iter().for_each(|operand| add_curves(graph, operand, seen, curves));
-                }
-            },
+/// The functions of which rows consist, each by itself: the sum or product in which it stands may vary so much in a step that
+/// a pulse of the function is small beside it.
+fn functions_within(graph: &Graph, rows: &[ExprId]) -> Vec<ExprId> {
+    let varies = |id: ExprId| !graph.depends(id).is_static();
+    let may_have_pulses = |id: ExprId| match graph.node(id) {
+        Node::Call(Function::Sin | Function::Cos, a) => varies(a) && !is_affine(graph, a),
+        Node::Call(_, a) => varies(a),
+        _ => is_other_curve(graph, id, &varies),
+    };
+    let is_known = |id: ExprId| !graph.depends(id).on(Depends::RATE) && !has_supplied(graph, id);
+    graph.reachable(rows.iter().copied()).into_iter().filter(|&id| may_have_pulses(id) && is_known(id)).collect()
+}
+
+/// The curves of rows.
+#[derive(Default)]
+struct Curves {
+    found: BTreeSet<ExprId>,
+    /// The sums that have been searched.
+    seen: BTreeSet<ExprId>,
+    /// Whether velocities are integrated, so that any function of several variables counts.
+    is_integrated: bool,
+}
+
+impl Curves {
+    /// Adds the curves of a sum: the terms that depend on the same variable together, and the curves within the other terms.
+    fn add_sum(&mut self, graph: &mut Graph, sum: ExprId) {
+        if !self.seen.insert(sum) {
+            return;
         }
+        let mut of_variable: BTreeMap<Variable, ExprId> = BTreeMap::new();
+        let mut terms = vec![(sum, false)];
+        while let Some((id, is_negative)) = terms.pop() {
+            match graph.node(id) {
+                Node::Add(a, b) => terms.extend([(b, is_negative), (a, is_negative)]),
+                Node::Sub(a, b) => terms.extend([(b, !is_negative), (a, is_negative)]),
+                Node::Neg(a) => terms.push((a, !is_negative)),
+                Node::Opaque(a) => terms.push((a, is_negative)),
+                node => match variable(graph, id) {
+                    Some(Variable::None) => {}
+                    Some(Variable::Several) if !self.is_integrated && is_composed(graph, id) => {
+                        self.found.insert(id);
+                    }
+                    Some(variable)
+                        if variable != Variable::Several || self.is_integrated && !has_supplied(graph, id) =>
+                    {
+                        let before = of_variable.get(&variable).copied().unwrap_or_else(|| graph.zero());
+                        let sum = if is_negative { graph.sub(before, id) } else { graph.add(before, id) };
+                        of_variable.insert(variable, sum);
+                    }
+                    _ => {
+                        let mut operands = Vec::new();
+                        match node {
+                            // The curve of a rate over a divisor is the factor of the rate.
+                            Node::Div(a, b) if graph.depends(a).on(Depends::RATE) => {
+                                let one = graph.number(1.0);
+                                operands.extend([a, graph.div(one, b)]);
+                            }
+                            _ => node.for_each_operand(|operand| operands.push(operand)),
+                        }
+                        operands.into_iter().for_each(|operand| self.add_sum(graph, operand));
+                    }
+                },
+            }
+        }
+        let graph = &*graph;
+        let varies = |id: ExprId| graph.depends(id).on(RHEONOMIC.or(Depends::COORDINATE));
+        self.found.extend(of_variable.into_values().filter(|&sum| hides_motion(graph, sum, &varies)));
     }
-    let graph = &*graph;
-    let varies = |id: ExprId| graph.depends(id).on(RHEONOMIC.or(Depends::COORDINATE));
-    curves.extend(of_variable.into_values().filter(|&sum| hides_motion(graph, sum, &varies)));
 }
 
 /// True for a curve over a curve of several variables, as a radius over the angle of a point, without supplied functions.
@@ -129,10 +167,15 @@ fn is_composed(graph: &Graph, id: ExprId) -> bool {
         _ => is_other_curve(graph, id, &varies),
     };
     let within = graph.reachable([id]);
+    let is_of_several = |id: ExprId| variable(graph, id) == Some(Variable::Several);
     is_curve(id)
-        && !graph.depends(id).on(Depends::RATE)
-        && within.iter().any(|&inner| inner != id && is_curve(inner) && variable(graph, inner).is_none())
-        && !within.iter().any(|&inner| matches!(graph.node(inner), Node::Supplied(..)))
+        && within.iter().any(|&inner| inner != id && is_curve(inner) && is_of_several(inner))
+        && !has_supplied(graph, id)
+}
+
+/// True if an expression contains a supplied function.
+fn has_supplied(graph: &Graph, id: ExprId) -> bool {
+    graph.reachable([id]).into_iter().any(|id| matches!(graph.node(id), Node::Supplied(..)))
 }
 
 /// What a part of a row varies with.
@@ -144,10 +187,11 @@ enum Variable {
     Instant,
     /// One coordinate.
     Coordinate(u32),
+    /// Several coordinates, or coordinates and the instant.
+    Several,
 }
 
-/// What an expression varies with; `None` if it varies with several variables or with rates, which are not known where
-/// curves are enclosed.
+/// What an expression varies with; `None` if it depends on rates, which are not known where curves are enclosed.
 fn variable(graph: &Graph, id: ExprId) -> Option<Variable> {
     let depends = graph.depends(id);
     if depends.on(Depends::RATE) {
@@ -162,7 +206,7 @@ fn variable(graph: &Graph, id: ExprId) -> Option<Variable> {
             Node::Supplied(..) => return Some(Variable::None),
             Node::Symbol(Symbol::Coordinate(k)) => match found {
                 None => found = Some(Variable::Coordinate(k)),
-                Some(_) => return None,
+                Some(_) => return Some(Variable::Several),
             },
             _ => {}
         }
@@ -213,7 +257,7 @@ pub(super) fn known_curves(
     if !hide_motion && !is_integrated {
         return KnownCurves::default();
     }
-    let (formulas, supplied) = enclosable(graph, rows);
+    let (formulas, supplied) = enclosable(graph, rows, is_integrated);
     let all = formulas.into_iter().chain(supplied.iter().map(|(_, argument)| *argument));
     let outputs: Vec<_> = all.enumerate().map(|(k, id)| (Slot::Entry(k), id)).collect();
     KnownCurves {

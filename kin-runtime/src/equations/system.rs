@@ -10,7 +10,7 @@ use crate::model::{Model, Pattern};
 use crate::plan::{Depth, Solved};
 use crate::planned::PlanError;
 use crate::planned::follower::{Control, PlanFollower, PlanSolution};
-use crate::planned::narrow_curves::narrow_curves_are_followed;
+use crate::planned::narrow_curves::{Closeness, narrow_curves_are_followed};
 use crate::planned::parts::Span;
 use crate::scalar::{Interval, Scalar};
 use crate::signal::{Instant, Signal};
@@ -107,6 +107,7 @@ pub(crate) trait System {
         &self,
         instants: [&Instant<'_>; 2],
         span: Span<'_>,
+        closeness: Closeness,
         is_near: &mut dyn FnMut(f64) -> Result<bool, LengthError>,
     ) -> Result<bool, LengthError>;
     /// The local points, axes and values of joints.
@@ -291,9 +292,17 @@ impl<B: Borrow<M>, M: Mechanism> System for Evaluator<B, M> {
         &self,
         instants: [&Instant<'_>; 2],
         span: Span<'_>,
+        closeness: Closeness,
         is_near: &mut dyn FnMut(f64) -> Result<bool, LengthError>,
     ) -> Result<bool, LengthError> {
-        narrow_curves_are_followed(self.mechanism.borrow(), self.parameters.as_ref(), instants, span, is_near)
+        narrow_curves_are_followed(
+            self.mechanism.borrow(),
+            self.parameters.as_ref(),
+            instants,
+            span,
+            closeness,
+            is_near,
+        )
     }
 
     fn generalized_forces(&self, at: &Instant<'_>, state: &State, generalized: &mut [f64]) -> Result<(), LengthError> {

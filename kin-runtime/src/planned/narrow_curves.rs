@@ -8,13 +8,14 @@
 //! width of the enclosure of g ≤ 8 · range of g at the ends and near the middle of the step + 10⁻⁹ |g|
 //! ```
 //!
-//! Any other part is halved, and the plan is solved in its middle. If the enclosures of many parts are about as wide, they
+//! Any other part is halved, and the plan is solved in its middle. Where velocities are integrated, a pulse need not exceed
+//! the range of g to move the mechanism. There the step is divided into 16 parts from the beginning, and ½ replaces 8. If the enclosures of many parts are about as wide, they
 //! are wider than the function, as where it nearly rests, and tell nothing. Supplied functions are enclosed by themselves
 //! ([`ScalarFunction::enclose`](crate::ScalarFunction::enclose)), or not at all.
 
 use super::inputs::write_inputs_within;
 use super::interior::{IRREGULAR_FRACTIONS, on_cubic};
-use super::parts::{Span, halve, hull};
+use super::parts::{Span, divide, hull};
 use crate::mechanism::{LengthError, Mechanism};
 use crate::scalar::{Interval, Scalar};
 use crate::signal::{Instant, Signal};
@@ -23,9 +24,24 @@ use crate::workspace::Array;
 /// The largest number of parts of the same length that are looked at.
 const PARTS: usize = 16;
 
-/// Widths of an enclosure up to this hide nothing, relative to the range of the function in the step, and to the function.
-const USUAL_WIDTH: f64 = 8.0;
+/// Widths of an enclosure up to this hide nothing, relative to the function.
 const NEGLIGIBLE_WIDTH: f64 = 1e-9;
+
+/// How closely the functions in a step are looked at.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Closeness {
+    /// The number of parts into which the step is divided at first.
+    parts: usize,
+    /// Widths of an enclosure up to this hide nothing, relative to the range of the function in the step.
+    usual_width: f64,
+}
+
+impl Closeness {
+    /// For positions that follow from those at the end of the step.
+    pub(crate) const OF_POSITIONS: Self = Self { parts: 2, usual_width: 8.0 };
+    /// For velocities that are integrated over the step.
+    pub(crate) const OF_VELOCITIES: Self = Self { parts: PARTS, usual_width: 0.5 };
+}
 
 /// A function that has no enclosure even over a part as short as this, in the middle of the step, has none at all.
 const MIN_PART: f64 = 1e-6;
@@ -42,6 +58,7 @@ pub(crate) fn narrow_curves_are_followed<M: Mechanism>(
     parameters: &[f64],
     [from, to]: [&Instant<'_>; 2],
     span: Span<'_>,
+    closeness: Closeness,
     is_near: &mut dyn FnMut(f64) -> Result<bool, LengthError>,
 ) -> Result<bool, LengthError> {
     let nothing = M::KnownCurves::<f64>::filled(0.0);
@@ -64,7 +81,7 @@ pub(crate) fn narrow_curves_are_followed<M: Mechanism>(
         for (function, x) in supplied(M::FUNCTIONS_IN_CURVES, enclosures.as_mut()) {
             *x = mechanism.enclose_function(function, *x);
         }
-        write_ratios(excesses, enclosures.as_ref(), ranges);
+        write_ratios(excesses, enclosures.as_ref(), ranges, closeness.usual_width);
         Ok(())
     };
     let [mut whole, mut in_the_middle, mut of_part] = [nothing; 3];
@@ -86,7 +103,7 @@ pub(crate) fn narrow_curves_are_followed<M: Mechanism>(
         write_excesses(start, width, of_part.as_mut())?;
         Ok(largest_known(of_part.as_ref(), in_the_middle))
     };
-    Ok(halve(PARTS, &mut excess, is_near)?.unwrap_or(true))
+    Ok(divide([closeness.parts, PARTS], &mut excess, is_near)?.unwrap_or(true))
 }
 
 /// The least and the largest value of every curve in a step; NaN for supplied functions that do not enclose their values.
@@ -125,9 +142,9 @@ fn widen([least, most]: [&mut [f64]; 2], values: &[f64]) {
 }
 
 /// Writes the widths of enclosures relative to those which hide nothing; infinity where one of them is not known.
-fn write_ratios(excesses: &mut [f64], enclosures: &[Interval], [least, most]: [&[f64]; 2]) {
+fn write_ratios(excesses: &mut [f64], enclosures: &[Interval], [least, most]: [&[f64]; 2], usual_width: f64) {
     for ((excess, enclosure), (least, most)) in excesses.iter_mut().zip(enclosures).zip(least.iter().zip(most)) {
-        let usual = USUAL_WIDTH * (most - least) + NEGLIGIBLE_WIDTH * least.abs().max(most.abs()) + f64::MIN_POSITIVE;
+        let usual = usual_width * (most - least) + NEGLIGIBLE_WIDTH * least.abs().max(most.abs()) + f64::MIN_POSITIVE;
         let ratio = (enclosure.upper() - enclosure.lower()) / usual;
         *excess = if ratio.is_nan() { f64::INFINITY } else { ratio };
     }

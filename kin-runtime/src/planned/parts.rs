@@ -35,9 +35,20 @@ pub(super) fn halve(
     excess: &mut dyn FnMut(f64, f64) -> Result<f64, LengthError>,
     stays_at: &mut dyn FnMut(f64) -> Result<bool, LengthError>,
 ) -> Result<Option<bool>, LengthError> {
+    divide([2, most], excess, stays_at)
+}
+
+/// Divides a step into `first` parts, and goes on as [`halve`].
+pub(super) fn divide(
+    [first, most]: [usize; 2],
+    excess: &mut dyn FnMut(f64, f64) -> Result<f64, LengthError>,
+    stays_at: &mut dyn FnMut(f64) -> Result<bool, LengthError>,
+) -> Result<Option<bool>, LengthError> {
     // The parts are numbered from the beginning of the step.
-    let (mut parts, mut count, mut width) = ([0_u32; MOST_PARTS], 2, 0.5);
-    parts[1] = 1;
+    let (mut parts, mut count, mut width) = ([0_u32; MOST_PARTS], first, 1.0 / first as f64);
+    for (part, number) in parts.iter_mut().zip(0..first as u32) {
+        *part = number;
+    }
     for _ in 0..HALVINGS {
         if count == 0 {
             break;

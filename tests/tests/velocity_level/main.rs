@@ -4,6 +4,7 @@
 mod coefficients;
 mod limits;
 mod pulses;
+mod short_pulses;
 
 use kin_runtime::model::{Frame, Level, Role};
 use kin_runtime::{Instant, Kinematics, Mechanism, Options, Refusal, Signal, SolveError, State, mechanism};

@@ -15,22 +15,28 @@
 //! as in [`step`](super::step), so that no singular configuration is passed.
 //!
 //! The estimated error only knows the stages: a velocity that rises and falls between them would be missed. Therefore v is
-//! also compared with the slope of the cubic through both ends at the [`IRREGULAR_FRACTIONS`] of a step, and wherever a formula in it
-//! may have a narrow peak (see [`planned::narrow_curves`](crate::planned::narrow_curves)).
+//! also compared with the slope of the quartic through the stages at the [`IRREGULAR_FRACTIONS`] of a step, and wherever a
+//! function in it may have a narrow peak (see [`planned::narrow_curves`](crate::planned::narrow_curves)). A difference up to
+//! [`MAX_DEFECT`] tolerances is accepted: one that is found at no neighbouring place lasts for a small part of the step, and
+//! what it moves is a small part of that.
 
 use super::hidden_motion::places_of_narrow_curves;
 use super::step::{Fault, Node, StepBuffers, StepStart, correct, settle};
 use crate::analysis::velocity::scaled;
 use crate::equations::Equations;
 use crate::equations::factorisation::Purpose;
-use crate::nonlinear::dormand_prince::{StepResult, runge_kutta_step};
+use crate::nonlinear::dormand_prince::{StepResult, bow, runge_kutta_step};
 use crate::planned::interior::{IRREGULAR_FRACTIONS, on_cubic, slope_of_cubic};
+use crate::planned::narrow_curves::Closeness;
 use crate::workspace::Subset;
 
 /// Safety factor of the step length that the error estimate allows.
 const SAFETY: f64 = 0.9;
 /// Factor by which a correction onto Φ = 0 may exceed the tolerance of one step.
 const MAX_DRIFT: f64 = 1e3;
+/// Factor by which the difference of the velocity from the quartic within a step, times its length, may exceed the
+/// tolerance of one step.
+const MAX_DEFECT: f64 = 1e3;
 
 /// Writes the node at the place `s` to `to`; returns the factor by which the next step may be longer.
 pub(super) fn integrate(
@@ -44,7 +50,12 @@ pub(super) fn integrate(
     let h = s - from.s;
     let q = &from.node.state.q;
     let rank = from.basis.factor.rank;
-    let result = runge_kutta_step(h, q, from.q_dot, |since, q| velocity(equations, rank, [from.s, since], q))?;
+    let mut stages = vec![from.q_dot.to_vec()];
+    let result = runge_kutta_step(h, q, from.q_dot, |since, q| {
+        let found = velocity(equations, rank, [from.s, since], q)?;
+        stages.push(found.clone());
+        Ok::<_, Fault>(found)
+    })?;
     let tolerance = equations.options.integration_tolerance;
     let effort = error(equations, q, &result) / tolerance;
     let factor = SAFETY * effort.powf(-0.2);
@@ -53,44 +64,44 @@ pub(super) fn integrate(
     }
     equations.move_to(s)?;
     let size = 1.0 + equations.scale.size(&result.y);
-    scratch.predicted = result.y;
+    scratch.predicted.clone_from(&result.y);
     let corrected = correct(equations, scratch, &mut to.state.q, MAX_DRIFT * tolerance * size, 1e-9)?;
     settle(equations, scratch, from, to, corrected, s, last)?;
-    let ends = [q, from.q_dot, &to.state.q, &to.state.q_dot];
-    let is_regular = follows_cubic(equations, rank, ends, [from.s, s], MAX_DRIFT * tolerance)?;
+    let is_regular = follows_quartic(equations, rank, ([q, &result.y], &stages), [from.s, s])?;
     equations.move_to(s)?;
     if is_regular { Ok(factor.clamp(0.5, 4.0)) } else { Err(Fault::Coarse(0.5)) }
 }
 
-/// True if, at instants within a step, the velocity is near the slope of the cubic through its ends, which are q and q̇ of
-/// both. The difference times the length of the step may be a share of the motion of coordinates of the same kind, or
-/// `negligible`: a long way does not hide a turn.
-fn follows_cubic(
+/// True if, at instants within a step of the length h, the velocity is the slope of the quartic through its stages. The
+/// difference times h is of the order of the error estimate, and measured like it, coordinate by coordinate: neither a long
+/// way nor the motion of other coordinates hides a turn.
+fn follows_quartic(
     equations: &mut Equations<'_>,
     rank: usize,
-    ends: [&[f64]; 4],
+    ([before, after], stages): ([&[f64]; 2], &[Vec<f64>]),
     [from, s]: [f64; 2],
-    negligible: f64,
 ) -> Result<bool, Fault> {
     let h = s - from;
-    let [q0, v0, q1, v1] = ends;
-    let share = equations.options.prediction_tolerance;
-    let moved = |k: usize| (q1[k] - q0[k]).abs().max((h * v0[k]).abs()).max((h * v1[k]).abs());
-    let allowed = of_kinds(equations, &moved).map(|motion| share * motion + negligible);
-    let (mut cubic, mut slope) = (vec![0.0; q0.len()], vec![0.0; q0.len()]);
+    let ends = [before, &stages[0], after, &stages[stages.len() - 1]];
+    let bow = bow(h, stages);
+    let allowed = MAX_DEFECT * equations.options.integration_tolerance;
+    let (mut within, mut off) = (vec![0.0; before.len()], vec![0.0; before.len()]);
     let mut is_near = |equations: &mut Equations<'_>, fraction: f64| -> Result<bool, Fault> {
-        on_cubic(&mut cubic, ends, h, fraction);
-        slope_of_cubic(&mut slope, ends, h, fraction);
-        let found = velocity(equations, rank, [from, fraction * h], &cubic)?;
-        let off = of_kinds(equations, &|k| (h * (slope[k] - found[k])).abs());
-        Ok(!off.iter().zip(&allowed).any(|(off, allowed)| off > allowed) && !found.iter().any(|v| v.is_nan()))
+        let [share, slope] = quartic(fraction);
+        on_cubic(&mut within, ends, h, fraction);
+        within.iter_mut().zip(&bow).for_each(|(q, d)| *q += share * d);
+        let found = velocity(equations, rank, [from, fraction * h], &within)?;
+        slope_of_cubic(&mut off, ends, h, fraction);
+        off.iter_mut().zip(&bow).zip(found).for_each(|((v, d), found)| *v = h * (*v - found) + slope * d);
+        // The comparison is written so that NaN is rejected.
+        Ok(largest_share(equations, [before, after], &off) <= allowed)
     };
     for fraction in IRREGULAR_FRACTIONS {
         if !is_near(equations, fraction)? {
             return Ok(false);
         }
     }
-    for place in places_of_narrow_curves(equations, [from, s], ends)? {
+    for place in places_of_narrow_curves(equations, [from, s], ends, Closeness::OF_VELOCITIES)? {
         if !is_near(equations, place)? {
             return Ok(false);
         }
@@ -98,18 +109,10 @@ fn follows_cubic(
     Ok(true)
 }
 
-/// The largest of these numbers on the common scale: of angles, of lengths and of other coordinates.
-fn of_kinds(equations: &Equations<'_>, number: &dyn Fn(usize) -> f64) -> [f64; 3] {
-    let mut largest = [0.0_f64; 3];
-    for (k, (info, size)) in equations.model.coordinates.iter().zip(&equations.scale.columns).enumerate() {
-        let kind = match info.kind {
-            kind if kind.is_angle() => 0,
-            kind if kind.is_length() => 1,
-            _ => 2,
-        };
-        largest[kind] = largest[kind].max(number(k) / size);
-    }
-    largest
+/// θ² (1 − θ)² and its slope at the fraction θ of a step.
+fn quartic(fraction: f64) -> [f64; 2] {
+    let product = fraction * (1.0 - fraction);
+    [product * product, 2.0 * product * (1.0 - 2.0 * fraction)]
 }
 
 /// q̇ at a stage of the Runge–Kutta step, which is near Φ = 0 but not on it: at a place after another one.
@@ -123,14 +126,19 @@ fn velocity(equations: &mut Equations<'_>, rank: usize, [from, since]: [f64; 2],
     Ok(factor.solve(&-scaled(equations, &equations.phi_t)).as_slice().to_vec())
 }
 
-/// Largest estimated error of a coordinate on the common scale, relative to the size of the coordinate where that
-/// exceeds 1; NaN where a coordinate is not finite.
+/// Largest estimated error of a coordinate.
 fn error(equations: &Equations<'_>, before: &[f64], result: &StepResult) -> f64 {
+    largest_share(equations, [before, &result.y], &result.error)
+}
+
+/// The largest of these errors of coordinates on the common scale, relative to the size of the coordinate, at either end of
+/// a step, where that exceeds 1; NaN where a coordinate is not finite.
+fn largest_share(equations: &Equations<'_>, [before, after]: [&[f64]; 2], errors: &[f64]) -> f64 {
     let mut largest = 0.0;
     for (k, d) in equations.scale.columns.iter().enumerate() {
-        let size = 1.0 + before[k].abs().max(result.y[k].abs()) / d;
-        let error = (result.error[k] / d).abs() / size;
-        if error.is_nan() || !result.y[k].is_finite() {
+        let size = 1.0 + before[k].abs().max(after[k].abs()) / d;
+        let error = (errors[k] / d).abs() / size;
+        if error.is_nan() || !after[k].is_finite() {
             return f64::NAN;
         }
         largest = f64::max(largest, error);
