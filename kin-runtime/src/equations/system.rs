@@ -10,7 +10,7 @@ use crate::model::{Model, Pattern};
 use crate::plan::{Depth, Solved};
 use crate::planned::PlanError;
 use crate::planned::follower::{Control, PlanFollower, PlanSolution};
-use crate::planned::narrow_curves::{Closeness, narrow_curves_are_followed};
+use crate::planned::narrow_curves::{Resolution, narrow_curves_are_followed};
 use crate::planned::parts::Span;
 use crate::scalar::{Interval, Scalar};
 use crate::signal::{Instant, Signal};
@@ -107,7 +107,7 @@ pub(crate) trait System {
         &self,
         instants: [&Instant<'_>; 2],
         span: Span<'_>,
-        closeness: Closeness,
+        resolution: Resolution,
         is_near: &mut dyn FnMut(f64) -> Result<bool, LengthError>,
     ) -> Result<bool, LengthError>;
     /// The local points, axes and values of joints.
@@ -292,7 +292,7 @@ impl<B: Borrow<M>, M: Mechanism> System for Evaluator<B, M> {
         &self,
         instants: [&Instant<'_>; 2],
         span: Span<'_>,
-        closeness: Closeness,
+        resolution: Resolution,
         is_near: &mut dyn FnMut(f64) -> Result<bool, LengthError>,
     ) -> Result<bool, LengthError> {
         narrow_curves_are_followed(
@@ -300,7 +300,7 @@ impl<B: Borrow<M>, M: Mechanism> System for Evaluator<B, M> {
             self.parameters.as_ref(),
             instants,
             span,
-            closeness,
+            resolution,
             is_near,
         )
     }

@@ -10,7 +10,7 @@ use super::follower::{Control, NEGLIGIBLE_CORRECTION, PlanFollower, PlanSolution
 use super::inputs::spread_inputs;
 use super::interior::{IRREGULAR_FRACTIONS, on_cubic};
 use super::lists::{Margins, Modes};
-use super::narrow_curves::{Closeness, narrow_curves_are_followed};
+use super::narrow_curves::{Resolution, narrow_curves_are_followed};
 use super::parts::Span;
 use super::predict::{largest_turn, turned};
 use crate::course::{Between, Course, kind};
@@ -82,7 +82,7 @@ pub(crate) fn curves_are_followed<M: Mechanism>(
     let from = Instant { t: course.at(interval[0], first.as_mut()), inputs: first.as_ref() };
     let to = Instant { t: course.at(interval[1], last.as_mut()), inputs: last.as_ref() };
     let span = Span { ends, inputs: from.inputs, h: interval[1] - interval[0] };
-    narrow_curves_are_followed(mechanism, parameters, [&from, &to], span, Closeness::OF_POSITIONS, is_near)
+    narrow_curves_are_followed(mechanism, parameters, [&from, &to], span, Resolution::OF_POSITIONS, is_near)
 }
 
 /// The least of these numbers and 1; NaN where one of them is not finite.

@@ -27,19 +27,20 @@ const PARTS: usize = 16;
 /// Widths of an enclosure up to this hide nothing, relative to the function.
 const NEGLIGIBLE_WIDTH: f64 = 1e-9;
 
-/// How closely the functions in a step are looked at.
+/// How finely the functions in a step are enclosed.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Closeness {
+pub(crate) struct Resolution {
     /// The number of parts into which the step is divided at first.
     parts: usize,
     /// Widths of an enclosure up to this hide nothing, relative to the range of the function in the step.
     usual_width: f64,
 }
 
-impl Closeness {
+impl Resolution {
     /// For positions that follow from those at the end of the step.
     pub(crate) const OF_POSITIONS: Self = Self { parts: 2, usual_width: 8.0 };
     /// For velocities that are integrated over the step.
+    #[cfg(feature = "std")]
     pub(crate) const OF_VELOCITIES: Self = Self { parts: PARTS, usual_width: 0.5 };
 }
 
@@ -58,7 +59,7 @@ pub(crate) fn narrow_curves_are_followed<M: Mechanism>(
     parameters: &[f64],
     [from, to]: [&Instant<'_>; 2],
     span: Span<'_>,
-    closeness: Closeness,
+    resolution: Resolution,
     is_near: &mut dyn FnMut(f64) -> Result<bool, LengthError>,
 ) -> Result<bool, LengthError> {
     let nothing = M::KnownCurves::<f64>::filled(0.0);
@@ -81,7 +82,7 @@ pub(crate) fn narrow_curves_are_followed<M: Mechanism>(
         for (function, x) in supplied(M::FUNCTIONS_IN_CURVES, enclosures.as_mut()) {
             *x = mechanism.enclose_function(function, *x);
         }
-        write_ratios(excesses, enclosures.as_ref(), ranges, closeness.usual_width);
+        write_ratios(excesses, enclosures.as_ref(), ranges, resolution.usual_width);
         Ok(())
     };
     let [mut whole, mut in_the_middle, mut of_part] = [nothing; 3];
@@ -103,7 +104,7 @@ pub(crate) fn narrow_curves_are_followed<M: Mechanism>(
         write_excesses(start, width, of_part.as_mut())?;
         Ok(largest_known(of_part.as_ref(), in_the_middle))
     };
-    Ok(divide([closeness.parts, PARTS], &mut excess, is_near)?.unwrap_or(true))
+    Ok(divide([resolution.parts, PARTS], &mut excess, is_near)?.unwrap_or(true))
 }
 
 /// The least and the largest value of every curve in a step; NaN for supplied functions that do not enclose their values.

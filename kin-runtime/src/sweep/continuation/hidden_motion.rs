@@ -5,7 +5,7 @@ use crate::equations::Equations;
 use crate::error::SolveError;
 use crate::linear::Factorization;
 use crate::planned::interior::{IRREGULAR_FRACTIONS, on_cubic};
-use crate::planned::narrow_curves::Closeness;
+use crate::planned::narrow_curves::Resolution;
 use crate::planned::parts::Span;
 use crate::signal::Instant;
 use crate::workspace::Subset;
@@ -36,7 +36,7 @@ pub(super) fn hides_nothing(
     };
     let mut hides_nothing = IRREGULAR_FRACTIONS.into_iter().all(|fraction| is_near(equations, fraction));
     if hides_nothing {
-        let places = places_of_narrow_curves(equations, [from, s], ends, Closeness::OF_POSITIONS)?;
+        let places = places_of_narrow_curves(equations, [from, s], ends, Resolution::OF_POSITIONS)?;
         hides_nothing = places.into_iter().all(|place| is_near(equations, place));
     }
     equations.move_to(s)?;
@@ -50,7 +50,7 @@ pub(super) fn places_of_narrow_curves(
     equations: &mut Equations<'_>,
     [from, s]: [f64; 2],
     ends: [&[f64]; 4],
-    closeness: Closeness,
+    resolution: Resolution,
 ) -> Result<Vec<f64>, SolveError> {
     equations.move_to(from)?;
     let (t, inputs) = (equations.t, equations.inputs.clone());
@@ -62,7 +62,7 @@ pub(super) fn places_of_narrow_curves(
         Ok(true)
     };
     let instants = [&Instant { t, inputs: &inputs }, &equations.instant()];
-    let found = equations.system.follows_narrow_curves(instants, span, closeness, &mut look);
+    let found = equations.system.follows_narrow_curves(instants, span, resolution, &mut look);
     debug_assert!(found == Ok(true), "the lists have the right lengths");
     Ok(places)
 }

@@ -27,7 +27,7 @@ use crate::equations::Equations;
 use crate::equations::factorisation::Purpose;
 use crate::nonlinear::dormand_prince::{StepResult, bow, runge_kutta_step};
 use crate::planned::interior::{IRREGULAR_FRACTIONS, on_cubic, slope_of_cubic};
-use crate::planned::narrow_curves::Closeness;
+use crate::planned::narrow_curves::Resolution;
 use crate::workspace::Subset;
 
 /// Safety factor of the step length that the error estimate allows.
@@ -101,7 +101,7 @@ fn follows_quartic(
             return Ok(false);
         }
     }
-    for place in places_of_narrow_curves(equations, [from, s], ends, Closeness::OF_VELOCITIES)? {
+    for place in places_of_narrow_curves(equations, [from, s], ends, Resolution::OF_VELOCITIES)? {
         if !is_near(equations, place)? {
             return Ok(false);
         }
