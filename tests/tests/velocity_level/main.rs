@@ -2,6 +2,7 @@
 //! written with equations of position level.
 
 mod coefficients;
+mod ends;
 mod limits;
 mod pulses;
 mod short_pulses;

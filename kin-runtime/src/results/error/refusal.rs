@@ -17,6 +17,8 @@ pub enum Refusal {
     TooManySteps,
     /// Rounding errors dominate the rates, because rows are nearly dependent or their slopes change too fast.
     Rounded,
+    /// The error of velocities that are integrated has grown so large that it dominates the rates.
+    GlobalError,
     /// A row is not defined beyond this place: a root, a logarithm or another function in it ends there.
     Undefined,
     /// Two points coincide whose distance is in a row, as neighbouring points of a rope.
@@ -38,6 +40,7 @@ impl fmt::Display for Refusal {
                 "rounding errors dominate the rates there, because rows are nearly dependent or their slopes change too \
                  fast"
             }
+            Self::GlobalError => "the error of the integration has grown so large that it dominates the rates",
             Self::Undefined => "a row is not defined beyond it",
             Self::Coincident => "two points of the row coincide, so that their distance has no direction",
             Self::Discontinuous => "a row or an input jumps there",

@@ -69,6 +69,7 @@ pub(super) fn integrate(
     settle(equations, scratch, from, to, corrected, s, last)?;
     let is_regular = follows_quartic(equations, rank, ([q, &result.y], &stages), [from.s, s])?;
     equations.move_to(s)?;
+    scratch.local_error = Some(result.error);
     if is_regular { Ok(factor.clamp(0.5, 4.0)) } else { Err(Fault::Coarse(0.5)) }
 }
 
@@ -116,7 +117,12 @@ fn quartic(fraction: f64) -> [f64; 2] {
 }
 
 /// q̇ at a stage of the Runge–Kutta step, which is near Φ = 0 but not on it: at a place after another one.
-fn velocity(equations: &mut Equations<'_>, rank: usize, [from, since]: [f64; 2], q: &[f64]) -> Result<Vec<f64>, Fault> {
+pub(super) fn velocity(
+    equations: &mut Equations<'_>,
+    rank: usize,
+    [from, since]: [f64; 2],
+    q: &[f64],
+) -> Result<Vec<f64>, Fault> {
     equations.move_from(from, since)?;
     equations.evaluate(Subset::VELOCITY, q, None)?;
     let factor = equations.factorise(Purpose::Solutions, None);

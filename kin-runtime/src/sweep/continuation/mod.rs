@@ -32,11 +32,13 @@
 //! ```
 //!
 //! Where there are rows of velocity level, Φ does not determine the position. The velocities are then integrated from
-//! the first instant on, and every step is projected onto Φ = 0; see `integrate`.
+//! the first instant on, and every step is projected onto Φ = 0; see `integrate`. The motion ends where the accumulated
+//! error dominates the rates; see `global_error`.
 
 mod between;
 mod checked_plan;
 mod follow;
+mod global_error;
 mod groups;
 mod hidden_motion;
 mod integrate;

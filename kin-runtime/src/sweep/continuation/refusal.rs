@@ -57,6 +57,7 @@ pub(super) fn refusal(
         Fault::Open(row) => (Some(row), Refusal::NotAssembled),
         Fault::Jump(row) => (Some(row), Refusal::WouldJump),
         Fault::Rounded(row) => (Some(row), Refusal::Rounded),
+        Fault::GlobalError(row) => (Some(row), Refusal::GlobalError),
         Fault::Coarse(_) => (None, Refusal::StepTooSmall),
     };
     let spacing = f64::EPSILON * start.s.abs();

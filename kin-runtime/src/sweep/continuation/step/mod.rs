@@ -77,6 +77,8 @@ pub(crate) enum Fault {
     Coarse(f64),
     /// Rounding errors dominate the rates; the row with the largest residual at the prediction.
     Rounded(usize),
+    /// The error of integrated velocities dominates the rates; the row that it changes most.
+    GlobalError(usize),
     /// An evaluation failed.
     Error(SolveError),
 }
@@ -97,6 +99,8 @@ pub(crate) struct StepBuffers {
     closing: Vec<usize>,
     /// The branch values of the groups at the prediction and at the solution found.
     groups: [Vec<f64>; 2],
+    /// The estimated error of the last step, if it was integrated.
+    pub(super) local_error: Option<Vec<f64>>,
 }
 
 impl StepBuffers {

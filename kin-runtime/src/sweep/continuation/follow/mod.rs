@@ -1,7 +1,10 @@
 //! Step control: follows one branch of the motion from one instant to another.
 
-use super::between::{StepMethod, state_between};
+mod watch;
+
+use super::between::StepMethod;
 use super::checked_plan::CheckedPlan;
+use super::global_error::GlobalError;
 use super::groups;
 use super::integrate::integrate;
 use super::nodes::{at_instant, basis_with, complete_basis, natural_step, rates};
@@ -38,6 +41,8 @@ pub(crate) struct Continuation {
     plan: Option<CheckedPlan>,
     /// How full Newton finds the next node: by continuation of Φ, or by integration of the velocities.
     step: StepMethod,
+    /// The errors of an integrated motion at the instant reached and at the last accepted internal step.
+    errors: [GlobalError; 2],
     /// Length of the next internal step.
     proposed: f64,
     scratch: StepBuffers,
@@ -77,17 +82,12 @@ impl Continuation {
             plan,
             step: if integrates { integrate } else { step },
             proposed: f64::INFINITY,
+            errors: Default::default(),
             scratch: StepBuffers::new(equations),
             watch: None,
             fallbacks: Vec::new(),
             node,
         })
-    }
-
-    /// The first event, if the sweep is to stop at events and one was passed.
-    pub(crate) fn stopped(&self, equations: &Equations<'_>) -> Option<&State> {
-        let watch = self.watch.as_ref().filter(|_| equations.options.stop_at_events)?;
-        watch.events().first().map(|event| &event.state)
     }
 
     /// The instant reached.
@@ -160,6 +160,7 @@ impl Continuation {
             }
             core::mem::swap(&mut self.node, &mut self.accepted);
             self.s = self.node.s;
+            self.errors.swap(0, 1);
             self.q_dot.clone_from(&self.node.state.q_dot);
             self.q_ddot.clone_from(&self.node.state.q_ddot);
         } else {
@@ -185,6 +186,7 @@ impl Continuation {
         }
         poses(equations, state)?;
         core::mem::swap(&mut self.node, &mut self.accepted);
+        self.errors.swap(0, 1);
         Ok(())
     }
 
@@ -257,7 +259,7 @@ impl Continuation {
             } else {
                 let limit = self.plan.as_ref().and_then(CheckedPlan::limit);
                 let jumps = self.plan.as_ref().is_some_and(CheckedPlan::found_a_jump);
-                let Self { node, accepted, next, q_dot, q_ddot, scratch, .. } = self;
+                let Self { node, accepted, next, q_dot, q_ddot, scratch, errors, .. } = self;
                 complete_basis(equations, if moved { &mut *accepted } else { &mut *node })?;
                 let last_instant = &node.state;
                 let node = if moved { &*accepted } else { &*node };
@@ -272,7 +274,18 @@ impl Continuation {
                     return Err(refusal(equations, (last_instant, &start), [target; 2], fault, (limit, jumps)));
                 }
                 // The iteration must also converge fully at a limit that the plan has found: two solutions may meet there.
-                match (self.step)(equations, scratch, start, next, s, s == aim) {
+                let stepped = (self.step)(equations, scratch, start, next, s, s == aim);
+                if stepped.is_ok()
+                    && let Some(local) = &scratch.local_error
+                {
+                    match errors[usize::from(moved)].after(equations, start, next, local) {
+                        Ok(after) => errors[1] = after,
+                        Err(fault) => {
+                            return Err(refusal(equations, (last_instant, &start), [s, target], fault, (limit, jumps)));
+                        }
+                    }
+                }
+                match stepped {
                     Ok(_)
                         if s == aim && s != target && next.state.condition.is_some_and(|c| c > SINGULAR_CONDITION) =>
                     {
@@ -371,31 +384,5 @@ impl Continuation {
         let Some(plan) = plan else { return Ok(None) };
         let from = if moved { &accepted.state } else { &node.state };
         plan.step(equations, from, next, to)
-    }
-
-    /// Passes the accepted step to the watch over the unilateral conditions.
-    fn watch_step(&mut self, equations: &mut Equations<'_>, moved: bool, from: f64) -> Result<(), SolveError> {
-        let Self { node, accepted, next, plan, step, scratch, watch, q_dot, q_ddot, .. } = self;
-        let Some(watch) = watch else { return Ok(()) };
-        let (node, rates): (&Node, [&[f64]; 2]) =
-            if moved { (accepted, [&accepted.state.q_dot, &accepted.state.q_ddot]) } else { (node, [q_dot, q_ddot]) };
-        let by_plan = next.basis.is_none();
-        let mut between = |equations: &mut Equations<'_>, s: f64| match (&mut *plan, &node.basis) {
-            (Some(plan), _) if by_plan => {
-                equations.move_to(s).ok()?;
-                let mut state = node.state.clone();
-                plan.peek(equations, &mut state).map(|()| state)
-            }
-            (_, Some(basis)) => {
-                let start = StepStart { node, basis, s: from, q_dot: rates[0], q_ddot: rates[1] };
-                state_between(equations, *step, scratch, start, s)
-            }
-            _ => None,
-        };
-        watch.pass(equations, &next.state, &mut between)?;
-        if equations.options.stop_at_events {
-            watch.keep_first();
-        }
-        Ok(())
     }
 }
