@@ -34,8 +34,9 @@ pub(super) const HELP: Help = Help {
 Each closure, a way to assemble the mechanism, is certified: interval arithmetic proves that it
 exists and is the only one nearby. The command also proves that the list is complete. Where signs
 do not tell all closures apart, as in groups that close by iteration, all angles are searched
-within a full turn around the guess; other commands select such a closure by its number, --mode
-closure=2 for the second at the first instant of a motion. Undecided cases are listed, and the status is then 1.",
+within a full turn around the guess; other commands select such a closure by its number,
+--mode closure=2 for the second at the first instant of a motion. Undecided cases are listed, and
+the status is then 1.",
 };
 
 pub(super) fn run(args: &ModesArgs, engine: &mut dyn Engine, session: &mut Session<'_>) -> Result<(), Failure> {
