@@ -7,8 +7,7 @@ use crate::model::Model;
 use crate::present::animation::ColumnInfo;
 use crate::present::units::ResultUnits;
 
-/// The quantities with these names; all names that are unknown or repeated are
-/// reported at once.
+/// The quantities with these names; all names that are unknown or repeated are reported at once.
 pub(super) fn quantities(model: &'static Model, names: &[String]) -> Result<Vec<Measure>, Failure> {
     let mut ledger = Ledger::default();
     let found: Vec<Measure> = names.iter().filter_map(|name| ledger.take(find_quantity(model, "WHAT", name))).collect();

@@ -50,10 +50,11 @@ impl<M: Mechanism> PlanFollower<M> {
                 }
             }
         }
-        let turn = TAU / slowest;
-        if turn == 0.0 {
+        if slowest.is_infinite() {
+            // The input turns no body steadily.
             return false;
         }
+        let turn = TAU / slowest;
         // Bit m − 1 is set while the configuration repeats after m turns at all places so far.
         let mut repeats = u32::MAX;
         for place in PLACES {
