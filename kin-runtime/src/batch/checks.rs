@@ -21,8 +21,9 @@ use core::f64::consts::PI;
 pub(super) type LimitsNearby = [Option<Limit>; Octet::COUNT];
 
 impl<Q: AsRef<[Octet]> + AsMut<[Octet]>> BlockSolution<Q> {
-    /// Refuses the lanes of a solution if the scalar follower would refuse to start there. `modes` are the signs of all groups; if they are those of the start, an iteration must keep them. Returns
-    /// the limits beside which lanes were refused.
+    /// Refuses the lanes of a solution if the scalar follower would refuse to start there. `modes` are the signs of all
+    /// groups; if they are those of the start, an iteration must keep them. Returns the limits beside which lanes were
+    /// refused.
     #[inline(always)]
     pub(super) fn check<M: Mechanism>(
         &mut self,

@@ -9,9 +9,10 @@
 //! ```
 //!
 //! Any other part is halved, and the plan is solved in its middle. Where velocities are integrated, a pulse need not exceed
-//! the range of g to move the mechanism. There the step is divided into 16 parts from the beginning, and ½ replaces 8. If the enclosures of many parts are about as wide, they
-//! are wider than the function, as where it nearly rests, and tell nothing. Supplied functions are enclosed by themselves
-//! ([`ScalarFunction::enclose`](crate::ScalarFunction::enclose)), or not at all.
+//! the range of g to move the mechanism. There the step is divided into 16 parts from the beginning, and ½ replaces 8. If
+//! the enclosures of many parts are about as wide, they are wider than the function, as where it nearly rests, and tell
+//! nothing. Supplied functions are enclosed by themselves ([`ScalarFunction::enclose`](crate::ScalarFunction::enclose)), or
+//! not at all.
 
 use super::inputs::write_inputs_within;
 use super::interior::{IRREGULAR_FRACTIONS, on_cubic};
