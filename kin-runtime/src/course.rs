@@ -15,6 +15,7 @@
 //! On smooth and straight paths of inputs [`Between`] counts s from the first instant, s = t − t₀ instead of t: where t is
 //! large, neighbouring numbers may be farther apart than the steps that a motion near a limit needs.
 
+use crate::quintic::quintic as interpolated;
 use crate::signal::{Instant, Signal};
 
 /// Inputs as functions of time.
@@ -262,18 +263,9 @@ fn quintic(a: &Signal, b: &Signal, h: f64, x: f64) -> Signal {
     if x == 0.0 || x == 1.0 {
         return if x == 0.0 { *a } else { *b };
     }
-    let [v, w] = [h * a.rate, h * a.acceleration * h];
-    let d = b.value - a.value - v - 0.5 * w;
-    let d_rate = h * b.rate - v - w;
-    let d_acceleration = h * b.acceleration * h - w;
-    let c3 = 10.0 * d - 4.0 * d_rate + 0.5 * d_acceleration;
-    let c4 = -15.0 * d + 7.0 * d_rate - d_acceleration;
-    let c5 = 6.0 * d - 3.0 * d_rate + 0.5 * d_acceleration;
-    Signal {
-        value: a.value + x * (v + x * (0.5 * w + x * (c3 + x * (c4 + x * c5)))),
-        rate: (v + x * (w + x * (3.0 * c3 + x * (4.0 * c4 + x * 5.0 * c5)))) / h,
-        acceleration: (w + x * (6.0 * c3 + x * (12.0 * c4 + x * 20.0 * c5))) / h / h,
-    }
+    let ends = [a, b].map(|u| [u.value, h * u.rate, h * u.acceleration * h]);
+    let [value, rate, acceleration] = interpolated(ends, x);
+    Signal { value, rate: rate / h, acceleration: acceleration / h / h }
 }
 
 #[cfg(all(test, feature = "std"))]

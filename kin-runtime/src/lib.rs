@@ -17,6 +17,7 @@ pub mod plan;
 pub mod planned;
 #[doc(hidden)]
 pub mod private;
+mod quintic;
 pub mod scalar;
 #[doc(hidden)]
 pub mod tables;

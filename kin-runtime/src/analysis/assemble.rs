@@ -14,7 +14,6 @@ use crate::analysis::subsystem_residual::close;
 use crate::equations::Equations;
 use crate::equations::scale::Scale;
 use crate::error::SolveError;
-use crate::nonlinear::newton::Iteration;
 use crate::random::Random;
 use crate::workspace::Subset;
 
@@ -35,53 +34,48 @@ fn attempts(equations: &mut Equations<'_>, guesses: &[Option<f64>]) -> Result<Po
     equations.scale = Scale::before_assembly(equations, &q);
     let unguessed: Vec<usize> = (0..guesses.len()).filter(|&k| guesses[k].is_none()).collect();
 
-    let mut best: Option<(Vec<f64>, Iteration)> = None;
     let mut random = Random::new(0x00a5_5e3b_1e00);
-    let attempts = if unguessed.is_empty() { 0 } else { equations.options.restarts };
-    for attempt in 0..=attempts {
+    let mut attempt = |equations: &mut Equations<'_>, number: usize| {
         let mut start = start.clone();
-        if attempt > 0 {
+        if number > 0 {
             for &k in &unguessed {
                 start[k] += equations.scale.columns[k] * core::f64::consts::PI * random.symmetric();
             }
         }
         let (mut q, open) = propagate(equations, guesses, &start);
-        if open.is_empty() && attempt > 0 {
+        if open.is_empty() && number > 0 {
             // Propagation found all coordinates: perturb them.
             for &k in &unguessed {
                 q[k] += equations.scale.columns[k] * 0.5 * random.symmetric();
             }
         }
-        if !open.is_empty() && attempt % 2 == 0 {
+        if !open.is_empty() && number.is_multiple_of(2) {
             // Rows without an unknown coordinate are left out.
             let moves = |e: &Equations<'_>, row| e.row(row).any(|(k, _)| open.binary_search(&k).is_ok());
             let rows = equations.rows_where(|e, row| e.holonomic(row) && moves(e, row));
             close(equations, &rows, &open, &mut q);
         }
         let outcome = close_all(equations, &mut q);
+        (q, outcome)
+    };
+    let (mut q, mut outcome) = attempt(equations, 0);
+    let further = if unguessed.is_empty() { 0 } else { equations.options.restarts };
+    for number in 1..=further {
         if outcome.converged {
-            return finish(equations, q, outcome);
+            break;
         }
-        if best.as_ref().is_none_or(|(_, best)| outcome.gap < best.gap) {
-            best = Some((q, outcome));
+        let (other, second) = attempt(equations, number);
+        if second.converged || second.gap < outcome.gap {
+            (q, outcome) = (other, second);
         }
     }
-    match best {
-        Some((q, outcome)) => finish(equations, q, outcome),
-        None => close_and_finish(equations, q),
-    }
+    finish(equations, q, outcome)
 }
 
 /// The guesses, the coordinates that rows determine by propagation, and 0 for the rest.
 pub(crate) fn propagated(equations: &mut Equations<'_>, guesses: &[Option<f64>]) -> Vec<f64> {
     let start: Vec<f64> = guesses.iter().map(|g| g.unwrap_or(0.0)).collect();
     propagate(equations, guesses, &start).0
-}
-
-/// The last attempt, with its error if it fails.
-fn close_and_finish(equations: &mut Equations<'_>, mut q: Vec<f64>) -> Result<Position, SolveError> {
-    let outcome = close_all(equations, &mut q);
-    finish(equations, q, outcome)
 }
 
 /// Determines unguessed coordinates row by row; returns q and the coordinates that stay undetermined.

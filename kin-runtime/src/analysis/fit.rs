@@ -57,7 +57,7 @@ pub(crate) fn fit_inputs(
 fn fit_from(equations: &mut Equations<'_>, mut q: Vec<f64>, indices: &[usize], size: f64) -> Result<bool, SolveError> {
     let (n, rows) = (q.len(), equations.rows());
     let all: Vec<usize> = (0..rows).collect();
-    // The weights include the size of the mechanism, so that the result does not depend on the unit of length.
+    // An input may be a length or an angle: its weight is at least 1 and the size of the mechanism.
     let weights: Vec<f64> = indices.iter().map(|&k| WEIGHT * equations.inputs[k].value.abs().max(size)).collect();
     for _ in 0..ITERATIONS {
         equations.evaluate(Subset { phi: true, ..Subset::VELOCITY }, &q, None)?;

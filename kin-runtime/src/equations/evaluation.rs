@@ -14,6 +14,7 @@ use crate::linear::Ordered;
 use crate::model::Model;
 use crate::observer::Observed;
 use crate::options::Options;
+use crate::scalar::compare::all_finite;
 use crate::signal::{Instant, Signal};
 use crate::workspace::Subset;
 use nalgebra::DVector;
@@ -170,9 +171,4 @@ fn copy(what: &'static str, model: &'static Model, from: &[f64], to: &mut DVecto
     }
     to.as_mut_slice()[..from.len()].copy_from_slice(from);
     Ok(())
-}
-
-/// True if all numbers are finite. The loop has no early exit, so that it vectorises.
-fn all_finite(numbers: &[f64]) -> bool {
-    numbers.iter().fold(true, |all, x| all & x.is_finite())
 }

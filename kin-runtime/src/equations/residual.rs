@@ -1,16 +1,17 @@
 //! The residuals of a solution, Φ, Φ_q q̇ + Φ_t and Φ_q q̈ − γ, row by row, and the tolerances with which they are
 //! compared.
 //!
-//! The tolerance of every row is derived from the entries of this row, so that it depends neither on units nor on other
-//! configurations:
+//! The tolerance of every row is derived from the entries of this row, so that it does not depend on other
+//! configurations, nor on the unit of length where angles have arms:
 //!
 //! ```text
 //! Rᵢ = Σⱼ |∂Φᵢ/∂qⱼ| cⱼ        cⱼ = 1 for angles and scalars, L for lengths
 //! |Φᵢ| ≤ ε Rᵢ        |Φ_q q̇ + Φ_t|ᵢ ≤ δ Rᵢ maxⱼ |q̇ⱼ|/cⱼ        |Φ_q q̈ − γ|ᵢ ≤ δ Rᵢ maxⱼ |q̈ⱼ|/cⱼ
 //! ```
 //!
-//! where L is the largest arm of an angle in a row of lengths, 1 if there is none. If |Φ_t|ᵢ or |γ|ᵢ is larger than Rᵢ times the largest rate, it
-//! takes the place of this product. ε is at least the rounding error of q, and no residual counts that has underflowed.
+//! where L is the largest arm of an angle in a row of lengths, 1 if there is none. If |Φ_t|ᵢ or |γ|ᵢ is larger than Rᵢ
+//! times the largest rate, it takes the place of this product. ε is at least the rounding error of q, and no residual
+//! counts that has underflowed.
 
 use crate::equations::system::Parts;
 use crate::model::{Level, Model};

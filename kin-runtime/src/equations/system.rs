@@ -9,7 +9,7 @@ use crate::mechanism::{LengthError, Mechanism, Observations, Workspace};
 use crate::model::{Model, Pattern};
 use crate::plan::{Depth, Solved};
 use crate::planned::PlanError;
-use crate::planned::follower::{Control, PlanFollower, PlanSolution};
+use crate::planned::follower::{Control, PlanFollower, PlanSolution, StepsTaken};
 use crate::planned::narrow_curves::{Resolution, narrow_curves_are_followed};
 use crate::planned::parts::Span;
 use crate::scalar::{Interval, Scalar};
@@ -158,10 +158,8 @@ pub(crate) trait System {
 pub(crate) struct Followed {
     /// The smallest margin.
     pub(crate) least_margin: f64,
-    /// True if one step led from the previous solution to this one.
-    pub(crate) in_one_step: bool,
-    /// True if the way to this solution was divided because its ends did not show the motion between them.
-    pub(crate) hides_motion: bool,
+    /// The steps from the previous solution to this one.
+    pub(crate) steps: StepsTaken,
 }
 
 impl Followed {
@@ -178,8 +176,7 @@ impl Followed {
                 to.extend_from_slice(from);
             }
         }
-        let (in_one_step, hides_motion) = (follower.in_one_step(), follower.hides_motion());
-        Self { least_margin: margins.least(), in_one_step, hides_motion }
+        Self { least_margin: margins.least(), steps: follower.steps() }
     }
 }
 

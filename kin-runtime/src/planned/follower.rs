@@ -63,6 +63,18 @@ impl<M: Mechanism> PlanSolution<M> {
     }
 }
 
+/// The steps from one state to the next.
+#[cfg(feature = "std")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum StepsTaken {
+    /// One, which shows the motion between both.
+    One,
+    /// Several, or unknown.
+    Many,
+    /// Several, because the ends of one step did not show the motion between them.
+    ManyForHiddenMotion,
+}
+
 /// A branch of the motion and the instant reached on it.
 pub(crate) struct PlanFollower<M: Mechanism> {
     pub(super) parameters: M::Parameters<f64>,
@@ -246,16 +258,14 @@ impl<M: Mechanism> PlanFollower<M> {
         self.t
     }
 
-    /// Whether a step to the accepted state was divided because its ends did not show the motion between them.
+    /// The steps that led to that state from the previous one.
     #[cfg(feature = "std")]
-    pub(crate) const fn hides_motion(&self) -> bool {
-        self.hides_motion
-    }
-
-    /// True if that state was reached in one step from the previous one.
-    #[cfg(feature = "std")]
-    pub(crate) const fn in_one_step(&self) -> bool {
-        !self.t_before.is_nan()
+    pub(crate) const fn steps(&self) -> StepsTaken {
+        match self.hides_motion {
+            true => StepsTaken::ManyForHiddenMotion,
+            false if self.t_before.is_nan() => StepsTaken::Many,
+            false => StepsTaken::One,
+        }
     }
 
     /// The modes of the branch.

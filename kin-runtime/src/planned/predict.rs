@@ -11,6 +11,7 @@
 //! correction suffices instead of two.
 
 use crate::model::{Component, CoordinateKind, Model};
+use crate::quintic::coefficients;
 use crate::scalar::compare::Compare;
 
 /// Writes the factors that convert coordinates to radians at a configuration q; see [`weight`].
@@ -54,7 +55,7 @@ pub(crate) fn parabola<V: Compare>(to: &mut [V], [q, q_dot, q_ddot]: [&[V]; 3], 
     for ((to, q), ((v, a), weight)) in rest {
         most[0] = most[0].greatest(one(to, *q, *v, *a, *weight));
     }
-    most[0].greatest(most[1]).greatest(most[2].greatest(most[3]))
+    greatest_of(most)
 }
 
 /// The largest rotation in a step by velocity or by acceleration alone; `weights` converts coordinates to radians.
@@ -80,8 +81,15 @@ pub(crate) fn turned<V: Compare>(a: &[V], b: &[V], weights: &[V]) -> V {
         }
     }
     let rest = a_rest.iter().zip(b_rest).zip(weights_rest);
-    let rest = rest.fold(most[0], |most, ((a, b), weight)| most.greatest(turn(*a, *b, *weight)));
-    rest.greatest(most[1]).greatest(most[2].greatest(most[3]))
+    most[0] = rest.fold(most[0], |most, ((a, b), weight)| most.greatest(turn(*a, *b, *weight)));
+    greatest_of(most)
+}
+
+/// The greatest of four numbers, by halves: in another order the compiler would exchange numbers between lanes in the
+/// loop before.
+#[inline(always)]
+fn greatest_of<V: Compare>([a, b, c, d]: [V; 4]) -> V {
+    a.greatest(c).greatest(b.greatest(d))
 }
 
 /// Range of the extrapolation by the quintic, in steps H.
@@ -104,10 +112,9 @@ pub(super) fn beyond_parabola(before: [f64; 3], now: [f64; 3], span: f64, h: f64
     let r0 = before[0] - (q - span * (v - 0.5 * span * a));
     let r1 = span * (before[1] - (v - span * a));
     let r2 = span * span * (before[2] - a);
-    let c3 = -10.0 * r0 - 4.0 * r1 - 0.5 * r2;
-    let c4 = -15.0 * r0 - 7.0 * r1 - r2;
-    let c5 = -6.0 * r0 - 3.0 * r1 - 0.5 * r2;
-    let beyond = x * x * x * (c3 + x * (c4 + x * c5));
+    // The interval 0 … 1 of the quintic goes backwards, from the current state to the one before.
+    let [c3, c4, c5] = coefficients([r0, -r1, r2]);
+    let beyond = -x * x * x * (c3 - x * (c4 - x * c5));
     let moved = (h * v).abs() + (0.5 * h * h * a).abs();
     if beyond.abs() <= SMOOTH * moved { beyond } else { 0.0 }
 }

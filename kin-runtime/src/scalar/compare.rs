@@ -65,23 +65,47 @@ pub(crate) fn write_lane<V: Compare>(to: &mut [f64], from: &[V], lane: usize) {
     to.iter_mut().zip(from).for_each(|(to, from)| *to = from.lane(lane));
 }
 
-// The loops have no early exit, so that they vectorise.
+// The loops of the following functions have no early exit, so that they vectorise.
 
-/// True if all numbers are finite.
+/// The bits of the exponent of an `f64`, all of which are set where it is NaN or infinite, and the lowest of them.
+const EXPONENT: u64 = 0x7ff << 52;
+const LOWEST_OF_EXPONENT: u64 = 1 << 52;
+
+/// True if all numbers are finite: if adding 1 to no exponent carries into the bit above it, that of the sign. The
+/// compiler does this for several numbers at once, which it does not do for a conjunction of comparisons.
 #[inline]
 pub(crate) fn all_finite(numbers: &[f64]) -> bool {
-    numbers.iter().fold(true, |all, x| all & x.is_finite())
+    let carried = |x: &f64| (x.to_bits() & EXPONENT) + LOWEST_OF_EXPONENT;
+    numbers.iter().fold(0, |bits, x| bits | carried(x)) >> 63 == 0
 }
 
 /// True if all numbers are above a limit; false where one is NaN.
 #[inline]
 pub(crate) fn all_above(numbers: &[f64], limit: f64) -> bool {
-    numbers.iter().fold(true, |all, x| all & (*x > limit))
+    numbers.iter().fold(1, |all, x| all & u64::from(*x > limit)) == 1
 }
 
 #[cfg(test)]
 mod tests {
-    use super::least_or_nan;
+    use super::{all_above, all_finite, least_or_nan};
+
+    /// Wherever the number is among others that are finite and above the limit.
+    #[test]
+    fn a_single_number_decides() {
+        let smallest = f64::from_bits(1);
+        let finite = [0.0, -0.0, 1.0, smallest, -smallest, f64::MIN_POSITIVE, f64::MAX, f64::MIN];
+        let others = [f64::NAN, -f64::NAN, f64::from_bits(0x7ff0_0000_0000_0001), f64::INFINITY, f64::NEG_INFINITY];
+        for count in 1..=19 {
+            for place in 0..count {
+                let list = |x: f64| -> Vec<f64> { (0..count).map(|k| if k == place { x } else { 2.0 }).collect() };
+                assert!(finite.iter().all(|x| all_finite(&list(*x))) && !others.iter().any(|x| all_finite(&list(*x))));
+                for x in finite.into_iter().chain(others) {
+                    assert_eq!(x > 1.0, all_above(&list(x), 1.0), "{x}");
+                }
+            }
+        }
+        assert!(all_finite(&[]) && all_above(&[], 1.0));
+    }
 
     #[test]
     fn the_smaller_number_is_no_number_if_one_is_none() {

@@ -7,6 +7,7 @@
 //! [`guessed_modes`](super::guessed_modes) determines them.
 
 use super::guessed_modes::Guess;
+use super::settings::all_guesses;
 use super::{Position, Solver};
 use crate::analysis::poses::{coordinate_motions, write_poses};
 use crate::analysis::refinement::{ACCURATE_MARGIN, correct, refine};
@@ -117,13 +118,12 @@ impl<M: Mechanism> Solver<'_, M> {
     /// The guesses, NaN for coordinates without one; `None` if one is not finite or for a coordinate that does not
     /// exist.
     fn guessed(&self, parameters: &M::Parameters<f64>) -> Option<M::Coordinates<f64>> {
-        let guessed_coordinates = M::model().guesses;
         // There are never more guesses than coordinates.
         let mut values = M::Coordinates::<f64>::filled(0.0);
-        let values = values.as_mut().get_mut(..guessed_coordinates.len())?;
+        let values = values.as_mut().get_mut(..M::model().guesses.len())?;
         self.mechanism.write_guesses(parameters.as_ref(), values).ok()?;
         let mut guess = M::Coordinates::<f64>::filled(f64::NAN);
-        write_guess(guessed_coordinates, values, &self.settings.guesses, guess.as_mut())?;
+        write_guess(M::model(), values, &self.settings.guesses, guess.as_mut())?;
         Some(guess)
     }
 
@@ -311,14 +311,8 @@ const STACK_ROWS: usize = 64;
 
 /// Writes the mechanism's own guesses and those of the caller, which prevail; `None` if one of these is not finite or
 /// for a coordinate that does not exist.
-fn write_guess(
-    guessed_coordinates: &[usize],
-    values: &[f64],
-    guesses: &[(usize, f64)],
-    guess: &mut [f64],
-) -> Option<()> {
-    let own = guessed_coordinates.iter().copied().zip(values.iter().copied());
-    for (coordinate, value) in own.chain(guesses.iter().copied()) {
+fn write_guess(model: &Model, values: &[f64], guesses: &[(usize, f64)], guess: &mut [f64]) -> Option<()> {
+    for (coordinate, value) in all_guesses(model, values, guesses) {
         *guess.get_mut(coordinate)? = Some(value).filter(|value| value.is_finite())?;
     }
     Some(())

@@ -149,11 +149,20 @@ impl<'m, M: Mechanism> Solver<'m, M> {
     }
 }
 
-/// The guesses of the mechanism, with these values, and those that override them, for every coordinate.
+/// Coordinates with guesses, those of the mechanism, which have these values, before those of the caller: later ones
+/// prevail.
+pub(super) fn all_guesses<'a>(
+    model: &'a Model,
+    values: &'a [f64],
+    guesses: &'a [(usize, f64)],
+) -> impl Iterator<Item = (usize, f64)> {
+    model.guesses.iter().copied().zip(values.iter().copied()).chain(guesses.iter().copied())
+}
+
+/// The guess of every coordinate.
 fn overridden(model: &Model, values: &[f64], guesses: &[(usize, f64)]) -> Vec<Option<f64>> {
-    let declared = model.guesses.iter().copied().zip(values.iter().copied());
     let mut guess = vec![None; model.coordinates.len()];
-    for (coordinate, value) in declared.chain(guesses.iter().copied()) {
+    for (coordinate, value) in all_guesses(model, values, guesses) {
         if let Some(place) = guess.get_mut(coordinate) {
             *place = Some(value);
         }

@@ -10,7 +10,7 @@ use crate::equations::system::Followed;
 use crate::error::{Degeneracy, SolveError};
 use crate::options::Options;
 use crate::planned::branch::FAR_FROM_LIMITS;
-use crate::planned::follower::Control;
+use crate::planned::follower::{Control, StepsTaken};
 use crate::planned::{Limit, PlanError};
 use crate::signal::Instant;
 use crate::state::State;
@@ -26,10 +26,8 @@ pub(super) struct CheckedPlan {
     pub(super) refused: Option<PlanError>,
     /// Whether the mechanism has curves, which may have no tangent or normal at some of their points.
     pub(super) has_curves: bool,
-    /// Whether the follower reached the last state in one step.
-    pub(super) in_one_step: bool,
-    /// Whether the way to the last state was divided because its ends did not show the motion between them.
-    pub(super) hides_motion: bool,
+    /// The steps in which the follower reached the last state.
+    pub(super) steps: StepsTaken,
     /// Buffers for the accumulated sums of every row, and 1 for every coordinate that is a length.
     rows: Vec<RowSums>,
     lengths: Vec<f64>,
@@ -63,8 +61,7 @@ impl CheckedPlan {
             is_placed: false,
             refused: None,
             has_curves: equations.model.has_curves,
-            in_one_step: true,
-            hides_motion: false,
+            steps: StepsTaken::One,
             rows,
             lengths,
             sizes: Vec::new(),
@@ -102,9 +99,9 @@ impl CheckedPlan {
         let at = Instant { t: equations.t, inputs: &equations.inputs };
         let inputs = equations.input_function();
         match equations.system.follow(&at, inputs, &self.control, state) {
-            Ok(Followed { least_margin, in_one_step, hides_motion }) => {
+            Ok(Followed { least_margin, steps }) => {
                 self.refused = None;
-                (self.in_one_step, self.hides_motion) = (in_one_step, hides_motion);
+                self.steps = steps;
                 // Far from limits rates need no check with their equations, because the follower has checked the branch.
                 let is_good = least_margin > rates_are_accurate_above(equations)
                     && self.complete_by_position(equations, state)?;
@@ -204,7 +201,7 @@ impl CheckedPlan {
             return Ok(None);
         }
         // The conditions must not miss the motion that the step hides.
-        self.is_placed = !self.hides_motion;
+        self.is_placed = self.steps != StepsTaken::ManyForHiddenMotion;
         Ok(self.is_placed.then_some(target))
     }
 

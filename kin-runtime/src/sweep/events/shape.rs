@@ -17,6 +17,7 @@
 //! g.
 
 use super::sample::Sample;
+use crate::quintic::quintic;
 
 /// The possible courses of g between two instants.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -49,19 +50,11 @@ pub(super) fn doubt(a: &Sample, m: &Sample, b: &Sample) -> f64 {
     if !(TOO_NEAR_AN_END..=1.0 - TOO_NEAR_AN_END).contains(&s) {
         return f64::INFINITY;
     }
-    let [first_a, first_b, first_m] = [a, b, m].map(|s| h * s.rate);
-    let [second_a, second_b, second_m] = [a, b, m].map(|s| h * h * s.acceleration);
-    let gap = b.value - a.value - first_a - 0.5 * second_a;
-    let rise = first_b - first_a - second_a;
-    let bend = second_b - second_a;
-    let c3 = 10.0 * gap - 4.0 * rise + 0.5 * bend;
-    let c4 = -15.0 * gap + 7.0 * rise - bend;
-    let c5 = 6.0 * gap - 3.0 * rise + 0.5 * bend;
-    let value = a.value + s * (first_a + s * (0.5 * second_a + s * (c3 + s * (c4 + s * c5))));
-    let first = first_a + s * (second_a + s * (3.0 * c3 + s * (4.0 * c4 + s * 5.0 * c5)));
-    let second = second_a + s * (6.0 * c3 + s * (12.0 * c4 + s * 20.0 * c5));
+    let [a_numbers, m_numbers, b_numbers] = [a, m, b].map(|s| [s.value, h * s.rate, h * h * s.acceleration]);
+    let [value, first, second] = quintic([a_numbers, b_numbers], s);
+    let [value_m, first_m, second_m] = m_numbers;
     // The sum is used instead of the maximum, because it propagates NaN.
-    let missed = (value - m.value).abs() + (first - first_m).abs() / 8.0 + (second - second_m).abs() / 24.0;
+    let missed = (value - value_m).abs() + (first - first_m).abs() / 8.0 + (second - second_m).abs() / 24.0;
     let off_centre = 4.0 * s * (1.0 - s);
     // A difference within rounding does not count.
     let noise = a.noise.max(m.noise).max(b.noise);

@@ -17,6 +17,7 @@ use crate::error::{Refusal, SolveError};
 use crate::events::EventWatch;
 use crate::linear::Factorization;
 use crate::planned::LimitKind;
+use crate::planned::follower::StepsTaken;
 use crate::planned::step_length::{next_parameter, shortest_step};
 use crate::signal::Instant;
 use crate::state::State;
@@ -133,7 +134,7 @@ impl Continuation {
             equations.set_checked_instant(at);
             accepted.basis = None;
             if plan.solve(equations, &node.state.q, &mut accepted.state)? {
-                if plan.has_curves && !plan.in_one_step {
+                if plan.has_curves && plan.steps != StepsTaken::One {
                     // The side of a roller is checked from step to step, so a move of several steps is refused.
                     plan.is_placed = false;
                     return Ok(false);
@@ -244,7 +245,8 @@ impl Continuation {
                 by_plan = reached.is_some();
                 let Some(reached) = reached else { continue }; // Full Newton takes the next round.
                 s = reached;
-                if let Some(plan) = self.plan.as_mut().filter(|plan| self.watch.is_some() && plan.hides_motion)
+                if let Some(plan) = self.plan.as_mut().filter(|plan| plan.steps == StepsTaken::ManyForHiddenMotion)
+                    && self.watch.is_some()
                     && (s - from).abs() > smallest
                 {
                     // The conditions must not miss the motion that the step hides.
