@@ -44,37 +44,37 @@ pub(crate) fn poses(equations: &mut Equations<'_>, state: &mut State) -> Result<
 /// Writes the motion of bodies and points by the observables, which were evaluated at the q and q̇ of the state.
 pub(crate) fn write_poses(parts: &Parts<'_>, state: &mut State) -> Result<(), SolveError> {
     let model = state.model;
-    let mut all_finite = true;
-    let mut checked = |signal: Signal| {
-        all_finite &= is_finite(signal);
-        signal
-    };
+    // The sum of all numbers is finite if they are, unless it overflows; then each is looked at.
+    let mut sum = 0.0;
     // The vectors are reused, so that a tracker allocates nothing here.
     let (mut bodies, mut points) = (core::mem::take(&mut state.bodies), core::mem::take(&mut state.points));
+    let mut read = |observable: usize, coordinate: Option<usize>| {
+        let read = signal(parts, state, observable, coordinate);
+        sum += read.value + read.rate + read.acceleration;
+        read
+    };
     bodies.clear();
     bodies.extend(model.bodies.iter().map(|body| {
-        let [x, y, phi] = [0, 1, 2].map(|k| signal(parts, state, body.observables[k], body.coordinates[k]));
-        BodyMotion::from([x, y, phi].map(&mut checked))
+        let [x, y, phi] = body.observables;
+        let [of_x, of_y, of_phi] = body.coordinates;
+        BodyMotion::from([read(x, of_x), read(y, of_y), read(phi, of_phi)])
     }));
     points.clear();
     points.extend(model.points.iter().map(|point| {
-        let [x, y] = point.observables.map(|k| signal(parts, state, k, None));
-        PointMotion::from([x, y].map(&mut checked))
+        let [x, y] = point.observables;
+        PointMotion::from([read(x, None), read(y, None)])
     }));
     (state.bodies, state.points) = (bodies, points);
-    if all_finite { Ok(()) } else { first_fault(parts, state) }
+    if sum.is_finite() { Ok(()) } else { first_fault(parts, state) }
 }
 
 /// The signal of an observable, or of the coordinate that it is.
+#[inline(always)]
 fn signal(parts: &Parts<'_>, state: &State, observable: usize, coordinate: Option<usize>) -> Signal {
     match coordinate {
         Some(k) => state.rates(k),
         None => parts.rates(&state.model.observable_pattern, observable, &state.q_dot, &state.q_ddot),
     }
-}
-
-fn is_finite(Signal { value, rate, acceleration }: Signal) -> bool {
-    value.is_finite() & rate.is_finite() & acceleration.is_finite()
 }
 
 /// The error for the first number of bodies and points that is not finite.

@@ -49,6 +49,7 @@ impl<'a, T: Scalar> Parts<'a, T> {
     }
 
     /// e, ė = e_q q̇ + e_t and ë = e_q q̈ − γ of a row, for parts evaluated at q and q̇ of the state.
+    #[inline(always)]
     pub(crate) fn rates(&self, pattern: &Pattern, row: usize, q_dot: &[T], q_ddot: &[T]) -> Signal<T> {
         let still = Signal { value: self.phi[row], rate: self.phi_t[row], acceleration: -self.gamma[row] };
         self.gradient(pattern, row).fold(still, |sum, (k, entry)| Signal {

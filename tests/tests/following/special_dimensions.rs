@@ -204,6 +204,28 @@ fn a_limit_far_from_the_origin_is_the_one_at_the_origin() {
     }
 }
 
+/// A pendulum, and a body beside it whose coordinates are finite, but not their sum.
+#[mechanism]
+#[bodies(rod)]
+#[body(far, x = 1.5e308, y = 1.5e308, phi = 0)]
+#[revolute(pin: ground @ (0, 0), rod @ (0, 0))]
+#[driver(drive: rod.phi = t)]
+#[point(tip = rod @ (1, 0))]
+struct Distant;
+
+#[test]
+fn a_body_may_be_as_far_away_as_numbers_go() {
+    let mut tracker = Distant.solver().tracker(&Instant::at(0.0)).expect("its crank turns");
+    for t in [0.3, 0.5] {
+        let at = Instant::at(t);
+        for state in [&Distant.state_at(&at).expect("it closes"), tracker.update(&at).expect("it moves")] {
+            let (far, tip) = (state[Distant::far], state[Distant::tip]);
+            assert_eq!([1.5e308, 1.5e308, 0.0, 0.0], [far.x, far.y, far.x_dot, far.y_ddot]);
+            assert!((tip.a[0] + t.cos()).abs() < 1e-15);
+        }
+    }
+}
+
 /// A pendulum, and a body that is nowhere at t = 1. No joint holds it.
 #[mechanism]
 #[bodies(rod)]

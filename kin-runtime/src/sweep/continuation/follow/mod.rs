@@ -161,13 +161,20 @@ impl Continuation {
             }
             core::mem::swap(&mut self.node, &mut self.accepted);
             self.s = self.node.s;
-            self.errors.swap(0, 1);
+            self.keep_errors();
             self.q_dot.clone_from(&self.node.state.q_dot);
             self.q_ddot.clone_from(&self.node.state.q_ddot);
         } else {
             self.node.state.iterations = 0;
         }
         Ok(())
+    }
+
+    /// The errors at the last internal step become those at the instant reached; only integrated motions have any.
+    fn keep_errors(&mut self) {
+        if self.scratch.local_error.is_some() {
+            self.errors.swap(0, 1);
+        }
     }
 
     /// As [`advance`](Self::advance), by full Newton to the end of a course whose parameter is not time. Writes the
@@ -187,7 +194,7 @@ impl Continuation {
         }
         poses(equations, state)?;
         core::mem::swap(&mut self.node, &mut self.accepted);
-        self.errors.swap(0, 1);
+        self.keep_errors();
         Ok(())
     }
 
