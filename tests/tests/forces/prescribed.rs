@@ -1,0 +1,62 @@
+//! Forces of rows that prescribe motion in unusual ways.
+
+use kin_runtime::{Instant, Kinematics, Signal, mechanism};
+
+/// A block that a row of velocity level pulls at a constant speed.
+#[mechanism]
+#[body(block, phi = 0)]
+#[nonholonomic(pull: dot(block.x) = v)]
+#[y(level: block @ (0, 0) = 0)]
+#[force(drag: block @ (0, 0), (-5 * dot(block.x), 0))]
+#[mass(block @ (0, 0), mass = 2)]
+struct Pulled {
+    #[param(0.4)]
+    v: f64,
+}
+
+/// A row that prescribes a speed supplies power, also where it contains neither t nor an input.
+#[test]
+fn a_constant_speed_takes_power() {
+    let pulled = Pulled::default();
+    let motion = pulled.solver().sweep(&[0.0, 0.1]).unwrap();
+    let forces = pulled.solver().forces(&motion.states[1]).unwrap();
+    assert!((forces.effort("pull").unwrap() - 2.0).abs() < 1e-12, "{forces}");
+    assert!((forces.driver_power - 0.8).abs() < 1e-12 && forces.power_miss() < 1e-12, "{forces}");
+}
+
+/// A cylinder whose length depends on another coordinate.
+#[mechanism]
+#[bodies(block)]
+#[coordinates(s)]
+#[input(u, w)]
+#[translational(way: ground @ (0, 1), block @ (0, 0), axis = (1, 0))]
+#[driver(lead: s = u)]
+#[driver(follow: distance(ground @ (0, 0), block @ (0, 0)) = w + s*s)]
+#[guess(block.x = 2, block.y = 1)]
+#[mass(block @ (0, 0), mass = 3)]
+struct Following;
+
+/// A driven distance may depend on coordinates, with forces and velocity ratios as of any other driver.
+#[test]
+fn a_distance_may_depend_on_coordinates() {
+    let inputs = [Signal::new(1.1, 0.7, 0.2), Signal::new(1.0, 0.4, -0.3)];
+    let solver = Following.solver();
+    let state = solver.state(&Instant { t: 0.0, inputs: &inputs }).unwrap();
+    // x² + 1 = f², f = w + u².
+    let (f, f_u) = (1.0 + 1.1 * 1.1, 2.0 * 1.1);
+    let x = (f * f - 1.0_f64).sqrt();
+    assert!((state.q[0] - x).abs() < 1e-12);
+    let ratios = solver.velocity_ratios(&state).unwrap();
+    // x x″ + x′² = f f″ + f′².
+    for (ratio, (f_1, f_2)) in ratios.drivers.iter().zip([(f_u, 2.0), (1.0, 0.0)]) {
+        let first = f * f_1 / x;
+        let second = (f * f_2 + f_1 * f_1 - first * first) / x;
+        assert!((ratio.first[0] - first).abs() < 1e-12, "{ratio}");
+        assert!((ratio.second[0] - second).abs() < 1e-12, "{ratio}");
+    }
+    let forces = solver.forces(&state).unwrap();
+    let along = 3.0 * state.q_ddot[0] * f / x;
+    assert!((forces.effort("follow").unwrap() - along).abs() < 1e-12, "{forces}");
+    assert!((forces.effort("lead").unwrap() - along * f_u).abs() < 1e-12, "{forces}");
+    assert!(forces.power_miss() < 1e-12, "{forces}");
+}
