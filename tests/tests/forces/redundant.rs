@@ -172,3 +172,35 @@ fn a_dead_centre_names_the_joints_whose_forces_grow() {
         other => panic!("{other:?}"),
     }
 }
+
+/// A bar on three parallel cranks of one length.
+#[mechanism(allow_redundant)]
+#[bodies(a, b, c, bar)]
+#[revolute(A0: ground @ (0, 0), a @ (0, 0))]
+#[revolute(B0: ground @ (2*l, 0), b @ (0, 0))]
+#[revolute(C0: ground @ (4*l, 0), c @ (0, 0))]
+#[revolute(A: a @ (l, 0), bar @ (0, 0))]
+#[revolute(B: b @ (l, 0), bar @ (2*l, 0))]
+#[revolute(C: c @ (l, 0), bar @ (4*l, 0))]
+#[driver(drive: a.phi = 1)]
+#[guess(b.phi = 1, c.phi = 1, bar.x = 0.5*l, bar.y = 0.8*l)]
+#[mass(bar @ (l, 0.3*l), mass = 2)]
+#[gravity(0, -9.81)]
+struct Cranks {
+    #[param(1)]
+    l: f64,
+}
+
+/// Which forces are determined does not depend on the unit of length.
+#[test]
+fn what_is_determined_does_not_depend_on_the_size() {
+    for l in [1.0, 1e-3, 1e-6, 1e-9, 1e-12, 1e6] {
+        let cranks = Cranks { l };
+        let state = cranks.state_at(&Instant::at(0.0)).unwrap();
+        let forces = cranks.solver().forces(&state).unwrap();
+        for reaction in &forces.reactions {
+            assert!(!reaction.determined && reaction.force.is_none(), "l = {l}: {reaction}");
+        }
+        near(forces.effort("drive").unwrap(), 2.0 * 9.81 * l * 1_f64.cos(), l);
+    }
+}

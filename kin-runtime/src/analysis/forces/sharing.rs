@@ -7,8 +7,10 @@
 //! how a joint is written.
 
 use crate::equations::Equations;
+use crate::equations::scale::Scale;
 use crate::error::SolveError;
 use crate::linear::{Factorization, null_space};
+use crate::model::forces::TOTALS;
 use crate::model::{ForceModel, Model};
 use crate::state::State;
 use nalgebra::{DMatrix, DVector};
@@ -56,7 +58,7 @@ impl Shared {
             equations.system.forces(&state.instant(), state, &lambda[..declared], &mut values)?;
             Ok(DVector::from_vec(values))
         };
-        let (weights, counted) = weights(equations.model, info, equations.scale.length);
+        let (weights, counted) = weights(equations.model, info, &equations.scale);
         let numbers_now = numbers(&self.unscaled(&self.least))?;
         // Null vectors are scaled to the size of the multipliers, so that rounding of forces that do not change stays
         // relatively small.
@@ -109,21 +111,38 @@ impl Shared {
     }
 }
 
-/// The factor that makes every number a moment, and whether it is a force, a moment or a couple of a joint.
-fn weights(model: &Model, info: &ForceModel, length: f64) -> (DVector<f64>, Vec<bool>) {
-    let (mut weights, mut counted) = (DVector::from_element(info.count, 1.0), vec![false; info.count]);
-    debug_assert!(model.forces.is_some());
+/// The factor that makes every number a moment, 0 for those that do not depend on λ and for sums of others; and whether it is a
+/// force, a moment or a couple of a joint. Without these factors the unit of length would decide which change is small.
+fn weights(model: &Model, info: &ForceModel, scale: &Scale) -> (DVector<f64>, Vec<bool>) {
+    let (mut weights, mut counted) = (DVector::zeros(info.count), vec![false; info.count]);
+    let of_row = |row: usize| 1.0 / scale.rows[row];
+    for row in 0..model.rows.len() {
+        weights[TOTALS + row] = of_row(row);
+    }
+    for effort in info.efforts {
+        weights[effort.place] = match model.row_of_effort(effort.name) {
+            Some(row) if model.joints[model.rows[row].joint].keeps_distance() => scale.length,
+            Some(row) => of_row(row),
+            // A held coordinate that moves.
+            None if effort.name.ends_with(".phi") => 1.0,
+            None => scale.length,
+        };
+    }
     for reaction in info.reactions {
         let mut index = reaction.place;
+        let mut next = |count: usize, weight: f64, counts: bool| {
+            weights.as_mut_slice()[index..index + count].fill(weight);
+            counted[index..index + count].fill(counts);
+            index += count;
+        };
         if reaction.has_force {
-            index += 2;
-            for index in index..index + 2 {
-                (weights[index], counted[index]) = (length, true);
-            }
-            index += 2;
+            next(2, 0.0, false);
+            next(2, scale.length, true);
         }
-        let moments = usize::from(reaction.has_moment) + reaction.couples.len();
-        counted[index..index + moments].fill(true);
+        next(usize::from(reaction.has_moment) + reaction.couples.len(), 1.0, true);
+        let rows = (0..model.rows.len()).filter(|row| model.joints[model.rows[*row].joint].name == reaction.name);
+        rows.take(reaction.generalized).for_each(|row| next(1, of_row(row), false));
+        next(usize::from(reaction.has_normal) + usize::from(reaction.has_tangential), scale.length, false);
     }
     (weights, counted)
 }
