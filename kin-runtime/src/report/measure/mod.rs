@@ -28,6 +28,7 @@ mod value;
 mod varied;
 
 pub(crate) use dimension::Dimension;
+use dimension::driven_dimension;
 #[cfg(feature = "cli")]
 pub(crate) use force::columns;
 pub(crate) use force::{column_values, magnitude_parts};
@@ -179,12 +180,7 @@ impl Measure {
         let mut out = vec![Self::new("t".to_owned(), Kind::Time, Dimension::In(dimension::time(&model.units)))];
         let mut add = |name: &str, kind: Kind, dimension| out.extend(Self::with_rates(model, name, kind, dimension));
         for (k, coordinate) in model.coordinates.iter().enumerate() {
-            let dimension = match coordinate.kind {
-                CoordinateKind::Pose { component: Component::Phi, .. } => Dimension::Angle,
-                CoordinateKind::Pose { .. } => Dimension::Length,
-                CoordinateKind::Scalar => Dimension::named(&model.units, coordinate.name),
-            };
-            add(coordinate.name, Kind::Coordinate(k), dimension);
+            add(coordinate.name, Kind::Coordinate(k), Dimension::of_coordinate(model, k));
         }
         if !reported {
             return out;
@@ -369,11 +365,12 @@ impl fmt::Display for Measure {
     }
 }
 
-/// The name of the quantity that a driving row drives: the one that its joint reports, or else the one coordinate in
-/// the row.
+/// The name of the quantity that a driving row drives: the one that its joint reports, if this is what the row
+/// prescribes, or else the one coordinate in the row.
 fn driven_by(model: &'static Model, row: usize) -> Option<String> {
     let joint = &model.joints[model.rows[row].joint];
-    if let Some(quantity) = joint.quantities.first() {
+    if let (Some(quantity), true) = (joint.quantities.first(), joint.keeps_distance() || joint.kind.prescribes_angle())
+    {
         return Some(format!("{}.{}", joint.name, quantity.name));
     }
     let mut entries = model.constraint_pattern.entries.iter().filter(|(other, _)| *other == row);
@@ -386,9 +383,7 @@ fn driven_by(model: &'static Model, row: usize) -> Option<String> {
 /// Driving rows and inputs with their names and dimensions.
 fn drivers(model: &'static Model) -> impl Iterator<Item = (&'static str, Driver)> {
     let row = move |(place, row): (usize, &'static crate::model::RowInfo)| {
-        let dimension =
-            driven_by(model, place).map_or(Dimension::Unknown, |name| Dimension::named(&model.units, &name));
-        (row.name, Driver { place: DriverPlace::Row(place), dimension })
+        (row.name, Driver { place: DriverPlace::Row(place), dimension: driven_dimension(model, place) })
     };
     let input = move |(place, name): (usize, &&'static str)| {
         (*name, Driver { place: DriverPlace::Input(place), dimension: Dimension::named(&model.units, name) })

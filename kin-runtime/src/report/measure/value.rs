@@ -15,8 +15,8 @@ use crate::trajectory::Trajectory;
 use crate::transmission::angles;
 
 impl Measure {
-    /// Where its value comes from. None for a velocity ratio, for forces that no closed form gives, for efforts of
-    /// inputs and of prescribed coordinates, and for couples and generalized forces of a joint.
+    /// Where its value comes from. None for a velocity ratio, for forces that no closed form gives, and for efforts of
+    /// inputs and of prescribed coordinates.
     pub fn source(&self, model: &'static Model) -> Option<Source> {
         if self.per.is_some() {
             return None;
