@@ -98,7 +98,7 @@ impl SensitivitySolutions {
 /// for the same problems. Instants, inputs and assembly modes are constant, as in
 /// [`Solver::measure_sensitivities`](crate::Solver::measure_sensitivities).
 ///
-/// Eight parameters are treated at once: the plan is evaluated once over numbers with eight derivatives. `watch` gets
+/// Negative masses are not refused, as by [`forces`](super::forces()). Eight parameters are treated at once: the plan is evaluated once over numbers with eight derivatives. `watch` gets
 /// the progress and may stop the batch.
 ///
 /// ```

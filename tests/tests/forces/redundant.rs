@@ -204,3 +204,51 @@ fn what_is_determined_does_not_depend_on_the_size() {
         near(forces.effort("drive").unwrap(), 2.0 * 9.81 * l * 1_f64.cos(), l);
     }
 }
+
+/// Two motors on one shaft, each with an input of its own.
+#[mechanism(allow_redundant)]
+#[bodies(shaft)]
+#[input(u, v)]
+#[revolute(O: ground @ (0, 0), shaft @ (0, 0))]
+#[driver(one: shaft.phi = u)]
+#[driver(other: shaft.phi = v)]
+#[torque(load: shaft = -10)]
+struct TwoInputs;
+
+/// Two motors on one shaft that follow one input.
+#[mechanism(allow_redundant)]
+#[bodies(shaft)]
+#[input(u)]
+#[revolute(O: ground @ (0, 0), shaft @ (0, 0))]
+#[driver(one: shaft.phi = u)]
+#[driver(other: 2 * shaft.phi = 2 * u)]
+#[torque(load: shaft = -10)]
+struct OneInput;
+
+/// An input that can move alone bears the whole load; of two that cannot, nothing tells what each of them bears.
+#[test]
+fn the_effort_of_an_input_is_determined_where_it_can_move_alone() {
+    let inputs = [Signal::new(0.3, 1.0, 0.0); 2];
+    let state = TwoInputs.state_at(&Instant { t: 0.0, inputs: &inputs }).unwrap();
+    let forces = TwoInputs.solver().forces(&state).unwrap();
+    assert!(forces.inputs.iter().all(|input| !input.determined && input.effort.is_none()), "{forces}");
+    let least = TwoInputs.solver().forces_of_least_norm(&state).unwrap();
+    assert!(least.inputs.iter().all(|input| !input.determined), "{least}");
+    least.inputs.iter().for_each(|input| near(input.effort.unwrap(), 5.0, 1.0));
+
+    let state = OneInput.state_at(&Instant { t: 0.0, inputs: &inputs[..1] }).unwrap();
+    let forces = OneInput.solver().forces(&state).unwrap();
+    assert!(forces.efforts.iter().all(|effort| !effort.determined), "{forces}");
+    assert!(forces.inputs[0].determined, "{forces}");
+    near(forces.inputs[0].effort.unwrap(), 10.0, 1.0);
+}
+
+/// The moment of a pin is 0 however the load is shared, and is no choice among many.
+#[test]
+fn text_says_what_is_determined_and_what_is_chosen() {
+    let [forces, least] = beam(&Beam, 1.0, 2.0);
+    let text = forces.reaction("left").unwrap().to_string();
+    assert_eq!("left: undetermined, redundant rows share the load; determined: moment 0", text);
+    let text = least.reaction("left").unwrap().to_string();
+    assert!(text.starts_with("left: undetermined, redundant rows share the load; of least norm: force ("), "{text}");
+}

@@ -6,6 +6,7 @@
 //! on the common scale, of rows that exert neither (drivers, equations of the user). So the result does not depend on
 //! how a joint is written.
 
+use super::numbers::ZERO_CHANGE;
 use crate::equations::Equations;
 use crate::equations::scale::Scale;
 use crate::error::SolveError;
@@ -15,9 +16,6 @@ use crate::model::{ForceModel, Model};
 use crate::state::State;
 use nalgebra::{DMatrix, DVector};
 
-/// Changes along a null vector below this, relative to the largest one, count as zero.
-const ZERO_CHANGE: f64 = 1e-9;
-
 /// The multipliers of rows that share a load.
 pub(super) struct Shared {
     /// Scaled multipliers of least forces.
@@ -25,6 +23,8 @@ pub(super) struct Shared {
     /// Null vectors of the transposed scaled Φ_q.
     null: DMatrix<f64>,
     determined: Vec<bool>,
+    /// The changes of all numbers along the null vectors.
+    changes: DMatrix<f64>,
     rows: Vec<f64>,
 }
 
@@ -44,7 +44,8 @@ impl Shared {
             false => DMatrix::zeros(y.len(), 0),
         };
         let rows = equations.scale.rows.clone();
-        let mut shared = Self { least: y, null, determined: vec![true; info.count], rows };
+        let changes = DMatrix::zeros(info.count, null.ncols());
+        let mut shared = Self { least: y, null, determined: vec![true; info.count], changes, rows };
         if shared.null.ncols() > 0 {
             shared.share(equations, info, state)?;
         }
@@ -66,8 +67,9 @@ impl Shared {
         let (count, free) = (info.count, self.null.ncols());
         let mut changes = DMatrix::zeros(count, free);
         for (k, vector) in self.null.column_iter().enumerate() {
-            let moved = numbers(&self.unscaled(&(&self.least + vector * size)))?;
-            changes.set_column(k, &(moved - &numbers_now).component_mul(&weights));
+            let change = numbers(&self.unscaled(&(&self.least + vector * size)))? - &numbers_now;
+            changes.set_column(k, &change.component_mul(&weights));
+            self.changes.set_column(k, &change);
         }
         let largest = changes.amax();
         self.determined = changes.row_iter().map(|change| change.amax() <= ZERO_CHANGE * largest).collect();
@@ -103,6 +105,11 @@ impl Shared {
     /// Which of the numbers equilibrium determines.
     pub(super) fn determined(&self) -> Vec<bool> {
         self.determined.clone()
+    }
+
+    /// The changes of all numbers along the null vectors.
+    pub(super) fn changes(self) -> DMatrix<f64> {
+        self.changes
     }
 
     /// Whether equilibrium determines the multiplier of a row.
