@@ -1,4 +1,4 @@
-//! Forces of rows that prescribe motion in unusual ways.
+//! Forces of rows that prescribe motion in unusual ways, and of masses that are written in two ways.
 
 use kin_runtime::{Instant, Kinematics, Signal, mechanism};
 
@@ -59,4 +59,24 @@ fn a_distance_may_depend_on_coordinates() {
     assert!((forces.effort("follow").unwrap() - along).abs() < 1e-12, "{forces}");
     assert!((forces.effort("lead").unwrap() - along * f_u).abs() < 1e-12, "{forces}");
     assert!(forces.power_miss() < 1e-12, "{forces}");
+}
+
+/// Three links, of which the first has a mass of its own.
+#[mechanism]
+#[bodies(link[3])]
+#[revolute(O: ground @ (0, 0), link[0] @ (0, 0))]
+#[revolute(J[i in 0..2]: link[i] @ (1, 0), link[i+1] @ (0, 0))]
+#[driver(D[i in 0..3]: link[i].phi = 0)]
+#[mass(M[i in 1..3]: link[i] @ (0.5, 0), mass = 1)]
+#[mass(link[0] @ (0.5, 0), mass = 2)]
+#[gravity(0, -10)]
+struct Links;
+
+/// The place of a family's mass is compared with that of a single one for the members that the family has.
+#[test]
+fn one_member_may_have_another_mass() {
+    let state = Links.state_at(&Instant::at(0.0)).unwrap();
+    let forces = Links.solver().forces(&state).unwrap();
+    assert_eq!(Some([0.0, 40.0]), forces.reaction("O").unwrap().force);
+    assert!((forces.effort("D[0]").unwrap() - (20.0 * 0.5 + 20.0)).abs() < 1e-12, "{forces}");
 }

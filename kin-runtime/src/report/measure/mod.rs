@@ -12,7 +12,7 @@
 //! | `B.angle`, `slide.stroke` | a quantity of a joint ([`JointInfo::quantities`](crate::model::JointInfo::quantities)) |
 //! | `B.transmission` | the transmission angle at a revolute joint ([`transmission`](crate::transmission)), in [0, π]; with several pairs of neighbours `B.transmission_A_D` |
 //! | `drive.effort`, `B.force`, … | what drivers supply and joints carry, where there are masses or loads |
-//! | `boom_length.effort` | the effort of an input: the power that enters with it through drivers and held coordinates is effort · rate ([`Forces::inputs`](crate::Forces::inputs)) |
+//! | `boom_length.effort` | the effort of an input, or of a driver of the same name: the power that enters with it through drivers and held coordinates is effort · rate ([`Forces::inputs`](crate::Forces::inputs)) |
 //! | `crank.phi.effort` | the effort that holds or moves a coordinate that is given ([`Solver::with_given`](crate::Solver::with_given)) |
 //! | `tip.x/drive` | the velocity ratio of coordinates, points, defines and joint quantities to a driver or an input: ∂x/∂f with all other drivers and inputs constant |
 //!
@@ -150,7 +150,10 @@ impl Measure {
         all.extend(model.points.iter().enumerate().map(speed));
         for (k, name) in model.inputs.iter().enumerate() {
             all.extend(Self::with_rates(model, name, Kind::Input(k), Dimension::named(&model.units, name)));
-            all.extend(Self::effort(model, &format!("{name}.effort")));
+            let effort = format!("{name}.effort");
+            if all.iter().all(|measure| measure.name != effort) {
+                all.extend(Self::effort(model, &effort));
+            }
         }
         all.extend(Self::transmission_angles(model));
         all
