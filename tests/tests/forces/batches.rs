@@ -7,7 +7,7 @@ use kin_runtime::batch::{
 };
 use kin_runtime::model::ForceModel;
 use kin_runtime::plan::Depth;
-use kin_runtime::{Instant, Kinematics, Lanes, Measure, Mechanism, Signal, mechanism};
+use kin_runtime::{Instant, Kinematics, Lanes, Measure, Mechanism, PlanError, Planned, Signal, mechanism};
 use kin_tests::mechanisms::loaded;
 
 /// A crank with a load that an input says, of a length that varies.
@@ -161,6 +161,11 @@ fn a_spring_without_length_has_no_forces() {
     let length = 2.0 * 0.25_f64.sin();
     // The arm of the force about O is cos(t/2).
     assert!((torque - 10.0 * (length - 0.1) * 0.25_f64.cos()).abs() < 1e-12, "{torque}");
+
+    let sprung = Sprung::default();
+    let planned = Planned::new(&sprung, &Instant::at(0.0), &[0.0; 3]).unwrap();
+    let error = planned.forces(&mut vec![0.0; model.count]);
+    assert!(matches!(error, Err(PlanError::NonFinite { what: "forces", .. })), "{error:?}");
 
     let measures: Vec<Measure> =
         ["motor.effort", "S.tension"].map(|name| Measure::named(Sprung::model(), name).unwrap()).into();
