@@ -14,6 +14,7 @@ use crate::analysis::forces::unbounded;
 use crate::error::SolveError;
 use crate::measure::{Measure, column_values, columns};
 use crate::present::forces::text;
+use crate::present::grid::exact;
 use crate::present::number::{plain, rounded};
 
 /// Efforts of drivers and reactions in joints at one instant
@@ -89,8 +90,7 @@ pub(super) fn run(args: &ForcesArgs, engine: &mut dyn Engine, session: &mut Sess
                 names.push(measure.name().to_owned());
                 values.push(value);
             }
-            let values: Vec<String> =
-                values.into_iter().map(|v| if v.is_finite() { plain(v) } else { String::new() }).collect();
+            let values: Vec<String> = values.into_iter().map(exact).collect();
             format!("t,{}\n{},{}\n", names.join(","), plain(t), values.join(","))
         }
         _ => format!("{}, forces at t = {}\n{}", engine.model().name, rounded(t), text(&forces)),

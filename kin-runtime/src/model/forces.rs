@@ -151,7 +151,8 @@ impl ReactionInfo {
 /// A driver: the numbers at `place` are its effort and the rate of the quantity that it drives.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EffortInfo {
-    /// The driver's name, or that of a held coordinate whose value changes.
+    /// The driver's name, that of a row of velocity level that prescribes a constant speed, or that of a held coordinate whose
+    /// value changes.
     pub name: &'static str,
     /// The first of its two numbers.
     pub place: usize,

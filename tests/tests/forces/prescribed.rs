@@ -1,6 +1,6 @@
 //! Forces of rows that prescribe motion in unusual ways, and of masses that are written in two ways.
 
-use kin_runtime::{Instant, Kinematics, Signal, mechanism};
+use kin_runtime::{Instant, Kinematics, Signal, SolveError, mechanism};
 
 /// A block that a row of velocity level pulls at a constant speed.
 #[mechanism]
@@ -79,4 +79,34 @@ fn one_member_may_have_another_mass() {
     let forces = Links.solver().forces(&state).unwrap();
     assert_eq!(Some([0.0, 40.0]), forces.reaction("O").unwrap().force);
     assert!((forces.effort("D[0]").unwrap() - (20.0 * 0.5 + 20.0)).abs() < 1e-12, "{forces}");
+}
+
+/// A heavy arm on a motor, and a pointer that nothing turns.
+#[mechanism]
+#[bodies(heavy, pointer)]
+#[revolute(O: ground @ (0, 0), heavy @ (0, 0))]
+#[revolute(P: ground @ (2, 0), pointer @ (0, 0))]
+#[driver(motor: heavy.phi = 0.3)]
+#[mass(heavy @ (1, 0), mass = m)]
+#[torque(load: pointer = 1)]
+#[gravity(0, -9.81)]
+struct Pointer {
+    m: f64,
+}
+
+/// A small load that nothing holds is not overlooked beside large ones, and what holds it is accurate.
+#[test]
+fn small_loads_count_beside_large_ones() {
+    for m in [1.0, 1e3, 1e6, 1e8] {
+        let pointer = Pointer { m };
+        let state = pointer.state_at(&Instant::at(0.0)).unwrap();
+        let found = pointer.solver().forces(&state);
+        assert!(matches!(found, Err(SolveError::NotHeld { open: 1, .. })), "m = {m}: {found:?}");
+    }
+    for m in [1.0, 1e8, 1e14] {
+        let pointer = Pointer { m };
+        let solver = pointer.solver().with_given(5, Signal::constant(0.2));
+        let forces = solver.forces(&solver.state(&Instant::at(0.0)).unwrap()).unwrap();
+        assert!((forces.effort("pointer.phi").unwrap() + 1.0).abs() < 1e-9, "m = {m}: {forces}");
+    }
 }
