@@ -80,8 +80,9 @@ pub(super) fn table<M: Mechanism>() -> Result<&'static ForceModel, BatchError> {
 
 /// All forces of configurations that [`solve`](super::solve) has solved, for the same problems: efforts, reactions,
 /// energies and powers in closed form, eight configurations at once. If `solutions` contain positions only, rates and
-/// accelerations are 0, and the forces are those of the mechanism at rest. `watch` gets the progress and may stop the
-/// batch. [`ForceSolutions::solved`] says which configurations have forces. Negative masses among the parameters are not refused here, as [`Solver::forces`](crate::Solver::forces) does.
+/// accelerations are 0, and the forces are those of the mechanism at rest. [`ForceSolutions::solved`] says which
+/// configurations have forces. `watch` gets the progress and may stop the batch. Negative masses among the parameters
+/// are not refused here, as [`Solver::forces`](crate::Solver::forces) does.
 ///
 /// ```
 /// use kin_runtime::batch::{Column, ForceSolutions, Modes, Problems, Solutions, always, forces, solve};

@@ -98,8 +98,8 @@ impl SensitivitySolutions {
 /// for the same problems. Instants, inputs and assembly modes are constant, as in
 /// [`Solver::measure_sensitivities`](crate::Solver::measure_sensitivities).
 ///
-/// Negative masses are not refused, as by [`forces`](super::forces()). Eight parameters are treated at once: the plan is evaluated once over numbers with eight derivatives. `watch` gets
-/// the progress and may stop the batch.
+/// Eight parameters are treated at once: the plan is evaluated once over numbers with eight derivatives. `watch` gets
+/// the progress and may stop the batch. Negative masses are not refused, as in [`forces`](super::forces()).
 ///
 /// ```
 /// use kin_runtime::batch::{Column, Modes, Problems, SensitivitySolutions, Solutions, always, sensitivities, solve};

@@ -55,7 +55,8 @@ impl<M: Mechanism> Solver<'_, M> {
     ///
     /// # Errors
     /// As [`measure_sensitivities`](Self::measure_sensitivities); [`Length`](SolveError::Length) when there are not as many
-    /// weights as states times quantities; [`NoSensitivity`](SolveError::NoSensitivity) where a quantity with a weight has no derivative.
+    /// weights as states times quantities; [`NoSensitivity`](SolveError::NoSensitivity) where a quantity with a weight has
+    /// no derivative.
     pub fn gradient(&self, states: &[State], measures: &[Measure], weights: &[f64]) -> Result<Vec<f64>, SolveError> {
         let expected = states.len() * measures.len();
         if weights.len() != expected {

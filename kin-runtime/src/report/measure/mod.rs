@@ -213,8 +213,8 @@ impl Measure {
         columns.map(|(k, (name, dimension, source))| Self::new(name, Kind::Force(k, source), dimension))
     }
 
-    /// The driven quantities, each once: the quantity that the joint of a driver reports, or else the one coordinate in
-    /// its row.
+    /// The driven quantities, each once: the quantity that the joint of a driver reports, if this is what its row
+    /// prescribes, or else the one coordinate in its row.
     pub fn driven(model: &'static Model) -> Vec<Self> {
         let rows = model.rows.iter().enumerate().filter(|(_, row)| row.driving);
         let mut driven: Vec<Self> = rows.filter_map(|(row, _)| Self::named(model, &driven_by(model, row)?)).collect();
