@@ -1,7 +1,7 @@
 //! Rules for masses and loads.
 
 use crate::error::{ModelError, Origin};
-use crate::mechanism::{BodyRef, Mechanism, Operand, Place, Statement};
+use crate::mechanism::{BodyRef, Mechanism, Operand, Place, Range, Statement};
 use crate::vocabulary::{LoadKind, StatementKind};
 
 /// Rule: every mass and load acts on a body, and between two different bodies if it has two.
@@ -61,21 +61,21 @@ pub(super) fn gravity_has_masses(mechanism: &Mechanism, errors: &mut Vec<ModelEr
 
 /// Rule: no two masses have the same centre, because such a mass has probably been declared twice.
 pub(super) fn centres_differ(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
-    let mut known: Vec<&Place> = Vec::new();
+    let mut known: Vec<(&Place, Option<Range>)> = Vec::new();
     for load in &mechanism.loads {
         if load.operands.kind() != StatementKind::Load(LoadKind::Mass) {
             continue;
         }
         let Some((_, Operand::Point(centre))) = load.operands.iter().next() else { continue };
-        let same = |other: &&&Place| {
-            let body = mechanism.common_member(None, other.body, centre.body);
+        let same = |(other, range): &&(&Place, Option<Range>)| {
+            let body = mechanism.common_member(*range, other.body, centre.body);
             body.is_some() && load.range.is_none() && other.x == centre.x && other.y == centre.y
         };
         if known.iter().find(same).is_some() {
             let message = "a mass has its centre here already; several masses of one body have different centres";
             errors.push(ModelError::new(centre.origin, message));
         }
-        known.push(centre);
+        known.push((centre, load.range));
     }
 }
 

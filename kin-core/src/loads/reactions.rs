@@ -102,12 +102,16 @@ impl ReactionWriter<'_, '_> {
         if self.zero_test.is_zero(graph, id) { graph.zero() } else { id }
     }
 
-    /// The efforts of all drivers, and of held coordinates that vary with time.
+    /// The efforts of all drivers, of rows of velocity level that prescribe a speed, and of held coordinates that vary
+    /// with time: of all rows that may supply power.
     pub(super) fn efforts(&mut self) -> Vec<Effort> {
         let mut efforts = Vec::new();
         for joint in &self.system.set.joints {
             let rows = joint.first_row..joint.first_row + joint.rows;
-            let driving: Vec<usize> = rows.filter(|&row| self.system.classes[row].driving).collect();
+            let supplies = |row: &usize| {
+                self.system.classes[*row].driving || !self.bodies.a.graph.is_zero(self.row(*row).partial_t)
+            };
+            let driving: Vec<usize> = rows.filter(supplies).collect();
             for &row in &driving {
                 let name = if driving.len() == 1 { &joint.name } else { &self.system.set.rows[row].name };
                 let length = match self.system.set.rows[row].meaning {

@@ -26,7 +26,7 @@ pub use reference::{BodyRef, CurveVariable, Index, Member};
 pub use statement::{Guess, GuessTarget, Statement};
 pub use typed::TypedOperands;
 pub(crate) use typed::operands;
-pub(crate) use walk::{contains_signal, defines_in, nodes};
+pub(crate) use walk::{contains_coordinate, contains_signal, defines_in, nodes};
 
 use crate::error::Origin;
 

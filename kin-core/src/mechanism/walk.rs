@@ -48,14 +48,26 @@ pub(crate) fn defines_in(formula: &Formula) -> impl Iterator<Item = &Member> {
 /// True if the formula, or a define that it uses, contains t or an input. Poses of bodies are not followed: a held
 /// coordinate that varies with time belongs to the body.
 pub(crate) fn contains_signal(mechanism: &Mechanism, formula: &Formula) -> bool {
+    contains(mechanism, formula, |node| matches!(node, Formula::Time | Formula::Input(_)))
+}
+
+/// True if the formula, or a define that it uses, contains a coordinate of any kind, held ones included.
+pub(crate) fn contains_coordinate(mechanism: &Mechanism, formula: &Formula) -> bool {
+    contains(mechanism, formula, |node| {
+        matches!(node, Formula::Pose(..) | Formula::Scalar(_) | Formula::PointCoordinate(..) | Formula::Distance(..))
+    })
+}
+
+/// True for one of the nodes of the formula and of the defines that it uses.
+fn contains(mechanism: &Mechanism, formula: &Formula, is_found: impl Fn(&Formula) -> bool) -> bool {
     let (mut open, mut visited) = (vec![formula], BTreeSet::new());
     while let Some(formula) = open.pop() {
         for node in nodes(formula) {
             match node {
-                Formula::Time | Formula::Input(_) => return true,
                 Formula::Define(member) if visited.insert(member.family) => {
                     open.extend(mechanism.defines.get(member.family).map(|define| &define.formula));
                 }
+                node if is_found(node) => return true,
                 _ => {}
             }
         }

@@ -12,9 +12,10 @@ use alloc::vec::Vec;
 use core::marker::PhantomData;
 use core::ops::ControlFlow;
 
-/// The forces of a batch: the numbers of [`ForceModel`] for every configuration, 0 if it is not solved.
+/// The forces of a batch: the numbers of [`ForceModel`] for every configuration, 0 if it has none.
 pub struct ForceSolutions<M: Mechanism> {
     count: usize,
+    /// For every block the numbers of forces, and 1 in the lanes that have forces.
     blocks: Vec<Octet>,
     mechanism: PhantomData<fn(M)>,
 }
@@ -26,14 +27,25 @@ impl<M: Mechanism> ForceSolutions<M> {
         Self { count, blocks, mechanism: PhantomData }
     }
 
+    /// The number of forces, and their vectors in a block.
+    fn numbers_of_block() -> usize {
+        M::model().forces.map_or(0, |model| model.count)
+    }
+
     /// Vectors of a block.
     fn stride() -> usize {
-        M::model().forces.map_or(0, |model| model.count)
+        Self::numbers_of_block() + 1
     }
 
     /// How many configurations there are.
     pub fn count(&self) -> usize {
         self.count
+    }
+
+    /// Whether each configuration has forces. It has none if [`solve`](super::solve) found no solution, or if one of the
+    /// numbers is not finite, as for a spring between points that coincide.
+    pub fn solved(&self) -> impl Iterator<Item = bool> {
+        self.column(Self::numbers_of_block()).map(|solved| solved > 0.0)
     }
 
     /// One number for every configuration, by its index in [`ForceModel`]: [`ForceModel::effort`] gives the index of a
@@ -43,9 +55,13 @@ impl<M: Mechanism> ForceSolutions<M> {
     /// # Panics
     /// If there is no such index.
     pub fn numbers(&self, index: usize) -> impl Iterator<Item = f64> {
-        let stride = Self::stride();
-        assert!(index < stride, "number {index} of {stride}");
-        let blocks = self.blocks.chunks_exact(stride.max(1));
+        let count = Self::numbers_of_block();
+        assert!(index < count, "number {index} of {count}");
+        self.column(index)
+    }
+
+    fn column(&self, index: usize) -> impl Iterator<Item = f64> {
+        let blocks = self.blocks.chunks_exact(Self::stride());
         blocks.flat_map(move |block| block[index].to_array()).take(self.count)
     }
 }
@@ -64,8 +80,9 @@ pub(super) fn table<M: Mechanism>() -> Result<&'static ForceModel, BatchError> {
 
 /// All forces of configurations that [`solve`](super::solve) has solved, for the same problems: efforts, reactions,
 /// energies and powers in closed form, eight configurations at once. If `solutions` contain positions only, rates and
-/// accelerations are 0, and the forces are those of the mechanism at rest. `watch` gets the progress and may stop the
-/// batch. Negative masses among the parameters are not refused here, as [`Solver::forces`](crate::Solver::forces) does.
+/// accelerations are 0, and the forces are those of the mechanism at rest. [`ForceSolutions::solved`] says which
+/// configurations have forces. `watch` gets the progress and may stop the batch. Negative masses among the parameters
+/// are not refused here, as [`Solver::forces`](crate::Solver::forces) does.
 ///
 /// ```
 /// use kin_runtime::batch::{Column, ForceSolutions, Modes, Problems, Solutions, always, forces, solve};
@@ -116,19 +133,25 @@ pub fn forces<M: Mechanism + Sync>(
     let &Problems { parameters, t, inputs, .. } = problems;
     // q and its rates are those of the solutions.
     let configurations = Configurations { parameters, t, inputs, q: &[], q_dot: &[] };
-    let shape = BatchShape { count: out.count, width: Octet::COUNT, stride: model.count, chunk: CHUNK };
+    let stride = ForceSolutions::<M>::stride();
+    let shape = BatchShape { count: out.count, width: Octet::COUNT, stride, chunk: CHUNK };
     let arguments = || Arguments::<Octet>::new(&configurations);
     drive(&shape, &mut out.blocks, watch, arguments, |first, arguments, out| {
         let block = arguments.block(first);
         let solved = solutions.block(first / Octet::COUNT);
         let SolvedBlock { q, q_dot, q_ddot, good } = solved;
-        let lengths = mechanism.forces_with(block.parameters, &block.at, q, q_dot, q_ddot, &[], out);
+        let (forces, rest) = out.split_at_mut(model.count);
+        let lengths = mechanism.forces_with(block.parameters, &block.at, q, q_dot, q_ddot, &[], forces);
         debug_assert!(lengths.is_ok(), "the columns have been counted");
+        // 0 times a number that is not finite is NaN.
+        let zero = Octet::from_f64(0.0);
+        let good = forces.iter().fold(*good, |good, number| good + *number * zero);
+        rest[0] = good;
         // One comparison for all lanes, since nearly always all of them are solved.
-        if (*good - Octet::from_f64(1.0)).is_within(0.0) {
+        if (good - Octet::from_f64(1.0)).is_within(0.0) {
             return;
         }
-        for lane in (0..Octet::COUNT).filter(|lane| good.lane(*lane) == 0.0) {
+        for lane in (0..Octet::COUNT).filter(|lane| good.lane(*lane) != 1.0) {
             out.iter_mut().for_each(|number| number.set(lane, 0.0));
         }
     })

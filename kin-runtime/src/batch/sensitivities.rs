@@ -49,7 +49,8 @@ impl SensitivitySolutions {
     }
 
     /// Whether each configuration has derivatives. It has none if [`solve`](super::solve) found no solution or solved
-    /// another problem, or if it is so near to a limit that derivatives are not finite or its mode is undecided.
+    /// another problem, if it is so near to a limit that derivatives are not finite or its mode is undecided, or if one of
+    /// the quantities is not a finite number: a force of a spring between points that coincide.
     pub fn solved(&self) -> impl Iterator<Item = bool> {
         self.column(0).map(|solved| solved > 0.0)
     }
@@ -98,7 +99,7 @@ impl SensitivitySolutions {
 /// [`Solver::measure_sensitivities`](crate::Solver::measure_sensitivities).
 ///
 /// Eight parameters are treated at once: the plan is evaluated once over numbers with eight derivatives. `watch` gets
-/// the progress and may stop the batch.
+/// the progress and may stop the batch. Negative masses are not refused, as in [`forces`](super::forces()).
 ///
 /// ```
 /// use kin_runtime::batch::{Column, Modes, Problems, SensitivitySolutions, Solutions, always, sensitivities, solve};
@@ -198,8 +199,12 @@ impl<'a> List<'a> {
         }
         let sources: Option<Vec<Source>> = measures.iter().map(|measure| measure.source(model)).collect();
         let sources = sources.ok_or_else(|| {
+            let is_solved = model.forces.is_some_and(|forces| forces.solved);
             BatchError::NoSensitivities(match measures.iter().any(Measure::is_ratio) {
                 true => "velocity ratios have no derivatives by parameters here",
+                false if is_solved => {
+                    "efforts of inputs and of given coordinates have no derivatives by parameters here"
+                }
                 false => "one of the forces has no closed form",
             })
         })?;
@@ -207,7 +212,7 @@ impl<'a> List<'a> {
     }
 
     /// Writes the quantities and their derivatives with respect to one group of parameters, of which `first` is the first;
-    /// `None` if one of them has no value.
+    /// `None` if one of them has no finite value.
     fn write(&self, at: &Instant<'_>, varied: &Varied, first: usize, numbers: &mut [f64], model: &Model) -> Option<()> {
         let width = 1 + self.parameters.len().next_multiple_of(WIDTH);
         for ((measure, source), out) in self.measures.iter().zip(&self.sources).zip(numbers.chunks_mut(width)) {
@@ -230,6 +235,9 @@ impl<'a> List<'a> {
                     &computed
                 }
             };
+            if !number.value().is_finite() {
+                return None;
+            }
             out[0] = number.value();
             if let Some(out) = out.get_mut(1 + first..1 + first + WIDTH) {
                 out.copy_from_slice(&number.by());

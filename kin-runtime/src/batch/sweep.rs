@@ -75,7 +75,8 @@ impl Moment<'_> {
     }
 
     /// Forces of the block: the numbers of [`ForceModel`](crate::model::ForceModel), from which a score may be computed
-    /// (efforts by [`ForceModel::effort`](crate::model::ForceModel::effort), reactions, powers).
+    /// (efforts by [`ForceModel::effort`](crate::model::ForceModel::effort), reactions, powers). Those of a spring between
+    /// points that coincide are NaN.
     ///
     /// # Errors
     /// [`NoForces`](BatchError::NoForces) as in [`forces`](super::forces), and [`Length`](BatchError::Length) if

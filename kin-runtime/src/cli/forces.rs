@@ -12,8 +12,9 @@ use super::solved::{analysis, driven_state, note_freedom, note_modes};
 use super::task::{At, AtArgs};
 use crate::analysis::forces::unbounded;
 use crate::error::SolveError;
-use crate::measure::{column_values, columns};
+use crate::measure::{Measure, column_values, columns};
 use crate::present::forces::text;
+use crate::present::grid::exact;
 use crate::present::number::{plain, rounded};
 
 /// Efforts of drivers and reactions in joints at one instant
@@ -82,11 +83,14 @@ pub(super) fn run(args: &ForcesArgs, engine: &mut dyn Engine, session: &mut Sess
     let text = match output.form {
         Form::Json => json(&forces)?,
         Form::Csv => {
-            let names: Vec<String> = columns(engine.model()).into_iter().map(|(name, ..)| name).collect();
+            let mut names: Vec<String> = columns(engine.model()).into_iter().map(|(name, ..)| name).collect();
             let mut values = Vec::new();
             column_values(engine.model(), Some(&forces), &mut values);
-            let values: Vec<String> =
-                values.into_iter().map(|v| if v.is_finite() { plain(v) } else { String::new() }).collect();
+            for (measure, value) in Measure::further_efforts(&forces) {
+                names.push(measure.name().to_owned());
+                values.push(value);
+            }
+            let values: Vec<String> = values.into_iter().map(exact).collect();
             format!("t,{}\n{},{}\n", names.join(","), plain(t), values.join(","))
         }
         _ => format!("{}, forces at t = {}\n{}", engine.model().name, rounded(t), text(&forces)),

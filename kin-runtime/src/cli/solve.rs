@@ -102,6 +102,10 @@ pub(super) fn run(args: &SolveArgs, engine: &mut dyn Engine, session: &mut Sessi
             if let Some(forces) = &solved.motion.forces {
                 measures.extend(Measure::forces(model));
                 column_values(model, Some(forces), &mut values);
+                for (measure, value) in Measure::further_efforts(forces) {
+                    measures.push(measure);
+                    values.push(value);
+                }
             }
             let bounds =
                 solved.certificate.as_ref().map_or_else(Vec::new, |certified| certificate::columns(model, certified));

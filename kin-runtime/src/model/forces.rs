@@ -1,6 +1,8 @@
 //! The layout of the numbers of forces: names and indices, as tables.
 
 use super::{Frame, OperationCount};
+#[cfg(feature = "std")]
+use super::{Level, Model};
 
 /// Number of entries before the multipliers: shaking (3), inertia (3), energies (3), powers (3), the rate of the total
 /// energy.
@@ -114,6 +116,16 @@ impl ForceModel {
     }
 }
 
+#[cfg(feature = "std")]
+impl Model {
+    /// The row whose effort has this name: a driving row, or one of velocity level that prescribes a speed. None for a
+    /// held coordinate that moves.
+    pub(crate) fn row_of_effort(&self, name: &str) -> Option<usize> {
+        let is_named = |row: &super::RowInfo| row.name == name || row.driving && self.joints[row.joint].name == name;
+        self.rows.iter().position(|row| (row.driving || row.level == Level::Velocity) && is_named(row))
+    }
+}
+
 impl ReactionInfo {
     /// The index of the x component of the force, which y follows; `None` where there are only couples.
     pub fn force(&self) -> Option<usize> {
@@ -125,17 +137,22 @@ impl ReactionInfo {
         self.has_moment.then_some(self.place + if self.has_force { 4 } else { 0 })
     }
 
+    /// The index of the first couple, which the others and the generalized forces follow.
+    pub fn couples(&self) -> usize {
+        self.place + usize::from(self.has_force) * 4 + usize::from(self.has_moment)
+    }
+
     /// The index of the normal component of a contact force.
     pub fn normal(&self) -> Option<usize> {
-        let before = usize::from(self.has_force) * 4 + usize::from(self.has_moment);
-        self.has_normal.then_some(self.place + before + self.couples.len() + self.generalized)
+        self.has_normal.then_some(self.couples() + self.couples.len() + self.generalized)
     }
 }
 
 /// A driver: the numbers at `place` are its effort and the rate of the quantity that it drives.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EffortInfo {
-    /// The driver's name, or that of a held coordinate whose value changes.
+    /// The driver's name, that of a row of velocity level that prescribes a constant speed, or that of a held coordinate whose
+    /// value changes.
     pub name: &'static str,
     /// The first of its two numbers.
     pub place: usize,

@@ -83,13 +83,17 @@ impl<M: Mechanism> Planned<'_, M> {
     /// ([`ForceModel::solved`]).
     ///
     /// # Errors
-    /// [`PlanError::Length`] where `forces` has another length.
+    /// [`PlanError::Length`] where `forces` has another length; [`PlanError::NonFinite`] where a number is not finite, as
+    /// for a spring between points that coincide.
     pub fn forces(&self, forces: &mut [f64]) -> Result<Option<&'static ForceModel>, PlanError> {
         let Some(model) = M::model().forces.filter(|model| model.solved) else { return Ok(None) };
         let at = Instant { t: self.t(), inputs: self.follower.inputs.as_ref() };
         let (q, q_dot, q_ddot) = (self.q(), self.q_dot(), self.q_ddot());
         self.mechanism().forces_with(self.follower.parameters.as_ref(), &at, q, q_dot, q_ddot, &[], forces)?;
-        Ok(Some(model))
+        match forces.iter().position(|number| !number.is_finite()) {
+            Some(index) => Err(PlanError::NonFinite { what: "forces", index, name: "", t: self.t() }),
+            None => Ok(Some(model)),
+        }
     }
 }
 

@@ -41,7 +41,7 @@ fn io_error(error: csv::Error) -> io::Error {
 }
 
 /// A number for another program; an empty cell for NaN, for example for an undetermined force.
-fn exact(value: f64) -> String {
+pub(crate) fn exact(value: f64) -> String {
     if value.is_finite() { plain(value) } else { String::new() }
 }
 

@@ -134,11 +134,13 @@ pub struct Forces {
     pub t: f64,
     /// The mechanism's names.
     pub model: &'static crate::model::Model,
-    /// Drivers.
+    /// Drivers, rows of velocity level that prescribe a constant speed, held coordinates that move, and coordinates that
+    /// are given.
     pub efforts: Vec<Effort>,
-    /// Inputs u, with u̇: the product is the power that enters with u. If a driver or a held coordinate moves by `2*u`,
-    /// its effort counts twice. An input that is a speed has the effort 0: its driver has the power. The powers of inputs
-    /// are parts of the powers of drivers and not to be added to them.
+    /// Inputs u, with u̇: the product is the power that enters with u through drivers and held coordinates. If one of
+    /// these moves by `2*u`, its effort counts twice. An input that is a speed has the effort 0: its driver has the power.
+    /// The powers of inputs are parts of the powers of drivers and not to be added to them; what an input changes in springs
+    /// and loads is part of the applied power.
     pub inputs: Vec<Effort>,
     /// Joints.
     pub reactions: Vec<Reaction>,
@@ -154,11 +156,12 @@ pub struct Forces {
     pub gravity: f64,
     /// Energy of springs.
     pub elastic: f64,
-    /// Power that drivers supply.
+    /// Power of all [`efforts`](Self::efforts).
     pub driver_power: f64,
-    /// Power of applied forces and couples, and that which changes of a spring's stiffness and free length supply.
+    /// Power of applied forces and couples, and that which changes of a spring's stiffness and free length and of the
+    /// field of gravity supply.
     pub applied_power: f64,
-    /// Power of dampers, never positive.
+    /// Power of dampers, not positive unless a damping is negative.
     pub damper_power: f64,
     /// d/dt of the total energy, from the derivatives of the energies themselves. It equals the power of drivers,
     /// applied loads and dampers together.
@@ -261,9 +264,11 @@ impl fmt::Display for Reaction {
         write!(f, "{}:", self.name)?;
         if !self.determined {
             f.write_str(" undetermined, redundant rows share the load")?;
-            // The numbers that follow are only one possibility.
+            let lacks_numbers =
+                self.point.is_some() && self.force.is_none() || self.on.is_some() && self.moment.is_none();
+            // The numbers that follow are what is determined nevertheless, or only one possibility.
             if self.force.is_some() || self.moment.is_some() {
-                f.write_str("; of least norm:")?;
+                f.write_str(if lacks_numbers { "; determined:" } else { "; of least norm:" })?;
             }
         }
         if let Some([x, y]) = self.force {

@@ -3,6 +3,7 @@
 
 use super::variation::{MAX_STACK_COORDINATES, modes_of};
 use super::{is_integrated, is_same};
+use crate::analysis::forces::masses_are_not_negative;
 use crate::error::SolveError;
 use crate::measure::{Measure, Needs};
 use crate::mechanism::{LengthError, Mechanism, Observations};
@@ -53,8 +54,9 @@ impl<M: Mechanism> Solver<'_, M> {
     /// ```
     ///
     /// # Errors
-    /// As [`sensitivities`](Self::sensitivities); [`Length`](SolveError::Length) when there are not as many weights as states
-    /// times quantities; [`NoSensitivity`](SolveError::NoSensitivity) where a quantity with a weight has no derivative.
+    /// As [`measure_sensitivities`](Self::measure_sensitivities); [`Length`](SolveError::Length) when there are not as many
+    /// weights as states times quantities; [`NoSensitivity`](SolveError::NoSensitivity) where a quantity with a weight has
+    /// no derivative.
     pub fn gradient(&self, states: &[State], measures: &[Measure], weights: &[f64]) -> Result<Vec<f64>, SolveError> {
         let expected = states.len() * measures.len();
         if weights.len() != expected {
@@ -119,14 +121,14 @@ impl<M: Mechanism> Work<M> {
         Self { needs, varied: Varied::default(), observations: Box::new(M::observations()) }
     }
 
-    /// Adds the gradient at a state; false where the plan has no valid solution.
+    /// Adds the gradient at a state; false where the plan has no valid solution. An error for a negative mass.
     fn add(
         &mut self,
         mechanism: &M,
         state: &State,
         (measures, weights): (&[Measure], &[f64]),
         gradient: &mut [f64],
-    ) -> Result<bool, LengthError> {
+    ) -> Result<bool, SolveError> {
         let model = M::model();
         let Some(modes) = modes_of(mechanism, state)? else { return Ok(false) };
         let parameters = variables(mechanism.parameters::<f64>().as_ref());
@@ -158,6 +160,7 @@ impl<M: Mechanism> Work<M> {
         if let (true, Some(info)) = (self.needs.forces, model.forces) {
             fill_with_zeros(forces, info.count);
             mechanism.forces_with(&parameters, &at, q, q_dot, q_ddot, &[], forces)?;
+            masses_are_not_negative(model, info, |index| forces[index].value())?;
         }
         Ok(add_recorded(model, &self.varied, (measures, weights), gradient))
     }

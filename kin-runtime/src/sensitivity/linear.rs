@@ -17,6 +17,10 @@ use nalgebra::DVector;
 /// If a parameter changes by its whole value, a change of a row below this share of its terms counts as rounding.
 const ROUNDING: f64 = 1e-5;
 
+/// A parameter below this, or below this share of a typical length if that is less than 1, is a small deviation from 0:
+/// its own size says nothing about that of the terms that contain it.
+const SMALLEST_SIZE: f64 = 1e-6;
+
 /// Φ_q at a state, factorised.
 pub(crate) struct Linear {
     factor: Factorization,
@@ -77,7 +81,8 @@ impl Linear {
             let solution = self.factor.solve(&right);
             let missed = scaled(equations, &equations.times(solution.as_slice())) - &right;
             let value = equations.system.parameters()[parameter].abs();
-            let rounding = ROUNDING / if value > 0.0 { value } else { 1.0 };
+            let smallest = SMALLEST_SIZE * equations.scale.length.min(1.0);
+            let rounding = ROUNDING / if value > 0.0 { value.max(smallest) } else { 1.0 };
             let terms = rows.terms.iter().zip(&rows.sizes).map(|(terms, size)| terms[lane].max(rounding * size));
             let terms = terms.zip(&equations.scale.rows).map(|(term, scale)| term * scale);
             let size = terms.fold(right.amax().max(equations.scale.size(solution.as_slice())), f64::max);

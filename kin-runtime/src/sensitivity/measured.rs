@@ -53,7 +53,7 @@ impl<M: Mechanism> Solver<'_, M> {
     /// ```
     ///
     /// # Errors
-    /// As [`sensitivities_by`](Self::sensitivities_by).
+    /// As [`sensitivities_by`](Self::sensitivities_by); [`NegativeMass`](SolveError::NegativeMass) for a force.
     pub fn measure_sensitivities(
         &self,
         state: &State,
@@ -90,7 +90,10 @@ fn measure_sensitivities(
     if measures.iter().any(|measure| measure.force().is_some()) {
         let by = sensitivities_by(solver, variation, state, parameters)?;
         let mut equations = solver.equations_of_state(state)?;
-        let at = forces(&mut equations, state, solver.settings().sharing).ok();
+        let at = match forces(&mut equations, state, solver.settings().sharing) {
+            Err(error @ SolveError::NegativeMass { .. }) => return Err(error),
+            found => found.ok(),
+        };
         write_forces(model, measures, (at.as_ref(), &by), &mut all);
     }
     Ok(all)

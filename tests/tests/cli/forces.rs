@@ -148,3 +148,25 @@ fn inputs_have_efforts() {
     let ran = kin("loaded solve A.force_x");
     assert!(ran.err.contains("note: `A.force_x` has no value at t = 0: redundant rows share the load"), "{}", ran.err);
 }
+
+/// The table of one instant has all efforts that the other forms have.
+#[test]
+fn tables_have_the_efforts_of_given_coordinates_and_of_inputs() {
+    let cell = |command: &str, name: &str| -> f64 {
+        let table = good(&format!("{command} --format csv"));
+        let mut lines = table.lines().map(|line| line.split(','));
+        let (names, mut row) = (lines.next().unwrap(), lines.next().unwrap());
+        let found: Vec<usize> = names.enumerate().filter(|(_, other)| *other == name).map(|(k, _)| k).collect();
+        let [column] = found[..] else { panic!("{name}: {found:?}") };
+        row.nth(column).unwrap().parse().unwrap()
+    };
+    for (command, name, object) in [
+        ("arm forces --given upper.phi=0.3 --given fore.phi=0", "upper.phi", "efforts"),
+        ("dead_centre forces --input place=0.8", "place", "inputs"),
+    ] {
+        let json: Value = serde_json::from_str(&good(&format!("{command} --format json"))).unwrap();
+        let effort = json[object][name]["effort"].as_f64().unwrap();
+        assert_eq!(effort, cell(command, &format!("{name}.effort")));
+        assert_eq!(effort, cell(&command.replace("forces", "solve --forces"), &format!("{name}.effort")));
+    }
+}

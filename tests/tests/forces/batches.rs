@@ -2,11 +2,12 @@
 
 use crate::machines::*;
 use kin_runtime::batch::{
-    BatchError, Column, ForceSolutions, Modes, Motions, Problems, Solutions, Sweeps, always, forces, solve, sweep,
+    BatchError, Column, ForceSolutions, Modes, Motions, Problems, SensitivitySolutions, Solutions, Sweeps, always,
+    forces, sensitivities, solve, sweep,
 };
 use kin_runtime::model::ForceModel;
 use kin_runtime::plan::Depth;
-use kin_runtime::{Instant, Kinematics, Lanes, Mechanism, Signal, mechanism};
+use kin_runtime::{Instant, Kinematics, Lanes, Measure, Mechanism, PlanError, Planned, Signal, mechanism};
 use kin_tests::mechanisms::loaded;
 
 /// A crank with a load that an input says, of a length that varies.
@@ -125,4 +126,91 @@ fn a_mechanism_without_closed_forms_of_forces_says_so() {
     let words = failed.unwrap_err().to_string();
     assert!(words.contains("redundant rows share the load") && words.contains("`Solver::forces`"), "{words}");
     assert!(loaded::FourbarLectureMid::model().forces.unwrap().solved);
+}
+
+/// An arm with a spring, the ends of which coincide at one angle.
+#[mechanism]
+#[bodies(arm)]
+#[revolute(O: ground @ (0, 0), arm @ (0, 0))]
+#[driver(motor: arm.phi = t)]
+#[spring(S: ground @ (a, 0), arm @ (1, 0), stiffness = 10, free_length = 0.1)]
+struct Sprung {
+    #[param(1)]
+    a: f64,
+}
+
+/// Where a force is not defined, there is no number: `Solver::forces` has an error there.
+#[test]
+fn a_spring_without_length_has_no_forces() {
+    let (places, times) = ([1.0, 0.9, 1.0], [0.0, 0.0, 0.5]);
+    let start = [Column::Shared(0.0); 3];
+    let parameters = [Column::Each(&places)];
+    let (t, modes) = (Column::Each(&times), Modes::OfStart);
+    let problems = Problems { parameters: &parameters, t, inputs: &[], modes, start: &start };
+    let (mut solutions, mut out) = (Solutions::<Sprung>::new(3), ForceSolutions::new(3));
+    solve(&Sprung::default(), Depth::Acceleration, &problems, &mut solutions, &always).unwrap();
+    assert!(solutions.solved().all(|solved| solved));
+    forces(&Sprung::default(), &problems, &solutions, &mut out, &always).unwrap();
+    assert!(out.solved().eq([false, true, true]));
+    let model = Sprung::model().forces.unwrap();
+    for place in 0..model.count {
+        assert!(out.numbers(place).all(f64::is_finite), "{place}");
+        assert_eq!(Some(0.0), out.numbers(place).next());
+    }
+    let torque = out.numbers(model.effort("motor").unwrap().place).nth(2).unwrap();
+    let length = 2.0 * 0.25_f64.sin();
+    // The arm of the force about O is cos(t/2).
+    assert!((torque - 10.0 * (length - 0.1) * 0.25_f64.cos()).abs() < 1e-12, "{torque}");
+
+    let sprung = Sprung::default();
+    let planned = Planned::new(&sprung, &Instant::at(0.0), &[0.0; 3]).unwrap();
+    let error = planned.forces(&mut vec![0.0; model.count]);
+    assert!(matches!(error, Err(PlanError::NonFinite { what: "forces", .. })), "{error:?}");
+
+    let measures: Vec<Measure> =
+        ["motor.effort", "S.tension"].map(|name| Measure::named(Sprung::model(), name).unwrap()).into();
+    let mut by = SensitivitySolutions::new(3, 2, 1);
+    sensitivities(&Sprung::default(), &problems, &solutions, &measures, &[0], &mut by, &always).unwrap();
+    assert!(by.solved().eq([false, true, true]));
+    assert!((0..2).all(|measure| by.value(measure).all(f64::is_finite)));
+}
+
+/// A pair of gears.
+#[mechanism]
+#[body(motor, x = 0, y = 0)]
+#[body(wheel, x = 1, y = 0)]
+#[gear(pair: motor, wheel, radii = (r1, r2))]
+#[constraint(count: counter = 2 * wheel.phi)]
+#[coordinates(counter)]
+#[driver(drive: motor.phi = t)]
+#[torque(load: wheel = -3 * dot(wheel.phi))]
+struct Gears {
+    #[param(1)]
+    r1: f64,
+    #[param(2)]
+    r2: f64,
+}
+
+/// Couples have closed forms like other forces.
+#[test]
+fn batches_have_the_couples_of_gears() {
+    let start = [Column::Shared(0.0); 3];
+    let parameters = [Column::Shared(1.0), Column::Shared(2.0)];
+    let (t, modes) = (Column::Shared(0.4), Modes::OfStart);
+    let problems = Problems { parameters: &parameters, t, inputs: &[], modes, start: &start };
+    let gears = Gears::default();
+    let mut solutions = Solutions::<Gears>::new(1);
+    solve(&gears, Depth::Acceleration, &problems, &mut solutions, &always).unwrap();
+    let names = ["pair.torque_motor", "pair.torque_wheel", "pair.torque_ground", "count.generalized"];
+    let measures: Vec<Measure> = names.map(|name| Measure::named(Gears::model(), name).unwrap()).into();
+    let mut by = SensitivitySolutions::new(1, measures.len(), 2);
+    sensitivities(&gears, &problems, &solutions, &measures, &[0, 1], &mut by, &always).unwrap();
+    // φ̇ of the wheel is −r1/r2, and the couple on it balances the load.
+    let exact = [(-0.75, [-1.5, 0.75]), (-1.5, [-1.5, 0.75]), (2.25, [3.0, -1.5]), (0.0, [0.0, 0.0])];
+    for (k, (value, slopes)) in exact.into_iter().enumerate() {
+        assert!((by.value(k).next().unwrap() - value).abs() < 1e-12, "{}", names[k]);
+        for (parameter, slope) in slopes.into_iter().enumerate() {
+            assert!((by.by(k, parameter).next().unwrap() - slope).abs() < 1e-12, "{} {parameter}", names[k]);
+        }
+    }
 }

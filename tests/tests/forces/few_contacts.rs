@@ -75,6 +75,20 @@ fn a_mass_below_zero_is_an_error_of_every_analysis_of_forces() {
 }
 
 #[test]
+fn forces_of_a_mass_below_zero_have_no_derivatives() {
+    let arm = Arm { m: -1.0 };
+    let state = arm.solver().state(&0.0.into()).expect("it closes");
+    let effort = [Measure::named(Arm::model(), "motor.effort").expect("it has one")];
+    let errors = [
+        arm.solver().measure_sensitivities(&state, &effort, &[0]).err(),
+        arm.solver().gradient(std::slice::from_ref(&state), &effort, &[1.0]).err(),
+    ];
+    for error in errors {
+        assert!(matches!(error, Some(SolveError::NegativeMass { body: "arm", .. })), "{error:?}");
+    }
+}
+
+#[test]
 fn a_tracker_knows_the_forces_that_a_solver_knows() {
     let arm = Arm::default();
     let at = Instant::at(0.4);

@@ -6,6 +6,7 @@ mod few_contacts;
 mod laws;
 mod machines;
 mod pictures;
+mod prescribed;
 mod redundant;
 mod references;
 mod squeezer;

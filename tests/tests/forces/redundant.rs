@@ -172,3 +172,83 @@ fn a_dead_centre_names_the_joints_whose_forces_grow() {
         other => panic!("{other:?}"),
     }
 }
+
+/// A bar on three parallel cranks of one length.
+#[mechanism(allow_redundant)]
+#[bodies(a, b, c, bar)]
+#[revolute(A0: ground @ (0, 0), a @ (0, 0))]
+#[revolute(B0: ground @ (2*l, 0), b @ (0, 0))]
+#[revolute(C0: ground @ (4*l, 0), c @ (0, 0))]
+#[revolute(A: a @ (l, 0), bar @ (0, 0))]
+#[revolute(B: b @ (l, 0), bar @ (2*l, 0))]
+#[revolute(C: c @ (l, 0), bar @ (4*l, 0))]
+#[driver(drive: a.phi = 1)]
+#[guess(b.phi = 1, c.phi = 1, bar.x = 0.5*l, bar.y = 0.8*l)]
+#[mass(bar @ (l, 0.3*l), mass = 2)]
+#[gravity(0, -9.81)]
+struct Cranks {
+    #[param(1)]
+    l: f64,
+}
+
+/// Which forces are determined does not depend on the unit of length.
+#[test]
+fn what_is_determined_does_not_depend_on_the_size() {
+    for l in [1.0, 1e-3, 1e-6, 1e-9, 1e-12, 1e6] {
+        let cranks = Cranks { l };
+        let state = cranks.state_at(&Instant::at(0.0)).unwrap();
+        let forces = cranks.solver().forces(&state).unwrap();
+        for reaction in &forces.reactions {
+            assert!(!reaction.determined && reaction.force.is_none(), "l = {l}: {reaction}");
+        }
+        near(forces.effort("drive").unwrap(), 2.0 * 9.81 * l * 1_f64.cos(), l);
+    }
+}
+
+/// Two motors on one shaft, each with an input of its own.
+#[mechanism(allow_redundant)]
+#[bodies(shaft)]
+#[input(u, v)]
+#[revolute(O: ground @ (0, 0), shaft @ (0, 0))]
+#[driver(one: shaft.phi = u)]
+#[driver(other: shaft.phi = v)]
+#[torque(load: shaft = -10)]
+struct TwoInputs;
+
+/// Two motors on one shaft that follow one input.
+#[mechanism(allow_redundant)]
+#[bodies(shaft)]
+#[input(u)]
+#[revolute(O: ground @ (0, 0), shaft @ (0, 0))]
+#[driver(one: shaft.phi = u)]
+#[driver(other: 2 * shaft.phi = 2 * u)]
+#[torque(load: shaft = -10)]
+struct OneInput;
+
+/// An input that can move alone bears the whole load; of two that cannot, nothing tells what each of them bears.
+#[test]
+fn the_effort_of_an_input_is_determined_where_it_can_move_alone() {
+    let inputs = [Signal::new(0.3, 1.0, 0.0); 2];
+    let state = TwoInputs.state_at(&Instant { t: 0.0, inputs: &inputs }).unwrap();
+    let forces = TwoInputs.solver().forces(&state).unwrap();
+    assert!(forces.inputs.iter().all(|input| !input.determined && input.effort.is_none()), "{forces}");
+    let least = TwoInputs.solver().forces_of_least_norm(&state).unwrap();
+    assert!(least.inputs.iter().all(|input| !input.determined), "{least}");
+    least.inputs.iter().for_each(|input| near(input.effort.unwrap(), 5.0, 1.0));
+
+    let state = OneInput.state_at(&Instant { t: 0.0, inputs: &inputs[..1] }).unwrap();
+    let forces = OneInput.solver().forces(&state).unwrap();
+    assert!(forces.efforts.iter().all(|effort| !effort.determined), "{forces}");
+    assert!(forces.inputs[0].determined, "{forces}");
+    near(forces.inputs[0].effort.unwrap(), 10.0, 1.0);
+}
+
+/// The moment of a pin is 0 however the load is shared, and is no choice among many.
+#[test]
+fn text_says_what_is_determined_and_what_is_chosen() {
+    let [forces, least] = beam(&Beam, 1.0, 2.0);
+    let text = forces.reaction("left").unwrap().to_string();
+    assert_eq!("left: undetermined, redundant rows share the load; determined: moment 0", text);
+    let text = least.reaction("left").unwrap().to_string();
+    assert!(text.starts_with("left: undetermined, redundant rows share the load; of least norm: force ("), "{text}");
+}

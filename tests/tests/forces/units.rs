@@ -1,6 +1,6 @@
 //! The units of forces follow from the units in the description.
 
-use kin_runtime::{Mechanism, mechanism};
+use kin_runtime::{Measure, Mechanism, mechanism};
 
 macro_rules! arm {
     ($name:ident, $length:literal, $mass:literal, $stiffness:literal) => {
@@ -89,4 +89,92 @@ fn forces_have_the_units_of_masses_lengths_and_times() {
     assert_eq!("forces in mN, moments in mN·m, energies in mJ, powers in mW", of(Grams::model()));
     assert_eq!("forces in N, moments in N·mm, energies in mJ, powers in mW", of(ByStiffness::model()));
     assert_eq!("", of(Unknown::model()));
+}
+
+/// An arm on a held pivot, whose tip is lifted.
+#[mechanism]
+#[body(arm, x = 0, y = 0)]
+#[point(tip = arm @ (l, 0))]
+#[driver(lift: tip.y = v * t)]
+#[guess(arm.phi = 0.1)]
+#[mass(arm @ (l, 0), mass = m)]
+struct LiftedTip {
+    #[param(0.5, unit = "m")]
+    l: f64,
+    #[param(0.1, unit = "m/s")]
+    v: f64,
+    #[param(2, unit = "kg")]
+    m: f64,
+}
+
+/// A wheel that is driven at its rim.
+#[mechanism]
+#[bodies(wheel)]
+#[revolute(O: ground @ (0, 0), wheel @ (0, 0))]
+#[driver(rim: r * wheel.phi = v * t)]
+#[mass(wheel @ (r, 0), mass = m)]
+struct Rim {
+    #[param(0.5, unit = "m")]
+    r: f64,
+    #[param(0.1, unit = "m/s")]
+    v: f64,
+    #[param(2, unit = "kg")]
+    m: f64,
+}
+
+/// A block that turns with its guide, a weld that turns, and a pair of gears whose offset moves.
+#[mechanism]
+#[bodies(block, table, pinion)]
+#[translational(guide: ground @ (0, 0), block @ (0, 0), axis = (1, 0), angle = w * t)]
+#[driver(push: block.x = v * t)]
+#[fixed(weld: ground @ (0, 0), table @ (0, 0), angle = w * t)]
+#[revolute(O: ground @ (0, 1), pinion @ (0, 0))]
+#[gear(pair: table, pinion, radii = (r, 2 * r), offset = v * t)]
+#[mass(block @ (0.1, 0), mass = m)]
+struct Turned {
+    #[param(2, unit = "kg")]
+    m: f64,
+    #[param(0.5, unit = "m")]
+    r: f64,
+    #[param(0.1, unit = "m/s")]
+    v: f64,
+    #[param(0.3, unit = "rad/s")]
+    w: f64,
+}
+
+fn unit<M: Mechanism>(name: &str) -> Option<String> {
+    Measure::named(M::model(), name).unwrap_or_else(|| panic!("{name}")).unit(&M::model().units)
+}
+
+/// The unit of a coordinate says nothing about a formula of it: the effort at a tip that an angle moves is no moment.
+#[test]
+fn formulas_of_coordinates_do_not_have_the_units_of_coordinates() {
+    for (name, found) in [
+        ("lift.effort", unit::<LiftedTip>("lift.effort")),
+        ("tip.x/lift", unit::<LiftedTip>("tip.x/lift")),
+        ("rim.effort", unit::<Rim>("rim.effort")),
+        ("wheel.phi/rim", unit::<Rim>("wheel.phi/rim")),
+        ("pair.effort", unit::<Turned>("pair.effort")),
+    ] {
+        assert_eq!(None, found, "{name}");
+    }
+}
+
+/// The angle of a guide or a weld is a driving row of its own beside others that hold lengths.
+#[test]
+fn a_joint_that_is_turned_takes_a_moment() {
+    for (name, expected) in [
+        ("guide.effort", "N·m"),
+        ("weld.effort", "N·m"),
+        ("push.effort", "N"),
+        ("block.phi/guide.angle", ""),
+        ("block.x/guide.angle", "m/rad"),
+        ("pinion.phi/weld.angle", ""),
+        ("block.phi/push", "rad/m"),
+    ] {
+        assert_eq!(Some(expected), unit::<Turned>(name).as_deref(), "{name}");
+    }
+    // The stroke of the guide is an output: its angle is driven.
+    let driven: Vec<String> = Measure::driven(Turned::model()).iter().map(|driven| driven.name().to_owned()).collect();
+    assert_eq!(["block.phi", "block.x", "table.phi"], driven[..]);
 }

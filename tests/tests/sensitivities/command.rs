@@ -1,7 +1,7 @@
 //! The command `sensitivities`.
 
-use kin_runtime::Kinematics;
 use kin_runtime::cli::run_from;
+use kin_runtime::{Kinematics, mechanism};
 use kin_tests::mechanisms::{FourbarLectureMid, loaded};
 use serde_json::Value;
 use std::process::ExitCode;
@@ -96,4 +96,37 @@ fn along_a_motion_it_tells_the_greatest_deviations_and_when() {
         let (status, _) = written::<FourbarLectureMid>("wrong.txt", &[wrong]);
         assert_ne!(ExitCode::SUCCESS, status);
     }
+}
+
+/// An arm that starts at rest and without a force, the tip of which may be off its axis.
+#[mechanism]
+#[bodies(arm)]
+#[revolute(O: ground @ (0, 0), arm @ (0, 0))]
+#[point(tip = arm @ (l, off))]
+#[driver(drive: arm.phi = t*t*t)]
+#[mass(arm @ (l, off), mass = 1)]
+struct Arm {
+    #[param(2)]
+    l: f64,
+    #[param(0)]
+    off: f64,
+}
+
+/// One percent of 0 is 0, but a dimension that is 0 matters nevertheless.
+#[test]
+fn a_dimension_of_zero_is_listed() {
+    let (_, text) = written::<Arm>("zero.txt", &["tip.x", "--at", "1"]);
+    let rows: Vec<&str> = text.lines().filter(|line| line.contains("tip.x")).collect();
+    let [by_l, by_off] = rows[..] else { panic!("{text}") };
+    assert!(by_l.contains(" l ") && by_off.contains(" off ") && by_off.contains("-0.841471"), "{text}");
+    let (_, text) = written::<Arm>("all_zero.txt", &["tip.x", "--at", "1", "--set", "l=0"]);
+    assert!(!text.contains("no parameter changes"), "{text}");
+}
+
+/// As in all tables, a cell without a number is empty: the magnitude of a force that is 0 has no derivative.
+#[test]
+fn cells_without_a_derivative_are_empty() {
+    let (_, table) = written::<Arm>("rest.csv", &["O.force", "--to", "1", "--steps", "1", "--format", "csv"]);
+    let rows: Vec<&str> = table.lines().collect();
+    assert_eq!(["t,O.force,O.force by l,O.force by off", "0,0,,"], rows[..2], "{table}");
 }

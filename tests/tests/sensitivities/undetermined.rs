@@ -1,6 +1,7 @@
-//! Multipliers that redundant rows leave open depend on how rows are scaled and have no derivatives; all others have.
+//! What redundant rows leave open or forbid has no derivatives: multipliers that depend on how rows are scaled, and motions of
+//! rows that agree for one value of a parameter only.
 
-use kin_runtime::{Instant, Kinematics, mechanism};
+use kin_runtime::{Instant, Kinematics, SolveError, mechanism};
 
 /// A beam on three equal arms, of which two would suffice.
 #[mechanism(allow_redundant)]
@@ -42,4 +43,25 @@ fn multipliers_that_are_left_open_have_no_derivatives() {
     }
     // The load is shared among the arms, and that of the drive is determined.
     assert!(open > 0 && open < forces.multipliers.len(), "{:?}", forces.multipliers);
+}
+
+/// Two motors on one shaft, of which one may be a little faster.
+#[mechanism(allow_redundant)]
+#[bodies(shaft)]
+#[revolute(O: ground @ (0, 0), shaft @ (0, 0))]
+#[driver(one: shaft.phi = t)]
+#[driver(other: shaft.phi = (1 + e)*t)]
+struct Motors {
+    e: f64,
+}
+
+/// Rows that contradict one another for every other value of a parameter do so for a value of the size of rounding, too.
+#[test]
+fn a_deviation_near_zero_is_a_deviation() {
+    for e in [0.0, 1e-16, 1e-13, -1e-13, 1e-10] {
+        let motors = Motors { e };
+        let state = motors.state_at(&Instant::at(0.0)).unwrap();
+        let found = motors.solver().sensitivities(&state);
+        assert!(matches!(found, Err(SolveError::NoSensitivity { parameter: "e", .. })), "e = {e}: {found:?}");
+    }
 }

@@ -28,6 +28,9 @@ pub(crate) use numbers::{Numbers, Sharing};
 /// Largest residual of the solution for λ, relative to r.
 const LEFT_OVER: f64 = 1e-7;
 
+/// A residual below this, relative to the largest entry of r, may be due to rounding in an entry that is 0.
+const ROUNDING: f64 = 1e-10;
+
 /// The forces at a state.
 pub(crate) fn forces(equations: &mut Equations<'_>, state: &State, sharing: Sharing) -> Result<Forces, SolveError> {
     let model = equations.model;
@@ -40,8 +43,8 @@ pub(crate) fn forces(equations: &mut Equations<'_>, state: &State, sharing: Shar
 }
 
 /// The effort of every input: the sum of the efforts of all drivers and of all held coordinates, each times the derivative
-/// of its rate by the rate of the input. The sum does not depend on how redundant rows share a load, because a mechanism
-/// that follows its inputs moves as each of these rows demands.
+/// of its rate by the rate of the input. The sum does not depend on how redundant rows share a load if the input can move
+/// alone, because a mechanism that follows it moves as each of these rows demands.
 fn inputs(
     equations: &Equations<'_>,
     info: &ForceModel,
@@ -64,12 +67,11 @@ fn inputs(
         write(&inputs, &mut moving)?;
         inputs[k].rate = 0.0;
         let by_input = |place: usize| moving[place + 1] - still[place + 1];
-        let effort = info
-            .efforts
-            .iter()
-            .map(|info_of_effort| numbers.values[info_of_effort.place] * by_input(info_of_effort.place))
-            .sum();
-        efforts.push(Effort { name, effort: Some(effort), rate: input.rate, determined: true });
+        let terms: Vec<(usize, f64)> = info.efforts.iter().map(|info| (info.place, by_input(info.place))).collect();
+        let effort = terms.iter().map(|&(place, by_input)| numbers.values[place] * by_input).sum();
+        let determined = numbers.is_determined(&terms);
+        let shown = determined || numbers.sharing == Sharing::LeastNorm;
+        efforts.push(Effort { name, effort: shown.then_some(effort), rate: input.rate, determined });
     }
     Ok(efforts)
 }
@@ -104,20 +106,26 @@ pub(crate) fn numbers(
     let numbers = match by_plan(equations, info, state)? {
         Some(values) => {
             let determined = vec![true; values.len()];
-            Numbers { values, determined, given: Vec::new(), sharing, by_plan: true }
+            Numbers { values, determined, changes: DMatrix::zeros(0, 0), given: Vec::new(), sharing, by_plan: true }
         }
         None => by_elimination(equations, info, state, sharing)?,
     };
-    masses_are_not_negative(equations.model, info, &numbers.values)?;
+    masses_are_not_negative(equations.model, info, |index| numbers.values[index])?;
     Ok(numbers)
 }
 
-fn masses_are_not_negative(model: &Model, info: &ForceModel, values: &[f64]) -> Result<(), SolveError> {
+/// An error for a negative mass or moment of inertia; `value` gives the numbers of forces.
+pub(crate) fn masses_are_not_negative(
+    model: &Model,
+    info: &ForceModel,
+    value: impl Fn(usize) -> f64,
+) -> Result<(), SolveError> {
     for mass in info.masses {
         let Frame::Body(body) = mass.on else { continue };
-        let numbers = values.iter().skip(mass.place).take(2);
-        if let Some((k, value)) = numbers.enumerate().find(|(_, value)| **value < 0.0) {
-            return Err(SolveError::NegativeMass { body: model.bodies[body].name, is_inertia: k == 1, value: *value });
+        for (value, is_inertia) in [(value(mass.place), false), (value(mass.place + 1), true)] {
+            if value < 0.0 {
+                return Err(SolveError::NegativeMass { body: model.bodies[body].name, is_inertia, value });
+            }
         }
     }
     Ok(())
@@ -178,9 +186,11 @@ fn by_elimination(
     let right = DVector::from_iterator(n, r.iter().zip(&equations.scale.columns).map(|(r, d)| r * d));
     let tolerance = equations.options.rank_tolerance;
     let factor = Factorization::revealing(&scaled, &vec![1.0; all.len()], tolerance);
-    let y = factor.solve(&right);
-    let left_over = (&scaled * &y - &right).amax();
-    if left_over > LEFT_OVER * right.amax().max(f64::MIN_POSITIVE) {
+    let mut y = factor.solve(&right);
+    // Large forces elsewhere leave errors of their own size times rounding in small ones; one step of refinement removes
+    // these.
+    y += factor.solve(&(&right - &scaled * &y));
+    if !balances(&scaled, &y, &right) {
         return Err(not_held(equations, state, &scaled)?);
     }
     let shared = sharing::Shared::new(equations, info, state, &scaled, y, factor.rank)?;
@@ -193,7 +203,18 @@ fn by_elimination(
         let rate = equations.given_coordinate(row - declared).map_or(0.0, |k| state.q_dot[k]);
         (equations.row_name(row), -lambda[row], rate, shared.is_determined(row))
     });
-    Ok(Numbers { values, determined, given: given.collect(), sharing, by_plan: false })
+    let given = given.collect();
+    Ok(Numbers { values, determined, changes: shared.changes(), given, sharing, by_plan: false })
+}
+
+/// Whether y solves every equation: relative to its own terms, so that a small load that nothing holds shows beside large
+/// ones elsewhere.
+fn balances(matrix: &DMatrix<f64>, y: &DVector<f64>, right: &DVector<f64>) -> bool {
+    let (rest, largest) = (matrix * y - right, right.amax());
+    rest.iter().enumerate().all(|(row, rest)| {
+        let terms = matrix.row(row).iter().zip(y).map(|(entry, y)| (entry * y).abs()).fold(right[row].abs(), f64::max);
+        rest.abs() <= LEFT_OVER * largest && rest.abs() <= LEFT_OVER * terms + ROUNDING * largest
+    })
 }
 
 /// The first load that is not a finite number.

@@ -6,15 +6,15 @@
 //! on the common scale, of rows that exert neither (drivers, equations of the user). So the result does not depend on
 //! how a joint is written.
 
+use super::numbers::ZERO_CHANGE;
 use crate::equations::Equations;
+use crate::equations::scale::Scale;
 use crate::error::SolveError;
 use crate::linear::{Factorization, null_space};
+use crate::model::forces::TOTALS;
 use crate::model::{ForceModel, Model};
 use crate::state::State;
 use nalgebra::{DMatrix, DVector};
-
-/// Changes along a null vector below this, relative to the largest one, count as zero.
-const ZERO_CHANGE: f64 = 1e-9;
 
 /// The multipliers of rows that share a load.
 pub(super) struct Shared {
@@ -23,6 +23,8 @@ pub(super) struct Shared {
     /// Null vectors of the transposed scaled Φ_q.
     null: DMatrix<f64>,
     determined: Vec<bool>,
+    /// The changes of all numbers along the null vectors.
+    changes: DMatrix<f64>,
     rows: Vec<f64>,
 }
 
@@ -42,7 +44,8 @@ impl Shared {
             false => DMatrix::zeros(y.len(), 0),
         };
         let rows = equations.scale.rows.clone();
-        let mut shared = Self { least: y, null, determined: vec![true; info.count], rows };
+        let changes = DMatrix::zeros(info.count, null.ncols());
+        let mut shared = Self { least: y, null, determined: vec![true; info.count], changes, rows };
         if shared.null.ncols() > 0 {
             shared.share(equations, info, state)?;
         }
@@ -56,7 +59,7 @@ impl Shared {
             equations.system.forces(&state.instant(), state, &lambda[..declared], &mut values)?;
             Ok(DVector::from_vec(values))
         };
-        let (weights, counted) = weights(equations.model, info, equations.scale.length);
+        let (weights, counted) = weights(equations.model, info, &equations.scale);
         let numbers_now = numbers(&self.unscaled(&self.least))?;
         // Null vectors are scaled to the size of the multipliers, so that rounding of forces that do not change stays
         // relatively small.
@@ -64,8 +67,9 @@ impl Shared {
         let (count, free) = (info.count, self.null.ncols());
         let mut changes = DMatrix::zeros(count, free);
         for (k, vector) in self.null.column_iter().enumerate() {
-            let moved = numbers(&self.unscaled(&(&self.least + vector * size)))?;
-            changes.set_column(k, &(moved - &numbers_now).component_mul(&weights));
+            let change = numbers(&self.unscaled(&(&self.least + vector * size)))? - &numbers_now;
+            changes.set_column(k, &change.component_mul(&weights));
+            self.changes.set_column(k, &change);
         }
         let largest = changes.amax();
         self.determined = changes.row_iter().map(|change| change.amax() <= ZERO_CHANGE * largest).collect();
@@ -103,27 +107,49 @@ impl Shared {
         self.determined.clone()
     }
 
+    /// The changes of all numbers along the null vectors.
+    pub(super) fn changes(self) -> DMatrix<f64> {
+        self.changes
+    }
+
     /// Whether equilibrium determines the multiplier of a row.
     pub(super) fn is_determined(&self, row: usize) -> bool {
         self.null.row(row).iter().all(|entry| entry.abs() <= ZERO_CHANGE)
     }
 }
 
-/// The factor that makes every number a moment, and whether it is a force, a moment or a couple of a joint.
-fn weights(model: &Model, info: &ForceModel, length: f64) -> (DVector<f64>, Vec<bool>) {
-    let (mut weights, mut counted) = (DVector::from_element(info.count, 1.0), vec![false; info.count]);
-    debug_assert!(model.forces.is_some());
+/// The factor that makes every number a moment, 0 for those that do not depend on λ and for sums of others; and whether it is a
+/// force, a moment or a couple of a joint. Without these factors the unit of length would decide which change is small.
+fn weights(model: &Model, info: &ForceModel, scale: &Scale) -> (DVector<f64>, Vec<bool>) {
+    let (mut weights, mut counted) = (DVector::zeros(info.count), vec![false; info.count]);
+    let of_row = |row: usize| 1.0 / scale.rows[row];
+    for row in 0..model.rows.len() {
+        weights[TOTALS + row] = of_row(row);
+    }
+    for effort in info.efforts {
+        weights[effort.place] = match model.row_of_effort(effort.name) {
+            Some(row) if model.joints[model.rows[row].joint].keeps_distance() => scale.length,
+            Some(row) => of_row(row),
+            // A held coordinate that moves.
+            None if effort.name.ends_with(".phi") => 1.0,
+            None => scale.length,
+        };
+    }
     for reaction in info.reactions {
         let mut index = reaction.place;
+        let mut next = |count: usize, weight: f64, counts: bool| {
+            weights.as_mut_slice()[index..index + count].fill(weight);
+            counted[index..index + count].fill(counts);
+            index += count;
+        };
         if reaction.has_force {
-            index += 2;
-            for index in index..index + 2 {
-                (weights[index], counted[index]) = (length, true);
-            }
-            index += 2;
+            next(2, 0.0, false);
+            next(2, scale.length, true);
         }
-        let moments = usize::from(reaction.has_moment) + reaction.couples.len();
-        counted[index..index + moments].fill(true);
+        next(usize::from(reaction.has_moment) + reaction.couples.len(), 1.0, true);
+        let rows = (0..model.rows.len()).filter(|row| model.joints[model.rows[*row].joint].name == reaction.name);
+        rows.take(reaction.generalized).for_each(|row| next(1, of_row(row), false));
+        next(usize::from(reaction.has_normal) + usize::from(reaction.has_tangential), scale.length, false);
     }
     (weights, counted)
 }

@@ -13,6 +13,7 @@ use crate::cli::solved::note_freedom;
 use crate::cli::tolerance::Slopes;
 use crate::measure::Measure;
 use crate::model::Model;
+use crate::present::grid::exact;
 use crate::present::json::record;
 use crate::present::number::{plain, rounded};
 use crate::present::table::Table;
@@ -124,11 +125,12 @@ fn text(model: &Model, times: &[f64], quantities: &[VariedQuantity], values: &[f
     let ranked = |quantity: &VariedQuantity| {
         let percent = |k: usize| 0.01 * values.get(k).copied().unwrap_or(0.0).abs();
         let all = quantity.by.iter().enumerate().filter_map(|(k, (name, by))| {
-            let (index, size) = greatest(by.iter().map(|by| by.abs() * percent(k)))?;
-            (size > 0.0).then(|| (*name, index, size, by[index]))
+            let (index, slope) = greatest(by.iter().map(|by| by.abs()))?;
+            (slope > 0.0).then(|| (*name, index, slope * percent(k), by[index]))
         });
         let mut all: Vec<_> = all.collect();
-        all.sort_by(|a, b| b.2.total_cmp(&a.2));
+        // One percent of a parameter that is 0 is nothing, but the parameter may matter.
+        all.sort_by(|a, b| b.2.total_cmp(&a.2).then(b.3.abs().total_cmp(&a.3.abs())));
         all.truncate(if times.len() == 1 { all.len() } else { 1 });
         all
     };
@@ -178,10 +180,10 @@ fn csv(times: &[f64], quantities: &[VariedQuantity]) -> String {
     for (k, t) in times.iter().enumerate() {
         let mut row = vec![plain(*t)];
         for VariedQuantity { value, by, deviations, .. } in quantities {
-            row.push(plain(value[k]));
+            row.push(exact(value[k]));
             match deviations.get(k) {
-                None => row.extend(by.iter().map(|(_, by)| plain(by[k]))),
-                Some(deviation) => row.extend([plain(deviation.worst), plain(deviation.root_sum_square)]),
+                None => row.extend(by.iter().map(|(_, by)| exact(by[k]))),
+                Some(deviation) => row.extend([exact(deviation.worst), exact(deviation.root_sum_square)]),
             }
         }
         out += &(row.join(",") + "\n");

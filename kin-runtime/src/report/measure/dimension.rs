@@ -1,6 +1,6 @@
 //! The dimensions of quantities, and their units.
 
-use crate::model::Units;
+use crate::model::{Component, CoordinateKind, JointKind, Model, Units};
 
 /// The dimension of a quantity.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -29,6 +29,16 @@ impl Dimension {
         }
     }
 
+    /// The dimension of a coordinate.
+    pub(super) fn of_coordinate(model: &Model, index: usize) -> Self {
+        let coordinate = &model.coordinates[index];
+        match coordinate.kind {
+            CoordinateKind::Pose { component: Component::Phi, .. } => Self::Angle,
+            CoordinateKind::Pose { .. } => Self::Length,
+            CoordinateKind::Scalar => Self::named(&model.units, coordinate.name),
+        }
+    }
+
     /// The unit of the derivative of an order, with angles in degrees if `degrees`.
     pub(crate) fn unit(self, units: &Units, order: usize, degrees: bool) -> Option<String> {
         let base = match self {
@@ -52,6 +62,33 @@ impl Dimension {
             _ => None,
         }
     }
+}
+
+/// The dimension of what a driving row prescribes, that of a displacement where it is a speed. A row that a driver or
+/// an equation writes prescribes a coordinate, or a sum or difference of coordinates of one dimension; the dimension of any
+/// other expression is not known.
+pub(super) fn driven_dimension(model: &Model, row: usize) -> Dimension {
+    let info = &model.rows[row];
+    let joint = &model.joints[info.joint];
+    if joint.keeps_distance() || joint.kind.prescribes_length() || joint.kind == JointKind::Speed {
+        return Dimension::Length;
+    }
+    if joint.kind.prescribes_angle() {
+        return Dimension::Angle;
+    }
+    // The rows of guides, welds and rolling discs that have an angle or an offset.
+    match info.name.strip_prefix(joint.name) {
+        Some(".angle") => return Dimension::Angle,
+        Some(".roll") => return Dimension::Length,
+        _ => {}
+    }
+    let pattern = &model.constraint_pattern;
+    let is_unit = |entry: usize| pattern.constants.iter().any(|&(index, value)| index == entry && value.abs() == 1.0);
+    let entries = pattern.entries.iter().enumerate().filter(|(_, (other, _))| *other == row);
+    let mut dimensions = entries
+        .map(|(k, (_, column))| if is_unit(k) { Dimension::of_coordinate(model, *column) } else { Dimension::Unknown });
+    let first = dimensions.next().unwrap_or(Dimension::Unknown);
+    if dimensions.all(|dimension| dimension == first) { first } else { Dimension::Unknown }
 }
 
 /// The unit of time: s unless the description has another.

@@ -1,6 +1,6 @@
 //! Forces as columns of numbers.
 
-use super::{Dimension, Source};
+use super::{Dimension, Source, driven_dimension};
 use crate::forces::Forces;
 use crate::model::{ForceModel, ForceUnits, Frame, Model};
 
@@ -35,24 +35,16 @@ pub(super) fn dimension_of_effort(model: &'static Model) -> impl Fn(&str) -> Opt
 /// The unit of a driver's effort: that of a force where it drives a length, that of a moment where it drives an angle.
 fn unit_of_effort(model: &Model, info: &ForceModel, driver: &str) -> Option<&'static str> {
     let ForceUnits { force, moment, .. } = info.units;
-    let unit_of = |name: &str| match Dimension::named(&model.units, name) {
+    let unit_of = |driven: Dimension| match driven {
         Dimension::Length => force,
         Dimension::Angle => moment,
         Dimension::In(unit) if Some(unit) == model.units.length => force,
         Dimension::In(_) | Dimension::Unknown => None,
     };
-    let Some(joint) = model.joints.iter().find(|joint| joint.name == driver) else { return unit_of(driver) };
-    if joint.keeps_distance() || joint.kind.prescribes_length() {
-        return force;
+    match model.row_of_effort(driver) {
+        Some(row) => unit_of(driven_dimension(model, row)),
+        None => unit_of(Dimension::named(&model.units, driver)),
     }
-    if joint.kind.prescribes_angle() {
-        return moment;
-    }
-    // A row with a single coordinate drives that coordinate.
-    let entries = model.constraint_pattern.entries.iter().filter(|(row, _)| *row == joint.first_row);
-    let mut units = entries.map(|(_, column)| unit_of(model.coordinates[*column].name));
-    let first = units.next()?;
-    units.all(|unit| unit == first).then_some(first)?
 }
 
 /// A number of the whole mechanism.
@@ -94,11 +86,13 @@ fn visit(
         }
         for (c, frame) in reaction.couples.iter().enumerate() {
             let value = found.and_then(|found| Some(found.couples.get(c)?.1));
-            f(format!("{name}.torque_{}", body(*frame)), moment, None, value.unwrap_or(f64::NAN));
+            let source = Some(Source::Force(reaction.couples() + c));
+            f(format!("{name}.torque_{}", body(*frame)), moment, source, value.unwrap_or(f64::NAN));
         }
         for c in 0..reaction.generalized {
             let value = found.and_then(|found| found.generalized.get(c).copied());
-            f(format!("{name}.generalized"), None, None, value.unwrap_or(f64::NAN));
+            let source = Some(Source::Force(reaction.couples() + reaction.couples.len() + c));
+            f(format!("{name}.generalized"), None, source, value.unwrap_or(f64::NAN));
         }
         if reaction.has_normal {
             let source = reaction.normal().map(Source::Force);

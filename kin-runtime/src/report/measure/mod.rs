@@ -12,7 +12,7 @@
 //! | `B.angle`, `slide.stroke` | a quantity of a joint ([`JointInfo::quantities`](crate::model::JointInfo::quantities)) |
 //! | `B.transmission` | the transmission angle at a revolute joint ([`transmission`](crate::transmission)), in [0, π]; with several pairs of neighbours `B.transmission_A_D` |
 //! | `drive.effort`, `B.force`, … | what drivers supply and joints carry, where there are masses or loads |
-//! | `boom_length.effort` | the effort of an input: the power that enters with it is effort · rate ([`Forces::inputs`](crate::Forces::inputs)) |
+//! | `boom_length.effort` | the effort of an input, or of a driver of the same name: the power that enters with it through drivers and held coordinates is effort · rate ([`Forces::inputs`](crate::Forces::inputs)) |
 //! | `crank.phi.effort` | the effort that holds or moves a coordinate that is given ([`Solver::with_given`](crate::Solver::with_given)) |
 //! | `tip.x/drive` | the velocity ratio of coordinates, points, defines and joint quantities to a driver or an input: ∂x/∂f with all other drivers and inputs constant |
 //!
@@ -28,6 +28,7 @@ mod value;
 mod varied;
 
 pub(crate) use dimension::Dimension;
+use dimension::driven_dimension;
 #[cfg(feature = "cli")]
 pub(crate) use force::columns;
 pub(crate) use force::{column_values, magnitude_parts};
@@ -149,7 +150,10 @@ impl Measure {
         all.extend(model.points.iter().enumerate().map(speed));
         for (k, name) in model.inputs.iter().enumerate() {
             all.extend(Self::with_rates(model, name, Kind::Input(k), Dimension::named(&model.units, name)));
-            all.extend(Self::effort(model, &format!("{name}.effort")));
+            let effort = format!("{name}.effort");
+            if all.iter().all(|measure| measure.name != effort) {
+                all.extend(Self::effort(model, &effort));
+            }
         }
         all.extend(Self::transmission_angles(model));
         all
@@ -179,12 +183,7 @@ impl Measure {
         let mut out = vec![Self::new("t".to_owned(), Kind::Time, Dimension::In(dimension::time(&model.units)))];
         let mut add = |name: &str, kind: Kind, dimension| out.extend(Self::with_rates(model, name, kind, dimension));
         for (k, coordinate) in model.coordinates.iter().enumerate() {
-            let dimension = match coordinate.kind {
-                CoordinateKind::Pose { component: Component::Phi, .. } => Dimension::Angle,
-                CoordinateKind::Pose { .. } => Dimension::Length,
-                CoordinateKind::Scalar => Dimension::named(&model.units, coordinate.name),
-            };
-            add(coordinate.name, Kind::Coordinate(k), dimension);
+            add(coordinate.name, Kind::Coordinate(k), Dimension::of_coordinate(model, k));
         }
         if !reported {
             return out;
@@ -214,8 +213,8 @@ impl Measure {
         columns.map(|(k, (name, dimension, source))| Self::new(name, Kind::Force(k, source), dimension))
     }
 
-    /// The driven quantities, each once: the quantity that the joint of a driver reports, or else the one coordinate in
-    /// its row.
+    /// The driven quantities, each once: the quantity that the joint of a driver reports, if this is what its row
+    /// prescribes, or else the one coordinate in its row.
     pub fn driven(model: &'static Model) -> Vec<Self> {
         let rows = model.rows.iter().enumerate().filter(|(_, row)| row.driving);
         let mut driven: Vec<Self> = rows.filter_map(|(row, _)| Self::named(model, &driven_by(model, row)?)).collect();
@@ -369,11 +368,12 @@ impl fmt::Display for Measure {
     }
 }
 
-/// The name of the quantity that a driving row drives: the one that its joint reports, or else the one coordinate in
-/// the row.
+/// The name of the quantity that a driving row drives: the one that its joint reports, if this is what the row
+/// prescribes, or else the one coordinate in the row.
 fn driven_by(model: &'static Model, row: usize) -> Option<String> {
     let joint = &model.joints[model.rows[row].joint];
-    if let Some(quantity) = joint.quantities.first() {
+    if let (Some(quantity), true) = (joint.quantities.first(), joint.keeps_distance() || joint.kind.prescribes_angle())
+    {
         return Some(format!("{}.{}", joint.name, quantity.name));
     }
     let mut entries = model.constraint_pattern.entries.iter().filter(|(other, _)| *other == row);
@@ -386,9 +386,7 @@ fn driven_by(model: &'static Model, row: usize) -> Option<String> {
 /// Driving rows and inputs with their names and dimensions.
 fn drivers(model: &'static Model) -> impl Iterator<Item = (&'static str, Driver)> {
     let row = move |(place, row): (usize, &'static crate::model::RowInfo)| {
-        let dimension =
-            driven_by(model, place).map_or(Dimension::Unknown, |name| Dimension::named(&model.units, &name));
-        (row.name, Driver { place: DriverPlace::Row(place), dimension })
+        (row.name, Driver { place: DriverPlace::Row(place), dimension: driven_dimension(model, place) })
     };
     let input = move |(place, name): (usize, &&'static str)| {
         (*name, Driver { place: DriverPlace::Input(place), dimension: Dimension::named(&model.units, name) })

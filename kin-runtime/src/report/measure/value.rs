@@ -15,8 +15,8 @@ use crate::trajectory::Trajectory;
 use crate::transmission::angles;
 
 impl Measure {
-    /// Where its value comes from. None for a velocity ratio, for forces that no closed form gives, for efforts of
-    /// inputs and of prescribed coordinates, and for couples and generalized forces of a joint.
+    /// Where its value comes from. None for a velocity ratio, for forces that no closed form gives, and for efforts of
+    /// inputs and of prescribed coordinates.
     pub fn source(&self, model: &'static Model) -> Option<Source> {
         if self.per.is_some() {
             return None;
@@ -133,6 +133,21 @@ pub(crate) fn values(
         _ => measure.of_state(state).unwrap_or(f64::NAN),
     };
     Ok(measures.iter().map(value).collect())
+}
+
+#[cfg(feature = "cli")]
+impl Measure {
+    /// The efforts of coordinates that are given and of inputs, which are no [columns of all forces](Self::forces), with
+    /// their values. An input that has the name of a driver is left out.
+    pub(crate) fn further_efforts(forces: &Forces) -> impl Iterator<Item = (Self, f64)> {
+        let declared = forces.model.forces.map_or(0, |info| info.efforts.len());
+        let (drivers, given) = forces.efforts.split_at(declared.min(forces.efforts.len()));
+        let inputs = forces.inputs.iter().filter(|input| drivers.iter().all(|driver| driver.name != input.name));
+        given.iter().chain(inputs).filter_map(|effort| {
+            let measure = Self::effort(forces.model, &format!("{}.effort", effort.name))?;
+            Some((measure, effort.effort.unwrap_or(f64::NAN)))
+        })
+    }
 }
 
 /// The effort of an input or of a coordinate that is given.
