@@ -66,9 +66,12 @@ pub(crate) fn folds(
     let middle: Vec<Interval> = start.iter().map(|x| Interval::from(x.midpoint())).collect();
     equations.at(Interval::around(way.midpoint(), MIN_WIDTH * (way.upper() - way.lower())));
     equations.closure(&middle[..places.len()], true)?;
-    equations.at(middle[places.len()]);
-    let turns = equations.turns(&middle[..places.len()]);
-    let is_bounded = |u: &usize| !turns[*u];
+    // At a single instant a factor of an angle may be an integer by chance.
+    let turns = [0.5, 0.382].map(|share| {
+        equations.at(Interval::from(way.lower() + share * (way.upper() - way.lower())));
+        equations.turns(&middle[..places.len()])
+    });
+    let is_bounded = |u: &usize| !turns.iter().all(|turns| turns[*u]);
     let bounded = (0..places.len()).filter(is_bounded).map(|u| (places[u], region[places[u]])).collect();
     let step = NewtonStep::new(places.len(), sizes, MIN_WIDTH);
     let mut search = FoldSearch { equations, step, bound: None, proven: Vec::new(), undecided: Vec::new() };

@@ -36,7 +36,7 @@ pub enum Undecided {
     Modes {
         /// The modes on which this depends, with their signs.
         modes: Vec<(&'static str, Sign)>,
-        /// The joints of the group at its limit.
+        /// The joints of the group at its limit; none if a coordinate has no value, as the root of a negative number.
         joints: Vec<&'static str>,
     },
     /// A region in which there may be no, one or several solutions.
@@ -58,14 +58,16 @@ pub struct Assemblies {
     pub found: Vec<Assembly>,
     /// What is left undecided.
     pub undecided: Vec<Undecided>,
-    /// The coordinates that were searched, each with its interval: a full turn for an angle, and a multiple of the size
-    /// of the mechanism for a length that no row determines. If the plan has a closed form for all groups, only the
+    /// The coordinates that were searched, each with its interval: a full turn for an angle, a multiple of the size of the
+    /// mechanism for a length that no row determines, a scalar coordinate with the unit of lengths included, and half a turn
+    /// on both sides of the guess for any other scalar coordinate (π without a unit, 180 in deg). If the plan has a closed form for all groups, only the
     /// angles that others follow in a ratio, as with gears: further turns of such an angle are further closures.
     pub searched: Vec<(&'static str, Interval)>,
 }
 
 impl Assemblies {
-    /// True if it is proven that there are no other closures: each has a certificate, and nothing is undecided.
+    /// True if it is proven that there are no other closures, within the intervals of [`searched`](Self::searched): each has
+    /// a certificate, and nothing is undecided.
     pub fn is_complete(&self) -> bool {
         self.undecided.is_empty() && self.found.iter().all(|assembly| assembly.certificate.is_ok())
     }
@@ -85,9 +87,13 @@ impl fmt::Display for Undecided {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Modes { modes, joints } => {
-                f.write_str("the group of ")?;
-                separated(f, joints, |f, joint| f.write_str(joint))?;
-                f.write_str(" at its limit")?;
+                if joints.is_empty() {
+                    f.write_str("a coordinate without a value")?;
+                } else {
+                    f.write_str("the group of ")?;
+                    separated(f, joints, |f, joint| f.write_str(joint))?;
+                    f.write_str(" at its limit")?;
+                }
                 modes.iter().try_for_each(|(mode, sign)| write!(f, ", {mode}={sign}"))
             }
             Self::Region { coordinates } => {
