@@ -103,7 +103,6 @@ mod tests {
             #[input(u, default = $value)]
             #[constraint(c: y = $e)]
             #[driver(d: x = u)]
-            #[derive(Default)]
             struct $name {
                 #[param(0.1)]
                 a: f64,
