@@ -3,7 +3,7 @@
 use super::certificate::{Certificate, Uncertified};
 use crate::planned::Sign;
 use crate::scalar::Interval;
-use crate::text::separated;
+use crate::text::{rounded, separated};
 use core::fmt;
 
 /// One way in which a mechanism closes.
@@ -59,8 +59,8 @@ pub struct Assemblies {
     /// What is left undecided.
     pub undecided: Vec<Undecided>,
     /// The coordinates that were searched, each with its interval: a full turn for an angle, a multiple of the size of the
-    /// mechanism for a length that no row determines, a scalar coordinate with the unit of lengths included, and half a turn
-    /// on both sides of the guess for any other scalar coordinate (π without a unit, 180 in deg). If the plan has a closed form for all groups, only the
+    /// mechanism for a length that no row determines, and a multiple of its guess at least. A scalar coordinate counts as an
+    /// angle if the equations repeat after a turn, and otherwise as a length. If the plan has a closed form for all groups, only the
     /// angles that others follow in a ratio, as with gears: further turns of such an angle are further closures.
     pub searched: Vec<(&'static str, Interval)>,
 }
@@ -128,6 +128,10 @@ impl fmt::Display for Assemblies {
             count => write!(f, "{count} closures")?,
         }
         f.write_str(if self.is_complete() { ", all there are" } else { ", not proven to be all" })?;
+        let is_turn = |within: &Interval| (within.radius() - core::f64::consts::PI).abs() < 1e-9;
+        for (name, within) in self.searched.iter().filter(|(_, within)| !is_turn(within)) {
+            write!(f, ", with {name} from {} to {}", rounded(within.lower()), rounded(within.upper()))?;
+        }
         for (index, assembly) in self.found.iter().enumerate() {
             f.write_str("\n  ")?;
             named(f, &self.name(index), assembly)?;

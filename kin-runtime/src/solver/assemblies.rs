@@ -107,7 +107,7 @@ impl dyn AnySolver + '_ {
             return Ok(Assemblies { found, undecided, searched: half_turns(model, &bounded, &guess) });
         }
         geometry::check(&self.equations_at(at)?)?;
-        let region = region(model, &guess, length);
+        let [region, wide] = region(model, &guess, length);
         let mut boxes = self.boxes(at);
         let prove = &mut |q: &[f64]| {
             let lists = self.analysed(at, q).ok_or(Uncertified::Malformed)?;
@@ -115,7 +115,7 @@ impl dyn AnySolver + '_ {
             Ok((lists, certificate))
         };
         let SearchOutcome { mut found, undecided, unfinished, searched } =
-            search(&square, &mut *boxes, &region, prove).map_err(refuse)?;
+            search(&square, &mut *boxes, [&region, &wide], prove).map_err(refuse)?;
         found.sort_by(|([a, ..], _), ([b, ..], _)| b.partial_cmp(a).unwrap_or(std::cmp::Ordering::Equal));
         let mut apart: Vec<Certified> = Vec::new();
         for closure in found {
@@ -255,13 +255,15 @@ fn half_turn(model: &Model, k: usize, angle: f64) -> Interval {
     Interval::around(angle, (0.5 * model.turn(k)).next_up())
 }
 
-/// The box, around the guesses, in which closures are searched.
-pub(super) fn region(model: &Model, guess: &[f64], length: f64) -> Vec<Interval> {
-    let around = |(k, &guess): (usize, &f64)| match is_length(model, k) {
-        true => Interval::around(guess, LENGTH_REACH * length),
-        false => half_turn(model, k, guess),
-    };
-    guess.iter().enumerate().map(around).collect()
+/// The box, around the guesses, in which closures are searched; and the same with scalar coordinates taken for lengths, for
+/// those with which the equations do not repeat after a turn.
+pub(super) fn region(model: &Model, guess: &[f64], length: f64) -> [Vec<Interval>; 2] {
+    let turn = |k: usize| half_turn(model, k, guess[k]);
+    let reach = |k: usize| Interval::around(guess[k], LENGTH_REACH * length.max(guess[k].abs()));
+    let usual = |k: usize| if is_length(model, k) { reach(k) } else { turn(k) };
+    let wide = |k: usize| if is_angle(model, k) { turn(k) } else { reach(k).hull(usual(k)) };
+    let all = 0..guess.len();
+    [all.clone().map(usual).collect(), all.map(wide).collect()]
 }
 
 /// True if two certified closures are the same up to whole turns of angles: without these turns, the first lies in the

@@ -76,7 +76,8 @@ impl dyn AnySolver + '_ {
         let way = Interval::new(start.t.min(to), start.t.max(to));
         let sizes: Vec<f64> = (0..guess.len()).map(|k| if is_length(model, k) { length } else { 1.0 }).collect();
         let mut system = self.boxes(start);
-        let all = folds(&square, &mut *system, &region(model, guess, length), &sizes, way).map_err(refuse)?;
+        let [region, wide] = region(model, guess, length);
+        let all = folds(&square, &mut *system, [&region, &wide], &sizes, way).map_err(refuse)?;
         let mut places: Vec<FoldPlace> = Vec::new();
         let place = |proven: bool| {
             move |Fold { q, t }: Fold| FoldPlace { t, q: q.iter().map(|x| x.midpoint()).collect(), proven }
