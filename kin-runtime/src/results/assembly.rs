@@ -59,8 +59,8 @@ pub struct Assemblies {
     /// What is left undecided.
     pub undecided: Vec<Undecided>,
     /// The coordinates that were searched, each with its interval: a full turn for an angle, a multiple of the size of the
-    /// mechanism for a length that no row determines, and a multiple of its guess at least. A scalar coordinate counts as an
-    /// angle if the equations repeat after a turn, and otherwise as a length. If the plan has a closed form for all groups, only the
+    /// mechanism for a length that no row determines, and a multiple of its guess at least. A scalar coordinate counts as a
+    /// length if it has the unit of lengths, or if its guess is more than a turn and the equations do not repeat after one. If the plan has a closed form for all groups, only the
     /// angles that others follow in a ratio, as with gears: further turns of such an angle are further closures.
     pub searched: Vec<(&'static str, Interval)>,
 }

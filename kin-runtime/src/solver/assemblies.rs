@@ -255,13 +255,14 @@ fn half_turn(model: &Model, k: usize, angle: f64) -> Interval {
     Interval::around(angle, (0.5 * model.turn(k)).next_up())
 }
 
-/// The box, around the guesses, in which closures are searched; and the same with scalar coordinates taken for lengths, for
-/// those with which the equations do not repeat after a turn.
+/// The box, around the guesses, in which closures are searched; and the same with scalar coordinates that are more than a turn
+/// away from 0 taken for lengths, for those with which the equations do not repeat after a turn.
 pub(super) fn region(model: &Model, guess: &[f64], length: f64) -> [Vec<Interval>; 2] {
     let turn = |k: usize| half_turn(model, k, guess[k]);
-    let reach = |k: usize| Interval::around(guess[k], LENGTH_REACH * length.max(guess[k].abs()));
-    let usual = |k: usize| if is_length(model, k) { reach(k) } else { turn(k) };
-    let wide = |k: usize| if is_angle(model, k) { turn(k) } else { reach(k).hull(usual(k)) };
+    let reach = |k: usize, size: f64| Interval::around(guess[k], LENGTH_REACH * size);
+    let usual = |k: usize| if is_length(model, k) { reach(k, length.max(guess[k].abs())) } else { turn(k) };
+    let is_angle = |k: usize| is_angle(model, k) || guess[k].abs() <= model.turn(k);
+    let wide = |k: usize| if is_length(model, k) || is_angle(k) { usual(k) } else { reach(k, guess[k].abs()) };
     let all = 0..guess.len();
     [all.clone().map(usual).collect(), all.map(wide).collect()]
 }
