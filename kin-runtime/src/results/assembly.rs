@@ -58,10 +58,11 @@ pub struct Assemblies {
     pub found: Vec<Assembly>,
     /// What is left undecided.
     pub undecided: Vec<Undecided>,
-    /// The coordinates that were searched, each with its interval: a full turn for an angle, a multiple of the size of the
-    /// mechanism for a length that no row determines, and a multiple of its guess at least. A scalar coordinate counts as a
-    /// length if it has the unit of lengths, or if its guess is more than a turn and the equations do not repeat after one. If the plan has a closed form for all groups, only the
-    /// angles that others follow in a ratio, as with gears: further turns of such an angle are further closures.
+    /// The coordinates that were searched, each with its interval: a full turn for an angle, and a multiple of the size of the
+    /// mechanism for a length that no row determines. A scalar coordinate counts as a length if it has the unit of lengths, or
+    /// if its guess is more than a turn and the equations do not repeat after one; the interval is a multiple of its guess
+    /// then. If the plan has a closed form for all groups, only the angles that others follow in a ratio, as with gears:
+    /// further turns of such an angle are further closures.
     pub searched: Vec<(&'static str, Interval)>,
 }
 

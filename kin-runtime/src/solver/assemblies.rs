@@ -13,7 +13,7 @@ use crate::equations::{Equations, geometry};
 use crate::error::SolveError;
 use crate::linear::Factorization;
 use crate::mechanism::Mechanism;
-use crate::model::Model;
+use crate::model::{CoordinateKind, Model};
 use crate::modes::modes;
 use crate::plan::{Depth, Plan, Solved, StepKind};
 use crate::planned::Sign;
@@ -260,9 +260,14 @@ fn half_turn(model: &Model, k: usize, angle: f64) -> Interval {
 pub(super) fn region(model: &Model, guess: &[f64], length: f64) -> [Vec<Interval>; 2] {
     let turn = |k: usize| half_turn(model, k, guess[k]);
     let reach = |k: usize, size: f64| Interval::around(guess[k], LENGTH_REACH * size);
-    let usual = |k: usize| if is_length(model, k) { reach(k, length.max(guess[k].abs())) } else { turn(k) };
-    let is_angle = |k: usize| is_angle(model, k) || guess[k].abs() <= model.turn(k);
-    let wide = |k: usize| if is_length(model, k) || is_angle(k) { usual(k) } else { reach(k, guess[k].abs()) };
+    let is_scalar = |k: usize| matches!(model.coordinates[k].kind, CoordinateKind::Scalar);
+    let usual = |k: usize| match is_length(model, k) {
+        true if is_scalar(k) => reach(k, length.max(guess[k].abs())),
+        true => reach(k, length),
+        false => turn(k),
+    };
+    let is_far = |k: usize| is_scalar(k) && guess[k].abs() > model.turn(k);
+    let wide = |k: usize| if is_far(k) { usual(k).hull(reach(k, guess[k].abs())) } else { usual(k) };
     let all = 0..guess.len();
     [all.clone().map(usual).collect(), all.map(wide).collect()]
 }
