@@ -13,8 +13,6 @@ use core::f64::consts::FRAC_PI_2;
 const ZERO: Interval = Interval::new(0.0, 0.0);
 /// Derivatives are constant if their bounds are this close, relative to their size.
 const CONSTANT: f64 = 1e-12;
-/// How far from a place the equations are compared with those after a whole turn.
-const SHIFTS: [f64; 3] = [0.0, 0.73, -1.61];
 /// Angles at which derivatives are compared.
 const ANGLES: [f64; 5] = [0.7, 1.9, 2.6, 4.1, 5.3];
 
@@ -254,30 +252,14 @@ impl<'s> ClosureEquations<'s> {
         known.chain(self.f()).any(Interval::excludes_zero)
     }
 
-    /// Whether the equations are the same after a whole turn, for each of the coordinates u: false for lengths, and for
-    /// angles that gears couple in a ratio. `u` is a single place, and others are compared, too: at one of them numbers may
-    /// be the same by chance, as those of sin ½φ are at φ = 0.
-    pub(super) fn turns(&mut self, u: &[Interval]) -> Vec<bool> {
-        let places = SHIFTS.map(|shift| u.iter().map(|&u| u + Interval::from(shift)).collect::<Vec<_>>());
-        let and = |a: Vec<bool>, b: Vec<bool>| a.into_iter().zip(b).map(|(a, b)| a && b).collect();
-        let judged = places.iter().filter_map(|place| self.turns_at(place)).reduce(and);
-        judged.unwrap_or_else(|| vec![false; u.len()])
+    /// The values of all equations over a box, those of eliminated angles included; none if one is undefined.
+    pub(super) fn all_values(&mut self, u: &[Interval]) -> Option<Vec<Interval>> {
+        self.over(u, Subset::PHI).ok().map(|()| self.values.phi.clone())
     }
 
-    /// The same, judged at one place; none if the equations are undefined there.
-    fn turns_at(&mut self, u: &[Interval]) -> Option<Vec<bool>> {
-        let turns: Vec<Interval> = self.places().map(|k| self.square.turn(k)).collect();
-        let values_at = |equations: &mut Self, u: &[Interval]| {
-            equations.over(u, Subset::PHI).ok().map(|()| equations.values.phi.clone())
-        };
-        let values = values_at(self, u)?;
-        let is_same = |k: usize| {
-            let mut turned = u.to_vec();
-            turned[k] = turned[k] + turns[k];
-            let same = |turned: Vec<Interval>| values.iter().zip(turned).all(|(a, b)| a.intersection(b).is_some());
-            values_at(self, &turned).is_some_and(same)
-        };
-        Some((0..u.len()).map(is_same).collect())
+    /// Whole turns of the coordinates u, in their units.
+    pub(super) fn whole_turns(&self) -> Vec<Interval> {
+        self.places().map(|k| self.square.turn(k)).collect()
     }
 
     /// f over a box.

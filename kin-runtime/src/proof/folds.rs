@@ -14,6 +14,7 @@ use super::enclosures::Enclosures;
 use super::fold::{Proven, null_vector, prove};
 use super::krawczyk::Square;
 use super::newton_step::{NewtonStep, Shrunk};
+use super::turns::turns;
 use crate::certificate::Uncertified;
 use crate::scalar::Interval;
 
@@ -69,7 +70,7 @@ pub(crate) fn folds(
     // At a single instant a factor of an angle may be an integer by chance.
     let turns = [0.5, 0.382].map(|share| {
         equations.at(Interval::from(way.lower() + share * (way.upper() - way.lower())));
-        equations.turns(&middle)
+        turns(&mut equations, &middle)
     });
     let is_bounded = |u: &usize| !turns.iter().all(|turns| turns[*u]);
     let interval = |u: usize| region[usize::from(is_bounded(&u))][places[u]];

@@ -30,6 +30,7 @@ mod search;
 mod signs;
 mod sizes;
 mod smooth;
+mod turns;
 mod winding;
 mod wrapped;
 

@@ -9,6 +9,7 @@ use super::closure_equations::{ClosureEquations, EvaluatedEquations};
 use super::enclosures::Enclosures;
 use super::krawczyk::Square;
 use super::newton_step::{NewtonStep, Shrunk};
+use super::turns::turns;
 use crate::certificate::{Certificate, Uncertified};
 use crate::scalar::Interval;
 
@@ -49,7 +50,7 @@ pub(crate) fn search(
     let mut equations = ClosureEquations::new(square, system, region[0]);
     let places: Vec<usize> = equations.places().collect();
     let middle: Vec<Interval> = places.iter().map(|&k| Interval::from(region[0][k].midpoint())).collect();
-    let turns = if region[0] == region[1] { Vec::new() } else { equations.turns(&middle) };
+    let turns = if region[0] == region[1] { Vec::new() } else { turns(&mut equations, &middle) };
     let start = |(u, &k): (usize, &usize)| region[usize::from(turns.get(u) == Some(&false))][k];
     let start: Vec<Interval> = places.iter().enumerate().map(start).collect();
     let searched = places.into_iter().zip(start.iter().copied()).collect();
