@@ -51,10 +51,10 @@ impl dyn AnySolver + '_ {
             add_new(&mut all, angles);
             match open {
                 Some(margin) if advance(&mut signs, decisive(plan, margin)) => {}
-                _ => return Some(all),
+                _ => break,
             }
         }
-        None
+        Some(all)
     }
 
     /// The same for one combination of signs.
