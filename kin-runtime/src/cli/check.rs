@@ -189,7 +189,7 @@ pub(super) fn find(
     let balanced = power.is_none_or(|miss| miss <= CLOSURE_TOLERANCE);
     let certificate = state.map(|state| engine.certify(setup, state));
     // A missing certificate is a failure only if the reason is that the state is not a solution.
-    let solution = !matches!(certificate, Some(Err(Uncertified::NotASolution { .. })));
+    let solution = !matches!(certificate, Some(Err(Uncertified::NotASolution { .. } | Uncertified::Violated { .. })));
     let loaded = no_forces.is_none() || !held;
     let passed = closed && planned && balanced && loaded && solution && cross_check.passes(CLOSED_FORM_TOLERANCE);
     let mechanism = engine.model().name;
@@ -270,7 +270,8 @@ fn add_plan(facts: &mut Facts, plan: &CrossCheck) {
 
 fn complaint(findings: &Findings) -> String {
     let check = &findings.cross_check;
-    if let Some(Err(wrong @ Uncertified::NotASolution { .. })) = &findings.certificate {
+    if let Some(Err(wrong @ (Uncertified::NotASolution { .. } | Uncertified::Violated { .. }))) = &findings.certificate
+    {
         return format!("not certified: {wrong}");
     }
     if let Some(why) = findings.no_forces.as_ref().filter(|_| findings.held) {

@@ -150,7 +150,8 @@ impl Objective {
             return Err(DesignError::NotFinite { what: "the period" });
         }
         let weights = vec![1.0; quantities.len()];
-        let free = Some(FreeInstants { period, direction });
+        // A path without places has no instants either.
+        let free = (!values.is_empty()).then_some(FreeInstants { period, direction });
         Self { quantities, wanted: Requirement::Values(values, weights), times: Vec::new(), free }.checked()
     }
 

@@ -333,6 +333,16 @@ pub struct Model {
 }
 
 impl Model {
+    /// A whole turn in the unit of a coordinate: 2π, unless it is a scalar in degrees or turns.
+    #[cfg(feature = "std")]
+    pub(crate) fn turn(&self, coordinate: usize) -> f64 {
+        match self.coordinates.get(coordinate).and_then(|info| self.units.of(info.name)) {
+            Some("deg" | "°") => 360.0,
+            Some("rev" | "turn" | "turns") => 1.0,
+            _ => core::f64::consts::TAU,
+        }
+    }
+
     /// The index in q of the coordinate called `name`: `crank.phi`, `link[3].x`, or a scalar's own name.
     pub fn coordinate(&self, name: &str) -> Option<usize> {
         self.coordinates.iter().position(|coordinate| coordinate.name == name)

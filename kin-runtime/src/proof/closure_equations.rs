@@ -252,23 +252,14 @@ impl<'s> ClosureEquations<'s> {
         known.chain(self.f()).any(Interval::excludes_zero)
     }
 
-    /// Whether the equations are the same after a whole turn, for each of the coordinates u: false for lengths, and for
-    /// angles that gears couple in a ratio.
-    pub(super) fn turns(&mut self, u: &[Interval]) -> Vec<bool> {
-        let turn = Interval::new(std::f64::consts::TAU, std::f64::consts::TAU.next_up());
-        let values_at = |equations: &mut Self, u: &[Interval]| {
-            equations.over(u, Subset::PHI).map(|()| equations.values.phi.clone()).unwrap_or_default()
-        };
-        let values = values_at(self, u);
-        let is_same = |k: usize| {
-            let mut turned = u.to_vec();
-            turned[k] = turned[k] + turn;
-            let turned_values = values_at(self, &turned);
-            !values.is_empty()
-                && values.len() == turned_values.len()
-                && values.iter().zip(turned_values).all(|(a, b)| a.intersection(b).is_some())
-        };
-        (0..u.len()).map(is_same).collect()
+    /// The values of all equations over a box, those of eliminated angles included; none if one is undefined.
+    pub(super) fn all_values(&mut self, u: &[Interval]) -> Option<Vec<Interval>> {
+        self.over(u, Subset::PHI).ok().map(|()| self.values.phi.clone())
+    }
+
+    /// Whole turns of the coordinates u, in their units.
+    pub(super) fn whole_turns(&self) -> Vec<Interval> {
+        self.places().map(|k| self.square.turn(k)).collect()
     }
 
     /// f over a box.

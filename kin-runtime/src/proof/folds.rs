@@ -14,6 +14,7 @@ use super::enclosures::Enclosures;
 use super::fold::{Proven, null_vector, prove};
 use super::krawczyk::Square;
 use super::newton_step::{NewtonStep, Shrunk};
+use super::turns::turns;
 use crate::certificate::Uncertified;
 use crate::scalar::Interval;
 
@@ -46,30 +47,35 @@ pub(crate) struct Folds {
     pub(crate) bounded: Vec<(usize, Interval)>,
 }
 
-/// Searches `region`, which has an interval for every coordinate, over the interval `way` of t.
+/// Searches `region`, which has an interval for every coordinate, and another for coordinates with which the equations do
+/// not repeat after a turn, over the interval `way` of t.
 ///
 /// # Errors
 /// If rows have no enclosure over any interval of t.
 pub(crate) fn folds(
     square: &Square,
     system: &mut dyn Enclosures,
-    region: &[Interval],
+    region: [&[Interval]; 2],
     sizes: &[f64],
     way: Interval,
 ) -> Result<Folds, Uncertified> {
     system.set_time(way);
-    let mut equations = ClosureEquations::new(square, system, region);
+    let mut equations = ClosureEquations::new(square, system, region[0]);
     let places: Vec<usize> = equations.places().collect();
-    let start: Vec<Interval> = places.iter().map(|&k| region[k]).chain([way]).collect();
     let sizes = places.iter().map(|&k| sizes[k]).chain([way.upper() - way.lower()]).collect();
     // A supplied function has no enclosure over any interval, however short.
-    let middle: Vec<Interval> = start.iter().map(|x| Interval::from(x.midpoint())).collect();
+    let middle: Vec<Interval> = places.iter().map(|&k| Interval::from(region[0][k].midpoint())).collect();
     equations.at(Interval::around(way.midpoint(), MIN_WIDTH * (way.upper() - way.lower())));
-    equations.closure(&middle[..places.len()], true)?;
-    equations.at(middle[places.len()]);
-    let turns = equations.turns(&middle[..places.len()]);
-    let is_bounded = |u: &usize| !turns[*u];
-    let bounded = (0..places.len()).filter(is_bounded).map(|u| (places[u], region[places[u]])).collect();
+    equations.closure(&middle, true)?;
+    // At a single instant a factor of an angle may be an integer by chance.
+    let turns = [0.5, 0.382].map(|share| {
+        equations.at(Interval::from(way.lower() + share * (way.upper() - way.lower())));
+        turns(&mut equations, &middle)
+    });
+    let is_bounded = |u: &usize| !turns.iter().all(|turns| turns[*u]);
+    let interval = |u: usize| region[usize::from(is_bounded(&u))][places[u]];
+    let start: Vec<Interval> = (0..places.len()).map(interval).chain([way]).collect();
+    let bounded = (0..places.len()).filter(is_bounded).map(|u| (places[u], start[u])).collect();
     let step = NewtonStep::new(places.len(), sizes, MIN_WIDTH);
     let mut search = FoldSearch { equations, step, bound: None, proven: Vec::new(), undecided: Vec::new() };
     search.examine(start.clone());

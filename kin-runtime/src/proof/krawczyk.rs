@@ -2,6 +2,7 @@
 
 use super::contraction::Preconditioner;
 use super::enclosures::Enclosures;
+use super::left_out::violated;
 use super::located::{NearSolution, SolutionBox};
 use super::sizes::write_sizes;
 use crate::certificate::{Certificate, SINGULAR_CONDITION, Uncertified};
@@ -11,6 +12,7 @@ use crate::scalar::Interval;
 use crate::signal::Signal;
 use crate::workspace::Subset;
 use std::borrow::Cow;
+use std::f64::consts::TAU;
 
 /// Sizes of the boxes that are tried, relative to a radian and to the size of the mechanism, largest first: a larger
 /// box is a stronger statement, and a smaller one may succeed if another solution is close.
@@ -79,6 +81,14 @@ impl Square {
     /// The number of coordinates, which is that of rows.
     pub(super) const fn coordinates(&self) -> usize {
         self.model.coordinates.len()
+    }
+
+    /// A whole turn in the unit of a coordinate. That of degrees holds the rounding error of the factor π/180, too.
+    pub(super) fn turn(&self, column: usize) -> Interval {
+        match self.model.turn(column) {
+            TAU => Interval::new(TAU, TAU.next_up()),
+            turn => Interval::around(turn, 4.0 * f64::EPSILON * turn),
+        }
     }
 
     /// The names of the redundant rows that are left out.
@@ -287,9 +297,10 @@ impl<'s> Prover<'s> {
         };
         let trial = NearSolution { boxes: &BOXES, entries: &square.entries, centre: q, sizes, newton };
         let located = trial.locate(inverse, &mut over, over_box)?;
-        located.ok_or_else(|| Uncertified::Singular {
+        let located = located.ok_or_else(|| Uncertified::Singular {
             nearness: inverse.inverse_condition(&square.entries, matrix, sizes),
-        })
+        })?;
+        violated(square.model, &square.left_out_rows, system, &located.q).map_or(Ok(located), Err)
     }
 
     /// The certificate of q, n finite numbers, without rates.

@@ -9,7 +9,8 @@ pub(crate) enum MarginSign {
     Closed,
     /// This margin is negative on all of it.
     Open(usize),
-    /// The sign of this margin, the first such one, is not known on all of it.
+    /// The sign of this margin, the first such one, is not known on all of it; the number of margins if those of all are
+    /// known, and a coordinate has no enclosure.
     Unknown(usize),
 }
 

@@ -9,6 +9,7 @@ use super::closure_equations::{ClosureEquations, EvaluatedEquations};
 use super::enclosures::Enclosures;
 use super::krawczyk::Square;
 use super::newton_step::{NewtonStep, Shrunk};
+use super::turns::turns;
 use crate::certificate::{Certificate, Uncertified};
 use crate::scalar::Interval;
 
@@ -35,20 +36,23 @@ pub(crate) struct SearchOutcome {
     pub(crate) searched: Vec<(usize, Interval)>,
 }
 
-/// Searches `region`, which has an interval for every coordinate of the mechanism; those of eliminated coordinates are
-/// not used. `prove` certifies the solution near q.
+/// Searches `region`, which has an interval for every coordinate of the mechanism, and another for coordinates with which the
+/// equations do not repeat after a turn; those of eliminated coordinates are not used. `prove` certifies the solution near q.
 ///
 /// # Errors
 /// If rows have no enclosure at all.
 pub(crate) fn search(
     square: &Square,
     system: &mut dyn Enclosures,
-    region: &[Interval],
+    region: [&[Interval]; 2],
     prove: &mut dyn FnMut(&[f64]) -> Result<Certified, Uncertified>,
 ) -> Result<SearchOutcome, Uncertified> {
-    let equations = ClosureEquations::new(square, system, region);
+    let mut equations = ClosureEquations::new(square, system, region[0]);
     let places: Vec<usize> = equations.places().collect();
-    let start: Vec<Interval> = places.iter().map(|&k| region[k]).collect();
+    let middle: Vec<Interval> = places.iter().map(|&k| Interval::from(region[0][k].midpoint())).collect();
+    let turns = if region[0] == region[1] { Vec::new() } else { turns(&mut equations, &middle) };
+    let start = |(u, &k): (usize, &usize)| region[usize::from(turns.get(u) == Some(&false))][k];
+    let start: Vec<Interval> = places.iter().enumerate().map(start).collect();
     let searched = places.into_iter().zip(start.iter().copied()).collect();
     let count = equations.count();
     let mut search = BoxSearch { equations, step: NewtonStep::new(count, vec![1.0; count], MIN_WIDTH) };

@@ -6,7 +6,7 @@ use crate::plan::Plan;
 use crate::planned::{Sign, Step};
 
 /// Largest number of combinations that are examined.
-const MAX_COMBINATIONS: usize = 1 << 16;
+pub(crate) const MAX_COMBINATIONS: usize = 1 << 16;
 
 /// A combination of signs, solved by the plan.
 pub(crate) enum Closing<C> {
@@ -38,7 +38,6 @@ pub(crate) fn combinations<C>(
             undecided.push(Undecided::Unfinished { seen });
             break;
         }
-        // The number of signs on which the result depends.
         let decisive = match solve(&signs) {
             Closing::Closed(closure) => {
                 closed.push(closure);
@@ -47,7 +46,7 @@ pub(crate) fn combinations<C>(
             Closing::Violated => count,
             Closing::Open { margin, excluded } => {
                 let step = plan.step_of_margin(margin).unwrap_or(plan.steps.len());
-                let decisive = plan.modes.iter().filter(|mode| mode.step <= step).count();
+                let decisive = decisive(plan, margin);
                 if !excluded {
                     let named = plan.modes.iter().zip(&signs).take(decisive);
                     let modes = named.filter_map(|(mode, &sign)| Some((mode.name, Sign::of(sign)?))).collect();
@@ -57,10 +56,24 @@ pub(crate) fn combinations<C>(
                 decisive
             }
         };
-        // Flip the last of these signs that is +, and reset all later ones.
-        let Some(last) = signs[..decisive].iter().rposition(|&sign| sign > 0.0) else { break };
-        signs[last] = -1.0;
-        signs[last + 1..].fill(1.0);
+        if !advance(&mut signs, decisive) {
+            break;
+        }
     }
     (closed, undecided)
+}
+
+/// The number of modes on whose signs this margin depends.
+pub(crate) fn decisive(plan: &Plan, margin: usize) -> usize {
+    let step = plan.step_of_margin(margin).unwrap_or(plan.steps.len());
+    plan.modes.iter().filter(|mode| mode.step <= step).count()
+}
+
+/// Goes on to the next combination of signs that differs in the first `decisive` ones; false after the last.
+pub(crate) fn advance(signs: &mut [f64], decisive: usize) -> bool {
+    // Flip the last of these signs that is +, and reset all later ones.
+    let Some(last) = signs[..decisive].iter().rposition(|&sign| sign > 0.0) else { return false };
+    signs[last] = -1.0;
+    signs[last + 1..].fill(1.0);
+    true
 }

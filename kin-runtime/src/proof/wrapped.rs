@@ -1,18 +1,10 @@
 //! The operations that scalars wrapping an [`Interval`](crate::scalar::Interval) share with it.
 
-/// Implements a scalar except for `atan2` and `signum`, which are given in the braces.
+/// Implements a scalar except for `neg`, and for `atan2`, `nearest` and `signum`, which are given in the braces. The type has
+/// two functions of its own: `of` makes it of an interval, and `interval` is the one with which it computes.
 macro_rules! wrap {
     ($Name:ident { $($own:item)* }) => {
         wrap!(operators $Name: Add add, Sub sub, Mul mul, Div div);
-
-        impl core::ops::Neg for $Name {
-            type Output = Self;
-
-            #[inline]
-            fn neg(self) -> Self {
-                Self(-self.0)
-            }
-        }
 
         impl Scalar for $Name {
             const CORRECTIONS: usize = <Interval as Scalar>::CORRECTIONS;
@@ -23,34 +15,30 @@ macro_rules! wrap {
 
             #[inline]
             fn from_f64(value: f64) -> Self {
-                Self(Interval::from(value))
+                Self::of(Interval::from(value))
             }
 
             #[inline]
             fn sin_cos(self) -> (Self, Self) {
-                let (sin, cos) = self.0.sin_cos();
-                (Self(sin), Self(cos))
-            }
-
-            fn nearest(self, reference: Self) -> Self {
-                Self(self.0.nearest(reference.0))
+                let (sin, cos) = self.interval().sin_cos();
+                (Self::of(sin), Self::of(cos))
             }
 
             #[inline]
             fn is_within(self, bound: f64) -> bool {
-                self.0.is_within(bound)
+                self.interval().is_within(bound)
             }
 
             fn powi(self, n: i32) -> Self {
-                Self(self.0.powi(n))
+                Self::of(self.interval().powi(n))
             }
 
             fn powf(self, n: f64) -> Self {
-                Self(self.0.powf(n))
+                Self::of(self.interval().powf(n))
             }
 
             fn lift(self, f: impl Fn(f64) -> [f64; 3]) -> [Self; 3] {
-                self.0.lift(f).map(Self)
+                self.interval().lift(f).map(Self::of)
             }
         }
     };
@@ -60,14 +48,14 @@ macro_rules! wrap {
 
             #[inline]
             fn $method(self, other: Self) -> Self {
-                Self(self.0.$method(other.0))
+                Self::of(self.interval().$method(other.interval()))
             }
         }
     )* };
     (functions $($name:ident),*) => { $(
         #[inline]
         fn $name(self) -> Self {
-            Self(self.0.$name())
+            Self::of(self.interval().$name())
         }
     )* };
 }

@@ -3,7 +3,7 @@
 use super::certificate::{Certificate, Uncertified};
 use crate::planned::Sign;
 use crate::scalar::Interval;
-use crate::text::separated;
+use crate::text::{rounded, separated};
 use core::fmt;
 
 /// One way in which a mechanism closes.
@@ -36,7 +36,7 @@ pub enum Undecided {
     Modes {
         /// The modes on which this depends, with their signs.
         modes: Vec<(&'static str, Sign)>,
-        /// The joints of the group at its limit.
+        /// The joints of the group at its limit; none if a coordinate has no value, as the root of a negative number.
         joints: Vec<&'static str>,
     },
     /// A region in which there may be no, one or several solutions.
@@ -58,14 +58,17 @@ pub struct Assemblies {
     pub found: Vec<Assembly>,
     /// What is left undecided.
     pub undecided: Vec<Undecided>,
-    /// The coordinates that were searched, each with its interval: a full turn for an angle, and a multiple of the size
-    /// of the mechanism for a length that no row determines. If the plan has a closed form for all groups, only the
-    /// angles that others follow in a ratio, as with gears: further turns of such an angle are further closures.
+    /// The coordinates that were searched, each with its interval: a full turn for an angle, and a multiple of the size of the
+    /// mechanism for a length that no row determines. A scalar coordinate counts as a length if it has the unit of lengths, or
+    /// if its guess is more than a turn and the equations do not repeat after one; the interval is a multiple of its guess
+    /// then. If the plan has a closed form for all groups, only the angles that others follow in a ratio, as with gears:
+    /// further turns of such an angle are further closures.
     pub searched: Vec<(&'static str, Interval)>,
 }
 
 impl Assemblies {
-    /// True if it is proven that there are no other closures: each has a certificate, and nothing is undecided.
+    /// True if it is proven that there are no other closures, within the intervals of [`searched`](Self::searched): each has
+    /// a certificate, and nothing is undecided.
     pub fn is_complete(&self) -> bool {
         self.undecided.is_empty() && self.found.iter().all(|assembly| assembly.certificate.is_ok())
     }
@@ -85,9 +88,13 @@ impl fmt::Display for Undecided {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Modes { modes, joints } => {
-                f.write_str("the group of ")?;
-                separated(f, joints, |f, joint| f.write_str(joint))?;
-                f.write_str(" at its limit")?;
+                if joints.is_empty() {
+                    f.write_str("a coordinate without a value")?;
+                } else {
+                    f.write_str("the group of ")?;
+                    separated(f, joints, |f, joint| f.write_str(joint))?;
+                    f.write_str(" at its limit")?;
+                }
                 modes.iter().try_for_each(|(mode, sign)| write!(f, ", {mode}={sign}"))
             }
             Self::Region { coordinates } => {
@@ -122,6 +129,10 @@ impl fmt::Display for Assemblies {
             count => write!(f, "{count} closures")?,
         }
         f.write_str(if self.is_complete() { ", all there are" } else { ", not proven to be all" })?;
+        let is_turn = |within: &Interval| (within.radius() - core::f64::consts::PI).abs() < 1e-9;
+        for (name, within) in self.searched.iter().filter(|(_, within)| !is_turn(within)) {
+            write!(f, ", with {name} from {} to {}", rounded(within.lower()), rounded(within.upper()))?;
+        }
         for (index, assembly) in self.found.iter().enumerate() {
             f.write_str("\n  ")?;
             named(f, &self.name(index), assembly)?;

@@ -22,8 +22,8 @@ pub struct Certificate {
     pub q_ddot: Vec<Interval>,
     /// The box in which there is no other solution.
     pub unique: Vec<Interval>,
-    /// The names of redundant rows that the proof leaves out. The certified solution is that of the other rows; it
-    /// satisfies these only to rounding, as any solution of redundant rows does.
+    /// The names of redundant rows that the proof leaves out. The certified solution is that of the other rows; these it
+    /// satisfies approximately, as any solution of redundant rows does: to 1e-9 of the size of the mechanism.
     pub left_out: Vec<&'static str>,
 }
 
@@ -96,6 +96,13 @@ pub enum Uncertified {
         /// Its error, in its unit.
         by: f64,
     },
+    /// The state is no solution: the solution of the other rows that is next to it does not satisfy a redundant row.
+    Violated {
+        /// The row.
+        row: &'static str,
+        /// Its residual, in the unit of Φ.
+        by: f64,
+    },
     /// The plan leaves out a redundant row, which holds only for some dimensions and modes. No enclosure along t can prove
     /// that it holds.
     Redundant {
@@ -140,6 +147,10 @@ impl fmt::Display for Uncertified {
             ),
             Self::NotASolution { what, coordinate, by } => {
                 write!(f, "{what} is no solution: {coordinate} is off by ")?;
+                number(f, by)
+            }
+            Self::Violated { row, by } => {
+                write!(f, "q is no solution: the redundant row {row} is off by ")?;
                 number(f, by)
             }
             Self::Redundant { row } => write!(

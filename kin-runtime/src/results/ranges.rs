@@ -56,8 +56,9 @@ pub struct Ranges {
     pub limits: Vec<RangeLimit>,
     /// How many circuits there are.
     pub circuits: usize,
-    /// Coordinates with the bounds within which closures were searched: lengths that no row determines, and angles
-    /// whose turns are different closures, because gears couple them in a ratio. Empty where nothing bounds the search.
+    /// Coordinates with the bounds within which closures were searched: lengths that no row determines, scalar coordinates
+    /// with which the equations do not repeat, and angles whose turns are different closures, because gears couple them in
+    /// a ratio. Empty where nothing bounds the search.
     pub searched: Vec<(&'static str, Interval)>,
 }
 

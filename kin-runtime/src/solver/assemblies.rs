@@ -13,13 +13,14 @@ use crate::equations::{Equations, geometry};
 use crate::error::SolveError;
 use crate::linear::Factorization;
 use crate::mechanism::Mechanism;
-use crate::model::Model;
+use crate::model::{CoordinateKind, Model};
 use crate::modes::modes;
 use crate::plan::{Depth, Plan, Solved, StepKind};
 use crate::planned::Sign;
 use crate::planned::branch::FAR_FROM_LIMITS;
-use crate::proof::{Certified, Closing, MarginSign, Prover, SearchOutcome, combinations, search, zeros};
+use crate::proof::{Certified, Closing, MarginSign, Prover, SearchOutcome, combinations, search, violated, zeros};
 use crate::scalar::Interval;
+use crate::scalar::compare::all_finite;
 use crate::signal::Instant;
 use crate::workspace::Subset;
 
@@ -87,15 +88,26 @@ impl dyn AnySolver + '_ {
         };
         if let Some(bounded) = by_plan {
             let mut margins = zeros(model.plan.margins);
-            let close = &mut |signs: &[f64]| self.close(at, signs, &guess, &mut margins, &mut prove);
+            let mut without_value = None;
+            let close = &mut |signs: &[f64]| {
+                let closing = self.close(at, signs, &guess, &mut margins, &mut prove);
+                closing.unwrap_or_else(|q| {
+                    without_value = Some(q);
+                    Closing::Open { margin: model.plan.margins, excluded: false }
+                })
+            };
             let (found, undecided) = combinations(model, close);
             if found.is_empty() {
                 geometry::check(&self.equations_at(at)?)?;
             }
+            if let (true, Some(q)) = (found.is_empty(), without_value) {
+                // The error names the row.
+                self.equations_at(at)?.evaluate(Subset::PHI, &q, None)?;
+            }
             return Ok(Assemblies { found, undecided, searched: half_turns(model, &bounded, &guess) });
         }
         geometry::check(&self.equations_at(at)?)?;
-        let region = region(model, &guess, length);
+        let [region, wide] = region(model, &guess, length);
         let mut boxes = self.boxes(at);
         let prove = &mut |q: &[f64]| {
             let lists = self.analysed(at, q).ok_or(Uncertified::Malformed)?;
@@ -103,7 +115,7 @@ impl dyn AnySolver + '_ {
             Ok((lists, certificate))
         };
         let SearchOutcome { mut found, undecided, unfinished, searched } =
-            search(&square, &mut *boxes, &region, prove).map_err(refuse)?;
+            search(&square, &mut *boxes, [&region, &wide], prove).map_err(refuse)?;
         found.sort_by(|([a, ..], _), ([b, ..], _)| b.partial_cmp(a).unwrap_or(std::cmp::Ordering::Equal));
         let mut apart: Vec<Certified> = Vec::new();
         for closure in found {
@@ -135,6 +147,9 @@ impl dyn AnySolver + '_ {
     }
 
     /// The closure that the plan gives with these signs, or why there is none.
+    ///
+    /// # Errors
+    /// Its q if the numbers of it are not all finite, though all margins are positive.
     fn close(
         &self,
         at: &Instant<'_>,
@@ -142,7 +157,7 @@ impl dyn AnySolver + '_ {
         start: &[f64],
         margins: &mut [f64],
         prove: &mut Prove<'_>,
-    ) -> Closing<Assembly> {
+    ) -> Result<Closing<Assembly>, Vec<f64>> {
         let plan = &self.model().plan;
         margins.fill(0.0);
         let [mut q, mut q_dot, mut q_ddot] = self.zeros();
@@ -150,7 +165,8 @@ impl dyn AnySolver + '_ {
         let outcome = self.solve(at, signs, start, Depth::Acceleration, solved);
         // NaN is not positive either.
         let is_good = |margin: &f64| *margin > Plan::SMALLEST_MARGIN;
-        match margins.iter().position(|margin| !is_good(margin)) {
+        Ok(match margins.iter().position(|margin| !is_good(margin)) {
+            None if !all_finite(&q) => return Err(q),
             None if self.violates(at, signs, start) => Closing::Violated,
             None if outcome.is_ok() => {
                 if margins.iter().any(|margin| *margin < FAR_FROM_LIMITS) {
@@ -165,22 +181,20 @@ impl dyn AnySolver + '_ {
                 let seen = self.look([at.t, at.t], at, signs, start);
                 Closing::Open { margin, excluded: matches!(seen, MarginSign::Open(_)) }
             }
-        }
+        })
     }
 
     /// True if it is proven that the only configuration that the plan gives with these signs violates a redundant row,
     /// which the plan leaves out: an antiparallelogram violates the rows of the third crank of a parallelogram, for
     /// example.
     fn violates(&self, at: &Instant<'_>, signs: &[f64], start: &[f64]) -> bool {
-        let redundant: Vec<usize> = self.model().plan.redundant_rows().collect();
+        let model = self.model();
+        let redundant: Vec<usize> = model.plan.redundant_rows().collect();
         if redundant.is_empty() {
             return false;
         }
         let Some([q, _]) = self.enclosed([at.t, at.t], at, signs, start) else { return false };
-        let rest = vec![Interval::from(0.0); q.len()];
-        let mut boxes = self.boxes(at);
-        let Ok(rows) = boxes.evaluate(Subset::PHI, &q, &rest) else { return false };
-        redundant.iter().any(|&row| rows.phi.get(row).is_some_and(|phi| phi.excludes_zero()))
+        violated(model, &redundant, &mut *self.boxes(at), &q).is_some()
     }
 
     /// q near a configuration, with its q̇ and q̈.
@@ -219,9 +233,10 @@ fn settle(equations: &mut Equations<'_>, [q, q_dot, q_ddot]: [&mut Vec<f64>; 3],
     }
 }
 
-/// True for a coordinate that is a length: the x or y of a body.
+/// True for a coordinate that is a length: the x or y of a body, or a scalar with the unit of lengths.
 pub(super) fn is_length(model: &Model, k: usize) -> bool {
-    model.coordinates[k].kind.is_length()
+    let (info, units) = (&model.coordinates[k], &model.units);
+    info.kind.is_length() || (units.length.is_some() && units.of(info.name) == units.length)
 }
 
 /// True for the angle of a body.
@@ -231,22 +246,30 @@ pub(super) fn is_angle(model: &Model, k: usize) -> bool {
 
 /// The names of angles, with intervals of half a turn on both sides of their guesses.
 pub(super) fn half_turns(model: &Model, angles: &[usize], guess: &[f64]) -> Vec<(&'static str, Interval)> {
-    let around = |&k: &usize| (model.coordinates[k].name, half_turn(guess[k]));
+    let around = |&k: &usize| (model.coordinates[k].name, half_turn(model, k, guess[k]));
     angles.iter().map(around).collect()
 }
 
-/// The interval of half a turn on both sides of an angle.
-fn half_turn(angle: f64) -> Interval {
-    Interval::around(angle, std::f64::consts::PI.next_up())
+/// The interval of half a turn on both sides of an angle, in its unit.
+fn half_turn(model: &Model, k: usize, angle: f64) -> Interval {
+    Interval::around(angle, (0.5 * model.turn(k)).next_up())
 }
 
-/// The box, around the guesses, in which closures are searched.
-pub(super) fn region(model: &Model, guess: &[f64], length: f64) -> Vec<Interval> {
-    let around = |(k, &guess): (usize, &f64)| match is_length(model, k) {
-        true => Interval::around(guess, LENGTH_REACH * length),
-        false => half_turn(guess),
+/// The box, around the guesses, in which closures are searched; and the same with scalar coordinates that are more than a turn
+/// away from 0 taken for lengths, for those with which the equations do not repeat after a turn.
+pub(super) fn region(model: &Model, guess: &[f64], length: f64) -> [Vec<Interval>; 2] {
+    let turn = |k: usize| half_turn(model, k, guess[k]);
+    let reach = |k: usize, size: f64| Interval::around(guess[k], LENGTH_REACH * size);
+    let is_scalar = |k: usize| matches!(model.coordinates[k].kind, CoordinateKind::Scalar);
+    let usual = |k: usize| match is_length(model, k) {
+        true if is_scalar(k) => reach(k, length.max(guess[k].abs())),
+        true => reach(k, length),
+        false => turn(k),
     };
-    guess.iter().enumerate().map(around).collect()
+    let is_far = |k: usize| is_scalar(k) && guess[k].abs() > model.turn(k);
+    let wide = |k: usize| if is_far(k) { usual(k).hull(reach(k, guess[k].abs())) } else { usual(k) };
+    let all = 0..guess.len();
+    [all.clone().map(usual).collect(), all.map(wide).collect()]
 }
 
 /// True if two certified closures are the same up to whole turns of angles: without these turns, the first lies in the

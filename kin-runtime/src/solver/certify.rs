@@ -40,8 +40,8 @@ impl<M: Mechanism> Solver<'_, M> {
     /// ```
     ///
     /// # Errors
-    /// The reason why there is no certificate; prescribed coordinates are those of the state. Only [`NotASolution`](Uncertified::NotASolution) means that the state is
-    /// wrong.
+    /// The reason why there is no certificate; prescribed coordinates are those of the state. Only
+    /// [`NotASolution`](Uncertified::NotASolution) and [`Violated`](Uncertified::Violated) mean that the state is wrong.
     pub fn certify(&self, state: &State) -> Result<Certificate, Uncertified> {
         (self as &dyn AnySolver).certificate(state)
     }

@@ -5,6 +5,7 @@ mod assemblies;
 mod bounds;
 mod certificates;
 mod choices;
+mod claims;
 mod classes;
 mod complex_closures;
 mod elimination;

@@ -237,3 +237,11 @@ fn a_guess_leads_to_its_mode() {
         .unwrap_or_else(|error| panic!("{error}"));
     assert!((found.mechanism.r - 0.2).abs() < 1e-9 && found.error < 1e-18, "{found}");
 }
+
+/// A path without places asks for nothing.
+#[test]
+fn an_empty_path_changes_nothing() {
+    let design = four_bar([0.1, 10.0], &["rcx", "rcy"], 10.0).unwrap().path_at("P", &timed(2)).unwrap();
+    let with_empty = design.clone().path("P", &[], 1.0, Direction::Either).unwrap();
+    assert_eq!(design.search(&FEW).unwrap().parameters, with_empty.search(&FEW).unwrap().parameters);
+}

@@ -1,7 +1,10 @@
 //! Ranges of motion where every group has a closed form: the plan over intervals of t.
 
 use super::super::any_solver::AnySolver;
+use super::super::assemblies::half_turns;
+use super::super::choices::add_new;
 use super::driven;
+use crate::error::SolveError;
 use crate::model::Model;
 use crate::plan::{Depth, Plan, Solved};
 use crate::planned::{Limit, LimitKind, Sign, Step};
@@ -21,7 +24,19 @@ impl dyn AnySolver + '_ {
     /// The ranges in all combinations of modes. The plan is evaluated over intervals of t. Where all its margins are
     /// positive on an interval the mechanism closes on all of it, where one is negative it closes nowhere; an interval
     /// for which neither is proven is halved.
-    pub(super) fn ranges_by_plan(&self, from: &Instant<'_>, to: f64, guess: &[f64]) -> Ranges {
+    ///
+    /// `turning` are the angles of which each whole turn gives another closure, as far as they are known. `None` if it turns
+    /// out that signs do not distinguish all closures.
+    ///
+    /// # Errors
+    /// If a length is negative in a range.
+    pub(super) fn ranges_by_plan(
+        &self,
+        from: &Instant<'_>,
+        to: f64,
+        guess: &[f64],
+        mut turning: Vec<usize>,
+    ) -> Result<Option<Ranges>, SolveError> {
         let plan = &self.model().plan;
         let way = [from.t.min(to), from.t.max(to)];
         let narrowest = MIN_WIDTHS.map(|narrowest| narrowest * (way[1] - way[0]));
@@ -32,20 +47,33 @@ impl dyn AnySolver + '_ {
             let look = &mut |a: f64, b: f64| self.look([a, b], from, &signs, guess);
             let found = stretches(way, narrowest[0], MAX_STRETCHES[0], look);
             let found = refined(&found, narrowest, MAX_STRETCHES[1], look);
+            // At the first instant it may not close, and show no choices.
+            for stretch in found.iter().filter(|stretch| !matches!(stretch.seen, MarginSign::Unknown(_))) {
+                let t = 0.5 * stretch.from + 0.5 * stretch.to;
+                let inputs = inputs_after(from, t);
+                let at = Instant { t, inputs: &inputs };
+                // Where a length changes its sign, closures meet, and a range ends.
+                if stretch.seen == MarginSign::Closed {
+                    self.equations_at(&at)?;
+                }
+                let Some(turns) = self.free_turns(&at, &signs, guess) else { return Ok(None) };
+                add_new(&mut turning, turns.angles);
+            }
             for (index, stretch) in found.iter().enumerate() {
                 match stretch.seen {
                     MarginSign::Closed => all.ranges.push((signs.clone(), *stretch)),
                     MarginSign::Open(_) => {}
                     MarginSign::Unknown(margin) => {
                         let neighbours = [index.checked_sub(1).map(|k| found[k]), found.get(index + 1).copied()];
-                        all.limits.push(self.limit(from, &signs, margin, *stretch, neighbours));
+                        all.limits.push(self.limit(from, (&signs, guess), margin, *stretch, neighbours));
                     }
                 }
             }
         }
         let middle =
             |signs: &[f64], range: &Stretch| self.near_by_plan(0.5 * range.from + 0.5 * range.to, from, signs, guess);
-        all.finish(self.model(), &middle)
+        let searched = half_turns(self.model(), &turning, guess);
+        Ok(Some(Ranges { searched, ..all.finish(self.model(), &middle) }))
     }
 
     /// What the plan proves for an interval of t, in the modes with these signs. Inputs continue from the instant
@@ -57,8 +85,11 @@ impl dyn AnySolver + '_ {
         signs: &[f64],
         guess: &[f64],
     ) -> MarginSign {
-        let Some([_, margins]) = self.enclosed(way, start, signs, guess) else { return MarginSign::Unknown(0) };
+        let Some([q, margins]) = self.enclosed(way, start, signs, guess) else { return MarginSign::Unknown(0) };
         let first = margins.iter().position(|margin| margin.lower() <= Plan::SMALLEST_MARGIN || !margin.is_defined());
+        // No margin shows that a formula has no value, as the root of a negative number.
+        let without_value = || q.iter().any(|x| !x.is_bounded()).then_some(margins.len());
+        let first = first.or_else(without_value);
         // The margin of a later group encloses its values wherever the groups before it close.
         let open = margins.iter().position(|margin| margin.is_defined() && margin.upper() < 0.0);
         match (first, open) {
@@ -77,28 +108,30 @@ impl dyn AnySolver + '_ {
         guess: &[f64],
     ) -> Option<[Vec<Interval>; 2]> {
         let middle = 0.5 * from + 0.5 * to;
-        let since = Winding(Interval::new(from, to)) - Winding(Interval::from(start.t));
-        let later = |u: &Signal| u.map(|x| Winding(Interval::from(x))).after(since);
+        let number = |x: f64| Winding::of(Interval::from(x));
+        let t = Winding::of(Interval::new(from, to));
+        let since = t - number(start.t);
+        let later = |u: &Signal| u.map(number).after(since);
         let inputs: Vec<Signal<Winding>> = start.inputs.iter().map(later).collect();
         // Angles are those nearest to the configuration in the middle, as far as it exists.
         let near = self.near_by_plan(middle, start, signs, guess);
-        let interval = |list: &[f64]| list.iter().map(|&x| Winding(Interval::from(x))).collect::<Vec<_>>();
-        let at = Instant { t: Winding(Interval::new(from, to)), inputs: &inputs };
-        let all = Winding(Interval::ENTIRE);
+        let interval = |list: &[f64]| list.iter().copied().map(number).collect::<Vec<_>>();
+        let at = Instant { t, inputs: &inputs };
+        let all = Winding::of(Interval::ENTIRE);
         let mut lists: [Vec<Winding>; 3] = std::array::from_fn(|_| vec![all; near.len()]);
         let mut margins = vec![all; self.model().plan.margins];
         let [q, q_dot, q_ddot] = &mut lists;
         let solved = Solved { q, q_dot, q_ddot, margins: &mut margins };
         self.solve_over(&at, &interval(signs), &interval(&near), solved).ok()?;
         let [q, ..] = lists;
-        Some([q, margins].map(|list| list.into_iter().map(|x| x.0).collect()))
+        Some([q, margins].map(|list| list.into_iter().map(Winding::interval).collect()))
     }
 
     /// q by the plan; the guess for coordinates for which it has no value.
     fn near_by_plan(&self, t: f64, start: &Instant<'_>, signs: &[f64], guess: &[f64]) -> Vec<f64> {
         let ([mut q, mut q_dot, mut q_ddot], mut margins) = (self.zeros(), vec![0.0; self.model().plan.margins]);
         let solved = Solved { q: &mut q, q_dot: &mut q_dot, q_ddot: &mut q_ddot, margins: &mut margins };
-        let inputs: Vec<Signal> = start.inputs.iter().map(|u| u.after(t - start.t)).collect();
+        let inputs = inputs_after(start, t);
         let outcome = self.solve(&Instant { t, inputs: &inputs }, signs, guess, Depth::Position, solved);
         let found = q.iter().zip(guess).map(|(&x, &guess)| if x.is_finite() { x } else { guess });
         if outcome.is_ok() { found.collect() } else { guess.to_vec() }
@@ -109,7 +142,7 @@ impl dyn AnySolver + '_ {
     fn limit(
         &self,
         start: &Instant<'_>,
-        signs: &[f64],
+        (signs, guess): (&[f64], &[f64]),
         margin: usize,
         stretch: Stretch,
         neighbours: [Option<Stretch>; 2],
@@ -134,9 +167,13 @@ impl dyn AnySolver + '_ {
         };
         let found = limit.filter(within);
         let q = if found.is_some() { q } else { Vec::new() };
-        // Where a margin changes its sign the limit is a fold, even if the motion towards it did not find its kind.
-        let kind = found.and_then(|limit| limit.kind()).or(proven.then_some(LimitKind::DeadCentre));
-        FoundLimit { signs: signs.to_vec(), margin, stretch, kind, q, proven }
+        // Where a margin changes its sign the limit is a fold, even if the motion towards it did not find its kind; where it
+        // is undefined, it may jump.
+        let all = self.enclosed([stretch.from, stretch.to], start, signs, guess);
+        let is_defined = all.is_some_and(|[_, margins]| margins.get(margin).is_some_and(|margin| margin.is_defined()));
+        let is_fold = proven && is_defined;
+        let kind = found.and_then(|limit| limit.kind()).or(is_fold.then_some(LimitKind::DeadCentre));
+        FoundLimit { signs: signs.to_vec(), margin, stretch, kind, q, proven, is_fold }
     }
 
     /// The limit that ends a motion in these modes, and the configuration there.
@@ -149,6 +186,11 @@ impl dyn AnySolver + '_ {
     }
 }
 
+/// The inputs of an instant, continued to a time with constant acceleration.
+fn inputs_after(start: &Instant<'_>, t: f64) -> Vec<Signal> {
+    start.inputs.iter().map(|u| u.after(t - start.t)).collect()
+}
+
 /// A limit as it was found.
 struct FoundLimit {
     signs: Vec<f64>,
@@ -157,6 +199,8 @@ struct FoundLimit {
     kind: Option<LimitKind>,
     q: Vec<f64>,
     proven: bool,
+    /// True if it is proven, and the margin continuous, so that two closures come together.
+    is_fold: bool,
 }
 
 /// All ranges and limits that were found, each with its signs.
@@ -207,7 +251,7 @@ impl Collected {
         Ranges { ranges, limits, circuits: numbers.len(), searched: Vec::new() }
     }
 
-    /// For every range the index of the first range of its circuit. Ranges are connected at a proven limit of a group
+    /// For every range the index of the first range of its circuit. Ranges are connected at a fold of a group,
     /// where the ranges of both signs of that group end, with all other signs equal.
     fn circuits(&self, plan: &Plan) -> Vec<usize> {
         let mut first: Vec<usize> = (0..self.ranges.len()).collect();
@@ -219,7 +263,7 @@ impl Collected {
                 })
                 .collect::<Vec<usize>>()
         };
-        for found in self.limits.iter().filter(|limit| limit.proven) {
+        for found in self.limits.iter().filter(|limit| limit.is_fold) {
             let Some(index) = plan.modes.iter().position(|mode| mode.margin == found.margin) else { continue };
             let mut other = found.signs.clone();
             other[index] = -other[index];

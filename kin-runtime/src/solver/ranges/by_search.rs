@@ -76,7 +76,8 @@ impl dyn AnySolver + '_ {
         let way = Interval::new(start.t.min(to), start.t.max(to));
         let sizes: Vec<f64> = (0..guess.len()).map(|k| if is_length(model, k) { length } else { 1.0 }).collect();
         let mut system = self.boxes(start);
-        let all = folds(&square, &mut *system, &region(model, guess, length), &sizes, way).map_err(refuse)?;
+        let [region, wide] = region(model, guess, length);
+        let all = folds(&square, &mut *system, [&region, &wide], &sizes, way).map_err(refuse)?;
         let mut places: Vec<FoldPlace> = Vec::new();
         let place = |proven: bool| {
             move |Fold { q, t }: Fold| FoldPlace { t, q: q.iter().map(|x| x.midpoint()).collect(), proven }
@@ -106,14 +107,23 @@ impl dyn AnySolver + '_ {
     fn gaps(&self, start: &Instant<'_>, way: Interval, places: &[FoldPlace]) -> Result<Vec<Gap>, SolveError> {
         let (mut from, mut gaps) = (way.lower(), Vec::new());
         let ends = places.iter().map(|place| [place.t.lower(), place.t.upper()]);
+        let gap = |from: f64, to: f64| {
+            let middle = 0.5 * from + 0.5 * to;
+            let inputs: Vec<Signal> = start.inputs.iter().map(|u| u.after(middle - start.t)).collect();
+            let all = self.closures(&Instant { t: middle, inputs: &inputs })?;
+            Ok::<_, SolveError>(Gap { from, to, complete: all.is_complete(), closures: all.found })
+        };
         for [to, next] in ends.chain([[way.upper(), way.upper()]]) {
             let middle = 0.5 * from + 0.5 * to;
             if from < middle && middle < to {
-                let inputs: Vec<Signal> = start.inputs.iter().map(|u| u.after(middle - start.t)).collect();
-                let all = self.closures(&Instant { t: middle, inputs: &inputs })?;
-                gaps.push(Gap { from, to, complete: all.is_complete(), closures: all.found });
+                gaps.push(gap(from, to)?);
             }
             from = from.max(next);
+        }
+        if places.is_empty() && gaps.is_empty() {
+            // A single instant, or one and the next number.
+            let [from, to] = [way.lower(), way.upper()];
+            gaps.push(gap(from, to)?);
         }
         Ok(gaps)
     }

@@ -5,7 +5,6 @@ mod by_search;
 
 use super::Solver;
 use super::any_solver::AnySolver;
-use super::assemblies::half_turns;
 use crate::certificate::Uncertified;
 use crate::equations::geometry;
 use crate::error::SolveError;
@@ -57,6 +56,7 @@ impl<M: Mechanism> Solver<'_, M> {
     /// # Errors
     /// [`NotCertified`](SolveError::NotCertified) where coordinates are prescribed, rows are redundant or use supplied
     /// functions, degrees of freedom are left, and where there are too many modes;
+    /// [`DegenerateGeometry`](SolveError::DegenerateGeometry) where a length is negative;
     /// [`NonFinite`](SolveError::NonFinite), [`Length`](SolveError::Length) and
     /// [`UnknownCoordinate`](SolveError::UnknownCoordinate).
     pub fn ranges(&self, from: &Instant<'_>, to: f64) -> Result<Ranges, SolveError> {
@@ -72,13 +72,14 @@ impl dyn AnySolver + '_ {
         if let Some(why) = self.unproven() {
             return Err(SolveError::NotCertified { t: from.t, why });
         }
-        match self.angles_with_free_turns(from, &guess) {
-            Some(bounded) => {
-                let searched = half_turns(self.model(), &bounded, &guess);
-                Ok(Ranges { searched, ..self.ranges_by_plan(from, to, &guess) })
-            }
-            None => self.ranges_by_search(from, to, &guess),
+        // A supplied function has no enclosure over an interval, which the search reports.
+        let has_functions = !self.model().arguments.is_empty();
+        if let (false, Some(turning)) = (has_functions, self.angles_with_free_turns(from, &guess))
+            && let Some(ranges) = self.ranges_by_plan(from, to, &guess, turning)?
+        {
+            return Ok(ranges);
         }
+        self.ranges_by_search(from, to, &guess)
     }
 
     /// Why nothing can be proven along t.

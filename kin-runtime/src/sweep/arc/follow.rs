@@ -11,7 +11,6 @@ use crate::model::{Component, CoordinateKind, Level};
 use crate::nonlinear::root::{Value, bracket};
 use crate::state::State;
 use crate::workspace::Subset;
-use core::f64::consts::TAU;
 
 /// Length of the first step, on the common scale.
 const FIRST: f64 = 0.05;
@@ -26,6 +25,8 @@ const MAX_STEPS: usize = 20_000;
 const COSINES: [f64; 2] = [0.95, 0.99];
 /// Largest distance from its origin at which the curve counts as closed, on the common scale.
 const CLOSED_DISTANCE: f64 = 1e-7;
+/// Smallest cosine of the angle between the directions in which q moves at both ends of a curve that counts as closed.
+const SAME_WAY: f64 = 1.0 - 1e-6;
 /// The width to which places on the curve are enclosed.
 const ENCLOSED: f64 = 1e-12;
 /// Smallest share of q in the unit tangent at which the mechanism counts as moving.
@@ -76,7 +77,7 @@ pub(crate) fn solution_arc(
     let Some(start) = bordered.node(equations, &z, &direction, FIRST) else {
         return refuse(ArcFault::Directions { count: 2 });
     };
-    let walk = ArcFollower { bordered: &bordered, window, angles: angles(equations, q)? };
+    let walk = ArcFollower { bordered: &bordered, window, turns: turns(equations, q)? };
     let start = start.start();
     let mut leg = walk.leg(equations, start.clone())?;
     let mut first = leg.end;
@@ -117,8 +118,8 @@ fn joined(back: ArcLeg, onwards: ArcLeg) -> ArcLeg {
 struct ArcFollower<'b> {
     bordered: &'b Bordered,
     window: Window,
-    /// True for coordinates that are equivalent after a whole turn.
-    angles: Vec<bool>,
+    /// For coordinates that are equivalent after a whole turn, that turn in their unit.
+    turns: Vec<Option<f64>>,
 }
 
 impl ArcFollower<'_> {
@@ -271,15 +272,17 @@ impl ArcFollower<'_> {
         }
         let found = self.root(equations, a, b, along)?;
         let same_place = bordered.norm(&self.apart(origin, &found)) <= CLOSED_DISTANCE;
-        let same_way = bordered.dot(&found.tangent[..n], &origin.tangent[..n]) > 0.0;
+        // A curve may come back to a place in another direction: as that of sin ½φ, where φ counts up to whole turns.
+        let [way, first] = [&found, origin].map(|node| &node.tangent[..n]);
+        let same_way = bordered.dot(way, first) > SAME_WAY * bordered.norm(way) * bordered.norm(first);
         (same_place && same_way).then_some(found)
     }
 
     /// The difference of two places in q, up to whole turns.
     fn apart(&self, origin: &ArcNode, node: &ArcNode) -> Vec<f64> {
-        let pairs = node.q().iter().zip(origin.q()).zip(&self.angles);
-        let difference = pairs.map(|((a, b), &is_angle)| {
-            let turns = if is_angle { ((a - b) / TAU).round() * TAU } else { 0.0 };
+        let pairs = node.q().iter().zip(origin.q()).zip(&self.turns);
+        let difference = pairs.map(|((a, b), turn)| {
+            let turns = turn.map_or(0.0, |turn| ((a - b) / turn).round() * turn);
             a - b - turns
         });
         difference.collect()
@@ -302,27 +305,29 @@ impl ArcFollower<'_> {
     }
 }
 
-/// For every coordinate whether it is equivalent after a whole turn: it is the angle of a body, or a scalar in which
-/// all rows that do not drive are periodic.
-fn angles(equations: &mut Equations<'_>, q: &[f64]) -> Result<Vec<bool>, SolveError> {
-    let kinds = equations.model.coordinates;
+/// A whole turn, for every coordinate that is equivalent after it: the angle of a body, or a scalar in which all rows that
+/// do not drive are periodic.
+fn turns(equations: &mut Equations<'_>, q: &[f64]) -> Result<Vec<Option<f64>>, SolveError> {
+    let model = equations.model;
     let rows = equations.rows_where(|equations, row| !equations.drives(row));
     equations.evaluate(Subset::PHI, q, None)?;
     let phi = equations.phi.clone();
     let mut turned = q.to_vec();
-    let mut angles = Vec::with_capacity(q.len());
-    for (k, coordinate) in kinds.iter().enumerate() {
-        angles.push(match coordinate.kind {
+    let mut turns = Vec::with_capacity(q.len());
+    for (k, coordinate) in model.coordinates.iter().enumerate() {
+        let turn = model.turn(k);
+        let repeats = match coordinate.kind {
             CoordinateKind::Pose { component, .. } => component == Component::Phi,
             CoordinateKind::Scalar => {
-                turned[k] += TAU;
+                turned[k] += turn;
                 let evaluated = equations.evaluate(Subset::PHI, &turned, None).is_ok();
                 turned[k] = q[k];
                 let same =
                     |&row: &usize| (equations.phi[row] - phi[row]).abs() * equations.scale.rows[row] <= CLOSED_DISTANCE;
                 evaluated && rows.iter().all(same)
             }
-        });
+        };
+        turns.push(repeats.then_some(turn));
     }
-    Ok(angles)
+    Ok(turns)
 }
