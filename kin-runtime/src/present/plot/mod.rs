@@ -176,12 +176,12 @@ fn ends((low, high): (f64, f64), margin: f64) -> (f64, f64) {
 /// Labels of the ticks of an axis of this length with all significant digits and without rounding errors: kuva's own
 /// format has three decimals, so that 0.0225 would be 0.022, or as many as the number has, 4.9999999999999996e-6.
 fn ticks(length: f64) -> TickFormat {
-    // The digit after a thousandth of the axis.
+    // The decimal of a thousandth of the axis.
     let last = 3 - length.abs().log10().floor() as i32;
     TickFormat::Custom(Arc::new(move |value| match value.abs() {
         size if size <= 1e-9 * length.abs() => "0".to_owned(),
         1e-4..1e6 => without_zeros(&format!("{value:.0$}", last.max(0) as usize)),
-        size => exponent(value, (last + size.log10().floor() as i32).max(0) as usize),
+        size => exponent(value, (last + size.log10().floor() as i32).max(5) as usize),
     }))
 }
 
