@@ -261,3 +261,39 @@ fn a_screenshot_shows_the_mechanism_on_a_desk_and_on_a_phone() {
         }
     }
 }
+
+/// Numbers of any size are shown; only those that are rounding errors beside the others are 0.
+#[test]
+fn plots_show_small_numbers() {
+    let Some(chromium) = chromium() else { return };
+    let scratch = Scratch::new("small");
+    let page = written_of::<Minute>(&scratch, &[]);
+    let seen = tried_page(
+        &chromium,
+        &scratch,
+        &page,
+        "1200,800",
+        "const chart = document.querySelector('.chart'), pick = chart.querySelector('select');\n\
+         const shown = (name) => { pick.value = [...pick.options].findIndex((o) => o.text === name); pick.onchange();\n\
+           return [...chart.querySelectorAll('text[x=\"51\"]')].map((label) => label.textContent); };\n\
+         seen.small = shown('tip.y_ddot'); seen.constant = shown('axle.y');\n\
+         const heights = chart.querySelector('.way').getAttribute('d').match(/,[-0-9.]+/g).map((y) => Number(y.slice(1)));\n\
+         seen.bent = Math.max(...heights) - Math.min(...heights);",
+    );
+    assert_eq!(seen["faults"], serde_json::json!([]));
+    let labels = seen["small"].as_array().expect("labels");
+    assert!(labels.len() > 2 && labels.iter().filter(|label| *label == "0").count() < 2, "{seen}");
+    // The place of the axle varies by rounding alone.
+    assert!(seen["bent"].as_f64().is_some_and(|bent| bent < 1.0), "{seen}");
+}
+
+/// A lever as long as a virus, turning once in an hour and a half; its axle is where its end seems to be from its middle.
+#[kin_runtime::mechanism]
+#[body(arm, x = 1e-7 * cos(0.001 * t), y = 1e-7 * sin(0.001 * t))]
+#[driver(drive: arm.phi = 0.001 * t)]
+#[point(tip = arm @ (l, 0))]
+#[point(axle = arm @ (-1e-7, 0))]
+struct Minute {
+    #[param(1e-7, unit = "m")]
+    l: f64,
+}

@@ -114,7 +114,7 @@ pub(super) fn name(name: &Name) -> String {
 }
 
 /// The command for a Greek letter.
-fn command(greek: &str) -> String {
+pub(crate) fn command(greek: &str) -> String {
     match greek {
         "phi" | "epsilon" => format!(r"\var{greek}"),
         _ => format!(r"\{greek}"),
@@ -122,7 +122,7 @@ fn command(greek: &str) -> String {
 }
 
 /// A word in upright letters, with commands for Greek letters and special characters.
-fn upright(word: &str) -> String {
+pub(crate) fn upright(word: &str) -> String {
     let mut out = String::new();
     for c in word.chars() {
         match (c, greek(c)) {

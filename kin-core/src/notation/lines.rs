@@ -75,7 +75,11 @@ impl FormulaTree {
                 let plain = |k: usize| !factors[..k].iter().any(|factor| matches!(factor, Self::Call(..)));
                 let Some(k) = longest.filter(|&k| plain(k)) else { return out.push(lead + &self.write(notation)) };
                 let product = |some: &[Self]| Self::Product(some.to_vec()).write(notation);
-                let before = if k > 0 { product(&factors[..k]) + marks.times } else { String::new() };
+                let before = match (k, notation) {
+                    (0, _) => String::new(),
+                    (_, Notation::Unicode) => unicode::product(&factors[..k], true) + marks.times,
+                    _ => product(&factors[..k]) + marks.times,
+                };
                 factors[k].pieces((notation, width), format!("{lead}{before}{}", marks.open), out);
                 if let Some(last) = out.last_mut() {
                     last.push_str(marks.close);

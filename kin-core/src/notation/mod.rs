@@ -26,7 +26,9 @@ mod tidy;
 mod tree;
 mod unicode;
 
+pub(crate) use latex::{command, upright};
 pub(crate) use markup::escaped;
+pub(crate) use name::greek;
 pub use name::{BaseSymbol, Name};
 pub use parse::ParseError;
 pub use tree::FormulaTree;

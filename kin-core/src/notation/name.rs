@@ -123,6 +123,6 @@ fn is_symbol(stem: &str) -> bool {
 }
 
 /// The name of a Greek letter.
-pub(super) fn greek(letter: char) -> Option<&'static str> {
+pub(crate) fn greek(letter: char) -> Option<&'static str> {
     GREEK.iter().find(|(_, greek)| *greek == letter).map(|(name, _)| *name)
 }

@@ -120,6 +120,20 @@ fn only_functions_of_the_language_have_no_brackets() {
 }
 
 #[test]
+fn a_factor_of_1_has_no_place_beside_a_number_of_many_digits() {
+    let formula = FormulaTree::parse("0.011111111111111112*1*a").expect("a formula").tidied();
+    assert_eq!(formula.write(Notation::Unicode), "0.011111111111111112 a");
+}
+
+/// A factor behind a slash would seem to be below it, also if it is a sum that is broken into lines.
+#[test]
+fn a_fraction_before_a_broken_sum_is_in_brackets() {
+    let formula = FormulaTree::parse("l1/2*(sin(phi) + cos(psi) + exp(theta))").expect("a formula").tidied();
+    let [short, long] = [10, 1000].map(|width| formula.lines(Notation::Unicode, width).concat());
+    assert_eq!((short.as_str(), long.as_str()), (long.as_str(), "(l₁/2) (sin φ + cos ψ + exp(θ))"));
+}
+
+#[test]
 fn exponents_stand_above_indices() {
     let formula = FormulaTree::parse("crank.phi_dot^2").expect("a formula");
     let mathml = formula.write(Notation::MathMl);

@@ -236,7 +236,7 @@ fn multiple(factor: FormulaTree) -> Vec<FormulaTree> {
 /// Multiplies the leading numbers as long as the product has few digits, and drops a factor of 1.
 fn multiplied(mut factors: Vec<FormulaTree>) -> Vec<FormulaTree> {
     while let [FormulaTree::Number(a), FormulaTree::Number(b), ..] = factors[..] {
-        if !is_short(a * b) {
+        if a != 1.0 && b != 1.0 && !is_short(a * b) {
             break;
         }
         factors.splice(0..2, [FormulaTree::Number(a * b)]);

@@ -10,7 +10,7 @@ pub(super) fn write(formula: &FormulaTree) -> String {
         FormulaTree::Name(own) => name(own),
         FormulaTree::Minus(a) => format!("−{}", within(a, 2)),
         FormulaTree::Sum(parts) => terms(parts).concat(),
-        FormulaTree::Product(factors) => product(factors),
+        FormulaTree::Product(factors) => product(factors, false),
         FormulaTree::Quotient(a, b) => format!("{}/{}", within(a, 4), within(b, 4)),
         FormulaTree::Power(a, n) => match superscript(*n) {
             Some(n) => format!("{}{n}", within(a, 5)),
@@ -28,11 +28,11 @@ fn terms(parts: &[(bool, FormulaTree)]) -> Vec<String> {
     parts::terms(parts, &SIGNS, within)
 }
 
-/// A product. A fraction is put in brackets unless it is the last factor, because a factor behind a slash would seem
-/// to be part of the denominator.
-fn product(factors: &[FormulaTree]) -> String {
+/// A product, to which more factors are added behind it if `goes_on`. A fraction is put in brackets unless it is the last
+/// factor, because a factor behind a slash would seem to be part of the denominator.
+pub(super) fn product(factors: &[FormulaTree], goes_on: bool) -> String {
     let mut texts = parts::factors(factors, is_open, within);
-    let before = factors.len().saturating_sub(1);
+    let before = factors.len().saturating_sub(usize::from(!goes_on));
     for (text, factor) in texts.iter_mut().zip(factors).take(before) {
         if matches!(factor, FormulaTree::Quotient(..)) {
             *text = format!("({text})");

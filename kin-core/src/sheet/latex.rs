@@ -4,6 +4,7 @@ use super::content::{Joint, Sheet};
 use super::lines::{EquationLine, derivatives, row_equation};
 use super::steps::ORDERS;
 use crate::notation::Notation::Latex;
+use crate::notation::{command, greek};
 use crate::vectors;
 
 /// Width of a page in columns of plain text.
@@ -98,10 +99,12 @@ pub(super) fn prose(text: &str) -> String {
             '^' => out.push_str(r"\textasciicircum{}"),
             '~' => out.push_str(r"\textasciitilde{}"),
             '–' => out.push_str("--"),
-            'σ' => out.push_str(r"$\sigma$"),
             '±' => out.push_str(r"$\pm$"),
             '×' => out.push_str(r"$\times$"),
-            _ => out.push(letter),
+            _ => match greek(letter) {
+                Some(name) => out.push_str(&format!("${}$", command(name))),
+                None => out.push(letter),
+            },
         }
     }
     out
@@ -109,7 +112,11 @@ pub(super) fn prose(text: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::prose;
+    use super::{WIDTH, prose};
+    use crate::notation::Notation::Latex;
+    use crate::sheet::lines::row_equation;
+    use crate::sheet::shown::{Row, ShownFormula};
+    use crate::vectors::{self, EquationPiece, Letter};
 
     #[test]
     fn what_means_something_to_latex_stands_for_itself() {
@@ -118,5 +125,24 @@ mod tests {
         // The letters are escaped one by one; an escape sequence is not escaped again.
         assert_eq!(r"100 \% of \textbackslash{}\{a\_b\}", prose(r"100 % of \{a_b}"));
         assert_eq!(r"crank -- rod, $\sigma$ = $\pm$1, 2$\times$2", prose("crank – rod, σ = ±1, 2×2"));
+    }
+
+    /// pdfLaTeX has no Greek letters in text and no Greek names in vectors.
+    #[test]
+    fn greek_letters_are_commands_everywhere() {
+        let name = |text: &str| Letter::bold("A").of(text);
+        assert_eq!(r"$\alpha$rm", prose("αrm"));
+        let vector = vectors::write(&[EquationPiece::Vector(name("αrm_1"))], Latex);
+        assert_eq!(r"\mathbf{A}_{\mathrm{{\alpha}rm\_1}}", vector);
+        let zero = ShownFormula::new("0");
+        let row = Row {
+            name: "φ.x".to_owned(),
+            position: true,
+            phi: zero.clone(),
+            phi_q: Vec::new(),
+            phi_t: zero.clone(),
+            gamma: zero,
+        };
+        assert_eq!(r"\Phi_{\mathrm{{\varphi}.x}}", row_equation(&row, Latex, WIDTH).left);
     }
 }

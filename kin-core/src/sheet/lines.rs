@@ -1,8 +1,7 @@
 //! The equations of a row in every notation; a right side may be broken into several lines.
 
 use super::shown::{Row, ShownFormula, rate_symbol, symbol};
-use crate::notation::Notation;
-use crate::notation::escaped;
+use crate::notation::{Notation, escaped, upright};
 
 /// An equation.
 pub(super) struct EquationLine {
@@ -82,7 +81,7 @@ fn of_row(letter: &str, name: &str, notation: Notation) -> String {
                 "η" => r"\eta",
                 _ => r"\gamma",
             };
-            format!(r"{letter}_{{\mathrm{{{}}}}}", name.replace('_', r"\_"))
+            format!(r"{letter}_{{\mathrm{{{}}}}}", upright(name))
         }
         Notation::MathMl => {
             let upright = if letter == "Φ" { " mathvariant=\"normal\"" } else { "" };

@@ -1,7 +1,7 @@
 //! Writes vector equations in every notation.
 
 use super::equation::{EquationPiece, Letter};
-use crate::notation::{Notation, escaped};
+use crate::notation::{Notation, escaped, upright};
 
 /// Writes an equation in a notation.
 pub(crate) fn write(pieces: &[EquationPiece], notation: Notation) -> String {
@@ -79,12 +79,11 @@ fn symbol(letter: &Letter, mark: &str, notation: Notation) -> String {
                 base if letter.bold => format!(r"\mathbf{{{base}}}"),
                 base => base.to_owned(),
             };
-            let escape = |text: &str| text.replace('_', r"\_");
             let mut upper: Vec<String> = Vec::new();
             upper.extend(letter.primed.then(|| r"\prime".to_owned()));
-            upper.extend((!above.is_empty()).then(|| format!(r"\mathrm{{{}}}", escape(above))));
+            upper.extend((!above.is_empty()).then(|| format!(r"\mathrm{{{}}}", upright(above))));
             upper.extend((!mark.is_empty()).then(|| latex_mark(mark).to_owned()));
-            let index = letter.index.as_ref().map_or_else(String::new, |i| format!(r"_{{\mathrm{{{}}}}}", escape(i)));
+            let index = letter.index.as_ref().map_or_else(String::new, |i| format!(r"_{{\mathrm{{{}}}}}", upright(i)));
             let upper = if upper.is_empty() { String::new() } else { format!("^{{{}}}", upper.join(r"\,")) };
             format!("{base}{index}{upper}")
         }

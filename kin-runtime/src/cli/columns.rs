@@ -3,7 +3,7 @@
 use super::failure::{Failure, Ledger};
 use super::names::find_quantity;
 use crate::measure::Measure;
-use crate::model::Model;
+use crate::model::{CoordinateKind, Model};
 use crate::present::animation::ColumnInfo;
 use crate::present::units::ResultUnits;
 
@@ -30,12 +30,22 @@ pub(super) fn column_infos(units: ResultUnits, measures: &[Measure]) -> Vec<Colu
 /// The two columns that are plotted by default: the first coordinate of a point that is not linear in time or, if there
 /// is none, the last such coordinate of q; and its rate.
 pub(super) fn shown(model: &Model, columns: &[Vec<f64>]) -> Vec<usize> {
-    let bends = |k: usize| columns.get(k).map_or(0.0, |values| bend(values));
+    let kind = |k: usize| model.coordinates.get(k / 3).map(|coordinate| coordinate.kind);
+    let is_length =
+        |k: usize| kind(k).is_none_or(|kind| matches!(kind, CoordinateKind::Pose { .. }) && !kind.is_angle());
     let points = 3 * model.coordinates.len()..3 * (model.coordinates.len() + 2 * model.points.len());
     let coordinates = (0..3 * model.coordinates.len()).rev();
     let mut candidates = points.chain(coordinates).filter(|k| k % 3 == 0 && *k < columns.len());
     let first = candidates.clone().next();
-    candidates.find(|&k| bends(k) > 1e-9).or(first).map_or_else(Vec::new, |k| vec![k, k + 1])
+    let largest = |k: usize| columns[k].iter().fold(0.0, |largest: f64, value| largest.max(value.abs()));
+    let size = candidates.clone().filter(|&k| is_length(k)).map(largest).fold(0.0, f64::max);
+    // Lengths are compared with the largest of all, angles with a radian, other scalars with themselves.
+    let unit = |k: usize| match kind(k) {
+        _ if is_length(k) => size,
+        Some(CoordinateKind::Scalar) => largest(k),
+        _ => 1.0,
+    };
+    candidates.find(|&k| bend(&columns[k]) > 1e-9 * unit(k)).or(first).map_or_else(Vec::new, |k| vec![k, k + 1])
 }
 
 /// The largest distance of the values from the straight line between the first and the last of them.

@@ -237,20 +237,18 @@ fn default_curves(model: &Model, names: &[String], infos: &[ColumnInfo], numbers
     };
     // Lengths are compared with the largest of the paths, angles with a radian.
     let size = paths.iter().map(|&(x, y)| range(x).max(range(y))).fold(0.0, f64::max);
-    let moves = |k: usize| match infos[k - 1].unit.as_deref() {
-        Some("rad") => range(k),
-        _ => range(k) / size,
+    let unit = |k: usize| match infos[k - 1].unit.as_deref() {
+        Some("rad") => 1.0,
+        Some("°" | "deg") => 180.0 / core::f64::consts::PI,
+        _ => size,
     };
-    let bent = moved_unevenly(model, numbers);
-    let most = bent.into_iter().max_by(|&a, &b| moves(a).total_cmp(&moves(b)).then(b.cmp(&a)));
+    let moves = |k: usize| range(k) / unit(k);
+    // A coordinate that is linear in time, as the angle of a crank at constant speed is, needs no diagram.
+    let coordinates = (0..model.coordinates.len()).map(|k| 3 * k + 1);
+    let bent = coordinates.filter(|&k| numbers.get(k).is_some_and(|values| bend(values) > 1e-9 * unit(k)));
+    let most = bent.max_by(|&a, &b| moves(a).total_cmp(&moves(b)).then(b.cmp(&a)));
     let most = most.map(|y| PlottedCurve { x: 0, y, path: false });
     std::iter::once(PlottedCurve { x, y, path: true }).chain(most).collect()
-}
-
-/// The coordinates that are not linear in time, as the angle of a crank at constant speed is.
-fn moved_unevenly(model: &Model, numbers: &[Vec<f64>]) -> Vec<usize> {
-    let coordinates = (0..model.coordinates.len()).map(|k| 3 * k + 1);
-    coordinates.filter(|&k| numbers.get(k).is_some_and(|values| bend(values) > 1e-9)).collect()
 }
 
 /// The requested curves; columns that are not standard are added to `measures`. All errors are reported at once.
@@ -311,17 +309,11 @@ fn panels(units: ResultUnits, wanted: &[PlottedCurve], infos: &[ColumnInfo], run
                 .collect();
             let name = if names.is_empty() { curve_name.to_owned() } else { names.join(", ") };
             let bands = run.worst.get(index).filter(|_| !want.path && want.x == 0);
-            let known = |((x, y), half): &((f64, f64), f64)| x.is_finite() && y.is_finite() && half.is_finite();
-            match bands {
-                Some(halves) => {
-                    let (points, band) = points.zip(halves.iter().copied()).filter(known).unzip();
-                    Curve { name: format!("{name}, worst case"), points, band }
-                }
-                None => {
-                    let points = points.filter(|(x, y)| x.is_finite() && y.is_finite()).collect();
-                    Curve { name, points, band: Vec::new() }
-                }
-            }
+            let (name, band) = match bands {
+                Some(halves) => (format!("{name}, worst case"), halves.clone()),
+                None => (name, Vec::new()),
+            };
+            Curve { name, points: points.collect(), band }.with_gaps()
         });
         let curves: Vec<Curve> = curves.collect();
         let alike = |other: &PlottedCurve| {

@@ -81,8 +81,23 @@ pub(crate) fn rounded(value: f64) -> String {
     let style = Style::of([value]);
     let text = style.write(value);
     match style {
-        Style::Fixed(_) if text.contains('.') => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
-        _ => text,
+        Style::Fixed(_) => without_zeros(&text),
+        Style::Exponent => text,
+    }
+}
+
+/// The number with an exponent and this number of decimals, without trailing zeros.
+#[cfg(feature = "plot")]
+pub(crate) fn exponent(value: f64, decimals: usize) -> String {
+    let text = format!("{value:.decimals$e}");
+    text.split_once('e').map_or_else(String::new, |(digits, power)| format!("{}e{power}", without_zeros(digits)))
+}
+
+/// Decimals without trailing zeros.
+pub(crate) fn without_zeros(text: &str) -> String {
+    match text.contains('.') {
+        true => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
+        false => text.to_owned(),
     }
 }
 

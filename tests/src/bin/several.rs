@@ -268,6 +268,48 @@ struct Pushed {
     least: f64,
 }
 
+/// Two waves that end at a limit; the first has many crests of nearly one height, the second is highest at the limit.
+#[mechanism]
+#[coordinates(u, x)]
+#[driver(drive: u = t)]
+#[constraint(circle: x * x + u * u = r * r)]
+#[define(crests = sin(60 * u) + 0.003 * sin(u + 0.3))]
+#[define(rising = sin(4.5 * pi * u / r) * (1 + 0.001 * u))]
+#[guess(x = r)]
+struct Waves {
+    #[param(1)]
+    r: f64,
+}
+
+/// A sun whose origin is beside its axle, and two drivers of the sum and of the difference of two angles.
+#[mechanism]
+#[bodies(sun, planet, arm)]
+#[revolute(S: ground @ (1, 2), sun @ (0.5, 0.25))]
+#[revolute(H: ground @ (1, 2), arm @ (0, 0))]
+#[revolute(Q: arm @ (3, 0), planet @ (0.2, 0))]
+#[gear(mesh: sun, planet, radii = (20, 10), carrier = arm)]
+#[driver(sum: sun.phi + arm.phi = 2 * t)]
+#[driver(difference: arm.phi - sun.phi = -1.5 * t)]
+#[mass(sun @ (0, 0), mass = 1, inertia = 1)]
+#[gravity(0, -10)]
+#[derive(Default)]
+struct Sun;
+
+/// A slider-crank of any size whose guide passes the crank at a distance, with a point on the crank.
+#[mechanism]
+#[bodies(crank, rod, slider)]
+#[revolute(O: ground @ (0, 0), crank @ (0, 0))]
+#[revolute(A: crank @ (0.2 * size, 0), rod @ (0, 0))]
+#[revolute(B: rod @ (0.7 * size, 0), slider @ (0, 0))]
+#[translational(guide: ground @ (0, 0.1 * size), slider @ (0, 0), axis = (1, 0))]
+#[driver(drive: crank.phi = t)]
+#[point(pin = crank @ (0.2 * size, 0))]
+#[guess(rod.phi = -0.1, slider.x = 0.9 * size)]
+struct Sized {
+    #[param(1, unit = "m")]
+    size: f64,
+}
+
 fn main() -> ExitCode {
     let mut args: Vec<OsString> = std::env::args_os().collect();
     let name = if args.len() > 1 { args.remove(1) } else { OsString::new() };
@@ -302,10 +344,13 @@ fn main() -> ExitCode {
         Some("swinging") => run_from::<Swinging>(args),
         Some("teeth") => run_from::<Teeth>(args),
         Some("underdriven") => run("UnderdrivenFivebar", args),
+        Some("sized") => run_from::<Sized>(args),
+        Some("sun") => run_from::<Sun>(args),
+        Some("waves") => run_from::<Waves>(args),
         Some("with_units") => run_from::<WithUnits>(args),
         _ => {
             eprintln!(
-                "error: the first argument is arm, balanced, cam, carriage, chain, counter, wrong_cam, dead_centre, dial, eccentric, excavator, fourbar, ends, faster, infeasible, kite, leg, lever, limits, loaded, nearly, press, pushed, redundant, robot, singular, spindle, swinging, teeth, underdriven or with_units"
+                "error: the first argument is arm, balanced, cam, carriage, chain, counter, wrong_cam, dead_centre, dial, eccentric, excavator, fourbar, ends, faster, infeasible, kite, leg, lever, limits, loaded, nearly, press, pushed, redundant, robot, singular, sized, spindle, sun, swinging, teeth, underdriven, waves or with_units"
             );
             ExitCode::from(2)
         }

@@ -109,6 +109,24 @@ fn an_extreme_that_cannot_be_resolved_says_so() {
     assert!(!resolved.contains("unresolved") && !resolved.contains("kink"), "{resolved}");
 }
 
+/// Among many crests of nearly one height the highest is found, and at a limit that is higher than all crests the limit.
+#[test]
+fn the_highest_of_many_crests_and_a_limit_are_found() {
+    let most = |line: &str| {
+        let json: serde_json::Value = serde_json::from_str(&kin(line).out).expect("JSON");
+        let of = |end: &str| json["motions"][0]["extremes"][0][end].clone();
+        [of("least"), of("greatest")]
+    };
+    let value = |extreme: &serde_json::Value| extreme["value"].as_f64().expect("a number");
+    let wave = |u: f64| (60.0 * u).sin() + 0.003 * (u + 0.3).sin();
+    let values = (0..=2_000_000).map(|k| wave(3.0 * f64::from(k) / 2e6));
+    let [low, high] = values.fold([f64::INFINITY, f64::NEG_INFINITY], |[l, h], v| [l.min(v), h.max(v)]);
+    let [least, greatest] = most("waves extremes crests --to 3 --set r=4 --format json");
+    assert!((value(&least) - low).abs() < 1e-8 && (value(&greatest) - high).abs() < 1e-8, "{least} {greatest}");
+    let [_, greatest] = most("waves extremes rising --to limit --format json");
+    assert!((value(&greatest) - 1.001).abs() < 1e-12 && greatest["where"] == "limit", "{greatest}");
+}
+
 /// An empty table would hide that there is nothing to differentiate.
 #[test]
 fn a_quantity_without_derivatives_is_refused() {

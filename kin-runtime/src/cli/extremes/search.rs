@@ -8,7 +8,8 @@ use crate::nonlinear::peak::peak;
 use crate::serial::NamedValues;
 use crate::state::State;
 
-/// Largest number of peaks that are refined, the highest possible ones first.
+/// Number of peaks that are refined in any case, the highest possible ones first; further ones only if they may be higher
+/// than those.
 const REFINED: usize = 8;
 /// A quantity whose variation is smaller than this, relative to its largest value or to the largest coordinate from which
 /// it is computed, is constant.
@@ -80,12 +81,21 @@ impl SearchedMotion<'_> {
         };
         let mut peaks: Vec<usize> = (0..values.len()).filter(is_peak).filter(|k| potential(*k) >= high).collect();
         peaks.sort_by(|a, b| potential(*b).total_cmp(&potential(*a)));
-        let refined = peaks.into_iter().take(REFINED).filter_map(|k| self.refined(place, sign, k));
-        let best = refined.max_by(|a, b| (sign * a.value).total_cmp(&(sign * b.value)));
-        // A value that exceeds those at the instants by rounding alone is reported at the instant.
         let rounding = 1e-14 * (high - low).max(high.abs());
+        let mut best: Option<(usize, Extreme)> = None;
+        for (count, k) in peaks.into_iter().enumerate() {
+            let reached = best.as_ref().map_or(f64::NEG_INFINITY, |(_, best)| sign * best.value);
+            if count >= REFINED && potential(k) <= reached + rounding {
+                break;
+            }
+            let found = self.refined(place, sign, k).filter(|found| sign * found.value >= reached);
+            best = found.map(|found| (k, found)).or(best);
+        }
+        // A value that exceeds those at the instants by rounding alone is reported at the instant, and so is the value at
+        // an instant that cannot be refined, such as a limit, if no refined one reaches it.
         Some(match best {
-            Some(best) if sign * best.value > high + rounding || best.place != "end" => best,
+            Some((_, best)) if sign * best.value > high + rounding => best,
+            Some((k, best)) if best.place != "end" && (sign * best.value >= high || values[k] == high) => best,
             _ => sampled(),
         })
     }
@@ -128,6 +138,9 @@ impl SearchedMotion<'_> {
         let Some(found) = peak(sample, [a, b], range) else {
             return Some(Extreme { place: UNRESOLVED, ..self.at_instant(place, k) });
         };
+        if !found.resolved && found.value < sign * self.columns[place][k] {
+            return Some(Extreme { place: UNRESOLVED, ..self.at_instant(place, k) });
+        }
         let state = solve(&self.walk, self.instants, from, &[found.at])?.pop()?;
         let values_of = |places: std::ops::Range<usize>| self.walk.values_of(&state, &self.walk.measures[places]).ok();
         let drivers = self.walk.measures[1..self.first].iter().map(|measure| measure.name().to_owned());

@@ -18,7 +18,15 @@
     if (part === 0 || part === 1) return part ? next : here;
     return here === null || next === null ? null : here + part * (next - here);
   };
-  const text = (x) => (x === null ? "no value" : Math.abs(x) < 1e-12 ? "0" : Number(x.toPrecision(4)).toString());
+  /** A number among others as large as `size`, compared with which rounding errors are nothing. */
+  const text = (x, size) => (x === null ? "no value" : Math.abs(x) <= 1e-12 * size ? "0" : Number(x.toPrecision(4)).toString());
+  const largest = (list) => list.reduce((most, value) => Math.max(most, Math.abs(value)), 0);
+  /** The largest number among the columns with the unit of this one; of the column alone if it has no unit. */
+  const size = (column) => {
+    const { unit } = data.columns[column];
+    const alike = (_, k) => (unit ? data.columns[k].unit === unit : k === Number(column));
+    return largest(data.runs[run].columns.filter(alike).map(largest));
+  };
 
   function show() {
     const { t, tracks } = data.runs[run];
@@ -28,13 +36,13 @@
       group.setAttribute("transform", `translate(${at(0)},${at(1)}) rotate(${at(2)})${track.length > 3 ? ` scale(${at(3)})` : ""}`);
     });
     const now = between(t, place);
-    $("now").textContent = `${data.along} = ${text(now)}${data.time ? " " + data.time : ""}`;
+    $("now").textContent = `${data.along} = ${text(now, largest(t))}${data.time ? " " + data.time : ""}`;
     slider.value = place;
     slider.setAttribute("aria-valuetext", $("now").textContent);
     const driver = (column) => {
       const { name, unit } = data.columns[column];
       const value = between(data.runs[run].columns[column], place);
-      return `${name} = ${text(value)}${unit && value !== null ? " " + unit : ""}`;
+      return `${name} = ${text(value, size(column))}${unit && value !== null ? " " + unit : ""}`;
     };
     $("drivers").textContent = data.drivers.map(driver).join(" · ");
     charts.forEach((chart) => chart.mark());
@@ -130,17 +138,20 @@
       const list = columns[this.pick.value];
       const known = list.filter((value) => value !== null);
       let [low, high] = known.length ? [Math.min(...known), Math.max(...known)] : [0, 0];
-      const pad = 0.06 * (high - low) || Math.abs(high) * 0.1 || 1;
-      if (high - low < 1e-9 * Math.max(1, Math.abs(high))) { low -= pad; high += pad; } else { low -= pad; high += pad; }
+      this.size = size(this.pick.value);
+      // What varies by rounding alone is a straight line.
+      const pad = high - low > 1e-9 * this.size ? 0.06 * (high - low) : 0.1 * this.size || 1;
+      low -= pad;
+      high += pad;
       const x = (time) => 56 + (354 * (time - t[0])) / (t[last()] - t[0] || 1);
       const y = (value) => 160 - (148 * (value - low)) / (high - low);
       Object.assign(this, { x, y, list });
       const parts = [];
       for (const value of ticks(low, high, 5)) {
-        parts.push(`<path d="M56,${y(value)}H410" stroke="#e5e7eb"/><text x="51" y="${y(value) + 4}" text-anchor="end">${text(value)}</text>`);
+        parts.push(`<path d="M56,${y(value)}H410" stroke="#e5e7eb"/><text x="51" y="${y(value) + 4}" text-anchor="end">${text(value, high - low)}</text>`);
       }
       for (const time of ticks(Math.min(t[0], t[last()]), Math.max(t[0], t[last()]) || 1, 6)) {
-        parts.push(`<path d="M${x(time)},160v4" stroke="#9ca3af"/><text x="${x(time)}" y="175" text-anchor="middle">${text(time)}</text>`);
+        parts.push(`<path d="M${x(time)},160v4" stroke="#9ca3af"/><text x="${x(time)}" y="175" text-anchor="middle">${text(time, largest(t))}</text>`);
       }
       const unit = info.unit ? ` in ${info.unit}` : "";
       parts.push('<path d="M56,12V160H410" fill="none" stroke="#9ca3af"/>');
@@ -162,7 +173,7 @@
       dot.setAttribute("visibility", value === null ? "hidden" : "visible");
       dot.setAttribute("cx", x);
       dot.setAttribute("cy", this.y(value ?? 0));
-      this.svg.querySelector(".value").textContent = `${this.label}: ${text(value)}`;
+      this.svg.querySelector(".value").textContent = `${this.label}: ${text(value, this.size)}`;
     }
   }
 

@@ -181,8 +181,8 @@ fn middle(subject: &Subject<'_>, links: &Links, instant: usize, frame: Frame) ->
 }
 
 /// The body that a driver drives, with the component of its pose. If the driver prescribes the difference of two
-/// angles, that is the body whose angle counts positive. `None` for other formulas, and for drivers that are drawn as
-/// reactions.
+/// angles, that is the body whose angle counts positive. `None` for other formulas, such as a sum of angles, whose effort
+/// acts on both bodies alike, and for drivers that are drawn as reactions.
 fn driven(subject: &Subject<'_>, forces: &Forces, effort: &Effort) -> Option<(usize, Component)> {
     let model = subject.model;
     let joint = model.joints.iter().find(|joint| joint.name == effort.name)?;
@@ -191,15 +191,15 @@ fn driven(subject: &Subject<'_>, forces: &Forces, effort: &Effort) -> Option<(us
     }
     let pattern = &model.constraint_pattern;
     let entries = pattern.entries.iter().enumerate().filter(|(_, (row, _))| *row == joint.first_row);
-    let mut found = None;
+    let (mut found, mut subtracted) = (None, false);
     for (entry, &(_, column)) in entries {
         let constant = pattern.constants.iter().find(|(place, _)| *place == entry)?.1;
         let CoordinateKind::Pose { body, component } = model.coordinates[column].kind else { return None };
-        if constant == 1.0 {
-            found = Some((body, component));
-        } else if component != Component::Phi {
-            return None;
+        match (constant, found) {
+            (1.0, None) => found = Some((body, component)),
+            (-1.0, _) if component == Component::Phi && !subtracted => subtracted = true,
+            _ => return None,
         }
     }
-    found
+    found.filter(|(_, component)| *component == Component::Phi || !subtracted)
 }

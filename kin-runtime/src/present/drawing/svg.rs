@@ -124,8 +124,11 @@ pub(crate) fn round_below(most: f64) -> f64 {
     [5.0, 2.0, 1.0].into_iter().map(|digit| digit * power).find(|value| *value <= most).unwrap_or(power)
 }
 
-/// A transformation with its value at every instant.
+/// A transformation with its value at every instant; nothing if there is only one.
 fn animation(kind: &str, scene: &Scene, duration: f64, value: &dyn Fn(usize) -> String) -> String {
+    if scene.times.len() < 2 {
+        return String::new();
+    }
     let values: Vec<String> = (0..scene.times.len()).map(value).collect();
     let (first, last) = (scene.times.first().copied().unwrap_or(0.0), scene.times.last().copied().unwrap_or(1.0));
     let times: Vec<f64> = scene.times.iter().map(|t| ((t - first) / (last - first) * 1e5).round() / 1e5).collect();

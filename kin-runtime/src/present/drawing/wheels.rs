@@ -23,32 +23,48 @@ struct Half {
     radius: f64,
 }
 
-/// Where a wheel's axle is in its own frame: the pin that holds it on the carrier, or its origin.
-fn axle(subject: &Subject<'_>, wheel: Frame, carrier: Frame) -> [f64; 2] {
-    let pins = subject.model.joints.iter().filter(|joint| joint.kind == JointKind::Revolute);
-    let held = pins.filter_map(|joint| {
-        let ends = [subject.local(0, joint, Role::P)?, subject.local(0, joint, Role::Q)?];
-        let [on_wheel, on_other] = if ends[0].0 == wheel { ends } else { [ends[1], ends[0]] };
-        (on_wheel.0 == wheel && on_other.0 == carrier).then_some(on_wheel.1)
+/// Where a wheel's axle is in its own frame: the pin that holds it on the carrier, or else one that always is where the
+/// carrier has a pin or its origin, as that of a sun in the ground beside the pin of its carrier; or its origin.
+fn axle(subject: &Subject<'_>, wheel: Frame, carrier: Frame, size: f64) -> [f64; 2] {
+    let pins = pins(subject, wheel);
+    let held = pins.iter().find(|(_, other)| *other == carrier).or_else(|| {
+        let on_carrier: Vec<[f64; 2]> = self::pins(subject, carrier).into_iter().map(|(at, _)| at).collect();
+        let meets = |at: [f64; 2], other: [f64; 2]| {
+            let places = |k: usize| [placed(subject.pose(k, wheel), at), placed(subject.pose(k, carrier), other)];
+            subject.instants().map(places).all(|[a, b]| distance(a, b) <= 1e-6 * size)
+        };
+        let origin = [[0.0; 2]];
+        let coaxial = |(at, _): &&([f64; 2], Frame)| on_carrier.iter().chain(&origin).any(|other| meets(*at, *other));
+        pins.iter().filter(|_| wheel != Frame::Ground && carrier != Frame::Ground).find(coaxial)
     });
-    let mut held = held;
-    held.next().unwrap_or_else(|| match wheel {
+    held.map(|(at, _)| *at).unwrap_or_else(|| match wheel {
         // A wheel that is part of the ground is centred where the carrier is pinned.
-        Frame::Ground => foot_of(subject, carrier).unwrap_or([0.0; 2]),
+        Frame::Ground => foot_of(subject, carrier, size).unwrap_or([0.0; 2]),
         Frame::Body(_) => [0.0; 2],
     })
 }
 
+/// The pins of a frame in that frame, with the frames on their other sides.
+fn pins(subject: &Subject<'_>, frame: Frame) -> Vec<([f64; 2], Frame)> {
+    let pins = subject.model.joints.iter().filter(|joint| joint.kind == JointKind::Revolute);
+    let on_frame = pins.filter_map(|joint| {
+        let [p, q] = [subject.local(0, joint, Role::P)?, subject.local(0, joint, Role::Q)?];
+        let [on_frame, on_other] = if p.0 == frame { [p, q] } else { [q, p] };
+        (on_frame.0 == frame).then_some((on_frame.1, on_other.0))
+    });
+    on_frame.collect()
+}
+
 /// Where a body is pinned to the ground.
-fn foot_of(subject: &Subject<'_>, body: Frame) -> Option<[f64; 2]> {
-    (body != Frame::Ground).then(|| axle(subject, body, Frame::Ground)).map(|p| placed(subject.pose(0, body), p))
+fn foot_of(subject: &Subject<'_>, body: Frame, size: f64) -> Option<[f64; 2]> {
+    (body != Frame::Ground).then(|| axle(subject, body, Frame::Ground, size)).map(|p| placed(subject.pose(0, body), p))
 }
 
 /// Both wheels of a gear or belt, with radii scaled by `meet` so that they fit; `None` if they have the same centre.
-fn pair(subject: &Subject<'_>, joint: &JointInfo, meet: impl Fn(f64, f64, f64) -> f64) -> Option<[Half; 2]> {
+fn pair(subject: &Subject<'_>, joint: &JointInfo, size: f64, meet: impl Fn(f64, f64, f64) -> f64) -> Option<[Half; 2]> {
     let [(a, ra), (b, rb)] = subject.radii(joint)[..] else { return None };
     let carrier = piece(joint, Role::Value).map_or(Frame::Ground, |value| value.frame);
-    let (ca, cb) = (axle(subject, a, carrier), axle(subject, b, carrier));
+    let (ca, cb) = (axle(subject, a, carrier, size), axle(subject, b, carrier, size));
     let apart = distance(placed(subject.pose(0, a), ca), placed(subject.pose(0, b), cb));
     let scale = meet(ra, rb, apart);
     let halves = [Half { frame: a, centre: ca, radius: ra * scale }, Half { frame: b, centre: cb, radius: rb * scale }];
@@ -57,7 +73,7 @@ fn pair(subject: &Subject<'_>, joint: &JointInfo, meet: impl Fn(f64, f64, f64) -
 
 /// Two toothed wheels.
 pub(super) fn gear(subject: &Subject<'_>, joint: &JointInfo, links: &mut Links) {
-    let Some([a, b]) = pair(subject, joint, |ra, rb, apart| apart / (ra + rb).abs()) else { return };
+    let Some([a, b]) = pair(subject, joint, links.size(), |ra, rb, apart| apart / (ra + rb).abs()) else { return };
     let [pa, pb] = [a, b].map(|half| placed(subject.pose(0, half.frame), half.centre));
     let across = (pb[1] - pa[1]).atan2(pb[0] - pa[0]);
     let opposite = across + core::f64::consts::PI;
@@ -110,7 +126,7 @@ pub(super) fn belt(subject: &Subject<'_>, joint: &JointInfo, links: &mut Links, 
         let sum = ra.abs() + rb.abs();
         if sum < 0.95 * apart { 1.0 } else { 0.5 * apart / sum }
     };
-    let Some([a, b]) = pair(subject, joint, fitting) else { return };
+    let Some([a, b]) = pair(subject, joint, links.size(), fitting) else { return };
     for half in [a, b] {
         let ink = Ink::of(half.frame);
         links.add(half.frame, Part::Disc { centre: half.centre, radius: half.radius, ink });
@@ -140,7 +156,7 @@ pub(super) fn rack(subject: &Subject<'_>, joint: &JointInfo, links: &mut Links) 
     let &[(pinion, radius)] = &subject.radii(joint)[..] else { return };
     let Some(direction) = subject.direction(0, joint) else { return };
     links.attach(bar, q);
-    let centre = axle(subject, pinion, guide);
+    let centre = axle(subject, pinion, guide, links.size());
     let pitch = pitch(subject, links, radius.abs());
     // Seen along the axis, a positive radius meshes on the right of the axle.
     let down = direction - core::f64::consts::FRAC_PI_2 * radius.signum();

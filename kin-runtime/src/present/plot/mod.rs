@@ -13,7 +13,7 @@ use kuva::render::plots::Plot;
 use kuva::render::render::Scene;
 use std::sync::Arc;
 
-use crate::present::number::rounded;
+use crate::present::number::{exponent, without_zeros};
 
 /// Width of a panel in pixels, its axes and legend included.
 const WIDTH: f64 = 860.0;
@@ -109,19 +109,30 @@ fn height(panel: &Panel) -> f64 {
 
 fn plots(panel: &Panel) -> Vec<Plot> {
     let curves = panel.curves.iter().enumerate();
+    // A curve is as many lines as it has parts. A point between two gaps is a dot: a line from it to itself is invisible.
     let plot = |(k, curve): (usize, &Curve)| {
-        let line = LinePlot::new().with_data(curve.points.iter().copied()).with_stroke_width(2.0);
-        let line = line.with_color(colour(k, panel.curves.len()));
-        let line = if curve.band.is_empty() { line } else { line.with_band(curve.edge(-1.0), curve.edge(1.0)) };
-        let line = if panel.curves.len() > 1 { line.with_legend(curve.name.clone()) } else { line };
-        Plot::from(line)
+        let colour = colour(k, panel.curves.len());
+        let parts = curve.parts();
+        let lines = parts.iter().enumerate().map(|(part, range)| {
+            let points = curve.points[range.clone()].iter().copied();
+            let has_legend = part == 0 && panel.curves.len() > 1;
+            if range.len() == 1 {
+                let dot = ScatterPlot::new().with_data(points).with_color(colour.clone()).with_size(2.0);
+                return Plot::from(if has_legend { dot.with_legend(curve.name.clone()) } else { dot });
+            }
+            let line = LinePlot::new().with_data(points).with_stroke_width(2.0).with_color(colour.clone());
+            let edge = |side: f64| curve.edge(side).skip(range.start).take(range.len()).collect::<Vec<_>>();
+            let line = if curve.band.is_empty() { line } else { line.with_band(edge(-1.0), edge(1.0)) };
+            Plot::from(if has_legend { line.with_legend(curve.name.clone()) } else { line })
+        });
+        lines.collect::<Vec<_>>()
     };
     // Marks come after the curves, each with a shape of its own.
     let mark = |(k, mark): (usize, &Mark)| {
         let points = ScatterPlot::new().with_data(mark.points.iter().copied()).with_color(MARK).with_size(4.0);
         Plot::from(points.with_marker(SHAPES[k % SHAPES.len()]).with_legend(mark.name.clone()))
     };
-    curves.map(plot).chain(panel.marks.iter().enumerate().map(mark)).collect()
+    curves.flat_map(plot).chain(panel.marks.iter().enumerate().map(mark)).collect()
 }
 
 /// The colour of a curve among several: no two have the same.
@@ -137,7 +148,7 @@ fn layout(panel: &Panel, plots: &[Plot], sides: Option<[f64; 2]>) -> Layout {
     let layout =
         Layout::auto_from_plots(plots).with_x_label(panel.labels[0].clone()).with_title(panel.labels[1].clone());
     let layout = layout.with_title_size(14);
-    let [x, y] = [panel.range(0), panel.range(1)].map(|(from, to)| ticks(to - from));
+    let [x, y] = [panel.range(0), panel.range(1)].map(|range| ends(range, 0.0)).map(|(from, to)| ticks(to - from));
     let layout = layout.with_x_tick_format(x).with_y_tick_format(y);
     // A path has a margin on all sides; a curve over time above and below, and at its ends if they are marked.
     let beside = if panel.marks.is_empty() { 0.0 } else { 0.3 * MARGIN };
@@ -162,13 +173,15 @@ fn ends((low, high): (f64, f64), margin: f64) -> (f64, f64) {
     (low - margin * length, high + margin * length)
 }
 
-/// Labels of the ticks of an axis with all significant digits: kuva's own format has three decimals, so that 0.0225
-/// would be 0.022.
+/// Labels of the ticks of an axis of this length with all significant digits and without rounding errors: kuva's own
+/// format has three decimals, so that 0.0225 would be 0.022, or as many as the number has, 4.9999999999999996e-6.
 fn ticks(length: f64) -> TickFormat {
+    // The decimal of a thousandth of the axis.
+    let last = 3 - length.abs().log10().floor() as i32;
     TickFormat::Custom(Arc::new(move |value| match value.abs() {
         size if size <= 1e-9 * length.abs() => "0".to_owned(),
-        1e-4..1e6 => rounded(value),
-        _ => TickFormat::Auto.format(value),
+        1e-4..1e6 => without_zeros(&format!("{value:.0$}", last.max(0) as usize)),
+        size => exponent(value, (last + size.log10().floor() as i32).max(5) as usize),
     }))
 }
 
@@ -216,5 +229,30 @@ mod tests {
         let texts = [0.0225, 0.02, 1e-18, -0.0175, 1500.0, 2.5e-7].map(|value| ticks.format(value));
         assert_eq!(texts[..5], ["0.0225", "0.02", "0", "-0.0175", "1500"]);
         assert!(texts[5].contains("2.5"), "{}", texts[5]);
+    }
+
+    #[test]
+    fn ticks_of_any_size_have_no_rounding_errors_and_differ() {
+        let texts = |length: f64, values: [f64; 2]| values.map(|value| ticks(length).format(value));
+        assert_eq!(texts(2e-5, [4.9999999999999996e-6, 2.4999999999999998e-5]), ["5e-6", "2.5e-5"]);
+        assert_eq!(texts(2.0, [0.1 + 0.2, -0.5]), ["0.3", "-0.5"]);
+        assert_eq!(texts(5e-7, [1000.0000001, 1000.0000002]), ["1000.0000001", "1000.0000002"]);
+        assert_eq!(texts(0.5, [2e6 + 0.1, 3e7]), ["2.0000001e6", "3e7"]);
+    }
+
+    /// A line across a gap would show values that do not exist.
+    #[test]
+    fn a_curve_ends_where_it_has_no_value() {
+        let points =
+            [(0.0, 1.0), (1.0, 2.0), (2.0, f64::NAN), (3.0, -1.0), (4.0, f64::INFINITY), (5.0, 0.5), (6.0, 0.0)];
+        let curve = |band: Vec<f64>| Curve { name: "rate".to_owned(), points: points.to_vec(), band }.with_gaps();
+        assert_eq!(curve(Vec::new()).parts(), [0..2, 3..4, 5..7]);
+        assert_eq!(curve(vec![0.1, 0.1, 0.1, 0.1, 0.1, f64::NAN, 0.1]).parts(), [0..2, 3..4, 6..7]);
+        let labels = ["t in s", "rate"].map(str::to_owned);
+        let panel = Panel { labels, equal: false, curves: vec![curve(Vec::new())], marks: Vec::new() };
+        assert_eq!([panel.range(0), panel.range(1)], [(0.0, 6.0), (-1.0, 2.0)]);
+        let picture = Diagram { title: "Gaps".to_owned(), panels: vec![panel], beside: false }.svg();
+        assert_eq!(picture.matches("<path").count(), 2, "{picture}");
+        assert!(picture.contains("<circle") && !picture.contains("NaN"), "{picture}");
     }
 }
