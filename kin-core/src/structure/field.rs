@@ -11,6 +11,8 @@ use core::ops::{Add, Mul, Neg, Sub};
 const P: u64 = (1 << 61) - 1;
 /// The largest denominator of a fraction as which a decimal number is interpreted.
 const DENOMINATOR: i64 = 1 << 20;
+/// The relative error of a number that the compiler has computed from literals, as 0.1 + 0.2.
+pub(crate) const ROUNDING: f64 = 8.0 * f64::EPSILON;
 
 /// A residue modulo p.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -26,10 +28,10 @@ impl Residue {
         if value < 0 { -magnitude } else { magnitude }
     }
 
-    /// The residue of the number that `value` approximates: the fraction with the smallest denominator that rounds to
-    /// it (1/3, 0.1), or else its exact binary value.
+    /// The residue of the number that `value` approximates: the fraction with the smallest denominator that agrees with it
+    /// up to rounding (1/3, 0.1, and 0.3 for 0.1 + 0.2), or else its exact binary value.
     pub(crate) fn number(value: f64) -> Self {
-        if let Some((p, q)) = fraction(value, 0.0) {
+        if let Some((p, q)) = fraction(value, ROUNDING) {
             return Self::integer(p) * Self::integer(q).inverse();
         }
         let bits = value.to_bits();
@@ -176,6 +178,8 @@ mod tests {
         assert_eq!(third * Residue::integer(3), Residue::ONE);
         assert_eq!(Residue::number(0.3) * Residue::number(0.1), Residue::number(0.03));
         assert_eq!(Residue::number(-2.5), -Residue::number(2.5));
+        assert_eq!(Residue::number(0.1 + 0.2), Residue::number(0.3));
+        assert_eq!(Residue::number(0.7 * 0.1), Residue::number(0.07));
         assert_eq!(Residue::number(0.0), Residue::ZERO);
         assert_eq!(Residue::number(f64::MIN_POSITIVE) * Residue::integer(2), Residue::number(2.0 * f64::MIN_POSITIVE));
         let pi = std::f64::consts::PI;
