@@ -10,8 +10,7 @@
 //! contains no φ.
 
 use super::zero::ZeroTest;
-use crate::expr::{ExprId, Graph, IdMap, Node, Symbol};
-use crate::structure::field::ROUNDING;
+use crate::expr::{ExprId, Graph, IdMap, Node, ROUNDING, Symbol};
 use crate::structure::turn::terms;
 use crate::vocabulary::Function;
 use std::collections::{BTreeMap, BTreeSet};

@@ -5,14 +5,13 @@
 //! (Schwartz 1980, Zippel 1979). Since p ≡ 3 (mod 4), −1 is not a square, and the rational parametrisation of the
 //! circle has no pole.
 
+use crate::expr::ROUNDING;
 use core::ops::{Add, Mul, Neg, Sub};
 
 /// p = 2⁶¹ − 1.
 const P: u64 = (1 << 61) - 1;
 /// The largest denominator of a fraction as which a decimal number is interpreted.
 const DENOMINATOR: i64 = 1 << 20;
-/// The relative error of a number that the compiler has computed from literals, as 0.1 + 0.2.
-pub(crate) const ROUNDING: f64 = 8.0 * f64::EPSILON;
 
 /// A residue modulo p.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -11,11 +11,11 @@
 //! the row of this joint, and the condition could make points coincide that are distinct in general. Without the
 //! condition the pose is more general, so a dependency that is found still holds at every pose.
 
-use super::field::{Draw, ROUNDING, Residue, fraction};
+use super::field::{Draw, Residue, fraction};
 use super::rank::{Elimination, Row, add_to};
 use super::turn::PoseTurns;
 use crate::constraint::{ConstraintSet, Frame, JointInstance, RowMeaning};
-use crate::expr::{Depends, ExprId, Graph, Node, Rotation};
+use crate::expr::{Depends, ExprId, Graph, Node, ROUNDING, Rotation};
 use crate::system::KinematicSystem;
 use crate::vocabulary::Role;
 use std::collections::HashMap;
