@@ -343,3 +343,18 @@ fn numbers_that_cancel_up_to_rounding_are_no_divisor() {
         );
     }
 }
+
+/// A vertical line, whose direction is written by functions of right angles, beside a driver across it.
+#[mechanism(allow_redundant)]
+#[body(block, phi = 0)]
+#[point_on_line(line: ground @ (0, 0), block @ (0, 0), axis = (cos(pi/2), sin(5*pi/6 - pi/3)))]
+#[driver(drive: block.x = t)]
+struct Across;
+
+/// The cosine of a right angle is 0 and not 6e-17, by which the velocity of the block was −2e16.
+#[test]
+fn the_cosine_of_a_right_angle_is_zero() {
+    for t in [0.0, 1e-12, 0.1] {
+        assert!(Across.state_at(&Instant::at(t)).is_err(), "{t}");
+    }
+}
