@@ -7,6 +7,7 @@
 
 use super::graph::Graph;
 use super::node::{Bits, ExprId, Node};
+use super::vectors::quarter_turns;
 use crate::vocabulary::Function;
 
 /// Maximum number of factors of a product that is sorted. The time of sorting grows with the square of their number,
@@ -277,6 +278,10 @@ impl Graph {
                 }
                 Function::Acos | Function::Ln => {}
             }
+        }
+        if let (Function::Sin | Function::Cos, Some(quarters)) = (f, self.literal(a).and_then(quarter_turns)) {
+            let cosines = [1.0, 0.0, -1.0, 0.0];
+            return self.number(cosines[if f == Function::Cos { quarters } else { (quarters + 3) % 4 }]);
         }
         let (negative, inner) = self.unsigned(a);
         match f {

@@ -1,23 +1,23 @@
 //! Constructors for rotated vectors with local simplification: a right angle only permutes the components, and ρ and
 //! −ρ share one node.
 
+use super::ROUNDING;
 use super::graph::Graph;
 use super::node::{ExprId, Node, Rotation, Turning};
 use core::f64::consts::FRAC_PI_2;
 
-impl Graph {
-    /// The number of quarter turns (0 to 3) of an angle that is literally a small multiple of π/2. A user who writes
-    /// `pi/2` means a right angle and not the nearby number whose cosine is 6e-17.
-    fn quarters(&self, angle: ExprId) -> Option<usize> {
-        let value = self.literal(angle)?;
-        let quarters = (value / FRAC_PI_2).round();
-        let is_multiple = quarters.abs() <= 16.0 && quarters * FRAC_PI_2 == value;
-        is_multiple.then(|| quarters.rem_euclid(4.0) as usize)
-    }
+/// The number of quarter turns (0 to 3) of an angle that is a small multiple of π/2 up to rounding. A user who writes `pi/2`
+/// or `5*pi/6 - pi/3` means a right angle and not a nearby number whose cosine is 6e-17.
+pub(crate) fn quarter_turns(angle: f64) -> Option<usize> {
+    let quarters = (angle / FRAC_PI_2).round();
+    let is_multiple = quarters.abs() <= 16.0 && (quarters * FRAC_PI_2 - angle).abs() <= ROUNDING * angle.abs().max(1.0);
+    is_multiple.then(|| quarters.rem_euclid(4.0) as usize)
+}
 
+impl Graph {
     /// The rotated vector ρ = A(φ)·(x, y). ρ and −ρ share one node and differ by a sign.
     pub fn rotate(&mut self, angle: ExprId, [x, y]: [ExprId; 2]) -> [ExprId; 2] {
-        if let Some(quarters) = self.quarters(angle) {
+        if let Some(quarters) = self.literal(angle).and_then(quarter_turns) {
             let (minus_x, minus_y) = (self.neg(x), self.neg(y));
             return [[x, y], [minus_y, x], [minus_x, minus_y], [y, minus_x]][quarters];
         }

@@ -10,7 +10,7 @@
 //! contains no φ.
 
 use super::zero::ZeroTest;
-use crate::expr::{ExprId, Graph, IdMap, Node, Symbol};
+use crate::expr::{ExprId, Graph, IdMap, Node, ROUNDING, Symbol};
 use crate::structure::turn::terms;
 use crate::vocabulary::Function;
 use std::collections::{BTreeMap, BTreeSet};
@@ -280,16 +280,15 @@ impl<'a> TermReader<'a> {
     pub(super) fn sum(&mut self, a: &TermSum, b: &TermSum, factor: f64) -> Option<TermSum> {
         let mut out = a.clone();
         let zero = self.graph.zero();
-        let plus = |graph: &mut Graph, x, y| if factor < 0.0 { graph.sub(x, y) } else { graph.add(x, y) };
         for (key, pair) in &b.terms {
             let entry = out.terms.entry(key.clone()).or_insert([zero; 2]);
             for (sum, term) in entry.iter_mut().zip(pair) {
-                *sum = plus(self.graph, *sum, *term);
+                *sum = plus(self.graph, *sum, *term, factor);
             }
         }
         if let Some(rest) = b.rest {
             let rest_of_a = out.rest.unwrap_or(zero);
-            out.rest = Some(plus(self.graph, rest_of_a, rest));
+            out.rest = Some(plus(self.graph, rest_of_a, rest, factor));
         }
         Some(out)
     }
@@ -326,14 +325,14 @@ impl<'a> TermReader<'a> {
         }
         let half = graph.number(0.5);
         let [cd, cr, sd, sr] = [graph.mul(c, d), graph.mul(c, r), graph.mul(s, d), graph.mul(s, r)];
-        let plus = [graph.sub(cd, sr), graph.add(cr, sd)].map(|e| graph.mul(half, e));
-        let minus = [graph.add(cd, sr), graph.sub(sd, cr)].map(|e| graph.mul(half, e));
+        let of_sum = [plus(graph, cd, sr, -1.0), plus(graph, cr, sd, 1.0)].map(|e| graph.mul(half, e));
+        let of_difference = [plus(graph, cd, sr, 1.0), plus(graph, sd, cr, -1.0)].map(|e| graph.mul(half, e));
         let combined = |sign: i32| {
             let mut multiples: BTreeMap<u32, i32> = alpha.iter().copied().collect();
             beta.iter().for_each(|&(k, n)| *multiples.entry(k).or_default() += sign * n);
             multiples.into_iter().filter(|(_, n)| *n != 0).collect::<Vec<_>>()
         };
-        vec![self.term(&combined(1), plus), self.term(&combined(-1), minus)]
+        vec![self.term(&combined(1), of_sum), self.term(&combined(-1), of_difference)]
     }
 
     /// The expression of a form.
@@ -367,6 +366,16 @@ impl<'a> TermReader<'a> {
             value = graph.mul(value, power);
         }
         value
+    }
+}
+
+/// a + factor · b, where the factor is ±1. Where two numbers cancel up to rounding, as in 2 − √2·√2, the sum is 0, because
+/// what is left is no coefficient to divide by.
+fn plus(graph: &mut Graph, a: ExprId, b: ExprId, factor: f64) -> ExprId {
+    let sum = if factor < 0.0 { graph.sub(a, b) } else { graph.add(a, b) };
+    match (graph.literal(a), graph.literal(sum)) {
+        (Some(a), Some(rest)) if rest.abs() <= ROUNDING * a.abs() => graph.zero(),
+        _ => sum,
     }
 }
 

@@ -5,6 +5,7 @@
 //! (Schwartz 1980, Zippel 1979). Since p ≡ 3 (mod 4), −1 is not a square, and the rational parametrisation of the
 //! circle has no pole.
 
+use crate::expr::ROUNDING;
 use core::ops::{Add, Mul, Neg, Sub};
 
 /// p = 2⁶¹ − 1.
@@ -26,10 +27,10 @@ impl Residue {
         if value < 0 { -magnitude } else { magnitude }
     }
 
-    /// The residue of the number that `value` approximates: the fraction with the smallest denominator that rounds to
-    /// it (1/3, 0.1), or else its exact binary value.
+    /// The residue of the number that `value` approximates: the fraction with the smallest denominator that agrees with it
+    /// up to rounding (1/3, 0.1, and 0.3 for 0.1 + 0.2), or else its exact binary value.
     pub(crate) fn number(value: f64) -> Self {
-        if let Some((p, q)) = fraction(value, 0.0) {
+        if let Some((p, q)) = fraction(value, ROUNDING) {
             return Self::integer(p) * Self::integer(q).inverse();
         }
         let bits = value.to_bits();
@@ -176,6 +177,8 @@ mod tests {
         assert_eq!(third * Residue::integer(3), Residue::ONE);
         assert_eq!(Residue::number(0.3) * Residue::number(0.1), Residue::number(0.03));
         assert_eq!(Residue::number(-2.5), -Residue::number(2.5));
+        assert_eq!(Residue::number(0.1 + 0.2), Residue::number(0.3));
+        assert_eq!(Residue::number(0.7 * 0.1), Residue::number(0.07));
         assert_eq!(Residue::number(0.0), Residue::ZERO);
         assert_eq!(Residue::number(f64::MIN_POSITIVE) * Residue::integer(2), Residue::number(2.0 * f64::MIN_POSITIVE));
         let pi = std::f64::consts::PI;

@@ -15,7 +15,7 @@ use super::field::{Draw, Residue, fraction};
 use super::rank::{Elimination, Row, add_to};
 use super::turn::PoseTurns;
 use crate::constraint::{ConstraintSet, Frame, JointInstance, RowMeaning};
-use crate::expr::{Depends, ExprId, Graph, Node, Rotation};
+use crate::expr::{Depends, ExprId, Graph, Node, ROUNDING, Rotation};
 use crate::system::KinematicSystem;
 use crate::vocabulary::Role;
 use std::collections::HashMap;
@@ -81,7 +81,6 @@ pub(super) struct RandomPositions {
 
 /// A literal direction, if possible as a ratio of small integers; the length of the vector is arbitrary.
 pub(super) fn literal_direction(graph: &Graph, [x, y]: [ExprId; 2]) -> Option<[Residue; 2]> {
-    const ROUNDING: f64 = 8.0 * f64::EPSILON;
     let (x, y) = (graph.literal(x)?, graph.literal(y)?);
     let (big, small) = if x.abs() >= y.abs() { (x, y) } else { (y, x) };
     let ratio = match fraction(small / big, ROUNDING) {

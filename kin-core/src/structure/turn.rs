@@ -8,10 +8,9 @@
 
 use super::field::{Draw, Residue};
 use crate::constraint::{ConstraintSet, CoordinateKind};
-use crate::expr::{Depends, ExprId, Graph, Node, Symbol};
+use crate::expr::{Depends, ExprId, Graph, Node, Symbol, quarter_turns};
 use crate::mechanism::Component;
 use crate::system::KinematicSystem;
-use core::f64::consts::FRAC_PI_2;
 use std::collections::BTreeMap;
 
 /// A point of the unit circle.
@@ -219,10 +218,9 @@ impl PoseTurns {
     }
 
     fn literal(&self, value: f64) -> Turn {
-        let quarters = (value / FRAC_PI_2).round();
-        if quarters.abs() <= 16.0 && quarters * FRAC_PI_2 == value {
+        if let Some(quarters) = quarter_turns(value) {
             let quarter = Turn { cos: Residue::ZERO, sin: Residue::ONE, exact: true };
-            return quarter.times((quarters as i64).rem_euclid(4));
+            return quarter.times(quarters as i64);
         }
         let turn = Turn::from_parameter(self.draw.residue(KIND_LITERAL, value.abs().to_bits()));
         if value < 0.0 { turn.inverse() } else { turn }
@@ -232,6 +230,7 @@ impl PoseTurns {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use core::f64::consts::{FRAC_PI_2, PI};
 
     #[test]
     fn constant_angles_add_up() {
@@ -250,5 +249,7 @@ mod tests {
         assert_eq!(turns.rotation(&graph, double), turns.rotation(&graph, a).times(2));
         assert_eq!(turns.literal(-0.7), turns.literal(0.7).inverse());
         assert_eq!(turns.literal(4.0 * FRAC_PI_2), Turn::IDENTITY);
+        assert_eq!(turns.literal(5.0 * PI / 6.0 - PI / 3.0), turns.literal(FRAC_PI_2));
+        assert!(!turns.literal(FRAC_PI_2 + 1e-12).exact && !turns.literal(1e-12).exact);
     }
 }

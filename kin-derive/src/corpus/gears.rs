@@ -35,6 +35,14 @@ pub(super) const CASES: &[Case] = &[
         fault: "",
     },
     Case {
+        name: "gears with computed radii beside a belt: 0.7*0.1 is 0.07 up to rounding",
+        parameters: "",
+        attributes: "body(a, x = 0, y = 0); body(b, x = 1, y = 0); body(c, x = 2, y = 0)
+            gear(ab: a, b, radii = (0.07, 0.3)); gear(bc: b, c, radii = (0.3, 0.1)); belt(ac: a, c, radii = (0.7*0.1, 0.1))",
+        counts: [3, 3, 2, 1],
+        fault: "ab bc ac",
+    },
+    Case {
         name: "four gears in a circle turn, and one mesh says what the others say",
         parameters: "ra rb rc rd",
         attributes: "body(a, x = 0, y = 0); body(b, x = 1, y = 0); body(c, x = 1, y = 1); body(d, x = 0, y = 1)

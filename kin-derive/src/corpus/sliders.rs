@@ -4,6 +4,14 @@ use super::Case;
 
 pub(super) const CASES: &[Case] = &[
     Case {
+        name: "a block in a vertical slot, whose angle is a right angle up to rounding, beside a wall",
+        parameters: "a",
+        attributes: "body(frame, x = 0, y = 0, phi = 5*pi/6 - pi/3); body(block, phi = 0)
+            point_on_line(slot: frame @ (0, 0), block @ (0, 0), axis = (1, 0)); x(wall: block @ (0, 0) = a)",
+        counts: [2, 2, 1, 1],
+        fault: "slot wall",
+    },
+    Case {
         name: "slider-crank",
         parameters: "a b",
         attributes: "bodies(crank, rod, slider)

@@ -127,3 +127,38 @@ fn folds_of_nearly_parallelograms_are_met_with_their_kind() {
     }
     assert!(folds > 500 && sharp > 100, "{folds} folds, {sharp} of them with another solution near");
 }
+
+/// A platform on three rods. At the limit its angle is 0, and the rods point to its middle.
+#[mechanism]
+#[bodies(platform)]
+#[distance(a: ground @ (x + 1, y), platform @ (0.5, 0), length = 0.5 + 0.3 * t)]
+#[distance(b: ground @ (x - 0.5, y + h), platform @ (-0.25, 0.5 * h), length = 0.5 + 0.3 * t)]
+#[distance(c: ground @ (x - 0.5, y - h), platform @ (-0.25, -0.5 * h), length = 0.5 + 0.3 * t)]
+#[guess(platform.phi = 0.8, platform.x = x, platform.y = y)]
+struct Tripod {
+    h: f64,
+    x: f64,
+    y: f64,
+}
+
+/// A fold is found wherever the origin is, and however near to it the last step ends. By hand: from rod a
+/// the middle is at −0.3 t, and from rod b (0.25 − 0.3 t)² + h²/4 = (0.5 + 0.3 t)².
+#[test]
+fn folds_are_found_at_the_origin_and_close_to_a_step() {
+    for (x, y) in [(0.0, 0.0), (1e-6, 0.0), (0.01, 0.0), (3.0, 2.0), (1e3, 1e3)] {
+        for h in [0.75_f64.sqrt(), 0.87, 0.9] {
+            let limit = (0.25 * h * h - 0.1875) / 0.45;
+            for steps in [3, 7, 11, 39] {
+                let times: Vec<f64> = (0..=steps).map(|k| 1.0 - 2.0 * f64::from(k) / f64::from(steps)).collect();
+                let error = Tripod { h, x, y }.kinematic_analysis(&times).expect_err("the rods are too short");
+                let found = error.source.limit().and_then(|limit| limit.located).unwrap_or_else(|| panic!("{error}"));
+                assert_eq!(Some(LimitKind::DeadCentre), found.kind, "{x} {h} {steps}: {error}");
+                assert!((found.at - limit).abs() < 1e-12, "{x} {h} {steps}: {found:?}");
+                let q = error.q_at_limit().expect("a configuration");
+                let expected = [x - 0.3 * limit, y, 0.0];
+                let off = q.iter().zip(expected).fold(0.0, |most: f64, (q, e)| most.max((q - e).abs()));
+                assert!(off < 1e-9, "{x} {h} {steps}: {q:?}");
+            }
+        }
+    }
+}

@@ -1,7 +1,7 @@
 //! Special dimensions and starts: equal pulleys, a dimension of 0 by which the plan divides, a start beside a dead
 //! centre.
 
-use kin_runtime::{Instant, Kinematics, LimitKind, Options, Planned, Signal, SolveError, mechanism};
+use kin_runtime::{Instant, Kinematics, LimitKind, Mechanism, Options, Planned, Signal, SolveError, mechanism};
 
 /// An arm whose platform a belt over equal pulleys keeps parallel, so that the angle of the platform does not depend on
 /// that of the arm.
@@ -321,5 +321,40 @@ fn short_levers_are_followed_by_the_plan() {
                 assert!((q[2] - phi).abs() <= room, "{:e} of {room:e} at {phi}, r = {r:e}", (q[2] - phi).abs());
             }
         }
+    }
+}
+
+/// Two parallel lines: the second row is √2 times the first, whose right-hand side is smaller by t/√2.
+#[mechanism]
+#[coordinates(x, y)]
+#[constraint(first: sqrt(2)*x + y = 1)]
+#[constraint(second: 2*x + sqrt(2)*y = sqrt(2) + t)]
+struct ParallelLines;
+
+/// 2 − √2·√2 is −4e-16, which is no coefficient to divide by: x was −2e6 at t = 1e-9.
+#[test]
+fn numbers_that_cancel_up_to_rounding_are_no_divisor() {
+    assert!(!ParallelLines::model().plan.exists());
+    for t in [0.0, 1e-12, 1e-9, 1e-3] {
+        let error = ParallelLines.state_at(&Instant::at(t)).expect_err("the lines have no point in common");
+        assert!(
+            matches!(error, SolveError::NotAssembled { .. } | SolveError::InconsistentVelocity { .. }),
+            "{error:?}"
+        );
+    }
+}
+
+/// A vertical line, whose direction is written by functions of right angles, beside a driver across it.
+#[mechanism(allow_redundant)]
+#[body(block, phi = 0)]
+#[point_on_line(line: ground @ (0, 0), block @ (0, 0), axis = (cos(pi/2), sin(5*pi/6 - pi/3)))]
+#[driver(drive: block.x = t)]
+struct Across;
+
+/// The cosine of a right angle is 0 and not 6e-17, by which the velocity of the block was −2e16.
+#[test]
+fn the_cosine_of_a_right_angle_is_zero() {
+    for t in [0.0, 1e-12, 0.1] {
+        assert!(Across.state_at(&Instant::at(t)).is_err(), "{t}");
     }
 }

@@ -41,6 +41,9 @@ const START_CORRECTION: f64 = 1e-3;
 /// Largest number of corrections; where they do not become smaller any more, they are due to rounding up to this length.
 const CORRECTIONS: usize = 12;
 const ROUNDING: f64 = 1e-8;
+/// Shares of the speed of q with which s counts, which are tried in turn. With the first, the curve turns on the scale of
+/// its distance from the fold; where this is the scale of rounding errors, it is straighter with a smaller one.
+const SHARES_OF_S: [f64; 3] = [1.0, 1e-2, 1e-4];
 /// Largest spacing of floating-point numbers near s, on the scale of the arc.
 const SPACING_OF_S: f64 = 1e-10;
 /// Width to which a fold is enclosed along the arc; the error of s is of the second order in it.
@@ -155,15 +158,16 @@ impl<C: Array<f64>> SolutionCurve<'_, C> {
         self.point((q, from.s + length * from.s_rate), direction, ALLOWED_CORRECTION * length)
     }
 
-    /// The first fold beyond (q, s), where s changes in the direction of this sign; and points before and after it.
-    fn first_fold(&mut self, (q, s): (C, f64), sign: f64) -> Option<(ArcPoint<C>, [ArcPoint<C>; 2])> {
+    /// The first fold beyond (q, s), where s changes in the direction of this sign; and points before and after it. `share`
+    /// is the weight of s relative to that at which q and s move equally fast.
+    fn first_fold(&mut self, (q, s): (C, f64), (sign, share): (f64, f64)) -> Option<(ArcPoint<C>, [ArcPoint<C>; 2])> {
         let [_, mut tangent] = self.equations.directions(&q, s)?;
         let speed = Scalar::sqrt(self.dot((&tangent, 0.0), (&tangent, 0.0)));
         if !speed.is_finite() || speed == 0.0 {
             return None;
         }
         // Close to a fold q moves so fast that the rounding of s would be felt on its scale.
-        self.weight_of_s = speed.min(SPACING_OF_S / (f64::EPSILON * s.abs()));
+        self.weight_of_s = share * speed.min(SPACING_OF_S / (f64::EPSILON * s.abs()));
         tangent.as_mut().iter_mut().for_each(|x| *x *= sign);
         let mut here = self.point((q, s), (&tangent, sign), START_CORRECTION)?;
         let ([mut length, longest], mut travelled) = (STEPS, 0.0);
@@ -214,10 +218,37 @@ fn add<C: Array<f64>>(to: &mut C, factor: f64, displacement: &C) {
     to.as_mut().iter_mut().zip(displacement.as_ref()).for_each(|(to, x)| *to += factor * x);
 }
 
-/// Writes the weights that convert coordinates to radians: lengths count relative to the largest of q.
-fn write_weights(model: &Model, q: &[f64], weights: &mut [f64]) {
+/// The longest arm of the rows at which bodies turn, from the entries of Φ_q for angles and those for lengths. All bodies
+/// are turned by one radian from q, because all arms may pass through the pivots at a fold.
+fn longest_arm<M: Mechanism>(mechanism: &M, parameters: &[f64], at: &Instant<'_>, mut q: M::Coordinates<f64>) -> f64 {
+    let (model, still) = (M::model(), M::Coordinates::<f64>::filled(0.0));
+    let turned = q.as_mut().iter_mut().zip(model.coordinates).filter(|(_, coordinate)| coordinate.kind.is_angle());
+    turned.for_each(|(q, _)| *q += 1.0);
+    let mut work = M::workspace::<f64>();
+    if mechanism.evaluate_with(parameters, Subset::JACOBIAN, at, q.as_ref(), still.as_ref(), &mut work).is_err() {
+        return 0.0;
+    }
+    let [mut of_angles, mut of_lengths] = [M::Rows::<f64>::filled(0.0); 2];
+    for (&(row, k), entry) in model.constraint_pattern.entries.iter().zip(work.phi_q()) {
+        let kind = model.coordinates[k].kind;
+        let largest = if kind.is_angle() {
+            &mut of_angles.as_mut()[row]
+        } else if kind.is_length() {
+            &mut of_lengths.as_mut()[row]
+        } else {
+            continue;
+        };
+        *largest = largest.max(entry.abs());
+    }
+    let arms = of_angles.as_ref().iter().zip(of_lengths.as_ref()).map(|(angle, length)| angle / length);
+    arms.filter(|arm| arm.is_finite()).fold(0.0, f64::max)
+}
+
+/// Writes the weights that convert coordinates to radians: lengths count relative to the largest of q or to the longest
+/// arm, whichever is larger, since the coordinates of a platform may all be near 0.
+fn write_weights(model: &Model, q: &[f64], arm: f64, weights: &mut [f64]) {
     let lengths = model.coordinates.iter().zip(q).filter(|(coordinate, _)| coordinate.kind.is_length());
-    let largest = lengths.fold(0.0, |largest, (_, q)| f64::max(largest, q.abs()));
+    let largest = lengths.fold(arm, |largest, (_, q)| f64::max(largest, q.abs()));
     for ((to, coordinate), q) in weights.iter_mut().zip(model.coordinates).zip(q) {
         *to = match coordinate.kind.is_length() {
             true if largest > 0.0 => 1.0 / largest,
@@ -239,13 +270,15 @@ impl<M: Mechanism> PlanFollower<M> {
     ) -> Option<RefinedLimit<M>> {
         let parameters = self.parameters.as_ref();
         let mut equations = CourseEquations { mechanism, parameters, course };
-        let mut weights = M::Coordinates::<f64>::filled(0.0);
-        write_weights(M::model(), blocked.state.q.as_ref(), weights.as_mut());
+        let (mut weights, mut inputs) =
+            (M::Coordinates::<f64>::filled(0.0), M::Inputs::<f64>::filled(Signal::constant(0.0)));
+        let t = course.at(blocked.interval[0], inputs.as_mut());
+        let arm = longest_arm(mechanism, parameters, &Instant { t, inputs: inputs.as_ref() }, blocked.state.q);
+        write_weights(M::model(), blocked.state.q.as_ref(), arm, weights.as_mut());
         let mut curve = SolutionCurve { equations: &mut equations, weights, weight_of_s: 0.0 };
-        let [start, end] = course.ends();
+        let ([start, end], place) = (course.ends(), (blocked.state.q, blocked.interval[0]));
         let sign = 1.0_f64.copysign(end - start);
-        let (fold, sides) = curve.first_fold((blocked.state.q, blocked.interval[0]), sign)?;
-        let mut inputs = M::Inputs::<f64>::filled(Signal::constant(0.0));
+        let (fold, sides) = SHARES_OF_S.into_iter().find_map(|share| curve.first_fold(place, (sign, share)))?;
         let mut branch_value = |point: &ArcPoint<M::Coordinates<f64>>| {
             let at = Instant { t: course.at(point.s, inputs.as_mut()), inputs: inputs.as_ref() };
             Some(BranchValues::<M>::at(mechanism, parameters, &at, point.q.as_ref()).ok()?.as_ref()[group])

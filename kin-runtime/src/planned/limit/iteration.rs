@@ -40,9 +40,15 @@ impl<M: Mechanism> PlanFollower<M> {
             [last.q.as_ref(), beyond.q.as_ref()],
             [last.q_dot.as_ref(), beyond.q_dot.as_ref()],
         )?;
-        let step = Step::new(M::model(), index)?;
-        let located = Some(Located { at: reached, kind: None });
-        Some(Limit { step, margin: beyond.margins.as_ref()[margin], located })
+        let (step, at_margin) = (Step::new(M::model(), index)?, beyond.margins.as_ref()[margin]);
+        let group = M::model().plan.group_of_margin(margin);
+        let fold = group.and_then(|group| self.fold(mechanism, course, group, blocked));
+        self.q_at_limit = fold.as_ref().map(|fold| fold.q);
+        let located = match fold {
+            Some(fold) => Located { at: course.at(fold.s, inputs.as_mut()), kind: fold.kind },
+            None => Located { at: reached, kind: None },
+        };
+        Some(Limit { step, margin: at_margin, located: Some(located) })
     }
 }
 
