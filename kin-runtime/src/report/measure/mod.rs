@@ -36,7 +36,9 @@ pub use source::Source;
 pub(crate) use value::values;
 pub(crate) use varied::Needs;
 
-use crate::model::{Component, CoordinateKind, Model, Units};
+#[cfg(feature = "cli")]
+use crate::model::{Component, CoordinateKind};
+use crate::model::{Model, Units};
 use crate::transmission::{Pair, pairs};
 use core::fmt;
 
