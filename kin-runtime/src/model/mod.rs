@@ -333,7 +333,8 @@ pub struct Model {
 }
 
 impl Model {
-    /// A whole turn in the unit of a coordinate: 2π, unless it is a scalar in degrees or turns.
+    /// A whole turn in the unit of a coordinate: 2π, unless it is a scalar in degrees or turns. These names of units are
+    /// those of `units::parse` in kin-core, which is compiled for the command line only.
     #[cfg(feature = "std")]
     pub(crate) fn turn(&self, coordinate: usize) -> f64 {
         match self.coordinates.get(coordinate).and_then(|info| self.units.of(info.name)) {
