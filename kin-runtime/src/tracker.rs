@@ -1,14 +1,12 @@
 //! Following a mechanism whose inputs come one instant at a time: what a controller calls in its loop.
 
-use crate::analysis;
 use crate::analysis::forces::Sharing;
-use crate::analysis::position::position;
 use crate::course::{InputPath, PathShape};
 use crate::equations::Equations;
 use crate::equations::system::{Evaluator, System};
 use crate::error::{Degeneracy, SolveError};
 use crate::mechanism::Mechanism;
-use crate::modes::{WantedAssembly, assemble_in};
+use crate::modes::{WantedAssembly, first_state};
 use crate::motion::Motion;
 use crate::ratios::{VelocityRatios, velocity_ratios};
 use crate::signal::Instant;
@@ -311,11 +309,7 @@ fn begin(
     if let Some(state) = by_plan {
         return Continuation::new(equations, state, None);
     }
-    let position = match start {
-        Some(start) => position(equations, start)?,
-        None => assemble_in(equations, wanted)?,
-    };
-    let (state, factor) = analysis::state(equations, position)?;
+    let (state, factor) = first_state(equations, start, || Ok(wanted.clone()))?;
     Continuation::new(equations, state, Some(factor))
 }
 

@@ -1,12 +1,15 @@
 //! Assembly modes of configurations, and assembly in given modes.
 
+use crate::analysis;
 use crate::analysis::assemble::{assemble, propagated};
 use crate::analysis::by_plan::{self, Answer};
 use crate::analysis::position::{Position, position};
 use crate::equations::Equations;
 use crate::error::SolveError;
+use crate::linear::Factorization;
 use crate::plan::Depth;
 use crate::planned::{Limit, PlanError, Sign, Step};
+use crate::state::State;
 use crate::text::number;
 use core::fmt;
 
@@ -54,6 +57,19 @@ pub(crate) fn modes(equations: &Equations<'_>, q: &[f64]) -> Result<Vec<Mode>, S
         }
     };
     Ok(plan.modes.iter().zip(closures).map(mode).collect())
+}
+
+/// The state near a complete start, or the one that the guesses lead to, and the factorised Φ_q there.
+pub(crate) fn first_state(
+    equations: &mut Equations<'_>,
+    start: Option<&[f64]>,
+    wanted: impl FnOnce() -> Result<WantedAssembly, SolveError>,
+) -> Result<(State, Factorization), SolveError> {
+    let position = match start {
+        Some(start) => position(equations, start)?,
+        None => assemble_in(equations, &wanted()?)?,
+    };
+    analysis::state(equations, position)
 }
 
 /// The configuration that the guesses lead to, in the requested modes.

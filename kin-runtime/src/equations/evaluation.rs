@@ -2,11 +2,10 @@
 //! that names the joint.
 
 use super::kept_length::kept_lengths;
-use super::{Equations, Given, finite, finite_signal};
+use super::{Equations, Given, dimensions, finite, finite_signal};
 use crate::course::InputFunction;
 use crate::equations::contact;
 use crate::equations::geometry;
-use crate::equations::radii;
 use crate::equations::scale::Scale;
 use crate::equations::system::System;
 use crate::error::SolveError;
@@ -71,8 +70,8 @@ impl<'a> Equations<'a> {
         equations.set_instant(at)?;
         equations.lengths = kept_lengths(model);
         equations.check_lengths(at, |_| true)?;
-        let degenerate = radii::degenerate(&equations).or_else(|| geometry::without_direction(&equations));
-        degenerate.map_or(Ok(equations), Err)
+        dimensions::check(&equations)?;
+        Ok(equations)
     }
 
     /// Evaluates a subset at q and q̇ (`None` where γ is not requested).

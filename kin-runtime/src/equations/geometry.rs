@@ -1,7 +1,7 @@
 //! Geometry that is degenerate at the values of the parameters. The errors name the joint.
 //!
-//! - An axis cannot be normalised if both components are 0, or if their squares underflow or overflow.
-//! - A kept distance of 0 has no gradient; its row of Φ_q is zero.
+//! A kept distance of 0 has no gradient; its row of Φ_q is zero. Dimensions that are degenerate at every instant are in
+//! [`dimensions`](super::dimensions).
 
 use crate::equations::Equations;
 use crate::error::{Degeneracy, SolveError};
@@ -19,28 +19,6 @@ pub(crate) fn explain(equations: &mut Equations<'_>, error: SolveError) -> Solve
         }
         _ => error,
     }
-}
-
-/// Deviation of a unit vector's length from 1 that exceeds rounding.
-const UNIT: f64 = 1e-9;
-
-/// The first joint whose axis is not a unit vector at the current instant.
-pub(crate) fn without_direction(equations: &Equations<'_>) -> Option<SolveError> {
-    let joints = equations.model.joints;
-    if !joints.iter().flat_map(|joint| joint.geometry).any(|geometry| geometry.role == Role::Axis) {
-        return None;
-    }
-    let at = Instant { t: equations.t, inputs: &equations.inputs };
-    let all = equations.system.geometry(&at).ok()?;
-    joints.iter().find_map(|joint| {
-        let mut axes = joint.geometry.iter().filter(|geometry| geometry.role == Role::Axis);
-        let is_unit = |offset: usize| match all.get(offset..offset + 2) {
-            Some(&[x, y]) => (x.hypot(y) - 1.0).abs() <= UNIT,
-            _ => true,
-        };
-        let (t, joint, fault) = (equations.t, joint.name, Degeneracy::Axis);
-        axes.any(|axis| !is_unit(axis.offset)).then_some(SolveError::DegenerateGeometry { t, joint, fault })
-    })
 }
 
 /// An error if the geometry of a joint is not a number, as the root of a negative difference of dimensions. No configuration

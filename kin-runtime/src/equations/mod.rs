@@ -15,13 +15,13 @@ use kept_length::{KeptLength, lengths_exist};
 use nalgebra::DVector;
 
 pub(crate) mod contact;
+pub(crate) mod dimensions;
 mod entries;
 mod evaluation;
 pub(crate) mod factorisation;
 pub(crate) mod geometry;
 mod kept_length;
 pub(crate) mod placement;
-mod radii;
 pub(crate) mod residual;
 pub(crate) mod scale;
 pub(crate) mod system;

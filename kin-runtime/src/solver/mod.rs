@@ -15,7 +15,7 @@ use crate::measure::{Measure, values};
 use crate::mechanism::Mechanism;
 use crate::mobility::{Mobility, mobility};
 use crate::model::Point;
-use crate::modes::{Mode, WantedAssembly, assemble_in, modes};
+use crate::modes::{Mode, WantedAssembly, assemble_in, first_state, modes};
 use crate::motion::Motion;
 use crate::plan::Plan;
 use crate::planned::{PlanError, Planned, Sign};
@@ -155,7 +155,7 @@ impl<'m, M: Mechanism> Solver<'m, M> {
         if let Some(state) = self.state_by_plan(at, None) {
             return Ok(state);
         }
-        state_from_guess(self.equations(at)?, &self.wanted()?)
+        Ok(first_state(&mut self.equations(at)?, None, || self.wanted())?.0)
     }
 
     /// Position analysis from a complete start, then velocity and acceleration.
@@ -170,7 +170,7 @@ impl<'m, M: Mechanism> Solver<'m, M> {
         if let Some(state) = self.state_by_plan(at, Some(start)) {
             return Ok(state);
         }
-        state_from_start(self.equations(at)?, start)
+        Ok(first_state(&mut self.equations(at)?, Some(start), || self.wanted())?.0)
     }
 
     /// Motion of bodies, points, defines and joints.
@@ -308,18 +308,6 @@ impl<'m, M: Mechanism> Solver<'m, M> {
 /// q of the assembled mechanism.
 fn assembled(mut equations: Equations<'_>, wanted: &WantedAssembly) -> Result<Vec<f64>, SolveError> {
     Ok(assemble_in(&mut equations, wanted)?.q)
-}
-
-/// The state of the assembled mechanism.
-fn state_from_guess(mut equations: Equations<'_>, wanted: &WantedAssembly) -> Result<State, SolveError> {
-    let position = assemble_in(&mut equations, wanted)?;
-    Ok(analysis::state(&mut equations, position)?.0)
-}
-
-/// The state near a complete start.
-fn state_from_start(mut equations: Equations<'_>, start: &[f64]) -> Result<State, SolveError> {
-    let position = position(&mut equations, start)?;
-    Ok(analysis::state(&mut equations, position)?.0)
 }
 
 /// An error if a guess is for a coordinate that does not exist.

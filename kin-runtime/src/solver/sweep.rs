@@ -1,14 +1,12 @@
 //! Sweeps: the motion over a list of instants.
 
 use super::{AnySolver, Solver};
-use crate::analysis;
-use crate::analysis::position::position;
 use crate::course::InputFunction;
 use crate::equations::Equations;
 use crate::error::{SolveError, SweepError};
 use crate::linear::Factorization;
 use crate::mechanism::Mechanism;
-use crate::modes::assemble_in;
+use crate::modes::first_state;
 use crate::observer::Observed;
 use crate::signal::{Instant, Signal};
 use crate::state::State;
@@ -113,11 +111,7 @@ fn started<'s>(
     if let Some(state) = solver.planned_state(&at, start) {
         return Ok((equations, (state, None)));
     }
-    let position = match start {
-        Some(start) => position(&mut equations, start)?,
-        None => assemble_in(&mut equations, &solver.wanted_assembly()?)?,
-    };
-    let (state, factor) = analysis::state(&mut equations, position)?;
+    let (state, factor) = first_state(&mut equations, start, || solver.wanted_assembly())?;
     Ok((equations, (state, Some(factor))))
 }
 

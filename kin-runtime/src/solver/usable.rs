@@ -2,8 +2,9 @@
 
 use super::Solver;
 use crate::equations::contact::is_regular;
+use crate::equations::dimensions::first_degenerate;
 use crate::mechanism::Mechanism;
-use crate::model::{JointKind, Model, Role};
+use crate::model::{Geometry, JointInfo, Model, Role};
 use crate::signal::{Instant, Signal};
 
 impl<M: Mechanism> Solver<'_, M> {
@@ -47,18 +48,12 @@ fn has_plan_for(model: &Model, at: &Instant<'_>) -> bool {
     is_usable && model.plan.exists()
 }
 
-/// True if no dimension of a joint is degenerate; `numbers` is the geometry.
-fn are_sound(model: &Model, numbers: &[f64]) -> bool {
-    model.joints.iter().all(|joint| {
-        let radii = joint.geometry.iter().filter(|piece| piece.role == Role::Radius);
-        let sum: f64 = radii.filter_map(|piece| numbers.get(piece.offset)).sum();
-        let has_centres = joint.kind != JointKind::RollingOnDisc || sum != 0.0;
-        has_centres
-            && joint.geometry.iter().all(|piece| match (piece.role, numbers.get(piece.offset..)) {
-                (Role::Axis, Some([x, y, ..])) => (x * x + y * y - 1.0).abs() <= 1e-9,
-                (Role::Radius, Some([radius, ..])) => *radius != 0.0,
-                (Role::Value, Some([value, ..])) => value.is_finite() && (*value >= 0.0 || !joint.keeps_distance()),
-                _ => true,
-            })
-    })
+/// True if no dimension of a joint is degenerate and the distances that joints keep exist; `numbers` is the geometry.
+fn are_sound(model: &'static Model, numbers: &[f64]) -> bool {
+    let exists = |joint: &JointInfo, piece: &Geometry| {
+        let value = numbers.get(piece.offset).filter(|_| piece.role == Role::Value);
+        value.is_none_or(|value| value.is_finite() && (*value >= 0.0 || !joint.keeps_distance()))
+    };
+    first_degenerate(model, numbers).is_none()
+        && model.joints.iter().all(|joint| joint.geometry.iter().all(|piece| exists(joint, piece)))
 }
