@@ -9,7 +9,7 @@ use crate::error::{Degeneracy, SolveError};
 use crate::model::{JointInfo, JointKind, Model, Role};
 use crate::signal::Instant;
 
-/// Deviation of a unit vector's length from 1 that exceeds rounding.
+/// Deviation of the square of a unit vector's length from 1 that exceeds rounding.
 const UNIT: f64 = 1e-9;
 
 /// The first joint with a degenerate dimension; `numbers` is the geometry at an instant.
@@ -34,7 +34,7 @@ fn degenerate_radius(joint: &JointInfo, numbers: &[f64]) -> Option<Degeneracy> {
 fn axis(joint: &JointInfo, numbers: &[f64]) -> Option<Degeneracy> {
     let mut axes = joint.geometry.iter().filter(|geometry| geometry.role == Role::Axis);
     let is_unit = |offset: usize| match numbers.get(offset..offset + 2) {
-        Some(&[x, y]) => (x.hypot(y) - 1.0).abs() <= UNIT,
+        Some(&[x, y]) => (x * x + y * y - 1.0).abs() <= UNIT,
         _ => true,
     };
     axes.any(|axis| !is_unit(axis.offset)).then_some(Degeneracy::Axis)
