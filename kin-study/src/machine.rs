@@ -117,10 +117,10 @@ fn inputs(model: &Model, study: &Study) -> Result<Vec<Signal<f64>>, StudyError> 
             StudyError::description(message).on_line(study.line("motion"))
         })?);
     }
-    let span = if last == first { 1.0 } else { last - first };
     let at = |t: f64| {
         ramps.iter().map(move |ramp| {
-            let rate = (ramp.to - ramp.from) / span;
+            // At a single instant nothing changes.
+            let rate = if last == first { 0.0 } else { (ramp.to - ramp.from) / (last - first) };
             Signal::new(ramp.from + rate * (t - first), rate, 0.0)
         })
     };

@@ -85,7 +85,8 @@ pub enum Closures {
     All,
 }
 
-/// An input of the mechanism over the motion: it changes from one value to another at a constant rate.
+/// An input of the mechanism over the motion: it changes from one value to another at a constant rate. At a single instant
+/// it has the first value and rests.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ramp {
     /// Its value at the first instant.

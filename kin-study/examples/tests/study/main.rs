@@ -16,6 +16,7 @@ mod press;
 mod clusters;
 mod forces;
 mod identity;
+mod inputs;
 mod paths;
 #[cfg(target_os = "linux")]
 mod processes;
