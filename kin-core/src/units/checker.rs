@@ -1,7 +1,7 @@
 //! The state of the check of units.
 
 use super::parse::{UnknownUnit, angle_factor, parse};
-use super::unit::{Unit, near};
+use super::unit::Unit;
 use crate::error::{ModelError, Origin};
 use crate::mechanism::{Formula, Mechanism, Member};
 use QuantityUnit::{Any, Of};
@@ -106,11 +106,8 @@ pub(super) fn base(mechanism: &Mechanism, kind: usize) -> Option<BaseUnit<'_>> {
 
 /// The first unit of length, time or mass in a unit such as `mm/s`.
 fn base_in<'m>(name: &'m str, text: &'m str, kind: usize) -> Option<BaseUnit<'m>> {
-    let symbols = text.split(|c: char| !c.is_alphabetic());
-    let mut bases = symbols
-        .filter_map(|symbol| parse(symbol).ok().map(|unit| (unit, symbol)))
-        .filter(|(unit, _)| near(unit.powers[kind], 1.0));
-    let (unit, symbol) = bases.find(|(unit, _)| unit.powers.iter().sum::<f64>() == 1.0)?;
+    let mut symbols = text.split(|c: char| !c.is_alphabetic()).filter_map(|symbol| Some((parse(symbol).ok()?, symbol)));
+    let (unit, symbol) = symbols.find(|(unit, _)| unit.is_like(Unit::base(kind, 1.0)))?;
     unit.scale.map(|scale| BaseUnit { name, scale, symbol, alone: symbol == text.trim() })
 }
 

@@ -61,6 +61,20 @@ fn one_wrong_unit_is_the_one_that_is_told() {
     );
 }
 
+/// An energy is no mass, although J contains kg: couples in N·m beside lengths in mm are the couples of some unit of mass.
+#[test]
+fn a_unit_of_energy_is_no_unit_of_mass() {
+    let energies = ["J", "kJ"].map(|unit| {
+        format!(
+            "#[bodies(crank)] #[revolute(O: ground @ (0, 0), crank @ (l, 0))] #[driver(drive: crank.phi = t)]
+            #[torque(load: crank = m)] #[define(e = e0*crank.phi)]
+            struct S {{ #[param(1, unit = \"mm\")] l: f64, #[param(1, unit = \"N*m\")] m: f64,
+                #[param(1, unit = \"{unit}\")] e0: f64 }}"
+        )
+    });
+    assert_eq!([const { Vec::<String>::new() }; 2], energies.map(|source| errors(&source)));
+}
+
 /// The units that are derived for the names of a description.
 fn derived(source: &str) -> units::Units {
     match analyse(tokens(""), tokens(source)).1 {
