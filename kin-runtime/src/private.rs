@@ -31,9 +31,9 @@ pub mod locals {
         ($($name:ident)*) => { $(pub const fn $name() {})* };
     }
     names! {
-        arguments at eta forces gamma generalized geometry guesses index joint k lengths observations out p parameters phi phi_q phi_t q q_ddot
-        acceleration b branches closures correction depth held margins modes position q_dot right s solved start subset t this u unknowns value velocity
-        workspace x
+        acceleration arguments at b branches closeness correction curves depth eta factors forces gamma generalized
+        geometry guesses index joint k lengths loads margins modes observations out p parameters phi phi_q phi_t
+        position q q_ddot q_dot right s saved solved start subset t turns u unknowns value velocity workspace x
     }
 }
 
