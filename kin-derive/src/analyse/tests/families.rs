@@ -1,4 +1,5 @@
 use super::{errors, good, one_error};
+use crate::analyse::derive_equations;
 use kin_core::joints::{Driver, Revolute};
 use kin_core::mechanism::{BodyOrigin, BodyRef, Formula, GuessTarget, Index, Range, TypedOperands};
 
@@ -157,4 +158,15 @@ fn an_index_variable_has_a_name_of_its_own() {
     );
     // Rows have names of their own.
     assert!(errors(&chain("#[angle(X[N in 0..2]: link[N] = N)]")).is_empty());
+}
+
+#[test]
+fn a_division_by_zero_says_at_which_index() {
+    for (divisor, message) in
+        [("i - 1", "division by zero where the index variable is 1"), ("s[1] - s[1]", "division by zero")]
+    {
+        let lowered = good(&chain(&format!("#[define(w[i in 0..2] = 1/({divisor}))]")));
+        let error = derive_equations(&lowered).map(|_| ()).unwrap_err();
+        assert_eq!(message, error.to_string());
+    }
 }
