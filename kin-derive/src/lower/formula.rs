@@ -47,11 +47,11 @@ impl Lowerer<'_> {
             }
             ExprKind::Pow(a, n) => {
                 let power = Formula::Pow(Box::new(self.formula(a, scope)?), *n);
-                self.with_value(power, expr.span)?
+                self.with_values(power, expr.span, scope.range)?
             }
             ExprKind::Call(function, a) => {
                 let call = Formula::Call(*function, Box::new(self.formula(a, scope)?));
-                self.with_value(call, expr.span)?
+                self.with_values(call, expr.span, scope.range)?
             }
             ExprKind::Atan2(y, x) => {
                 let (y, x) = (self.formula(y, scope), self.formula(x, scope));

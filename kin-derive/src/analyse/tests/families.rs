@@ -170,3 +170,15 @@ fn a_division_by_zero_says_at_which_index() {
         assert_eq!(message, error.to_string());
     }
 }
+
+#[test]
+fn constants_have_values_at_every_index() {
+    for (constant, why) in [
+        ("sqrt(i - 1)", "`sqrt` takes 0 or a positive number, not -1 (where `i` is 0)"),
+        ("1 + asin(i/2)", "`asin` takes a number from -1 to 1, not 1.5 (where `i` is 3)"),
+        ("pow(i - 2, -1)", "0 to the power of -1 divides by 0 (where `i` is 2)"),
+    ] {
+        one_error(&chain(&format!("#[define(w[i in 0..4] = phi0[i]*{constant})]")), &[why]);
+    }
+    assert!(errors(&chain("#[define(w[i in 1..4] = ln(i) + sqrt(l[i] - i))]")).is_empty());
+}
