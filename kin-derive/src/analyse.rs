@@ -56,10 +56,11 @@ fn check_model(lowered: &Lowered, report: &Report) {
     if rows_are_correct {
         let are_written = kin_core::units::are_written(mechanism);
         let units = if are_written { kin_core::units::check(mechanism) } else { Vec::new() };
-        if !is_complete {
-            // A statement that is degenerate, such as a length that is computed as 0, is so whatever is missing.
-            errors = kin_core::assemble(mechanism).err().unwrap_or_default();
-        } else if units.is_empty() && !errors.is_empty() {
+        if !is_complete || !units.is_empty() {
+            // A statement that is degenerate, such as a length that is computed as 0, is so whatever is missing, and
+            // whatever its units are.
+            errors.extend(kin_core::assemble(mechanism).err().unwrap_or_default());
+        } else if !errors.is_empty() {
             // Without errors, `derive_equations` checks the structure. A row whose units do not agree is probably wrong,
             // and errors about its structure would mislead.
             errors.extend(checked_equations(lowered).err().unwrap_or_default());

@@ -75,6 +75,16 @@ fn a_unit_of_energy_is_no_unit_of_mass() {
     assert_eq!([const { Vec::<String>::new() }; 2], energies.map(|source| errors(&source)));
 }
 
+/// A statement that is degenerate is so whatever its units are.
+#[test]
+fn units_do_not_hide_what_is_degenerate() {
+    let source =
+        "#[bodies(crank)] #[revolute(O: ground @ (0, 0), crank @ (l, 0))] #[driver(drive: crank.phi = w*t + 1/(2 - 2))]
+        struct S { #[param(1, unit = \"m\")] l: f64, #[param(1, unit = \"rpm\")] w: f64 }";
+    let [divisor, speed] = &errors(source)[..] else { panic!("{:?}", errors(source)) };
+    assert!(divisor.contains("division by zero") && speed.contains("units do not agree"), "{divisor}, {speed}");
+}
+
 /// The units that are derived for the names of a description.
 fn derived(source: &str) -> units::Units {
     match analyse(tokens(""), tokens(source)).1 {
