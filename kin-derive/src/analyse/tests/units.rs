@@ -83,6 +83,10 @@ fn units_do_not_hide_what_is_degenerate() {
         struct S { #[param(1, unit = \"m\")] l: f64, #[param(1, unit = \"rpm\")] w: f64 }";
     let [divisor, speed] = &errors(source)[..] else { panic!("{:?}", errors(source)) };
     assert!(divisor.contains("division by zero") && speed.contains("units do not agree"), "{divisor}, {speed}");
+    // Nor does it hide units.
+    let axis = "#[point_on_line(P: ground @ (0, 0), crank @ (0, 0), axis = (0, 0))] struct S";
+    let [axis, again] = &errors(&source.replace("1/(2 - 2)", "1").replace("struct S", axis))[..] else { panic!() };
+    assert!(axis.contains("no direction") && again == speed, "{axis}, {again}");
 }
 
 /// The units that are derived for the names of a description.
