@@ -75,6 +75,16 @@ fn a_unit_of_energy_is_no_unit_of_mass() {
     assert_eq!([const { Vec::<String>::new() }; 2], energies.map(|source| errors(&source)));
 }
 
+/// A ratio of lengths says nothing about the unit of positions.
+#[test]
+fn a_slope_is_no_length() {
+    let source = "#[bodies(block)] #[translational(O: ground @ (0, 0), block @ (0, h), axis = (1, slope/1000))]
+        #[driver(drive: block.x = v*t)]
+        struct S { #[param(2, unit = \"mm/m\")] slope: f64, #[param(1, unit = \"m/s\")] v: f64, #[param(1)] h: f64 }";
+    assert_eq!(Vec::<String>::new(), errors(source));
+    assert_eq!(Some("m"), derived(source).length.as_deref());
+}
+
 /// A statement that is degenerate is so whatever its units are.
 #[test]
 fn units_do_not_hide_what_is_degenerate() {
