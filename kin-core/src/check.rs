@@ -73,8 +73,7 @@ pub const MAX_MEMBERS: usize = 10_000;
 /// All errors of `mechanism`, ordered by origin.
 pub fn check(mechanism: &Mechanism) -> Vec<ModelError> {
     let mut errors = check_parts(mechanism);
-    // If two objects share a name, references find only one of them, and the other would seem to be unused.
-    if references_resolve(mechanism) && names::are_distinct(mechanism) {
+    if is_resolved(mechanism) {
         let before = errors.len();
         has_coordinates(mechanism, &mut errors);
         let mut of_rows = Vec::new();
@@ -123,6 +122,12 @@ fn check_rows(mechanism: &Mechanism, errors: &mut Vec<ModelError>) {
     mechanism.joints.iter().for_each(|joint| joints::check(joint, mechanism, errors));
     rows_contain_coordinates(mechanism, errors);
     velocity_rows_are_linear(mechanism, errors);
+}
+
+/// True if references lead to what they name. If two objects share a name, references find only one of them, and the other
+/// would seem to be unused.
+pub fn is_resolved(mechanism: &Mechanism) -> bool {
+    references_resolve(mechanism) && names::are_distinct(mechanism)
 }
 
 /// True if families can be expanded and references followed without cycles.

@@ -5,7 +5,7 @@
 use crate::lower::{Lowered, Outcome, lower};
 use crate::parse::parse;
 use crate::report::Report;
-use kin_core::check::{check, check_parts};
+use kin_core::check::{check, check_parts, is_resolved};
 use kin_core::{KinematicSystem, ModelError, Structure};
 use proc_macro2::{Span, TokenStream};
 use syn::ItemStruct;
@@ -53,20 +53,20 @@ fn check_model(lowered: &Lowered, report: &Report) {
     let mut errors = if is_complete { check(mechanism) } else { check_parts(mechanism) };
     // Errors that only `check` finds, such as a body without joints, do not concern the rows.
     let rows_are_correct = errors.is_empty() || (is_complete && check_parts(mechanism).is_empty());
+    let has_units = kin_core::units::are_written(mechanism) && is_resolved(mechanism);
+    let units = if has_units { kin_core::units::check(mechanism) } else { Vec::new() };
     if rows_are_correct {
-        let are_written = kin_core::units::are_written(mechanism);
-        let units = if are_written { kin_core::units::check(mechanism) } else { Vec::new() };
-        if !is_complete {
-            // A statement that is degenerate, such as a length that is computed as 0, is so whatever is missing.
-            errors = kin_core::assemble(mechanism).err().unwrap_or_default();
-        } else if units.is_empty() && !errors.is_empty() {
+        if !is_complete || !units.is_empty() {
+            // A statement that is degenerate, such as a length that is computed as 0, is so whatever is missing, and
+            // whatever its units are.
+            errors.extend(kin_core::assemble(mechanism).err().unwrap_or_default());
+        } else if !errors.is_empty() {
             // Without errors, `derive_equations` checks the structure. A row whose units do not agree is probably wrong,
             // and errors about its structure would mislead.
             errors.extend(checked_equations(lowered).err().unwrap_or_default());
         }
-        errors.extend(units);
     }
-    for error in errors {
+    for error in errors.into_iter().chain(units) {
         report.error(lowered.span(error.origin), error.message);
     }
 }

@@ -31,9 +31,9 @@ pub mod locals {
         ($($name:ident)*) => { $(pub const fn $name() {})* };
     }
     names! {
-        arguments at eta forces gamma generalized geometry guesses index joint k lengths observations out p parameters phi phi_q phi_t q q_ddot
-        acceleration b branches closures correction depth held margins modes position q_dot right s solved start subset t this u unknowns value velocity
-        workspace x
+        acceleration arguments at b branches closeness correction curves depth eta factors forces gamma generalized
+        geometry guesses index joint k lengths loads margins modes observations out p parameters phi phi_q phi_t
+        position q q_ddot q_dot right s saved solved start subset t turns u unknowns value velocity workspace x
     }
 }
 
@@ -62,59 +62,47 @@ pub fn one_by_one() {
     }
 }
 
-/// A field that holds parameters: a number or an array of numbers.
+/// A parameter: a field that holds a number, or an element of an array field.
+///
+/// Arrays are no parameters: what the macro takes for a single number, because its type is the name of an array type, is
+/// an error.
 #[diagnostic::on_unimplemented(
-    message = "a parameter of a mechanism is a number or an array of numbers, and `{Self}` is neither",
-    label = "`f64`, `f32`, or an array of them",
+    message = "a parameter is a number, or an array of numbers whose length the struct shows, and `{Self}` is neither",
+    label = "`f64`, `f32`, or an array of them, `[f64; 3]`",
     note = "a field that holds a function is declared with `#[function(name)]` above the struct"
 )]
 pub trait Parameter {
-    /// The number at `index`.
-    fn get(&self, index: usize) -> f64;
-    /// Sets the number at `index`; false when there is none.
-    fn set(&mut self, index: usize, value: f64) -> bool;
-    /// The field with these numbers.
-    fn from_values(values: &[f64]) -> Self;
+    /// The number.
+    fn get(&self) -> f64;
+    /// Sets the number.
+    fn set(&mut self, value: f64);
+    /// The number `value` in this type.
+    fn from_value(value: f64) -> Self;
 }
 
 impl Parameter for f64 {
     #[inline(always)]
-    fn get(&self, _index: usize) -> f64 {
+    fn get(&self) -> f64 {
         *self
     }
-    fn set(&mut self, index: usize, value: f64) -> bool {
+    fn set(&mut self, value: f64) {
         *self = value;
-        index == 0
     }
-    fn from_values(values: &[f64]) -> Self {
-        values.first().copied().unwrap_or(0.0)
+    fn from_value(value: f64) -> Self {
+        value
     }
 }
 
 impl Parameter for f32 {
     #[inline(always)]
-    fn get(&self, _index: usize) -> f64 {
+    fn get(&self) -> f64 {
         f64::from(*self)
     }
-    fn set(&mut self, index: usize, value: f64) -> bool {
+    fn set(&mut self, value: f64) {
         *self = value as f32;
-        index == 0
     }
-    fn from_values(values: &[f64]) -> Self {
-        values.first().copied().unwrap_or(0.0) as f32
-    }
-}
-
-impl<P: Parameter, const N: usize> Parameter for [P; N] {
-    #[inline(always)]
-    fn get(&self, index: usize) -> f64 {
-        self[index].get(0)
-    }
-    fn set(&mut self, index: usize, value: f64) -> bool {
-        self.get_mut(index).is_some_and(|element| element.set(0, value))
-    }
-    fn from_values(values: &[f64]) -> Self {
-        core::array::from_fn(|k| P::from_values(values.get(k..).unwrap_or_default()))
+    fn from_value(value: f64) -> Self {
+        value as f32
     }
 }
 

@@ -69,7 +69,7 @@ mod constants {
         ($($name:ident)*) => { $(const $name: &str = "the user's";)* };
     }
     named!(at gamma geometry guesses index joint k observations out p parameters phi phi_q phi_t q q_dot s subset u value w
-        workspace x this difference v0 v1 v2 v3 s0 s1 c0 c1 d0 e0 f0);
+        workspace x this difference v0 v1 v2 v3 s0 s1 c0 c1 d0 e0 f0 branches closeness curves factors loads saved turns);
     static t: f64 = 1.0;
 
     #[kin_runtime::mechanism(cross_check)]
@@ -79,6 +79,7 @@ mod constants {
     #[x(slot: pin @ (0, 0) = 0)]
     #[on_curve(rim: arm @ (l[0], 0), pin @ (0, 0), polar(theta) = l[0] + 0.1 * cos(theta))]
     #[driver(drive: arm.phi = sin(speed * t) + t * t)]
+    #[torque(brake: arm = -speed)]
     #[point(tip = arm @ (l[1], 0))]
     #[guess(arm.x = speed, pin.y = 1)]
     struct Arm {

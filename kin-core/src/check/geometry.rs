@@ -17,7 +17,7 @@ pub(super) fn joints_join_two_bodies(mechanism: &Mechanism, errors: &mut Vec<Mod
         if let Some(body) = mechanism.common_member(joint.range, a, b) {
             let message =
                 format!("{keyword} `{name}` joins `{body}` with itself; its operands belong to two different bodies");
-            errors.push(ModelError::new(joint.operands.second_origin().unwrap_or(joint.origin), message));
+            errors.push(ModelError::new(b.origin(), message));
         }
     }
 }

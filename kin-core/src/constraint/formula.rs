@@ -2,7 +2,7 @@
 
 use super::assembly::Assembly;
 use crate::expr::{ExprId, Symbol, total_derivatives};
-use crate::mechanism::{Component, Formula, Member};
+use crate::mechanism::{Component, Formula, Member, nodes};
 
 impl Assembly<'_> {
     /// The index in q of a scalar coordinate for the current index variable, if it exists.
@@ -127,10 +127,12 @@ impl Assembly<'_> {
                     let b = self.formula(b);
                     self.graph.mul(value, b)
                 }
-                Formula::Div(_, b, origin) => {
-                    let b = self.formula(b);
+                Formula::Div(_, divisor, origin) => {
+                    let b = self.formula(divisor);
                     if self.graph.is_zero(b) {
-                        self.error(*origin, "division by zero")
+                        let in_family = nodes(divisor).iter().any(|node| matches!(node, Formula::Index(_)));
+                        let at = in_family.then(|| format!(" where the index variable is {}", self.index));
+                        self.error(*origin, format!("division by zero{}", at.unwrap_or_default()))
                     } else {
                         self.graph.div(value, b)
                     }

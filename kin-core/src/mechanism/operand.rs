@@ -232,21 +232,8 @@ impl Operands {
 
     /// The two bodies that the statement connects; `None` if it does not connect exactly two.
     pub fn joined(&self) -> Option<[BodyRef; 2]> {
-        let bodies: Vec<BodyRef> = self.written().flat_map(Operand::bodies).collect();
+        let written = self.iter().filter(|(slot, _)| slot.written == Written::Operand);
+        let bodies: Vec<BodyRef> = written.flat_map(|(_, operand)| operand.bodies()).collect();
         <[BodyRef; 2]>::try_from(bodies).ok()
-    }
-
-    /// The tokens of the second positional operand.
-    pub fn second_origin(&self) -> Option<Origin> {
-        self.written().nth(1).and_then(|operand| match operand {
-            Operand::Point(place) => Some(place.origin),
-            Operand::Body(body) => Some(body.origin()),
-            _ => None,
-        })
-    }
-
-    /// The positional operands.
-    fn written(&self) -> impl Iterator<Item = &Operand> {
-        self.iter().filter(|(slot, _)| slot.written == Written::Operand).map(|(_, operand)| operand)
     }
 }

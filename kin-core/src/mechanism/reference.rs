@@ -62,6 +62,14 @@ impl BodyRef {
         }
     }
 
+    /// A reference to the same body at another token.
+    pub const fn at(self, origin: Origin) -> Self {
+        match self {
+            Self::Ground(_) => Self::Ground(origin),
+            Self::Body { family, index, .. } => Self::Body { family, index, origin },
+        }
+    }
+
     /// True for the ground.
     pub const fn is_ground(&self) -> bool {
         matches!(self, Self::Ground(_))

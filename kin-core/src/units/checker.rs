@@ -1,7 +1,7 @@
 //! The state of the check of units.
 
-use super::parse::{UnknownUnit, angle_factor, parse};
-use super::unit::{Unit, near};
+use super::parse::{UnknownUnit, angle_factor, factors, parse};
+use super::unit::Unit;
 use crate::error::{ModelError, Origin};
 use crate::mechanism::{Formula, Mechanism, Member};
 use QuantityUnit::{Any, Of};
@@ -104,14 +104,15 @@ pub(super) fn base(mechanism: &Mechanism, kind: usize) -> Option<BaseUnit<'_>> {
     all.iter().rev().max_by_key(|base| uses(base)).copied()
 }
 
-/// The first unit of length, time or mass in a unit such as `mm/s`.
+/// The first unit of length, time or mass in a unit such as `mm/s`; none if such units cancel, as in `mm/m`.
 fn base_in<'m>(name: &'m str, text: &'m str, kind: usize) -> Option<BaseUnit<'m>> {
-    let symbols = text.split(|c: char| !c.is_alphabetic());
-    let mut bases = symbols
-        .filter_map(|symbol| parse(symbol).ok().map(|unit| (unit, symbol)))
-        .filter(|(unit, _)| near(unit.powers[kind], 1.0));
-    let (unit, symbol) = bases.find(|(unit, _)| unit.powers.iter().sum::<f64>() == 1.0)?;
-    unit.scale.map(|scale| BaseUnit { name, scale, symbol, alone: symbol == text.trim() })
+    let read = |(symbol, power)| Some((parse(symbol).ok()?, symbol, power));
+    let is_of_kind = |(unit, ..): &(Unit, &str, f64)| unit.is_like(Unit::base(kind, 1.0));
+    let found: Vec<_> = factors(text).filter_map(read).filter(is_of_kind).collect();
+    let &(unit, symbol, _) = found.first()?;
+    let cancels = found.iter().map(|(.., power)| power).sum::<f64>() == 0.0;
+    let scale = unit.scale.filter(|_| !cancels)?;
+    Some(BaseUnit { name, scale, symbol, alone: symbol == text.trim() })
 }
 
 impl<'m> Checker<'m> {

@@ -145,7 +145,7 @@ pub(super) fn hertz(text: &str) -> f64 {
 }
 
 /// The symbols in a valid unit, with their powers.
-fn factors(text: &str) -> impl Iterator<Item = (&str, f64)> {
+pub(super) fn factors(text: &str) -> impl Iterator<Item = (&str, f64)> {
     text.trim().split('/').enumerate().flat_map(|(k, quotient)| {
         quotient.trim().split(['*', '·', '⋅', '.', ' ']).enumerate().map(move |(n, factor)| {
             let (name, power) = powered(factor).unwrap_or((factor, 0.0));

@@ -49,10 +49,11 @@ fn element(ty: &Type) -> &Type {
 /// The types of all supplied functions.
 pub(crate) fn types(lowered: &Lowered) -> impl Iterator<Item = &Type> {
     let is_function = |role| matches!(role, FieldRole::Function(_));
-    lowered.fields.iter().filter(move |field| is_function(field.role)).map(function_type)
+    lowered.fields.iter().filter(move |field| is_function(field.role)).map(element_type)
 }
 
-pub(super) fn function_type(field: &Field) -> &Type {
+/// The type of a field, or of the elements of an array field.
+pub(super) fn element_type(field: &Field) -> &Type {
     if field.len.is_some() { element(&field.ty) } else { &field.ty }
 }
 

@@ -1,5 +1,6 @@
 //! The parameters of a mechanism: from fields to numbers, and back.
 
+use super::functions::element_type;
 use super::generics::bounded;
 use super::handles::mentions;
 use super::instructions::literal;
@@ -10,7 +11,7 @@ use quote::quote;
 /// A field with the indices of its parameters.
 struct ParameterField<'a> {
     ident: &'a proc_macro2::Ident,
-    /// The type with the user's span, where the compiler reports a type that is not a number.
+    /// The type of its numbers with the user's span, where the compiler reports a type that is not a number.
     ty: &'a syn::Type,
     len: Option<usize>,
     first: usize,
@@ -29,7 +30,7 @@ fn fields(lowered: &Lowered) -> Vec<ParameterField<'_>> {
         .map(|(field, parameter)| {
             let of_parameter = ParameterField {
                 ident: &field.ident,
-                ty: &field.ty,
+                ty: element_type(field),
                 len: parameter.len,
                 first,
                 default: parameter.default.as_deref(),
@@ -50,10 +51,10 @@ pub(crate) fn read(lowered: &Lowered) -> TokenStream {
         let ty = field.ty;
         let get = quote! { <#ty as __kin::Parameter>::get };
         match field.len {
-            None => quote! { out[#first] = <__T as __kin::Scalar>::from_f64(#get(&self.#ident, 0)); },
+            None => quote! { out[#first] = <__T as __kin::Scalar>::from_f64(#get(&self.#ident)); },
             Some(len) => quote! {
                 for k in 0..#len {
-                    out[#first + k] = <__T as __kin::Scalar>::from_f64(#get(&self.#ident, k));
+                    out[#first + k] = <__T as __kin::Scalar>::from_f64(#get(&self.#ident[k]));
                 }
             },
         }
@@ -81,8 +82,9 @@ pub(crate) fn own(lowered: &Lowered, scalar: &proc_macro2::Ident) -> TokenStream
         (0..field.len.unwrap_or(1)).map(move |k| match (field.scalar, field.len) {
             (Some(_), None) => quote! { self.#ident },
             (Some(_), Some(_)) => quote! { self.#ident[#k] },
-            (None, _) => {
-                quote! { <#scalar as __kin::Scalar>::from_f64(<#ty as __kin::Parameter>::get(&self.#ident, #k)) }
+            (None, len) => {
+                let index = len.map(|_| quote! { [#k] });
+                quote! { <#scalar as __kin::Scalar>::from_f64(<#ty as __kin::Parameter>::get(&self.#ident #index)) }
             }
         })
     });
@@ -98,8 +100,8 @@ pub(crate) fn write(lowered: &Lowered) -> TokenStream {
     let arms = fields(lowered).into_iter().filter(|field| field.len != Some(0)).map(|field| {
         let (ident, first) = (field.ident, field.first);
         let last = first + field.len.unwrap_or(1);
-        let ty = field.ty;
-        quote! { #first..#last => <#ty as __kin::Parameter>::set(&mut self.#ident, index - #first, value), }
+        let (ty, index) = (field.ty, field.len.map(|_| quote! { [index - #first] }));
+        quote! { #first..#last => { <#ty as __kin::Parameter>::set(&mut self.#ident #index, value); true } }
     });
     quote! {
         fn set_parameter(&mut self, index: usize, value: f64) -> bool {
@@ -127,7 +129,8 @@ pub(crate) fn default(lowered: &Lowered) -> TokenStream {
         let values = values.iter().map(|value| literal(*value));
         let ty = field.ty;
         match (field.scalar, field.len) {
-            (None, _) => quote! { #ident: <#ty as __kin::Parameter>::from_values(&[#(#values),*]), },
+            (None, None) => quote! { #ident: #(<#ty as __kin::Parameter>::from_value(#values))*, },
+            (None, Some(_)) => quote! { #ident: [#(#values),*].map(<#ty as __kin::Parameter>::from_value), },
             (Some(scalar), None) => quote! { #ident: #(<#scalar as __kin::Scalar>::from_f64(#values))*, },
             (Some(scalar), Some(_)) => quote! { #ident: [#(<#scalar as __kin::Scalar>::from_f64(#values)),*], },
         }

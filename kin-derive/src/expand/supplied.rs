@@ -1,7 +1,7 @@
 //! The items for supplied functions: a private trait with a method for each, and the methods that evaluate them by
 //! index.
 
-use super::functions::{calls, derivatives_helper, enclosure_helper, fields, function_type, helper};
+use super::functions::{calls, derivatives_helper, element_type, enclosure_helper, fields, helper};
 use super::generics::of_functions;
 use crate::lower::Lowered;
 use proc_macro2::{Literal, TokenStream};
@@ -14,7 +14,7 @@ use quote::quote;
 pub(crate) fn helpers(lowered: &Lowered) -> TokenStream {
     let (mut heads, mut bodies) = (Vec::new(), Vec::new());
     for (number, field) in fields(lowered).enumerate().filter(|(_, field)| field.len != Some(0)) {
-        let (helper, ident, ty) = (helper(number), &field.ident, function_type(field));
+        let (helper, ident, ty) = (helper(number), &field.ident, element_type(field));
         let derivatives = derivatives_helper(number);
         let (index, function) = match field.len {
             None => (None, quote! { &self.#ident }),

@@ -1,8 +1,11 @@
 //! The rule for constant parts of a formula: they have a value.
 
 use super::lowerer::Lowerer;
+use super::range::IndexRange;
+use super::substitute;
+use crate::ast::text;
 use crate::function::value;
-use kin_core::mechanism::{Formula, Function};
+use kin_core::mechanism::{Formula, Function, Index};
 use proc_macro2::Span;
 
 impl Lowerer<'_> {
@@ -12,6 +15,20 @@ impl Lowerer<'_> {
             Some(value) if !value.is_finite() => self.refuse(span, self.why(&formula)),
             _ => Some(formula),
         }
+    }
+
+    /// The same for every index of a range.
+    pub(super) fn with_values(&self, formula: Formula, span: Span, range: &IndexRange) -> Option<Formula> {
+        if let (IndexRange::Over(range), None) = (range, self.constant(&formula)) {
+            let members = (range.start..range.end).map(|i| (i, substitute::formula(&formula, Index::constant(i))));
+            // Without a value at one index, the formula contains more than numbers and the index variable.
+            let mut values = members.map_while(|(i, member)| Some((i, self.constant(&member)?, member)));
+            if let Some((i, _, member)) = values.find(|(_, value, _)| !value.is_finite()) {
+                let message = format!("{} (where `{}` is {i})", self.why(&member), text(&range.variable));
+                return self.refuse(span, message);
+            }
+        }
+        self.with_value(formula, span)
     }
 
     /// The value of a formula of numbers, `pi` and constant defines.
@@ -33,6 +50,7 @@ impl Lowerer<'_> {
             // −0 + 0 is +0.
             Formula::Atan2(y, x) => (self.constant(y)? + 0.0).atan2(self.constant(x)?),
             Formula::Define(member) => (*self.constants.get(member.family)?)?,
+            Formula::Index(index) if index.scale == 0 => index.offset as f64,
             Formula::Index(_)
             | Formula::Time
             | Formula::Parameter(_)

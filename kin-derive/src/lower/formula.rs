@@ -47,11 +47,11 @@ impl Lowerer<'_> {
             }
             ExprKind::Pow(a, n) => {
                 let power = Formula::Pow(Box::new(self.formula(a, scope)?), *n);
-                self.with_value(power, expr.span)?
+                self.with_values(power, expr.span, scope.range)?
             }
             ExprKind::Call(function, a) => {
                 let call = Formula::Call(*function, Box::new(self.formula(a, scope)?));
-                self.with_value(call, expr.span)?
+                self.with_values(call, expr.span, scope.range)?
             }
             ExprKind::Atan2(y, x) => {
                 let (y, x) = (self.formula(y, scope), self.formula(x, scope));
@@ -150,19 +150,16 @@ impl Lowerer<'_> {
             Symbol::Scalar(family) if self.inside.is_parameter(family, index) && scope.allow == Allow::Signals => {
                 Some(Formula::Scalar(Member { family, index, origin }))
             }
-            Symbol::Scalar(family) if scope.allow == Allow::Scalars => {
-                self.reached = self.reached.max(Class::Coordinate);
-                Some(Formula::Scalar(Member { family, index, origin }))
-            }
             Symbol::Scalar(family) => {
-                self.require(Class::Coordinate, &format!("`{name}` is a coordinate"), (span, span), scope)?;
+                self.require(Class::Scalar, &format!("`{name}` is a coordinate"), (span, span), scope)?;
                 Some(Formula::Scalar(Member { family, index, origin }))
             }
             Symbol::Define(family) => {
                 // A define with errors has been reported.
                 let class = self.defines.get(family)?.as_ref()?.1;
                 let depends = match class {
-                    Class::Coordinate => "coordinates",
+                    Class::Coordinate if scope.allow == Allow::Scalars => "coordinates of bodies",
+                    Class::Coordinate | Class::Scalar => "coordinates",
                     Class::Signal | Class::Constant => "`t` or inputs",
                 };
                 self.require(class, &format!("the define `{name}` contains {depends}"), (span, span), scope)?;

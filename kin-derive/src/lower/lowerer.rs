@@ -20,7 +20,9 @@ pub(super) enum Class {
     Constant,
     /// In addition t and inputs.
     Signal,
-    /// In addition coordinates.
+    /// In addition scalar coordinates.
+    Scalar,
+    /// In addition coordinates of bodies.
     Coordinate,
 }
 

@@ -117,8 +117,9 @@ impl Lowerer<'_> {
         range: &IndexRange,
     ) -> Option<Place> {
         let index = self.member(used, declared, range)?;
-        let place = self.points.get(k)?.as_ref()?.place.clone();
+        let place = substitute::place(&self.points.get(k)?.as_ref()?.place, index);
+        // What is wrong with the body of a point, here, is not wrong where the point is declared.
         let origin = self.origin(used.ident.span());
-        Some(Place { origin, ..substitute::place(&place, index) })
+        Some(Place { body: place.body.at(origin), origin, ..place })
     }
 }

@@ -24,7 +24,8 @@ impl Allow {
     pub(super) const fn class(self) -> Class {
         match self {
             Self::Parameters => Class::Constant,
-            Self::Signals | Self::Scalars => Class::Signal,
+            Self::Signals => Class::Signal,
+            Self::Scalars => Class::Scalar,
             Self::Everything | Self::InsideDot | Self::Rates => Class::Coordinate,
         }
     }

@@ -27,7 +27,8 @@ fn compose(outer: Index, inner: Index) -> Index {
     }
 }
 
-fn formula(f: &Formula, at: Index) -> Formula {
+/// `f` with `at` substituted for its index variable.
+pub(super) fn formula(f: &Formula, at: Index) -> Formula {
     let inside = |a: &Formula| Box::new(formula(a, at));
     match f {
         Formula::Number(_) | Formula::Pi | Formula::Time | Formula::Curve(_) => f.clone(),

@@ -48,4 +48,15 @@ struct NothingToPull;
 #[masses(crank @ (0, 0), mass = 1)]
 struct Slips;
 
+/// A point is declared in one place, and wrong in another.
+#[mechanism]
+#[bodies(crank)]
+#[point(pivot = ground @ (0, 0), tip = crank @ (1, 0))]
+#[revolute(O: pivot, crank @ (0, 0))]
+#[driver(drive: crank.phi = t)]
+#[mass(pivot, mass = 1)]
+#[spring(S: crank @ (0, 0), tip, stiffness = 1)]
+#[rope(R: crank @ (0, 0), tip, length = 1)]
+struct Named;
+
 fn main() {}

@@ -105,6 +105,16 @@ struct Words {
 
 pub struct Length(pub f64);
 
+/// An array whose length the struct does not show: `l` would be its first element alone.
+#[mechanism]
+#[coordinates(u)]
+#[driver(drive: u = l * t)]
+struct Hidden {
+    l: Lengths,
+}
+
+type Lengths = [f64; 3];
+
 /// An undeclared field whose type is known to the compiler only.
 #[mechanism]
 #[coordinates(u)]

@@ -1,4 +1,5 @@
 use super::{errors, good, one_error};
+use crate::analyse::derive_equations;
 use kin_core::joints::{Driver, Revolute};
 use kin_core::mechanism::{BodyOrigin, BodyRef, Formula, GuessTarget, Index, Range, TypedOperands};
 
@@ -157,4 +158,27 @@ fn an_index_variable_has_a_name_of_its_own() {
     );
     // Rows have names of their own.
     assert!(errors(&chain("#[angle(X[N in 0..2]: link[N] = N)]")).is_empty());
+}
+
+#[test]
+fn a_division_by_zero_says_at_which_index() {
+    for (divisor, message) in
+        [("i - 1", "division by zero where the index variable is 1"), ("s[1] - s[1]", "division by zero")]
+    {
+        let lowered = good(&chain(&format!("#[define(w[i in 0..2] = 1/({divisor}))]")));
+        let error = derive_equations(&lowered).map(|_| ()).unwrap_err();
+        assert_eq!(message, error.to_string());
+    }
+}
+
+#[test]
+fn constants_have_values_at_every_index() {
+    for (constant, why) in [
+        ("sqrt(i - 1)", "`sqrt` takes 0 or a positive number, not -1 (where `i` is 0)"),
+        ("1 + asin(i/2)", "`asin` takes a number from -1 to 1, not 1.5 (where `i` is 3)"),
+        ("pow(i - 2, -1)", "0 to the power of -1 divides by 0 (where `i` is 2)"),
+    ] {
+        one_error(&chain(&format!("#[define(w[i in 0..4] = phi0[i]*{constant})]")), &[why]);
+    }
+    assert!(errors(&chain("#[define(w[i in 1..4] = ln(i) + sqrt(l[i] - i))]")).is_empty());
 }

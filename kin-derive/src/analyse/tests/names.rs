@@ -1,4 +1,4 @@
-use super::{errors, one_error, pendulum};
+use super::{errors, good, one_error, pendulum};
 
 #[test]
 fn unknown_names_come_with_a_suggestion() {
@@ -72,6 +72,10 @@ fn only_what_makes_sense_stands_in_its_place() {
     one_error(&pendulum("#[translational(B: crank @ (0, 0), ground @ (0, 0), axis = (t, 1))]"), &["an axis takes"]);
     one_error(&pendulum("#[guess(crank.phi = t)]"), &["a guess takes"]);
     one_error(&pendulum("#[body(w, x = crank.x)] #[angle(B: w = 0)]"), &["a held coordinate takes"]);
+    // Through a define, too, which may contain what a held coordinate takes.
+    let through = "#[define(d = crank.x)] #[body(w, x = d)] #[angle(B: w = 0)]";
+    one_error(&pendulum(through), &["`d` contains coordinates of bodies; a held coordinate takes"]);
+    good("#[coordinates(s)] #[define(d = 2*s + t)] #[body(w, x = 0, y = 0, phi = d)] #[driver(c: s = t)] struct S;");
     one_error(
         &pendulum("#[define(s = crank.x)] #[x(B: crank @ (s, 0) = 0)]"),
         &["the define `s` contains coordinates"],

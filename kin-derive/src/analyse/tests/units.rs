@@ -61,6 +61,44 @@ fn one_wrong_unit_is_the_one_that_is_told() {
     );
 }
 
+/// An energy is no mass, although J contains kg: couples in N·m beside lengths in mm are the couples of some unit of mass.
+#[test]
+fn a_unit_of_energy_is_no_unit_of_mass() {
+    let energies = ["J", "kJ"].map(|unit| {
+        format!(
+            "#[bodies(crank)] #[revolute(O: ground @ (0, 0), crank @ (l, 0))] #[driver(drive: crank.phi = t)]
+            #[torque(load: crank = m)] #[define(e = e0*crank.phi)]
+            struct S {{ #[param(1, unit = \"mm\")] l: f64, #[param(1, unit = \"N*m\")] m: f64,
+                #[param(1, unit = \"{unit}\")] e0: f64 }}"
+        )
+    });
+    assert_eq!([const { Vec::<String>::new() }; 2], energies.map(|source| errors(&source)));
+}
+
+/// A ratio of lengths says nothing about the unit of positions.
+#[test]
+fn a_slope_is_no_length() {
+    let source = "#[bodies(block)] #[translational(O: ground @ (0, 0), block @ (0, h), axis = (1, slope/1000))]
+        #[driver(drive: block.x = v*t)]
+        struct S { #[param(2, unit = \"mm/m\")] slope: f64, #[param(1, unit = \"m/s\")] v: f64, #[param(1)] h: f64 }";
+    assert_eq!(Vec::<String>::new(), errors(source));
+    assert_eq!(Some("m"), derived(source).length.as_deref());
+}
+
+/// A statement that is degenerate is so whatever its units are.
+#[test]
+fn units_do_not_hide_what_is_degenerate() {
+    let source =
+        "#[bodies(crank)] #[revolute(O: ground @ (0, 0), crank @ (l, 0))] #[driver(drive: crank.phi = w*t + 1/(2 - 2))]
+        struct S { #[param(1, unit = \"m\")] l: f64, #[param(1, unit = \"rpm\")] w: f64 }";
+    let [divisor, speed] = &errors(source)[..] else { panic!("{:?}", errors(source)) };
+    assert!(divisor.contains("division by zero") && speed.contains("units do not agree"), "{divisor}, {speed}");
+    // Nor does it hide units.
+    let axis = "#[point_on_line(P: ground @ (0, 0), crank @ (0, 0), axis = (0, 0))] struct S";
+    let [axis, again] = &errors(&source.replace("1/(2 - 2)", "1").replace("struct S", axis))[..] else { panic!() };
+    assert!(axis.contains("no direction") && again == speed, "{axis}, {again}");
+}
+
 /// The units that are derived for the names of a description.
 fn derived(source: &str) -> units::Units {
     match analyse(tokens(""), tokens(source)).1 {
