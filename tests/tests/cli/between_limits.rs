@@ -92,6 +92,14 @@ fn rows_are_counted_as_steps_are() {
     }
 }
 
+/// The start halfway between the limits is one instant, not two that differ by rounding.
+#[test]
+fn an_instant_at_the_start_is_the_start() {
+    let (whole, _) = swept("swinging sweep --from limit --to limit --steps 2");
+    let times = times(&whole);
+    assert!(times.windows(2).all(|pair| pair[1] - pair[0] > 0.5) && times.contains(&0.0), "{times:?}");
+}
+
 /// The contact is the same, whether the motion is followed from one end or from between.
 #[test]
 fn contacts_have_the_sense_of_the_motion() {

@@ -170,3 +170,25 @@ fn tables_have_the_efforts_of_given_coordinates_and_of_inputs() {
         assert_eq!(effort, cell(&command.replace("forces", "solve --forces"), &format!("{name}.effort")));
     }
 }
+
+/// Torsion springs and the rates of drivers are in degrees where angles are; efforts and powers stay those along radians.
+#[test]
+fn angles_and_rates_among_forces_are_in_degrees() {
+    let [radians, degrees] = ["", "--degrees"].map(|options| {
+        let run =
+            |form: &str| kin(&format!("loaded solve --at 0.2 --forces --least-norm --format {form} {options}")).out;
+        let text = run("text");
+        let drivers = text.split("Drivers: what they supply").nth(1).expect("a table");
+        let row = drivers.lines().find(|line| line.trim_start().starts_with("drive ")).expect("a row");
+        let power: f64 = row.split_whitespace().last().expect("a power").parse().expect("a number");
+        let forces = serde_json::from_str::<Value>(&run("json")).expect("JSON")["forces"].clone();
+        let number = |group: &str, name: &str, key: &str| forces[group][name][key].as_f64().expect("a number");
+        let turned =
+            [number("springs", "coil", "angle"), number("springs", "coil", "rate"), number("efforts", "drive", "rate")];
+        (turned, [number("springs", "coil", "torque"), number("efforts", "drive", "effort"), power])
+    });
+    assert_eq!(radians.1, degrees.1);
+    for (radians, degrees) in radians.0.iter().zip(degrees.0) {
+        assert!(*radians > 0.9 && (radians.to_degrees() - degrees).abs() < 1e-12, "{radians} {degrees}");
+    }
+}

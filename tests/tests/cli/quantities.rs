@@ -127,6 +127,13 @@ fn the_highest_of_many_crests_and_a_limit_are_found() {
     assert!((value(&greatest) - 1.001).abs() < 1e-12 && greatest["where"] == "limit", "{greatest}");
 }
 
+/// A crest at the first instant is there, and not a rounding error beside it.
+#[test]
+fn a_crest_at_an_end_of_the_motion_is_at_that_instant() {
+    let most = json("waves extremes x --to 0.9 --format json")["motions"][0]["extremes"][0]["greatest"].clone();
+    assert_eq!((&most["t"], &most["where"]), (&Value::from(0.0), &Value::from("first instant")), "{most}");
+}
+
 /// An empty table would hide that there is nothing to differentiate.
 #[test]
 fn a_quantity_without_derivatives_is_refused() {
