@@ -42,6 +42,9 @@ fn forces_of_least_norm_are_columns_and_arrows_where_asked_for() {
     let forces = |options: &str| -> Value {
         serde_json::from_str(&kin(&format!("loaded forces --format json {options}")).out).unwrap()
     };
+    let varied = kin("loaded sensitivities A.force_x --to 0.2 --steps 2 --format csv --least-norm").out;
+    let first = varied.lines().nth(1).and_then(|line| line.split(',').nth(1)).map(str::parse);
+    assert_eq!(first, Some(Ok(of_sweep[1])), "{varied}");
     let (shown, hidden) = (forces("--least-norm"), forces(""));
     assert!((shown["reactions"]["A"]["force"][0].as_f64().unwrap() - of_sweep[1]).abs() < 1e-9, "{shown}");
     assert!(shown["multipliers"]["A.x"].is_number() && hidden["multipliers"]["A.x"].is_null(), "{hidden}");

@@ -134,6 +134,16 @@ fn a_crest_at_an_end_of_the_motion_is_at_that_instant() {
     assert_eq!((&most["t"], &most["where"]), (&Value::from(0.0), &Value::from("first instant")), "{most}");
 }
 
+/// Of a motion without a single row nothing is said.
+#[test]
+fn a_motion_without_rows_has_no_table() {
+    for command in ["extremes", "sensitivities drive.effort --to 1", "sweep drive.effort", "plot drive.effort"] {
+        let ran = kin(&format!("balanced {command} --set m=-1"));
+        assert!(ran.status == Some(1) && ran.err.contains("a mass of `rotor` is -1"), "{command}: {}", ran.err);
+        assert_eq!(ran.out, "", "{command}");
+    }
+}
+
 /// An empty table would hide that there is nothing to differentiate.
 #[test]
 fn a_quantity_without_derivatives_is_refused() {
