@@ -66,6 +66,17 @@ fn a_closure_contradicts_the_modes_of_another() {
     }
 }
 
+/// A record with angles in degrees says so.
+#[test]
+fn derivatives_have_units() {
+    for what in ["", "rocker.phi", "--to 0.1 --steps 1"] {
+        for (options, angle) in [("", "rad"), ("--degrees", "deg")] {
+            let found = json(&format!("fourbar sensitivities {what} {options} --format json"));
+            assert_eq!(found["units"]["angle"], angle, "{what}");
+        }
+    }
+}
+
 /// Every motion of several says whether it is complete, also one that does not begin.
 #[test]
 fn a_motion_that_does_not_begin_is_not_complete() {

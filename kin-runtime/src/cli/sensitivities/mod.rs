@@ -19,6 +19,7 @@ use crate::measure::Measure;
 use crate::present::json::{fields, record};
 use crate::present::number::{plain, rounded};
 use crate::present::sensitivities::{deviations, quantities, text, tolerance_text};
+use crate::present::units::ResultUnits;
 use crate::sensitivities::Sensitivities;
 use std::collections::BTreeMap;
 
@@ -99,6 +100,7 @@ pub(in crate::cli) fn run(
     let text = match output.form {
         Form::Json => {
             let mut all = fields(&found);
+            all.extend(record! { units: ResultUnits::of(model).in_degrees(args.angles.degrees).record() });
             if !deviations.is_empty() {
                 let tolerances: BTreeMap<_, _> = deviations.iter().cloned().collect();
                 all.extend(record! { tolerances: tolerances });

@@ -17,6 +17,7 @@ use crate::present::json::record;
 use crate::present::number::{plain, rounded};
 use crate::present::table::Table;
 use crate::present::text::section;
+use crate::present::units::ResultUnits;
 use crate::sensitivities::Deviation;
 use crate::serial::NamedValues;
 use serde::Serialize;
@@ -94,7 +95,8 @@ impl VariedMotion<'_> {
             Form::Json => {
                 let quantities: NamedValues<_, _> =
                     quantities.iter().map(|quantity| (&quantity.name, quantity)).collect();
-                json(&record! { mechanism: model.name, t: times, quantities: quantities })?
+                let units = ResultUnits::of(model).in_degrees(self.degrees).record();
+                json(&record! { mechanism: model.name, units: units, t: times, quantities: quantities })?
             }
             Form::Csv => csv(&times, &quantities),
             _ => text((model, self.degrees), &times, &quantities, &engine.parameters()),
