@@ -1,7 +1,7 @@
 //! q, q̇ and q̈ of a block; every lane is accepted or refused independently.
 
 use crate::mechanism::Mechanism;
-use crate::plan::{Depth, Plan, Solved, StepKind};
+use crate::plan::{Depth, Plan, Solved};
 use crate::planned::accurate_solution::solve_accurately;
 use crate::planned::lists::Margins;
 use crate::scalar::Scalar;
@@ -87,8 +87,7 @@ impl<Q: AsRef<[Octet]> + AsMut<[Octet]>> BlockSolution<Q> {
         let mut limits = core::array::from_fn(|lane| self.judge_lane(question, margins, lane));
         // An iteration runs until all lanes have converged, so that one lane that does not converge makes all of them
         // fail.
-        let iterates = M::model().plan.steps.iter().any(|step| matches!(step.kind, StepKind::Newton(_)));
-        if iterates {
+        if M::model().plan.iterates() {
             for (lane, limit) in limits.iter_mut().enumerate() {
                 if !self.is_good(lane) {
                     *limit = self.solve_lane_alone(mechanism, question, margins, lane);

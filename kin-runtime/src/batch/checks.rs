@@ -32,7 +32,8 @@ impl<Q: AsRef<[Octet]> + AsMut<[Octet]>> BlockSolution<Q> {
         (modes, of_start): (&Modes<M, Octet>, bool),
         margins: &Margins<M, Octet>,
     ) -> LimitsNearby {
-        let &Question { parameters, at, depth, .. } = question;
+        let &Question { parameters, at, start, depth, .. } = question;
+        self.refuse_turned::<M>(start);
         self.refuse_steep(mechanism, (parameters, at), depth);
         if of_start {
             self.refuse_other_closures(mechanism, (parameters, at), modes.as_ref());
@@ -132,7 +133,7 @@ impl<Q: AsRef<[Octet]> + AsMut<[Octet]>> BlockSolution<Q> {
 
     /// Refuses lanes in which a group solved by Newton's iteration is more than half a turn away from its start.
     #[inline(always)]
-    pub(super) fn refuse_turned<M: Mechanism>(&mut self, start: &[Octet]) {
+    fn refuse_turned<M: Mechanism>(&mut self, start: &[Octet]) {
         for k in M::model().iterated_angles() {
             let away = self.q.as_ref()[k] - start[k];
             if away.is_within(PI) {

@@ -14,7 +14,7 @@ pub struct End {
     pub margin: f64,
     /// The first step of the plan that has no solution there, with its margin: a group that is at its limit or cannot
     /// close, an iteration that does not converge, or redundant rows that contradict the others. `None` if a length is
-    /// negative, the motion jumps, or a number is not finite for another reason.
+    /// negative, the motion jumps, an iteration leads away from its start, or a number is not finite for another reason.
     pub limit: Option<Limit>,
 }
 

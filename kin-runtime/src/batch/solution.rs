@@ -187,7 +187,6 @@ impl<M: Mechanism> Solve<'_, M> {
         let mut good = Octet::from_f64(1.0);
         let question = Question { parameters, at, modes, start, depth };
         let all = poses.solve(self.mechanism, &question, margins).is_none();
-        poses.refuse_turned::<M>(start);
         let of_start = matches!(self.modes, Modes::OfStart);
         poses.check(self.mechanism, &question, (signs, of_start), margins);
         if !all || poses.good != [true; Octet::COUNT] {

@@ -61,7 +61,9 @@ impl fmt::Display for End {
         write!(f, "ended at instant {}: ", self.instant)?;
         match &self.limit {
             Some(limit) => limit.fmt(f),
-            None => f.write_str("a number is not finite, a length is negative, or the motion jumps"),
+            None => f.write_str(
+                "a number is not finite, a length is negative, the motion jumps, or an iteration leads away from its start",
+            ),
         }
     }
 }

@@ -16,13 +16,17 @@ use std::f64::consts::TAU;
 pub(super) fn settled(engine: &dyn Engine, setup: Setup, t: f64) -> Result<Setup, Failure> {
     let Some(number) = setup.closure else { return Ok(setup) };
     let all = engine.assemblies(&setup, t).map_err(|error| analysis(engine, &error))?;
-    match number.checked_sub(1).and_then(|k| all.found.get(k)) {
-        Some(found) => Ok(Setup { guesses: guesses(found), closure: None, ..setup }),
-        None => {
-            let message =
-                format!("there is no closure {number} at t = {}; `modes` lists {}", rounded(t), all.found.len());
-            Err(Failure::option("--mode", message))
-        }
+    let Some(found) = number.checked_sub(1).and_then(|k| all.found.get(k)) else {
+        let message = format!("there is no closure {number} at t = {}; `modes` lists {}", rounded(t), all.found.len());
+        return Err(Failure::option("--mode", message));
+    };
+    let modes = &engine.model().plan.modes;
+    let is_requested = |&(mode, wanted): &(usize, Sign)| {
+        found.modes.iter().all(|&(name, sign)| name != modes[mode].name || sign == wanted)
+    };
+    match setup.modes.iter().all(is_requested) {
+        true => Ok(Setup { guesses: guesses(found), closure: None, ..setup }),
+        false => Err(Failure::option("--mode", format!("closure {number} is {}; leave one of both out", found.name()))),
     }
 }
 

@@ -1,8 +1,10 @@
-//! Angles in degrees, for `--degrees`: coordinates, poses, defines, joint quantities and inputs that are angles.
+//! Angles in degrees, for `--degrees`: coordinates, poses, defines, joint quantities, inputs, torsion springs and what
+//! drivers drive, where they are angles.
 
 use std::borrow::Cow;
 
-use crate::measure::Dimension;
+use crate::forces::Forces;
+use crate::measure::{Dimension, dimension_of_driven};
 use crate::model::{Component, CoordinateKind, Model};
 use crate::motion::{BodyMotion, Motion};
 use crate::present::units::ResultUnits;
@@ -32,6 +34,7 @@ pub(super) fn motion<'m>(model: &Model, motion: &'m Motion, degrees: bool) -> Co
     }
     let mut shown = motion.clone();
     turn_motion(model, &mut shown.bodies, &mut shown.defines, &mut shown.joints);
+    shown.forces.iter_mut().for_each(|forces| turn_forces(model, forces));
     Cow::Owned(shown)
 }
 
@@ -44,6 +47,7 @@ pub(super) fn sensitivities(found: &Sensitivities, degrees: bool) -> Cow<'_, Sen
     for by in &mut shown.by {
         turn_coordinates(model, [&mut by.q, &mut by.q_dot, &mut by.q_ddot]);
         turn_motion(model, &mut by.bodies, &mut by.defines, &mut by.joints);
+        by.forces.iter_mut().for_each(|forces| turn_forces(model, forces));
     }
     Cow::Owned(shown)
 }
@@ -78,6 +82,15 @@ fn turn_motion(model: &Model, bodies: &mut [BodyMotion], defines: &mut [Signal],
             turn_signal(rates);
         }
     }
+}
+
+/// The rates of what drivers and inputs drive, and torsion springs.
+fn turn_forces(model: &Model, forces: &mut Forces) {
+    let efforts = forces.efforts.iter_mut().chain(&mut forces.inputs);
+    let turning = efforts.filter(|effort| dimension_of_driven(model, effort.name) == Dimension::Angle);
+    turning.for_each(|effort| turn(&mut effort.rate));
+    let springs = forces.springs.iter_mut().filter(|spring| spring.turns);
+    springs.flat_map(|spring| [&mut spring.length, &mut spring.rate]).for_each(turn);
 }
 
 fn turn_signal(signal: &mut Signal) {

@@ -93,7 +93,7 @@ pub(super) fn run(args: &ForcesArgs, engine: &mut dyn Engine, session: &mut Sess
             let values: Vec<String> = values.into_iter().map(exact).collect();
             format!("t,{}\n{},{}\n", names.join(","), plain(t), values.join(","))
         }
-        _ => format!("{}, forces at t = {}\n{}", engine.model().name, rounded(t), text(&forces)),
+        _ => format!("{}, forces at t = {}\n{}", engine.model().name, rounded(t), text(&forces, false)),
     };
     session.deliver(&output, &text)
 }

@@ -272,6 +272,9 @@ fn closing(engine: &dyn Engine, setup: &Setup, instants: impl IntoIterator<Item 
     instants.find(|t| engine.state(setup, *t).is_ok()).unwrap_or(first)
 }
 
+/// An instant of a motion that is nearer to its start than this, relative to its length, is the start.
+const SAME_INSTANT: f64 = 1e-9;
+
 /// The instants of a motion through `start`; an end that is `None` is at the limit of the motion in that direction. The
 /// distance of an instant from a limit grows with the square of its number from there: close to a dead centre
 /// coordinates change with the square root of the remaining time, so that curves through these instants end smoothly.
@@ -352,10 +355,12 @@ fn as_far(
             nearest
         }
         _ => {
-            let behind = times.iter().position(|t| *t >= start).unwrap_or(times.len());
-            if times.get(behind) != Some(&start) {
+            let is_same = |t: &f64| (t - start).abs() <= SAME_INSTANT * (to - from).abs();
+            let behind = times.iter().position(|t| is_same(t) || *t >= start).unwrap_or(times.len());
+            if !times.get(behind).is_some_and(is_same) {
                 times.insert(behind, start);
             }
+            times[behind] = start;
             behind
         }
     };

@@ -104,6 +104,7 @@ pub(super) fn joined(before: MotionLeg, mut after: MotionLeg) -> MotionLeg {
     on.events.splice(0..0, first.events);
     on.unwatched.splice(0..0, first.unwatched);
     on.fallbacks.splice(0..0, first.fallbacks);
+    on.q_at_limit = first.q_at_limit.or(on.q_at_limit.take());
     after.contacts.retain(|change| !is_lifted_at_start(change));
     contacts.append(&mut after.contacts);
     MotionLeg { ended: ended.or(after.ended), contacts, ..after }

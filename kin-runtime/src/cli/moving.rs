@@ -134,7 +134,8 @@ impl FollowedMotion<'_> {
         Ok(Moved { trajectory, motions, columns, ended: None, notes, at_its_end, open: 0, contacts })
     }
 
-    /// The motion with its states, with the values of the quantities as columns, and with motions if `reported`.
+    /// The motion with its states, with the values of the quantities as columns, and with motions if `reported`. A motion
+    /// that ends before its first row is an error.
     pub(super) fn with_states(&self) -> Result<Moved, Failure> {
         let (mut states, mut motions) = (Vec::new(), Vec::new());
         let mut columns: Vec<Vec<f64>> = vec![Vec::with_capacity(self.instants.len()); self.measures.len()];
@@ -144,6 +145,9 @@ impl FollowedMotion<'_> {
             columns.iter_mut().zip(row.values).for_each(|(column, value)| column.push(*value));
             ControlFlow::Continue(())
         })?;
+        if let Some(failure) = moved.ended.take_if(|_| states.is_empty()) {
+            return Err(failure);
+        }
         moved.trajectory.states = states;
         Ok(Moved { motions, columns, ..moved })
     }

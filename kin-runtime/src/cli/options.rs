@@ -90,10 +90,13 @@ impl SetupArgs {
         let of_files = ledger.take(values::assignments("--set", &example, &file_modes)).unwrap_or_default();
         let of_files_only = of_files.into_iter().filter(|(name, _)| mode_signs.iter().all(|(other, _)| other != name));
         let of_files_only: Vec<_> = of_files_only.collect();
-        mode_signs.extend(of_files_only);
+        let is_number = |name: &str| name == CLOSURE && model.plan.modes.iter().all(|mode| mode.name != CLOSURE);
+        // The number of a closure takes the place of all of them.
+        if !mode_signs.iter().any(|(name, _)| is_number(name)) {
+            mode_signs.extend(of_files_only);
+        }
         for (name, sign) in mode_signs {
-            let is_mode = model.plan.modes.iter().any(|mode| mode.name == CLOSURE);
-            if name == CLOSURE && !is_mode {
+            if is_number(&name) {
                 let number = sign.parse().map_err(|_| {
                     Failure::option("--mode", format!("`{sign}` is no number of a closure; `modes` lists them"))
                 });

@@ -139,10 +139,7 @@ pub(super) fn run(args: &PlotArgs, engine: &mut dyn Engine, session: &mut Sessio
         let one = one(args, &*engine, &task, (&measures, toleranced), place, session);
         match one {
             Ok((columns, worst, limits, ended)) => {
-                // Without an instant there is no curve, and an existing file is kept.
-                if columns.first().is_some_and(|times| !times.is_empty()) {
-                    runs.push(Curves { name, columns, worst, limits });
-                }
+                runs.push(Curves { name, columns, worst, limits });
                 failure = failure.or(ended);
             }
             // If one of several motions does not assemble, the others are still drawn.

@@ -189,7 +189,7 @@ pub(super) fn body(model: &'static Model, solved: &SolvedInstant) -> String {
         text::defines(model, units, &solved.motion),
         text::joints(model, units, &solved.motion),
         condition::values(model, &solved.motion),
-        solved.motion.forces.as_ref().map(forces::text).unwrap_or_default(),
+        solved.motion.forces.as_ref().map(|forces| forces::text(forces, solved.degrees)).unwrap_or_default(),
         text::transmission(&solved.angles, solved.degrees),
         plan::text(&solved.modes),
         solved.certificate.as_ref().map(certificate::text).unwrap_or_default(),

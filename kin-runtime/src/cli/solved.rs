@@ -11,7 +11,6 @@ use crate::mobility::Mobility;
 use crate::model::{Level, Model};
 use crate::modes::Mode;
 use crate::motion::Motion;
-use crate::plan::StepKind;
 use crate::present::certificate::Certified;
 use crate::present::number::rounded;
 use crate::present::text;
@@ -189,7 +188,7 @@ pub(super) fn misfit(engine: &dyn Engine, setup: &Setup, t: f64, error: &SolveEr
 /// modes close.
 fn closures(engine: &dyn Engine, setup: &Setup, t: f64) -> Option<String> {
     let plan = &engine.model().plan;
-    if !plan.exists() || plan.steps.iter().any(|step| matches!(step.kind, StepKind::Newton(_))) {
+    if !plan.exists() || plan.iterates() {
         return None;
     }
     let all = engine.assemblies(setup, t).ok()?;

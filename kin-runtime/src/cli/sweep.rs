@@ -303,10 +303,11 @@ fn json(motions: &SweepTask<'_>, run: &mut RunningSweep<'_>, out: &mut dyn Write
                     ControlFlow::Continue(())
                 })));
             };
-            let ended = |write: &mut dyn FnMut(&Trajectory, &[ContactChange], bool)| {
-                if let Some(Ok(moved)) = &*moved.borrow() {
+            let ended = |write: &mut dyn FnMut(&Trajectory, &[ContactChange], bool)| match &*moved.borrow() {
+                Some(Ok(moved)) => {
                     write(&moved.trajectory, &moved.contacts, moved.ended.is_none() && !moved.at_its_end);
                 }
+                _ => write(&Trajectory::new(model), &[], false),
             };
             write(&SweepRecord {
                 model,

@@ -10,6 +10,7 @@ use super::options::{AngleArgs, FreedomArgs, InstantArgs, SetupArgs};
 use super::output::{Destination, OutputArgs};
 use super::session::Session;
 use super::setup::Setup;
+use super::values::TimeOrAngle;
 use super::watch::ProgressWatch;
 use crate::measure::Measure;
 
@@ -56,6 +57,25 @@ impl AtArgs {
         let setup = ledger.take(settled(engine, setup, t))?;
         Some(At { t, setup, output })
     }
+
+    /// As [`read`](Self::read), for the motion that `grid` describes if its options are given; `steps` is the default number
+    /// of steps.
+    pub(super) fn read_motion<'o>(
+        &self,
+        ledger: &mut Ledger,
+        (command, output): (&str, &'o OutputArgs),
+        (grid, steps, freedom): (&GridArgs, usize, FreedomArgs),
+        engine: &mut dyn Engine,
+        session: &Session<'_>,
+    ) -> Option<MotionTask<'o>> {
+        if grid.is_given() {
+            let requested = grid.requested(steps, engine.model());
+            return motion_task(ledger, (command, output), requested, (&self.setup, freedom), engine, session);
+        }
+        let at = self.read(ledger, (command, output), SetupArgs::apply_complete, engine, session)?;
+        let requested = RequestedInstants::Times(vec![TimeOrAngle::At(at.t)]);
+        Some(MotionTask { requested, setup: Setup { least_norm: freedom.least_norm, ..at.setup }, output: at.output })
+    }
 }
 
 /// Options of a motion.
@@ -89,15 +109,8 @@ impl MotionArgs {
         engine: &mut dyn Engine,
         session: &Session<'_>,
     ) -> Option<MotionTask<'o>> {
-        let requested =
-            ledger.take(self.grid.requested(steps, engine.model()).and_then(|requested| arc.applied_to(requested)));
-        let output = ledger.take(session.destination(output, command));
-        let setup = ledger.take(self.setup.apply_complete(engine));
-        let (requested, output, setup) = zip3(requested, output, setup)?;
-        let setup = Setup { least_norm: self.freedom.least_norm, since: requested.since(), ..setup };
-        let first = ledger.take(requested.first(engine, &setup))?;
-        let setup = ledger.take(settled(engine, setup, first))?;
-        Some(MotionTask { requested, setup, output })
+        let requested = self.grid.requested(steps, engine.model()).and_then(|requested| arc.applied_to(requested));
+        motion_task(ledger, (command, output), requested, (&self.setup, self.freedom), engine, session)
     }
 
     /// The walk over the instants of a task, with the values of `measures`.
@@ -122,4 +135,23 @@ impl MotionArgs {
             watch,
         }
     }
+}
+
+/// The motion over these instants, assembled at the first of them; errors go to the ledger.
+fn motion_task<'o>(
+    ledger: &mut Ledger,
+    (command, output): (&str, &'o OutputArgs),
+    requested: Result<RequestedInstants, Failure>,
+    (setup, freedom): (&SetupArgs, FreedomArgs),
+    engine: &mut dyn Engine,
+    session: &Session<'_>,
+) -> Option<MotionTask<'o>> {
+    let requested = ledger.take(requested);
+    let output = ledger.take(session.destination(output, command));
+    let setup = ledger.take(setup.apply_complete(engine));
+    let (requested, output, setup) = zip3(requested, output, setup)?;
+    let setup = Setup { least_norm: freedom.least_norm, since: requested.since(), ..setup };
+    let first = ledger.take(requested.first(engine, &setup))?;
+    let setup = ledger.take(settled(engine, setup, first))?;
+    Some(MotionTask { requested, setup, output })
 }

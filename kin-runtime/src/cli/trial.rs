@@ -8,7 +8,6 @@ use super::setup::Setup;
 use super::turns::natural_end;
 use crate::model::Model;
 use crate::observer::Reached;
-use crate::plan::StepKind;
 use crate::present::number::rounded;
 use crate::signal::Signal;
 use crate::state::State;
@@ -116,8 +115,7 @@ impl ExampleValues {
 /// What can be proven: the configuration; and, if that is quick, all closures and all limits up to `end`.
 fn proven(engine: &dyn Engine, setup: &Setup, state: &State, end: f64) -> [bool; 3] {
     let plan = &engine.model().plan;
-    let iterates = plan.steps.iter().any(|step| matches!(step.kind, StepKind::Newton(_)));
-    let short = plan.exists() && !iterates && plan.modes.len() <= MAX_COMBINED_MODES;
+    let short = plan.exists() && !plan.iterates() && plan.modes.len() <= MAX_COMBINED_MODES;
     let closures = short && engine.assemblies(setup, 0.0).is_ok_and(|all| all.is_complete());
     let limits = closures && engine.ranges(setup, 0.0, end).is_ok_and(|all| all.is_complete());
     [engine.certify(setup, state).is_ok(), closures, limits]

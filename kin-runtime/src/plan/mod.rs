@@ -73,6 +73,15 @@ impl PlanStep {
     pub(crate) fn is_linear(&self) -> bool {
         matches!(self.kind, StepKind::Explicit | StepKind::Linear(_))
     }
+
+    /// The unknowns of its iteration, as in `coordinates`; empty for a step that does not iterate.
+    #[inline(always)]
+    pub(crate) fn unknowns(&self) -> &'static [(usize, usize)] {
+        match self.kind {
+            StepKind::Newton(unknowns) => self.coordinates.get(..unknowns).unwrap_or_default(),
+            _ => &[],
+        }
+    }
 }
 
 /// An assembly mode: a group that closes in two ways, which a sign distinguishes.
@@ -124,15 +133,10 @@ impl Plan {
     }
 
     /// The coordinates that are unknowns of iterations.
-    #[cfg(any(feature = "std", all(feature = "simd", feature = "alloc")))]
     #[inline(always)]
     pub(crate) fn iterated_coordinates(&self) -> impl Iterator<Item = usize> + use<> {
         let steps = if self.iterates() { self.steps } else { &[] };
-        let unknowns = steps.iter().flat_map(|step| match step.kind {
-            StepKind::Newton(unknowns) => step.coordinates.get(..unknowns).unwrap_or_default(),
-            _ => &[],
-        });
-        unknowns.map(|(k, _)| *k)
+        steps.iter().flat_map(PlanStep::unknowns).map(|(k, _)| *k)
     }
 
     /// True if a linear step may be singular for some configurations.

@@ -47,7 +47,8 @@ pub enum PlanError {
         /// The name of the mode.
         mode: &'static str,
     },
-    /// The iteration of a group leads from the start to another closure than that of the start.
+    /// The iteration of a group leads from the start to another closure than that of the start, or more than half a turn
+    /// away from it.
     OtherClosure {
         /// Time.
         t: f64,

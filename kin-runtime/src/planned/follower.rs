@@ -9,7 +9,6 @@ use super::inputs::copy_inputs;
 use super::lists::{Distances, Margins, Modes};
 use crate::mechanism::Mechanism;
 use crate::model::{CoordinateKind, Model};
-use crate::plan::{PlanStep, StepKind};
 use crate::signal::{Instant, Signal};
 use crate::workspace::Array;
 
@@ -147,12 +146,7 @@ pub(crate) fn rows_turn_alone<M: Mechanism>() -> bool {
 
 /// Whether a group is solved for lengths or scalars by iteration.
 fn iterates_lengths_or_scalars(model: &Model) -> bool {
-    let is_angle = |k: usize| model.coordinates.get(k).is_some_and(|coordinate| coordinate.kind.is_angle());
-    let iterates_others = |step: &PlanStep| match step.kind {
-        StepKind::Newton(unknowns) => step.coordinates.iter().take(unknowns).any(|&(k, _)| !is_angle(k)),
-        _ => false,
-    };
-    model.plan.steps.iter().any(iterates_others)
+    model.plan.iterated_coordinates().any(|k| !model.coordinates[k].kind.is_angle())
 }
 
 /// Whether there are scalar coordinates.

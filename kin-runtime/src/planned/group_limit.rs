@@ -34,7 +34,6 @@ pub struct Located {
 
 /// The kind of limit that ends the motion of a group.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub enum LimitKind {
     /// Both closures meet, and beyond the limit the group does not close: the motion could only turn back.
@@ -55,6 +54,14 @@ impl fmt::Display for LimitKind {
             Self::BranchPoint => "branch point",
             Self::Pole => "solution at infinity",
         })
+    }
+}
+
+/// As it prints.
+#[cfg(feature = "serde")]
+impl serde::Serialize for LimitKind {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_str(self)
     }
 }
 

@@ -123,8 +123,8 @@ impl<'m, M: Mechanism> Planned<'m, M> {
     ///
     /// # Errors
     /// [`PlanError`]: there is no plan, it has no solution at this instant in these modes, q does not determine the
-    /// modes ([`PlanError::Undecided`]), or an iteration leads from q to another closure than that of q
-    /// ([`PlanError::OtherClosure`]).
+    /// modes ([`PlanError::Undecided`]), or an iteration leads from q to another closure than that of q, or more than half
+    /// a turn away ([`PlanError::OtherClosure`]).
     pub fn new(mechanism: &'m M, at: &Instant<'_>, q: &[f64]) -> Result<Self, PlanError> {
         Self::begin(MaybeOwned::Borrowed(mechanism), at, q)
     }

@@ -20,7 +20,7 @@ use super::follower::{PlanFollower, PlanSolution};
 use super::ill_conditioned::MAX_ACCELERATION_NOISE;
 use crate::mechanism::Mechanism;
 use crate::model::{Component, CoordinateKind, Model};
-use crate::plan::{LAST_CORRECTION, StepKind};
+use crate::plan::LAST_CORRECTION;
 use crate::scalar::compare::{Compare, least_or_nan};
 use crate::signal::Instant;
 use crate::workspace::Array;
@@ -46,7 +46,7 @@ pub(crate) fn certainty_of_slopes<V: Compare>(
     solution: [&[V]; 3],
 ) -> V {
     let mut least = V::from_f64(1.0);
-    for k in unknowns(model) {
+    for k in model.plan.iterated_coordinates() {
         least = least_or_nan(least, certainty(model.coordinates[k].kind, turns[k], solution.map(|list| list[k])));
     }
     if has_distances {
@@ -85,20 +85,12 @@ pub(crate) fn first_steep(model: &Model, has_distances: bool, turns: &[f64], sol
     let is_certain = |k: usize| certainty(model.coordinates[k].kind, turns[k], solution.map(|list| list[k])) >= 0.0;
     let turns_little = |k: &usize| certainty_of_direction(turns[*k], solution[0][*k]) >= 0.0;
     let of_distance = || (0..if has_distances { turns.len() } else { 0 }).find(|k| !turns_little(k));
-    unknowns(model).find(|k| !is_certain(*k)).or_else(of_distance)
+    model.plan.iterated_coordinates().find(|k| !is_certain(*k)).or_else(of_distance)
 }
 
 /// Not negative where the rounding of a coordinate x turns gradients little.
 fn certainty_of_direction<V: Compare>(w: V, x: V) -> V {
     V::from_f64(ROUNDED_TURN) - V::from_f64(f64::EPSILON) * x.abs() * w
-}
-
-/// The coordinates for which the plan iterates.
-fn unknowns(model: &Model) -> impl Iterator<Item = usize> {
-    model.plan.steps.iter().flat_map(|step| {
-        let unknowns = if let StepKind::Newton(unknowns) = step.kind { unknowns } else { 0 };
-        step.coordinates.iter().take(unknowns).map(|&(k, _)| k)
-    })
 }
 
 /// The smaller of the differences, right side less left side, of the two conditions above for one coordinate: both hold if

@@ -3,18 +3,22 @@
 use super::table::Table;
 use super::text::section;
 use crate::forces::{Effort, Forces, Reaction, Wrench};
+use crate::measure::{Dimension, dimension_of_driven};
 
-/// Tables of efforts, reactions, springs, shaking, energies and powers.
-pub(crate) fn text(forces: &Forces) -> String {
+/// Tables of efforts, reactions, springs, shaking, energies and powers. Angles are in degrees if `degrees`.
+pub(crate) fn text(forces: &Forces, degrees: bool) -> String {
     let mut out = String::new();
     let units = forces.model.forces.map_or_else(String::new, |info| info.units.to_string());
     if !units.is_empty() {
         out += &format!("  {units}\n");
     }
+    // Efforts are those along radians.
+    let is_turned = |e: &Effort| degrees && dimension_of_driven(forces.model, e.name) == Dimension::Angle;
+    let rate = |e: &Effort| if is_turned(e) { e.rate.to_radians() } else { e.rate };
     // An input that equals the driven quantity of a driver has the effort of that driver, and is not listed again.
     let is_listed = |input: &Effort| {
         let near = |a: f64, b: f64| (a - b).abs() <= 1e-12 * a.abs();
-        let same = |driver: &Effort| Some(near(driver.effort?, input.effort?) && near(driver.rate, input.rate));
+        let same = |driver: &Effort| Some(near(driver.effort?, input.effort?) && near(rate(driver), rate(input)));
         forces.efforts.iter().any(|driver| same(driver) == Some(true))
     };
     let inputs: Vec<&Effort> = forces.inputs.iter().filter(|input| !is_listed(input)).collect();
@@ -30,7 +34,7 @@ pub(crate) fn text(forces: &Forces) -> String {
             .words(heading, efforts().map(|e| e.name))
             .right("effort", efforts().map(|e| known(e.effort)))
             .numbers("rate", efforts().map(|e| e.rate))
-            .right("power", efforts().map(|e| known(e.effort.map(|effort| effort * e.rate))));
+            .right("power", efforts().map(|e| known(e.effort.map(|effort| effort * rate(e)))));
         out += &section(title, &table);
     }
     let held = || forces.reactions.iter().filter(|r| r.on.is_some());

@@ -5,7 +5,6 @@ use super::number::{Style, rounded};
 use super::table::Table;
 use super::text::section;
 use crate::model::Model;
-use crate::planned::LimitKind;
 use crate::ranges::{Range, RangeLimit, Ranges};
 
 /// All limits, for JSON: a record for every driver that can go no further, or a single one without a driver.
@@ -34,14 +33,9 @@ fn record(limit: &RangeLimit, (driver, value): (Option<&str>, Option<f64>)) -> R
     }
 }
 
-fn kind(limit: &RangeLimit) -> &'static str {
-    match limit.kind {
-        Some(LimitKind::DeadCentre) => "dead centre",
-        Some(LimitKind::BranchPoint) => "branch point",
-        Some(LimitKind::Pole) => "solution at infinity",
-        None if limit.proven => "limit",
-        None => "undecided",
-    }
+fn kind(limit: &RangeLimit) -> String {
+    let unknown = if limit.proven { "limit" } else { "undecided" };
+    limit.kind.map_or_else(|| unknown.to_owned(), |kind| kind.to_string())
 }
 
 /// Ranges and limits.
@@ -82,6 +76,7 @@ mod tests {
     use super::*;
     use crate::fixture::PlannedFourBar;
     use crate::mechanism::Mechanism;
+    use crate::planned::LimitKind;
     use crate::scalar::Interval;
 
     fn limit(t: Interval, kind: Option<LimitKind>, proven: bool) -> RangeLimit {

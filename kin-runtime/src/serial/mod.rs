@@ -147,7 +147,8 @@ macro_rules! by_name {
                     .map(|(joint, all)| (joint.name, joint.quantities.iter().map(|q| q.name).zip(all).collect()))
                     .collect();
                 let conditions: NamedValues<_> = model.conditions.iter().map(|c| c.name).zip(&self.conditions).collect();
-                let mut s = serializer.serialize_struct(stringify!($report), 5)?;
+                let count = 5 $(+ usize::from(self.$more.is_some()))?;
+                let mut s = serializer.serialize_struct(stringify!($report), count)?;
                 s.serialize_field("points", &points)?;
                 s.serialize_field("bodies", &bodies)?;
                 s.serialize_field("defines", &defines)?;

@@ -15,7 +15,7 @@ use crate::linear::Factorization;
 use crate::mechanism::Mechanism;
 use crate::model::{CoordinateKind, Model};
 use crate::modes::modes;
-use crate::plan::{Depth, Plan, Solved, StepKind};
+use crate::plan::{Depth, Plan, Solved};
 use crate::planned::Sign;
 use crate::planned::branch::FAR_FROM_LIMITS;
 use crate::proof::{Certified, Closing, MarginSign, Prover, SearchOutcome, combinations, search, violated, zeros};
@@ -142,8 +142,7 @@ impl dyn AnySolver + '_ {
     /// Whether the plan solves every group in closed form.
     pub(super) fn is_closed_form(&self) -> bool {
         let plan = &self.model().plan;
-        let is_iterated = plan.steps.iter().any(|step| matches!(step.kind, StepKind::Newton(_)));
-        plan.exists() && self.settings().given.is_empty() && !is_iterated
+        plan.exists() && self.settings().given.is_empty() && !plan.iterates()
     }
 
     /// The closure that the plan gives with these signs, or why there is none.

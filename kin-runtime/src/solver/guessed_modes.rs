@@ -5,7 +5,7 @@
 //! general path is used.
 
 use crate::model::{Component, CoordinateKind, Model};
-use crate::plan::{PlanStep, StepKind};
+use crate::plan::PlanStep;
 use crate::planned::Sign;
 
 /// If the squared distances of both closures from a guess differ by no more than this, the guess does not determine the
@@ -69,10 +69,7 @@ impl Guess<'_> {
 
     /// True if all unknowns of iterations are guessed.
     fn starts_iterations(&self) -> bool {
-        self.model.plan.steps.iter().all(|step| match step.kind {
-            StepKind::Newton(unknowns) => step.coordinates.iter().take(unknowns).all(|&(k, _)| self.is_guessed(k)),
-            _ => true,
-        })
+        self.model.plan.iterated_coordinates().all(|k| self.is_guessed(k))
     }
 
     /// By how much the guessed ones of these coordinates are farther from one closure than from the other: the

@@ -137,4 +137,5 @@ fn the_cross_check_passes_and_names_a_planted_error() {
     let options = CrossCheckOptions { configurations: 0, ..CrossCheckOptions::default() };
     let nothing = FourBarLoop::default().solver().cross_check(&options);
     assert_eq!(nothing, Err(SolveError::NothingCompared { skipped: 0 }));
+    assert_eq!(nothing.unwrap_err().to_string(), "nothing was compared: there are no configurations");
 }

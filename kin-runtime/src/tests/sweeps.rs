@@ -27,6 +27,16 @@ fn rates_are_those_of_the_trajectory() {
 }
 
 #[test]
+fn an_arc_without_steps_is_its_start() {
+    let states = FourBarLoop::default().solver().sweep_along_arc(0.0, Some(0.5), 0).unwrap().states;
+    assert!(
+        states.len() == 1 && states[0].t.abs() < 1e-9,
+        "{:?}",
+        states.iter().map(|state| state.t).collect::<Vec<_>>()
+    );
+}
+
+#[test]
 fn far_apart_instants_give_the_same_branch() {
     let mechanism = FourBarLoop::default();
     let turns = 20.0 * core::f64::consts::TAU / 2.3;

@@ -129,7 +129,9 @@ impl Prepared {
         for end in &scored.ends {
             match end.as_ref().map(|end| &end.limit) {
                 Some(Some(limit)) => limits.append_value(limit.step.to_string()),
-                Some(None) => limits.append_value("a number is not finite, a length is negative, or the motion jumps"),
+                Some(None) => limits.append_value(
+                    "a number is not finite, a length is negative, the motion jumps, or an iteration leads away from its start",
+                ),
                 None => limits.append_null(),
             }
         }

@@ -73,7 +73,7 @@ struct Carriage {
 #[derive(Default)]
 struct Faster;
 
-/// A beam on three equal arms, of which two would suffice, so that the pin forces are not determined.
+/// A beam on three equal arms, of which two would suffice, so that the pin forces are not determined, and a torsion spring.
 #[mechanism(allow_redundant)]
 #[bodies(a, b, c, beam)]
 #[revolute(O1: ground @ (0, 0), a @ (0, 0))]
@@ -86,6 +86,7 @@ struct Faster;
 #[guess(a.phi = 1, b.phi = 1, c.phi = 1)]
 #[gravity(0, -9.81)]
 #[mass(beam @ (0.2, 0.05), mass = 3, inertia = 0.1)]
+#[torsion_spring(coil: ground, a, stiffness = 0.2, damping = 0.1)]
 #[derive(Default)]
 struct Loaded;
 

@@ -92,6 +92,26 @@ fn rows_are_counted_as_steps_are() {
     }
 }
 
+/// Limits have the same names wherever they are listed.
+#[test]
+fn limits_are_called_as_they_are_printed() {
+    let (whole, said) = swept("pushed sweep --to limit --steps 3");
+    let kind = &whole["fallbacks"][0]["limit"]["located"]["kind"];
+    assert!(kind == "dead centre" && said.contains("(dead centre)"), "{kind} {said}");
+    // At either end of a motion full Newton takes over from the plan, which is worth no note.
+    for ends in ["--from limit --to limit", "--from limit --to 0.5", "--to limit"] {
+        assert!(!swept(&format!("pushed sweep {ends} --steps 3")).1.contains("full Newton"), "{ends}");
+    }
+}
+
+/// The start halfway between the limits is one instant, not two that differ by rounding.
+#[test]
+fn an_instant_at_the_start_is_the_start() {
+    let (whole, _) = swept("swinging sweep --from limit --to limit --steps 2");
+    let times = times(&whole);
+    assert!(times.windows(2).all(|pair| pair[1] - pair[0] > 0.5) && times.contains(&0.0), "{times:?}");
+}
+
 /// The contact is the same, whether the motion is followed from one end or from between.
 #[test]
 fn contacts_have_the_sense_of_the_motion() {

@@ -42,6 +42,9 @@ fn forces_of_least_norm_are_columns_and_arrows_where_asked_for() {
     let forces = |options: &str| -> Value {
         serde_json::from_str(&kin(&format!("loaded forces --format json {options}")).out).unwrap()
     };
+    let varied = kin("loaded sensitivities A.force_x --to 0.2 --steps 2 --format csv --least-norm").out;
+    let first = varied.lines().nth(1).and_then(|line| line.split(',').nth(1)).map(str::parse);
+    assert_eq!(first, Some(Ok(of_sweep[1])), "{varied}");
     let (shown, hidden) = (forces("--least-norm"), forces(""));
     assert!((shown["reactions"]["A"]["force"][0].as_f64().unwrap() - of_sweep[1]).abs() < 1e-9, "{shown}");
     assert!(shown["multipliers"]["A.x"].is_number() && hidden["multipliers"]["A.x"].is_null(), "{hidden}");
@@ -168,5 +171,27 @@ fn tables_have_the_efforts_of_given_coordinates_and_of_inputs() {
         let effort = json[object][name]["effort"].as_f64().unwrap();
         assert_eq!(effort, cell(command, &format!("{name}.effort")));
         assert_eq!(effort, cell(&command.replace("forces", "solve --forces"), &format!("{name}.effort")));
+    }
+}
+
+/// Torsion springs and the rates of drivers are in degrees where angles are; efforts and powers stay those along radians.
+#[test]
+fn angles_and_rates_among_forces_are_in_degrees() {
+    let [radians, degrees] = ["", "--degrees"].map(|options| {
+        let run =
+            |form: &str| kin(&format!("loaded solve --at 0.2 --forces --least-norm --format {form} {options}")).out;
+        let text = run("text");
+        let drivers = text.split("Drivers: what they supply").nth(1).expect("a table");
+        let row = drivers.lines().find(|line| line.trim_start().starts_with("drive ")).expect("a row");
+        let power: f64 = row.split_whitespace().last().expect("a power").parse().expect("a number");
+        let forces = serde_json::from_str::<Value>(&run("json")).expect("JSON")["forces"].clone();
+        let number = |group: &str, name: &str, key: &str| forces[group][name][key].as_f64().expect("a number");
+        let turned =
+            [number("springs", "coil", "angle"), number("springs", "coil", "rate"), number("efforts", "drive", "rate")];
+        (turned, [number("springs", "coil", "torque"), number("efforts", "drive", "effort"), power])
+    });
+    assert_eq!(radians.1, degrees.1);
+    for (radians, degrees) in radians.0.iter().zip(degrees.0) {
+        assert!(*radians > 0.9 && (radians.to_degrees() - degrees).abs() < 1e-12, "{radians} {degrees}");
     }
 }

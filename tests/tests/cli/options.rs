@@ -1,6 +1,8 @@
 //! Options take effect or are refused.
 
-use super::{failed, good, json, numbers};
+use serde_json::Value;
+
+use super::{failed, good, json, kin, numbers};
 
 /// Derivatives of angles in degrees, at one instant as along a motion.
 #[test]
@@ -26,6 +28,62 @@ fn sensitivities_at_an_instant_are_in_degrees() {
     assert!(
         good("fourbar sensitivities --degrees").starts_with("FourbarLectureMid, sensitivities at t = 0, angles in")
     );
+}
+
+/// A closure has its number at the first instant of the motion: here nothing closes at t = 0.
+#[test]
+fn a_closure_is_that_of_the_first_instant() {
+    let least = json("fourbar extremes rocker.phi --set l3=0.05 --mode closure=2 --from 0.3 --to 0.32 --format json");
+    let varied = "fourbar sensitivities rocker.phi --set l3=0.05 --mode closure=2 --from 0.3 --to 0.32 --steps 1";
+    let first = json(&format!("{varied} --format json"))["quantities"]["rocker.phi"]["value"][0].as_f64();
+    assert_eq!(first, least["motions"][0]["extremes"][0]["least"]["value"].as_f64());
+    let text = good(&format!("{varied} --degrees"));
+    assert!(
+        text.starts_with("FourbarLectureMid, sensitivities from t = 0.3 to t = 0.32, angles in degrees\n"),
+        "{text}"
+    );
+}
+
+/// A closure and a mode that contradict each other are refused, and the modes of a file give way to a closure.
+#[test]
+fn a_closure_contradicts_the_modes_of_another() {
+    let at = "fourbar solve rocker.phi --mode closure";
+    let value =
+        |line: &str| json(&format!("{line} --format json"))["quantities"]["rocker.phi"].as_f64().expect("a number");
+    let signs = json("fourbar modes --format json");
+    for (number, other) in [(1, 2), (2, 1)] {
+        let sign = |number: usize| signs[number - 1]["mode"].as_str().expect("a mode");
+        let alone = value(&format!("{at}={number}"));
+        assert_eq!(alone, value(&format!("{at}={number},{}", sign(number))));
+        let said = format!("--mode: closure {number} is {}; leave one of both out", sign(number));
+        failed(&format!("{at}={number},{}", sign(other)), 2, &[&said]);
+        let (name, sign) = sign(other).split_once('=').expect("a sign");
+        let file = std::env::temp_dir().join(format!("kin-modes-{}-{number}.json", std::process::id()));
+        let text = format!("{{\"parameters\": {{}}, \"modes\": {{\"{name}\": \"{sign}\"}}}}");
+        std::fs::write(&file, text).expect("a file");
+        assert_eq!(alone, value(&format!("{at}={number} --set @{}", file.display())));
+        std::fs::remove_file(&file).expect("it is there");
+    }
+}
+
+/// A record with angles in degrees says so.
+#[test]
+fn derivatives_have_units() {
+    for what in ["", "rocker.phi", "--to 0.1 --steps 1"] {
+        for (options, angle) in [("", "rad"), ("--degrees", "deg")] {
+            let found = json(&format!("fourbar sensitivities {what} {options} --format json"));
+            assert_eq!(found["units"]["angle"], angle, "{what}");
+        }
+    }
+}
+
+/// Every motion of several says whether it is complete, also one that does not begin.
+#[test]
+fn a_motion_that_does_not_begin_is_not_complete() {
+    let ran = kin("fourbar sweep rocker.phi --vary l1=0.1,3 --steps 2 --format json");
+    let all: Value = serde_json::from_str(&ran.out).expect("JSON");
+    let complete: Vec<&Value> = all["motions"].as_array().expect("a list").iter().map(|one| &one["complete"]).collect();
+    assert_eq!((ran.status, complete), (Some(1), vec![&Value::from(true), &Value::from(false)]));
 }
 
 /// What a command cannot do at the same time is refused, with both options in the message.

@@ -52,6 +52,12 @@ fn a_mode_can_be_asked_for() {
     failed("underdriven solve --least-norm --mode A=+", 2, &["--mode: there are no modes, because there is no plan"]);
 }
 
+/// Without random configurations a check says why there is no solution either.
+#[test]
+fn a_check_of_nothing_says_why() {
+    failed("fourbar check --configurations 0 --set l1=3", 1, &["not assembled at t = 0"]);
+}
+
 #[test]
 fn check_compares_the_plan_with_full_newton() {
     let text = good("fourbar check");

@@ -127,6 +127,23 @@ fn the_highest_of_many_crests_and_a_limit_are_found() {
     assert!((value(&greatest) - 1.001).abs() < 1e-12 && greatest["where"] == "limit", "{greatest}");
 }
 
+/// A crest at the first instant is there, and not a rounding error beside it.
+#[test]
+fn a_crest_at_an_end_of_the_motion_is_at_that_instant() {
+    let most = json("waves extremes x --to 0.9 --format json")["motions"][0]["extremes"][0]["greatest"].clone();
+    assert_eq!((&most["t"], &most["where"]), (&Value::from(0.0), &Value::from("first instant")), "{most}");
+}
+
+/// Of a motion without a single row nothing is said.
+#[test]
+fn a_motion_without_rows_has_no_table() {
+    for command in ["extremes", "sensitivities drive.effort --to 1", "sweep drive.effort", "plot drive.effort"] {
+        let ran = kin(&format!("balanced {command} --set m=-1"));
+        assert!(ran.status == Some(1) && ran.err.contains("a mass of `rotor` is -1"), "{command}: {}", ran.err);
+        assert_eq!(ran.out, "", "{command}");
+    }
+}
+
 /// An empty table would hide that there is nothing to differentiate.
 #[test]
 fn a_quantity_without_derivatives_is_refused() {

@@ -2,9 +2,9 @@
 //! centre its first step may turn by many turns, and what rolls or winds on the body would be there, too.
 
 use core::f64::consts::PI;
-use kin_runtime::batch::{Column, Modes, Problems, Solutions, always, solve};
+use kin_runtime::batch::{Column, Modes, Motions, Problems, Solutions, Sweeps, always, solve, sweep};
 use kin_runtime::plan::Depth;
-use kin_runtime::{Instant, Kinematics, Mechanism, Options, mechanism};
+use kin_runtime::{Instant, Kinematics, Lanes, Mechanism, Options, Planned, mechanism};
 
 /// A cam lifts a follower, and a rack rolls on it. The slope of the cam is 0 near the guess.
 #[mechanism]
@@ -57,4 +57,31 @@ fn what_a_batch_solves_is_within_half_a_turn_of_its_start() {
         solved += usize::from(good);
     }
     assert!((50..count).contains(&solved), "{solved}");
+}
+
+/// Motions begin within half a turn of their start as well, in batches and one by one.
+#[test]
+fn motions_begin_within_half_a_turn_of_their_start() {
+    let wound = Wound { y: 1.0, g: 1.0 };
+    let starts: Vec<f64> = (0..200).map(|k| 0.4 + 0.01 * f64::from(k)).collect();
+    let cam = Wound::model().coordinate("cam.phi").expect("it is there");
+    let column = |(k, _)| if k == cam { Column::Each(&starts) } else { Column::Shared(0.9) };
+    let start: Vec<Column<'_>> = Wound::model().coordinates.iter().enumerate().map(column).collect();
+    let parameters = [Column::Shared(1.0); 2];
+    let sweeps = Sweeps { parameters: &parameters, times: &[0.0], inputs: &[], modes: Modes::OfStart, start: &start };
+    let mut motions = Motions::new(starts.len(), Lanes::from(0.0));
+    sweep(&wound, &sweeps, &mut motions, &always, |q: &mut Lanes, moment| *q = moment.keep(*q, moment.q[cam]))
+        .expect("the columns have these lengths");
+    let mut begun = 0;
+    for ((q, end), start) in motions.scores(|q| *q).zip(motions.ends()).zip(&starts) {
+        let mut at_start = vec![0.9; Wound::model().coordinates.len()];
+        at_start[cam] = *start;
+        let planned = Planned::new(&wound, &Instant::at(0.0), &at_start);
+        assert_eq!(planned.is_ok(), end.is_none(), "{start}");
+        for q in planned.iter().map(|planned| planned.q()[cam]).chain(end.is_none().then_some(q)) {
+            assert!((q - start).abs() <= PI, "{start}: {q}");
+        }
+        begun += usize::from(end.is_none());
+    }
+    assert!((50..200).contains(&begun), "{begun}");
 }

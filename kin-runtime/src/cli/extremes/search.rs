@@ -92,10 +92,16 @@ impl SearchedMotion<'_> {
             best = found.map(|found| (k, found)).or(best);
         }
         // A value that exceeds those at the instants by rounding alone is reported at the instant, and so is the value at
-        // an instant that cannot be refined, such as a limit, if no refined one reaches it.
+        // an instant that cannot be refined, such as a limit, if no refined one reaches it. At an end of the motion the
+        // nearest place beside it is no better.
         Some(match best {
             Some((_, best)) if sign * best.value > high + rounding => best,
-            Some((k, best)) if best.place != "end" && (sign * best.value >= high || values[k] == high) => best,
+            Some((k, best))
+                if (best.place == UNRESOLVED || best.place != "end" && k != 0 && k != last)
+                    && (sign * best.value >= high || values[k] == high) =>
+            {
+                best
+            }
             _ => sampled(),
         })
     }

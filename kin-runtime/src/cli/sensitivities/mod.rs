@@ -8,19 +8,18 @@ use crate::cli::degrees;
 use crate::cli::engine::Engine;
 use crate::cli::examples::{Help, Names};
 use crate::cli::failure::{Failure, Ledger};
-use crate::cli::instants::{GridArgs, RequestedInstants};
-use crate::cli::options::{AngleArgs, FreedomArgs, SetupArgs};
+use crate::cli::instants::GridArgs;
+use crate::cli::options::{AngleArgs, FreedomArgs};
 use crate::cli::output::{Form, OutputArgs, json};
 use crate::cli::session::Session;
-use crate::cli::setup::Setup;
 use crate::cli::solved::{analysis, driven_state, note_modes};
-use crate::cli::task::{At, AtArgs};
+use crate::cli::task::{AtArgs, MotionTask};
 use crate::cli::tolerance::tolerances;
-use crate::cli::values::TimeOrAngle;
 use crate::measure::Measure;
 use crate::present::json::{fields, record};
 use crate::present::number::{plain, rounded};
 use crate::present::sensitivities::{deviations, quantities, text, tolerance_text};
+use crate::present::units::ResultUnits;
 use crate::sensitivities::Sensitivities;
 use std::collections::BTreeMap;
 
@@ -79,26 +78,16 @@ pub(in crate::cli) fn run(
 ) -> Result<(), Failure> {
     let mut ledger = Ledger::default();
     let to = ("sensitivities", &args.output);
-    let at = args.at.read(&mut ledger, to, SetupArgs::apply_complete, engine, session);
-    let requested = match args.grid.is_given() {
-        true => ledger.take(args.grid.requested(motion::STEPS, engine.model())),
-        false => at.as_ref().map(|at| RequestedInstants::Times(vec![TimeOrAngle::At(at.t)])),
-    };
+    let task = args.at.read_motion(&mut ledger, to, (&args.grid, motion::STEPS, args.freedom), engine, session);
     let measures = ledger.take(named(engine.model(), &args.what).and_then(differentiable));
     let tolerances = ledger.take(tolerances(&args.tolerance, engine.model()));
-    let ((At { t, setup, output }, tolerances), (requested, measures)) =
-        ledger.close(at.zip(tolerances).zip(requested.zip(measures)))?;
+    let (task, (tolerances, measures)) = ledger.close(task.zip(tolerances.zip(measures)))?;
     if args.grid.is_given() || !measures.is_empty() {
-        let since = requested.since();
-        let course = motion::VariedMotion {
-            requested,
-            measures,
-            tolerances,
-            freedom: args.freedom,
-            degrees: args.angles.degrees,
-        };
-        return course.run(&*engine, &Setup { since, ..setup }, &output, session);
+        let (freedom, degrees) = (args.freedom, args.angles.degrees);
+        return motion::VariedMotion { task, measures, tolerances, freedom, degrees }.run(&*engine, session);
     }
+    let MotionTask { requested, setup, output } = task;
+    let t = requested.first(engine, &setup)?;
     let (state, _) = driven_state(engine, &setup, t, args.freedom.least_norm)?;
     note_modes(session, engine, &setup, t);
     let found = engine.sensitivities(&setup, &state).map_err(|error| analysis(engine, &error))?;
@@ -111,6 +100,7 @@ pub(in crate::cli) fn run(
     let text = match output.form {
         Form::Json => {
             let mut all = fields(&found);
+            all.extend(record! { units: ResultUnits::of(model).in_degrees(args.angles.degrees).record() });
             if !deviations.is_empty() {
                 let tolerances: BTreeMap<_, _> = deviations.iter().cloned().collect();
                 all.extend(record! { tolerances: tolerances });

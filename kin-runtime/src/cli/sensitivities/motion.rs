@@ -3,13 +3,12 @@
 use crate::cli::engine::Engine;
 use crate::cli::failure::Failure;
 use crate::cli::followed::{FollowedMotion, Moved};
-use crate::cli::instants::RequestedInstants;
 use crate::cli::motion_notes::note_motion;
 use crate::cli::options::FreedomArgs;
-use crate::cli::output::{Destination, Form, json};
+use crate::cli::output::{Form, json};
 use crate::cli::session::Session;
-use crate::cli::setup::Setup;
 use crate::cli::solved::note_freedom;
+use crate::cli::task::MotionTask;
 use crate::cli::tolerance::Slopes;
 use crate::measure::Measure;
 use crate::model::Model;
@@ -18,6 +17,7 @@ use crate::present::json::record;
 use crate::present::number::{plain, rounded};
 use crate::present::table::Table;
 use crate::present::text::section;
+use crate::present::units::ResultUnits;
 use crate::sensitivities::Deviation;
 use crate::serial::NamedValues;
 use serde::Serialize;
@@ -26,8 +26,8 @@ use serde::Serialize;
 pub(super) const STEPS: usize = 180;
 
 /// A motion along which derivatives are requested.
-pub(super) struct VariedMotion {
-    pub(super) requested: RequestedInstants,
+pub(super) struct VariedMotion<'o> {
+    pub(super) task: MotionTask<'o>,
     /// The quantities; an empty list stands for the default outputs.
     pub(super) measures: Vec<Measure>,
     /// One per parameter, 0 where none is given.
@@ -47,16 +47,11 @@ struct VariedQuantity {
     name: String,
 }
 
-impl VariedMotion {
-    pub(super) fn run(
-        self,
-        engine: &dyn Engine,
-        setup: &Setup,
-        output: &Destination<'_>,
-        session: &mut Session<'_>,
-    ) -> Result<(), Failure> {
+impl VariedMotion<'_> {
+    pub(super) fn run(self, engine: &dyn Engine, session: &mut Session<'_>) -> Result<(), Failure> {
+        let MotionTask { requested, setup, output } = &self.task;
         let model = engine.model();
-        let instants = self.requested.instants(engine, setup)?;
+        let instants = requested.instants(engine, setup)?;
         let watch = session.watch();
         watch.begin("instants", instants.len());
         let are_named = !self.measures.is_empty();
@@ -66,7 +61,7 @@ impl VariedMotion {
             setup,
             instants: &instants,
             stop_at_events: false,
-            open_end: self.requested.is_open(),
+            open_end: requested.is_open(),
             freedom: self.freedom,
             reported: false,
             tells_missing: are_named,
@@ -100,10 +95,11 @@ impl VariedMotion {
             Form::Json => {
                 let quantities: NamedValues<_, _> =
                     quantities.iter().map(|quantity| (&quantity.name, quantity)).collect();
-                json(&record! { mechanism: model.name, t: times, quantities: quantities })?
+                let units = ResultUnits::of(model).in_degrees(self.degrees).record();
+                json(&record! { mechanism: model.name, units: units, t: times, quantities: quantities })?
             }
             Form::Csv => csv(&times, &quantities),
-            _ => text(model, &times, &quantities, &engine.parameters()),
+            _ => text((model, self.degrees), &times, &quantities, &engine.parameters()),
         };
         session.deliver(output, &text)?;
         ended.map_or(Ok(()), Err)
@@ -116,10 +112,11 @@ fn greatest(numbers: impl Iterator<Item = f64>) -> Option<(usize, f64)> {
 }
 
 /// For every quantity, the parameter that matters most and when; and the largest deviations that tolerances cause.
-fn text(model: &Model, times: &[f64], quantities: &[VariedQuantity], values: &[f64]) -> String {
+fn text((model, degrees): (&Model, bool), times: &[f64], quantities: &[VariedQuantity], values: &[f64]) -> String {
     let [from, to] = [times.first(), times.last()].map(|t| t.copied().map_or_else(String::new, rounded));
     let when = if times.len() == 1 { format!("at t = {from}") } else { format!("from t = {from} to t = {to}") };
-    let mut out = format!("{}, sensitivities {when}\n", model.name);
+    let angles = if degrees { ", angles in degrees" } else { "" };
+    let mut out = format!("{}, sensitivities {when}{angles}\n", model.name);
     let t = |index: usize| times.get(index).copied().map_or_else(String::new, rounded);
     // Along a motion the parameter that matters most; at one instant all that matter, in this order.
     let ranked = |quantity: &VariedQuantity| {

@@ -16,10 +16,11 @@ use super::predict::{beyond_parabola, parabola, turned, weights};
 use crate::course::{Between, Course, PathShape, kind};
 use crate::mechanism::{LengthError, Mechanism};
 use crate::model::Model;
-use crate::plan::StepKind;
+use crate::plan::ModeInfo;
 use crate::scalar::compare::all_finite;
 use crate::signal::{Instant, Signal};
 use crate::workspace::Array;
+use core::f64::consts::PI;
 
 impl<M: Mechanism> PlanFollower<M> {
     /// Solves the plan of the mechanism at an instant, in the modes of a configuration q, n numbers.
@@ -47,7 +48,7 @@ impl<M: Mechanism> PlanFollower<M> {
     }
 
     /// Starts again from a configuration q, n numbers, in the modes of q. An iteration must lead to a configuration with the
-    /// orientation that its group has at q; after an error the state is that before.
+    /// orientation that its group has at q, no more than half a turn away; after an error the state is that before.
     pub(crate) fn restart(&mut self, mechanism: &M, at: &Instant<'_>, q: &[f64]) -> Result<(), PlanError> {
         if q.len() != M::COORDINATES {
             return Err(LengthError { what: "q", expected: M::COORDINATES, found: q.len() }.into());
@@ -55,16 +56,20 @@ impl<M: Mechanism> PlanFollower<M> {
         let signs = BranchValues::at(mechanism, self.parameters.as_ref(), at, q)?.modes();
         let before = *self;
         self.restart_in(mechanism, at, q, signs)?;
-        let plan = &M::model().plan;
-        let is_other = |group: &usize| signs.as_ref()[*group] != self.branch.modes.as_ref()[*group];
-        match (plan.modes.len()..plan.modes.len() + plan.iterations).find(is_other) {
-            Some(group) => {
-                let group = plan.orientations[group - plan.modes.len()].name;
-                *self = before;
-                Err(PlanError::OtherClosure { t: at.t, group })
-            }
-            None => Ok(()),
+        let (model, modes) = (M::model(), M::model().plan.modes.len());
+        let iterated = model.plan.orientations.iter().take(model.plan.iterations).enumerate();
+        let mut left = iterated.filter(|(k, group)| {
+            let is_turned = |&(k, _): &(usize, usize)| {
+                model.coordinates[k].kind.is_angle() && (self.state().q.as_ref()[k] - q[k]).abs() > PI
+            };
+            signs.as_ref()[modes + k] != self.branch.modes.as_ref()[modes + k]
+                || model.plan.steps[group.step].unknowns().iter().any(is_turned)
+        });
+        if let Some((_, ModeInfo { name: group, .. })) = left.next() {
+            *self = before;
+            return Err(PlanError::OtherClosure { t: at.t, group });
         }
+        Ok(())
     }
 
     /// As [`restart`](Self::restart), in the given modes.
@@ -251,13 +256,9 @@ impl<M: Mechanism> PlanFollower<M> {
         let derivatives_of = |state: &PlanSolution<M>, k: usize| {
             [state.q.as_ref()[k], state.q_dot.as_ref()[k], state.q_ddot.as_ref()[k]]
         };
-        for step in M::model().plan.steps {
-            let StepKind::Newton(unknowns) = step.kind else { continue };
-            for &(k, _) in step.coordinates.iter().take(unknowns) {
-                let beyond =
-                    beyond_parabola(derivatives_of(before, k), derivatives_of(now, k), self.t - self.t_before, h);
-                self.predicted.as_mut()[k] += beyond;
-            }
+        for k in M::model().plan.iterated_coordinates() {
+            let beyond = beyond_parabola(derivatives_of(before, k), derivatives_of(now, k), self.t - self.t_before, h);
+            self.predicted.as_mut()[k] += beyond;
         }
     }
 

@@ -41,9 +41,14 @@ fn unit_of_effort(model: &Model, info: &ForceModel, driver: &str) -> Option<&'st
         Dimension::In(unit) if Some(unit) == model.units.length => force,
         Dimension::In(_) | Dimension::Unknown => None,
     };
-    match model.row_of_effort(driver) {
-        Some(row) => unit_of(driven_dimension(model, row)),
-        None => unit_of(Dimension::named(&model.units, driver)),
+    unit_of(dimension_of_driven(model, driver))
+}
+
+/// The dimension of what a driver drives, or of the input or the coordinate with this name.
+pub(crate) fn dimension_of_driven(model: &Model, name: &str) -> Dimension {
+    match model.row_of_effort(name) {
+        Some(row) => driven_dimension(model, row),
+        None => Dimension::named(&model.units, name),
     }
 }
 

@@ -29,9 +29,9 @@ mod varied;
 
 pub(crate) use dimension::Dimension;
 use dimension::driven_dimension;
-#[cfg(feature = "cli")]
-pub(crate) use force::columns;
 pub(crate) use force::{column_values, magnitude_parts};
+#[cfg(feature = "cli")]
+pub(crate) use force::{columns, dimension_of_driven};
 pub use source::Source;
 pub(crate) use value::values;
 pub(crate) use varied::Needs;

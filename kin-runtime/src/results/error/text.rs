@@ -214,6 +214,7 @@ impl fmt::Display for SolveError {
                 write!(f, "not assembled at t = {t} in the mode {}", modes.join(", "), t = rounded(*t))?;
                 write_limit(f, limit)
             }
+            Self::NothingCompared { skipped: 0 } => f.write_str("nothing was compared: there are no configurations"),
             Self::NothingCompared { skipped } => {
                 write!(f, "nothing was compared: Φ is not finite at any of {skipped} configurations")
             }

@@ -33,7 +33,7 @@ pub(super) fn states(
     let mut states = Vec::new();
     let count = if length > SAME_PLACE { steps } else { 0 };
     for k in 0..=count {
-        let s = if k == count { length } else { length * k as f64 / count as f64 };
+        let s = if k > 0 && k == count { length } else { length * k as f64 / count.max(1) as f64 };
         let next = nodes.partition_point(|node| node.s < s - SAME_PLACE).min(nodes.len() - 1);
         let node = match next.checked_sub(1) {
             Some(before) if nodes[next].s > s + SAME_PLACE => {
