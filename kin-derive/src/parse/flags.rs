@@ -2,6 +2,7 @@
 
 use super::flatten::flatten;
 use super::index::identifier;
+use super::keyword::{self, Keyword};
 use super::list::list;
 use super::reject::here;
 use crate::ast::{Flags, text};
@@ -37,10 +38,13 @@ fn flag(input: ParseStream, flags: &mut Flags) -> Result<()> {
         "allow_redundant" => &mut flags.allow_redundant,
         "check_units" => &mut flags.check_units,
         _ => {
-            let suggestion = did_you_mean(&name, NAMES);
-            let message = format!(
-                "no flag `{name}`; the flags are `cross_check`, `allow_redundant` and `check_units`{suggestion}"
-            );
+            let hint = match keyword::find(&name) {
+                Some(Keyword::Statement(form)) => format!("; write `{}` below", form.example()),
+                Some(_) => format!("; write `#[{name}(…)]` below"),
+                None => did_you_mean(&name, NAMES),
+            };
+            let message =
+                format!("no flag `{name}`; the flags are `cross_check`, `allow_redundant` and `check_units`{hint}");
             return Err(Error::new(word.span(), message));
         }
     };

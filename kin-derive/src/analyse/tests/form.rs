@@ -336,6 +336,9 @@ fn flags_are_known() {
         analyse(tokens(args), item).1.map_or_else(messages, |_| Vec::new())
     };
     assert!(flags("cross_chek")[0].contains("did you mean `cross_check`"));
+    let [attribute] = &flags("gravity = (0, -9.81)")[..] else { panic!("one error") };
+    assert!(attribute.ends_with("; write `#[gravity(0, -9.81)]` below"), "{attribute}");
+    assert!(flags("bodies(crank)")[0].ends_with("; write `#[bodies(…)]` below"));
     assert!(flags("cross_check, cross_check")[0].contains("twice"));
     assert!(flags("cross_check = true")[0].contains("alone"));
     assert_eq!(flags("3, allow, cross_check = 4").len(), 3);
