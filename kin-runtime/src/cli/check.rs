@@ -5,7 +5,7 @@ use serde::Serialize;
 use super::engine::{Engine, Miss};
 use super::examples::{Help, Names};
 use super::failure::{Failure, Ledger};
-use super::force_notes::pulls;
+use super::force_notes::reversed;
 use super::options::{FreedomArgs, SetupArgs};
 use super::output::{Form, OutputArgs, json};
 use super::session::Session;
@@ -63,7 +63,8 @@ pub(super) struct Findings {
     /// False if forces do not exist because loads act along coordinates that are open, which is no error.
     #[serde(skip)]
     held: bool,
-    /// Contacts whose normal force is negative, in words; they are no error of the solution.
+    /// Contacts whose normal force is negative, and ropes that would have to push, in words; they are no error of the
+    /// solution.
     pulling: Vec<String>,
     /// The proof that the solution exists; `None` if the mechanism could not be solved.
     #[serde(serialize_with = "proof")]
@@ -102,7 +103,7 @@ the plan with full Newton, and the power supplied with the rate of the energy. T
 solution are computed for positions, velocities and accelerations. The status is 0 only when
 everything passes. Where inputs have no value (--input), no solution is checked; where the drivers
 leave degrees of freedom open, it is that of least norm. With masses, a note names contacts whose
-normal force is negative.",
+normal force is negative, and ropes that would have to push.",
 };
 
 pub(super) fn run(args: &CheckArgs, engine: &mut dyn Engine, session: &mut Session<'_>) -> Result<(), Failure> {
@@ -188,8 +189,7 @@ pub(super) fn find(
     let no_forces = found.as_ref().err().map(ToString::to_string);
     let forces = found.ok().flatten();
     let power = forces.as_ref().zip(state).map(|(forces, state)| forces.power_miss_above(power_within(forces, state)));
-    let pulling = forces.as_ref().map(|forces| forces.pulling().map(|contact| pulls(contact, forces)).collect());
-    let pulling = pulling.unwrap_or_default();
+    let pulling = forces.as_ref().map(reversed).unwrap_or_default();
     let balanced = power.is_none_or(|miss| miss <= CLOSURE_TOLERANCE);
     let certificate = state.map(|state| engine.certify(setup, state));
     // A missing certificate is a failure only if the reason is that the state is not a solution.

@@ -1,4 +1,5 @@
-//! Sentences about forces: contacts that would have to pull or that lift off, and why a force is not determined.
+//! Sentences about forces: contacts that would have to pull or that lift off, ropes that would have to push, and why a force
+//! is not determined.
 
 use super::engine::Engine;
 use super::setup::Setup;
@@ -8,14 +9,30 @@ use crate::present::number::rounded;
 use crate::state::State;
 
 /// `contact would have to pull at t = 0.1: normal force -3.2 N; a contact that only presses has lifted off`.
-pub(super) fn pulls(contact: &Reaction, forces: &Forces) -> String {
-    let unit =
-        forces.model.forces.and_then(|info| info.units.force).map_or_else(String::new, |unit| format!(" {unit}"));
+fn pulls(contact: &Reaction, forces: &Forces) -> String {
+    let unit = unit(forces);
     let normal = contact.normal.map_or_else(String::new, rounded);
     let (name, t) = (contact.name, rounded(forces.t));
     format!(
         "`{name}` would have to pull at t = {t}: normal force {normal}{unit}; a contact that only presses has lifted off"
     )
+}
+
+/// What contacts would have to pull and ropes to push, in words.
+pub(super) fn reversed(forces: &Forces) -> Vec<String> {
+    let contacts = forces.pulling().map(|contact| pulls(contact, forces));
+    contacts.chain(forces.slack_ropes().map(|(name, tension)| pushes(name, tension, forces))).collect()
+}
+
+/// `stay would have to push at t = 0.1: tension -3.2 N; a rope is slack there`.
+fn pushes(name: &str, tension: f64, forces: &Forces) -> String {
+    let (t, tension) = (rounded(forces.t), rounded(tension));
+    format!("`{name}` would have to push at t = {t}: tension {tension}{}; a rope is slack there", unit(forces))
+}
+
+/// The unit of forces, after a space.
+fn unit(forces: &Forces) -> String {
+    forces.model.forces.and_then(|info| info.units.force).map_or_else(String::new, |unit| format!(" {unit}"))
 }
 
 /// `event: contact lifts off at t = 0.3`.

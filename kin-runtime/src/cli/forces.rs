@@ -3,7 +3,7 @@
 use super::engine::Engine;
 use super::examples::{Help, Names};
 use super::failure::{Failure, Ledger};
-use super::force_notes::pulls;
+use super::force_notes::reversed;
 use super::options::SetupArgs;
 use super::output::{Form, OutputArgs, json};
 use super::session::Session;
@@ -45,8 +45,9 @@ while the driven quantity grows. A joint's force and moment act on the body of i
 operand, at the joint's point; the other body receives the opposite. Shaking is what the
 mechanism exerts on the ground, its moment about the origin. Units follow the parameters.
 
-A note reports contacts whose normal force is negative; `sweep` finds when they lift off. At a dead
-centre forces do not exist; the error names the joints and drivers whose forces grow without bounds.",
+A note reports contacts whose normal force is negative (`sweep` finds when they lift off) and ropes
+that would have to push. At a dead centre forces do not exist; the error names the joints and
+drivers whose forces grow without bounds.",
 };
 
 pub(super) fn run(args: &ForcesArgs, engine: &mut dyn Engine, session: &mut Session<'_>) -> Result<(), Failure> {
@@ -77,9 +78,7 @@ pub(super) fn run(args: &ForcesArgs, engine: &mut dyn Engine, session: &mut Sess
             }
         });
     }
-    for contact in forces.pulling() {
-        session.note(&format!("note: {}", pulls(contact, &forces)));
-    }
+    reversed(&forces).iter().for_each(|sentence| session.note(&format!("note: {sentence}")));
     let text = match output.form {
         Form::Json => json(&forces)?,
         Form::Csv => {

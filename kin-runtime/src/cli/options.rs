@@ -47,7 +47,7 @@ A motion starts with these values and keeps the acceleration"
         value_name = "NAME=VALUE",
         long_help = "\
 Inputs of the mechanism:
-NAME=VALUE, NAME=VALUE,RATE or NAME=VALUE,RATE,ACCELERATION.
+NAME=VALUE, NAME=VALUE,RATE or NAME=VALUE,RATE,ACCELERATION, with commas or colons.
 A motion starts with these values and keeps the accelerations"
     )]
     input: Vec<String>,

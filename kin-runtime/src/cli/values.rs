@@ -190,14 +190,15 @@ pub(super) fn signal(option: &str, name: &str, parts: &[&str], measured: Measure
     Ok(Signal { value, rate, acceleration })
 }
 
-/// `u=value,rate,acceleration` from all occurrences of an option; a piece with `=` starts the next input.
+/// `u=value,rate,acceleration` from all occurrences of an option, with colons as in the values of `--given`, too; a piece
+/// with `=` starts the next input.
 pub(super) fn inputs(option: &str, texts: &[String], model: &Model) -> Result<Vec<(String, Signal)>, Failure> {
     let mut signals: Vec<(String, Signal)> = Vec::new();
     let mut ledger = Ledger::default();
     for text in texts {
         let mut pending: Option<(&str, Vec<&str>)> = None;
         let mut lost = false;
-        for piece in text.split(',') {
+        for piece in text.split([',', ':']) {
             match (piece.split_once('='), &mut pending) {
                 (Some((name, value)), open) => {
                     if let Some((name, parts)) = open.take() {

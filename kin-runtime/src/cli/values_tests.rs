@@ -69,6 +69,8 @@ fn bad_assignments_say_what_would_be_right() {
 fn signals_have_up_to_three_numbers() {
     let full = Signal { value: 1.0, rate: -2.0, acceleration: 3.0 };
     assert_eq!(inputs("--input", &texts(&["u=1,-2,3"])), Ok(vec![("u".into(), full)]));
+    // As in the values of --given.
+    assert_eq!(inputs("--input", &texts(&["u=1:-2:3"])), Ok(vec![("u".into(), full)]));
     let two = inputs("--input", &texts(&["u=1,-2,3,v=4", "w=0,1"]));
     assert_eq!(
         two.map(|s| s.iter().map(|(n, s)| (n.clone(), s.value, s.rate)).collect::<Vec<_>>()),

@@ -1,7 +1,10 @@
 //! Forces at one instant: efforts of drivers, reactions of joints, springs, shaking, energies and powers.
 
-use crate::model::Frame;
+use crate::model::{Frame, JointKind};
 use core::fmt;
+
+/// A tension below this, relative to the largest force, is a rounding error.
+const ROUNDING: f64 = 1e-12;
 
 /// A force and its moment.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -220,6 +223,18 @@ impl Forces {
     /// can only press, has lifted off.
     pub fn pulling(&self) -> impl Iterator<Item = &Reaction> {
         self.reactions.iter().filter(|reaction| reaction.normal.is_some_and(|normal| normal < 0.0))
+    }
+
+    /// The ropes that would have to push, each with its tension, which is negative: a real rope is slack there. A tension that
+    /// redundant rows leave undetermined does not count.
+    pub fn slack_ropes(&self) -> impl Iterator<Item = (&'static str, f64)> + '_ {
+        let size = |reaction: &Reaction| reaction.force.map_or(0.0, |[x, y]| x.hypot(y));
+        let largest = self.reactions.iter().map(size).fold(0.0, f64::max);
+        let ropes = self.model.joints.iter().filter(|joint| joint.kind == JointKind::Rope);
+        let known = ropes.filter(|joint| self.reaction(joint.name).is_some_and(|reaction| reaction.force.is_some()));
+        // λ of a rope, whose row is its length, is the tension.
+        let tensions = known.filter_map(|joint| Some((joint.name, *self.multipliers.get(joint.first_row)?)));
+        tensions.filter(move |(_, tension)| *tension < -ROUNDING * largest)
     }
 
     /// The name of the body that something acts on, or `ground`.

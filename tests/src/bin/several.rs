@@ -311,12 +311,29 @@ struct Sized {
     size: f64,
 }
 
+/// A boom on a rope from a point beside its foot, which has to push once the boom leans to the other side.
+#[mechanism]
+#[bodies(boom)]
+#[input(l, unit = "m")]
+#[revolute(foot: ground @ (0, 0), boom @ (0, 0))]
+#[rope(stay: ground @ (-r, 0), boom @ (r, 0), length = l)]
+#[guess(boom.phi = 1.2)]
+#[gravity(0, -9.81)]
+#[mass(boom @ (r, 0), mass = m)]
+struct Boom {
+    #[param(1, unit = "m")]
+    r: f64,
+    #[param(2, unit = "kg")]
+    m: f64,
+}
+
 fn main() -> ExitCode {
     let mut args: Vec<OsString> = std::env::args_os().collect();
     let name = if args.len() > 1 { args.remove(1) } else { OsString::new() };
     match name.to_str() {
         Some("arm") => run_from::<Arm>(args),
         Some("balanced") => run_from::<Balanced>(args),
+        Some("boom") => run_from::<Boom>(args),
         Some("carriage") => run_from::<Carriage>(args),
         Some("cam") => run("CamTable", args),
         Some("counter") => run_from::<Counter>(args),

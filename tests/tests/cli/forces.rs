@@ -118,6 +118,19 @@ fn a_contact_that_would_pull_is_told() {
     assert!(check["pulling"][0].as_str().unwrap().contains("`contact`"), "{check}");
 }
 
+/// At the angle φ the rope from the tip of a boom to a point beside its foot has the length 2 cos ½φ and the tension
+/// m g cos φ / sin ½φ.
+#[test]
+fn a_rope_that_would_push_is_told() {
+    for command in ["forces", "check --configurations 2"] {
+        let ran = kin(&format!("boom {command} --input l=1"));
+        let tension = -9.81 / f64::sin(60_f64.to_radians());
+        let note = format!("note: `stay` would have to push at t = 0: tension {tension:.6} N; a rope is slack there");
+        assert!(ran.status == Some(0) && ran.err.contains(&note), "{}", ran.err);
+        assert!(!kin(&format!("boom {command} --input l=1.7")).err.contains("push"));
+    }
+}
+
 /// Arrows are asked for by name, and a mechanism without masses has none.
 #[test]
 fn arrows_need_masses() {
