@@ -5,7 +5,7 @@ use serde::Serialize;
 use super::engine::{Engine, Miss};
 use super::examples::{Help, Names};
 use super::failure::{Failure, Ledger};
-use super::force_notes::reversed;
+use super::force_notes::unilateral_violations;
 use super::options::{FreedomArgs, SetupArgs};
 use super::output::{Form, OutputArgs, json};
 use super::session::Session;
@@ -189,7 +189,7 @@ pub(super) fn find(
     let no_forces = found.as_ref().err().map(ToString::to_string);
     let forces = found.ok().flatten();
     let power = forces.as_ref().zip(state).map(|(forces, state)| forces.power_miss_above(power_within(forces, state)));
-    let pulling = forces.as_ref().map(reversed).unwrap_or_default();
+    let pulling = forces.as_ref().map(unilateral_violations).unwrap_or_default();
     let balanced = power.is_none_or(|miss| miss <= CLOSURE_TOLERANCE);
     let certificate = state.map(|state| engine.certify(setup, state));
     // A missing certificate is a failure only if the reason is that the state is not a solution.

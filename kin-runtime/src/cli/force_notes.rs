@@ -18,8 +18,8 @@ fn pulls(contact: &Reaction, forces: &Forces) -> String {
     )
 }
 
-/// What contacts would have to pull and ropes to push, in words.
-pub(super) fn reversed(forces: &Forces) -> Vec<String> {
+/// Sentences about the contacts that would have to pull and the ropes that would have to push.
+pub(super) fn unilateral_violations(forces: &Forces) -> Vec<String> {
     let contacts = forces.pulling().map(|contact| pulls(contact, forces));
     contacts.chain(forces.slack_ropes().map(|(name, tension)| pushes(name, tension, forces))).collect()
 }

@@ -3,7 +3,7 @@
 use super::engine::Engine;
 use super::examples::{Help, Names};
 use super::failure::{Failure, Ledger};
-use super::force_notes::reversed;
+use super::force_notes::unilateral_violations;
 use super::options::SetupArgs;
 use super::output::{Form, OutputArgs, json};
 use super::session::Session;
@@ -78,7 +78,7 @@ pub(super) fn run(args: &ForcesArgs, engine: &mut dyn Engine, session: &mut Sess
             }
         });
     }
-    reversed(&forces).iter().for_each(|sentence| session.note(&format!("note: {sentence}")));
+    unilateral_violations(&forces).iter().for_each(|sentence| session.note(&format!("note: {sentence}")));
     let text = match output.form {
         Form::Json => json(&forces)?,
         Form::Csv => {

@@ -14,7 +14,10 @@ const UNIT: f64 = 1e-9;
 
 /// The first joint with a degenerate dimension; `numbers` is the geometry at an instant.
 pub(crate) fn first_degenerate(model: &'static Model, numbers: &[f64]) -> Option<(&'static JointInfo, Degeneracy)> {
-    model.joints.iter().find_map(|joint| Some((joint, degenerate_radius(joint, numbers).or(axis(joint, numbers))?)))
+    model
+        .joints
+        .iter()
+        .find_map(|joint| Some((joint, degenerate_radius(joint, numbers).or_else(|| degenerate_axis(joint, numbers))?)))
 }
 
 fn degenerate_radius(joint: &JointInfo, numbers: &[f64]) -> Option<Degeneracy> {
@@ -31,7 +34,7 @@ fn degenerate_radius(joint: &JointInfo, numbers: &[f64]) -> Option<Degeneracy> {
     }
 }
 
-fn axis(joint: &JointInfo, numbers: &[f64]) -> Option<Degeneracy> {
+fn degenerate_axis(joint: &JointInfo, numbers: &[f64]) -> Option<Degeneracy> {
     let mut axes = joint.geometry.iter().filter(|geometry| geometry.role == Role::Axis);
     let is_unit = |offset: usize| match numbers.get(offset..offset + 2) {
         Some(&[x, y]) => (x * x + y * y - 1.0).abs() <= UNIT,

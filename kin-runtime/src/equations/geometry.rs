@@ -1,6 +1,6 @@
 //! Geometry that is degenerate at the values of the parameters. The errors name the joint.
 //!
-//! A kept distance of 0 has no gradient; its row of Φ_q is zero. Dimensions that are degenerate at every instant are in
+//! A kept distance of 0 has no gradient; its row of Φ_q is zero. Degenerate radii and axes are in
 //! [`dimensions`](super::dimensions).
 
 use crate::equations::Equations;
