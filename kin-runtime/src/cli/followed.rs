@@ -31,7 +31,7 @@ pub(super) struct Moved {
     pub(super) at_its_end: bool,
     /// Degrees of freedom that the drivers leave open at the first instant.
     pub(super) open: usize,
-    /// Contacts that lift off or press again during the motion.
+    /// Contacts that lift off or press again during the motion, and ropes that go slack or are taut again.
     pub(super) contacts: Vec<ContactChange>,
 }
 

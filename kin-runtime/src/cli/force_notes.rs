@@ -35,10 +35,9 @@ fn unit(forces: &Forces) -> String {
     forces.model.forces.and_then(|info| info.units.force).map_or_else(String::new, |unit| format!(" {unit}"))
 }
 
-/// `event: contact lifts off at t = 0.3`.
+/// `event: contact lifts off at t = 0.3`, `event: stay goes slack at t = 0.3`.
 pub(super) fn contact(change: &ContactChange) -> String {
-    let event = if change.lifts_off { "lifts off" } else { "presses again" };
-    format!("event: {} {event} at t = {}", change.name, rounded(change.t))
+    format!("event: {} {} at t = {}", change.name, change.event(), rounded(change.t))
 }
 
 /// A note on the first force among the quantities that is not determined at a state.

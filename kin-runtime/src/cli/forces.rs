@@ -45,8 +45,8 @@ while the driven quantity grows. A joint's force and moment act on the body of i
 operand, at the joint's point; the other body receives the opposite. Shaking is what the
 mechanism exerts on the ground, its moment about the origin. Units follow the parameters.
 
-A note reports contacts whose normal force is negative (`sweep` finds when they lift off) and ropes
-that would have to push. At a dead centre forces do not exist; the error names the joints and
+A note reports contacts whose normal force is negative and ropes that would have to push (`sweep`
+finds when they lift off and go slack). At a dead centre forces do not exist; the error names the joints and
 drivers whose forces grow without bounds.",
 };
 

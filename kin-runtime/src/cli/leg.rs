@@ -8,7 +8,6 @@ use super::solved::{analysis, driven_state, fully_driven};
 use crate::error::SolveError;
 use crate::events::{Crossing, Event};
 use crate::forces::ContactChange;
-use crate::model::ForceModel;
 use crate::motion::Motion;
 use crate::nonlinear::root::tolerance;
 use crate::observer::Reached;
@@ -81,18 +80,21 @@ impl MotionLeg {
         trajectory.fallbacks.reverse();
         let mut lifted = BTreeSet::new();
         for change in &self.contacts {
-            let _ = if change.lifts_off { lifted.insert(change.name) } else { lifted.remove(change.name) };
+            let key = (change.name, change.rope);
+            let _ = if change.lifts_off { lifted.insert(key) } else { lifted.remove(&key) };
         }
         self.contacts.retain(|change| !is_lifted_at_start(change));
         self.contacts.iter_mut().for_each(|change| change.lifts_off = !change.lifts_off);
         self.contacts.reverse();
-        let at_end = lifted.into_iter().map(|name| ContactChange { name, t: end, lifts_off: true, within: 0.0 });
+        let lifted = lifted.into_iter();
+        let at_end = lifted.map(|(name, rope)| ContactChange { name, t: end, lifts_off: true, within: 0.0, rope });
         self.contacts.splice(0..0, at_end);
         self
     }
 }
 
-/// Whether this is a contact that is lifted off at the first instant, and not one that lifts off later.
+/// Whether this is a contact that is lifted off at the first instant, or a rope that is slack there, and not one that
+/// lifts off or goes slack later.
 fn is_lifted_at_start(change: &ContactChange) -> bool {
     change.lifts_off && change.within == 0.0
 }
@@ -173,8 +175,7 @@ impl FollowedMotion<'_> {
         let first = times.first().copied().unwrap_or(0.0);
         let (start, _) = driven_state(engine, setup, first, self.freedom.least_norm)?;
         let (mut finished, mut last, mut why) = (0, None, None);
-        let (mut contacts, touches) =
-            (ContactWatch::default(), engine.model().forces.is_some_and(ForceModel::has_contacts));
+        let (mut contacts, touches) = (ContactWatch::default(), engine.model().has_one_sided_forces());
         let mut missing = None;
         let mut step = |state: &State| {
             // The row of the limit is that of the search, whether a sweep solves it or not.
@@ -193,7 +194,7 @@ impl FollowedMotion<'_> {
             }
             visit(&InstantRow { state, motion: motion.as_ref(), values: &values })?;
             if touches {
-                // Contacts are not watched where forces do not exist.
+                // Contacts and ropes are not watched where forces do not exist.
                 let _ = engine.watch_contacts(setup, first, &mut contacts, state);
             }
             (finished, last) = (finished + 1, Some(state.t));

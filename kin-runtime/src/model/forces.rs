@@ -95,11 +95,6 @@ impl ForceModel {
     /// The first multiplier.
     pub const MULTIPLIERS: usize = 13;
 
-    /// Whether there are contacts, whose normal forces may change their sign.
-    pub fn has_contacts(&self) -> bool {
-        self.reactions.iter().any(|reaction| reaction.has_normal)
-    }
-
     /// A driver by its name.
     pub fn effort(&self, driver: &str) -> Option<&'static EffortInfo> {
         self.efforts.iter().find(|effort| effort.name == driver)
@@ -118,6 +113,15 @@ impl ForceModel {
 
 #[cfg(feature = "std")]
 impl Model {
+    /// Whether there are forces of contacts or ropes, which may change their sign.
+    #[cfg(feature = "std")]
+    pub(crate) fn has_one_sided_forces(&self) -> bool {
+        let is_rope = |joint: &super::JointInfo| joint.kind == super::JointKind::Rope;
+        self.forces.is_some_and(|forces| {
+            forces.reactions.iter().any(|reaction| reaction.has_normal) || self.joints.iter().any(is_rope)
+        })
+    }
+
     /// The row whose effort has this name: a driving row, or one of velocity level that prescribes a speed. None for a
     /// held coordinate that moves.
     pub(crate) fn row_of_effort(&self, name: &str) -> Option<usize> {

@@ -9,7 +9,7 @@ use super::condition;
 use super::json::Record;
 use crate::forces::ContactChange;
 use crate::measure::Measure;
-use crate::model::{ForceModel, Model};
+use crate::model::Model;
 use crate::motion::Motion;
 use crate::serial::{NamedValues, coordinate_names};
 use crate::signal::Signal;
@@ -130,7 +130,7 @@ fn end<M: SerializeMap>(
     map.serialize_entry("stopped", &trajectory.stopped)?;
     map.serialize_entry("violated_at_start", &violated)?;
     map.serialize_entry("events", &events)?;
-    if trajectory.model.forces.is_some_and(ForceModel::has_contacts) {
+    if trajectory.model.has_one_sided_forces() {
         map.serialize_entry("contacts", contacts)?;
     }
     if let Some(arc) = &trajectory.arc {

@@ -1,9 +1,9 @@
 //! Forces at one instant: efforts of drivers, reactions of joints, springs, shaking, energies and powers.
 
-use crate::model::{Frame, JointKind};
+use crate::model::{Frame, JointInfo, JointKind};
 use core::fmt;
 
-/// A tension below this, relative to the largest force, is a rounding error.
+/// The force of a contact or a rope below this, relative to the largest force, is a rounding error.
 const ROUNDING: f64 = 1e-12;
 
 /// A force and its moment.
@@ -64,26 +64,42 @@ pub struct Reaction {
     pub determined: bool,
 }
 
-/// The instant at which the bodies of a contact stop pressing on one another, or begin to again.
+/// The instant at which the bodies of a contact stop pressing on one another, or begin to again; or at which a rope goes
+/// slack, or is taut again.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct ContactChange {
     /// The joint.
     pub name: &'static str,
-    /// When its normal force changes its sign.
+    /// When its normal force or its tension changes its sign.
     pub t: f64,
-    /// True if the force is tensile after this instant, in the direction of the motion; false if it presses again.
+    /// True if after this instant, in the direction of the motion, the contact would have to pull or the rope to push;
+    /// false if the contact presses again or the rope is taut again.
     pub lifts_off: bool,
-    /// Width of the interval of time in which the sign changes; 0 for a force that is tensile at the first instant.
+    /// Width of the interval of time in which the sign changes; 0 for a force that has the wrong sign at the first
+    /// instant.
     pub within: f64,
+    /// True for a rope, false for a contact.
+    pub rope: bool,
 }
 
-/// `contact lifts off at t = 0.3`.
+/// `contact lifts off at t = 0.3`, `stay goes slack at t = 0.3`.
 impl fmt::Display for ContactChange {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let event = if self.lifts_off { "lifts off" } else { "presses again" };
-        write!(f, "{} {event} at t = ", self.name)?;
+        write!(f, "{} {} at t = ", self.name, self.event())?;
         crate::text::number(f, &self.t)
+    }
+}
+
+impl ContactChange {
+    /// `lifts off`.
+    pub(crate) const fn event(&self) -> &'static str {
+        match (self.rope, self.lifts_off) {
+            (false, true) => "lifts off",
+            (false, false) => "presses again",
+            (true, true) => "goes slack",
+            (true, false) => "is taut again",
+        }
     }
 }
 
@@ -222,19 +238,33 @@ impl Forces {
     /// The contacts whose normal force is negative: the bodies would have to pull on one another. A real contact, which
     /// can only press, has lifted off.
     pub fn pulling(&self) -> impl Iterator<Item = &Reaction> {
-        self.reactions.iter().filter(|reaction| reaction.normal.is_some_and(|normal| normal < 0.0))
+        let violated = self.reactions.iter().zip(self.one_sided()).filter(|(_, force)| force.is_some_and(|f| f < 0.0));
+        violated.map(|(reaction, _)| reaction).filter(|reaction| reaction.normal.is_some())
     }
 
     /// The ropes that would have to push, each with its tension, which is negative: a real rope is slack there. A tension that
     /// redundant rows leave undetermined does not count.
     pub fn slack_ropes(&self) -> impl Iterator<Item = (&'static str, f64)> + '_ {
+        let ropes = self.reactions.iter().zip(self.one_sided()).filter(|(reaction, _)| reaction.normal.is_none());
+        ropes.filter_map(|(reaction, force)| Some((reaction.name, force.filter(|&tension| tension < 0.0)?)))
+    }
+
+    /// For every reaction the normal force of a contact or the tension of a rope, which real contacts and ropes can only
+    /// supply where it is positive; 0 if it is a rounding error. None for other joints, and where it is undetermined.
+    pub(crate) fn one_sided(&self) -> impl Iterator<Item = Option<f64>> + '_ {
         let size = |reaction: &Reaction| reaction.force.map_or(0.0, |[x, y]| x.hypot(y));
         let largest = self.reactions.iter().map(size).fold(0.0, f64::max);
-        let ropes = self.model.joints.iter().filter(|joint| joint.kind == JointKind::Rope);
-        let known = ropes.filter(|joint| self.reaction(joint.name).is_some_and(|reaction| reaction.force.is_some()));
-        // λ of a rope, whose row is its length, is the tension.
-        let tensions = known.filter_map(|joint| Some((joint.name, *self.multipliers.get(joint.first_row)?)));
-        tensions.filter(move |(_, tension)| *tension < -ROUNDING * largest)
+        let forces = self.reactions.iter().map(|reaction| reaction.normal.or_else(|| self.tension(reaction)));
+        forces.map(move |force| force.map(|f| if f.abs() <= ROUNDING * largest { 0.0 } else { f }))
+    }
+
+    /// The tension of a rope, if this is one and its tension is determined or of least norm: λ of its row, which is its
+    /// length.
+    fn tension(&self, reaction: &Reaction) -> Option<f64> {
+        reaction.force?;
+        let named = |joint: &&JointInfo| joint.kind == JointKind::Rope && joint.name == reaction.name;
+        let rope = self.model.joints.iter().find(named)?;
+        self.multipliers.get(rope.first_row).copied()
     }
 
     /// The name of the body that something acts on, or `ground`.

@@ -9,6 +9,7 @@ mod pictures;
 mod prescribed;
 mod redundant;
 mod references;
+mod ropes;
 mod squeezer;
 mod typeset;
 mod units;
