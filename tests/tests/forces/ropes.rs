@@ -65,7 +65,7 @@ fn a_rope_without_load_does_not_go_slack() {
     #[revolute(pin: load @ (0, 0), float @ (0.1, 0))]
     #[driver(turn: float.phi - load.phi = t)]
     #[guess(load.y = 1)]
-    #[load(push: float @ (0, 0), force = (3, 0))]
+    #[force(push: float @ (0, 0), (3, 0))]
     struct Idle;
 
     let states = Idle.solver().sweep(&period(1.0, 200, 0.0)).unwrap().states;
