@@ -204,8 +204,12 @@ impl RequestedInstants {
         let at = |option: &str, moment: &TimeOrAngle| instant(option, *moment, engine, setup);
         let grid = |from: f64, to: f64, steps: usize| values::grid(from, to, steps).map(Instants::plain);
         match self {
-            Self::Times(times) => {
-                times.iter().map(|moment| at("--times", moment)).collect::<Result<_, _>>().map(Instants::plain)
+            Self::Times(moments) => {
+                let times: Vec<f64> = moments.iter().map(|moment| at("--times", moment)).collect::<Result<_, _>>()?;
+                match times.windows(2).find(|pair| pair[0] == pair[1]) {
+                    Some(pair) => Err(values::given_twice("--times", &rounded(pair[0]))),
+                    None => Ok(Instants::plain(times)),
+                }
             }
             Self::Grid { from: MotionEnd::At(from), to, steps } => {
                 let from = at("--from", from)?;

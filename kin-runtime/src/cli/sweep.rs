@@ -114,8 +114,12 @@ pub(super) fn run(args: &SweepArgs, engine: &mut dyn Engine, session: &mut Sessi
     let wanted = ledger.take(quantities(model, &args.what));
     let (task, (choices, wanted)) = ledger.close(task.zip(choices.zip(wanted)))?;
     let unnamed = wanted.is_empty();
-    let time = Measure::standard(model, false).into_iter().take(1);
-    let measures = if unnamed { Measure::standard(model, args.points) } else { time.chain(wanted).collect() };
+    let mut measures = Measure::standard(model, args.points);
+    if !unnamed {
+        measures.truncate(1);
+        let named = wanted.into_iter().filter(|measure| measure.name() != measures[0].name()).collect::<Vec<_>>();
+        measures.extend(named);
+    }
     let motions = SweepTask { args, task, choices, measures, unnamed, rows: Cell::new(0) };
     let (output, watch) = (&motions.task.output, session.watch());
     let streams = output.form != Form::Text;
@@ -168,17 +172,18 @@ impl SweepTask<'_> {
         self.choices.len() > 1
     }
 
-    /// Follows the motion of one combination of parameters: `each` runs the walk that it is given.
+    /// Follows the motion of one combination of parameters: `each` runs the walk that it is given, if its instants can be
+    /// found.
     fn follow(
         &self,
         (place, choice): (usize, &Choice),
         run: &mut RunningSweep<'_>,
-        each: impl FnOnce(&FollowedMotion<'_>) -> Result<Moved, Failure>,
+        each: impl FnOnce(&dyn Engine, Result<&FollowedMotion<'_>, Failure>) -> Result<Moved, Failure>,
     ) {
         let MotionTask { requested, setup, .. } = &self.task;
         choice.set(run.engine);
         let outcome = match requested.instants(run.engine, setup) {
-            Err(failure) => MotionOutcome { rows: 0, instants: 0, moved: Err(failure) },
+            Err(failure) => MotionOutcome { rows: 0, instants: 0, moved: each(run.engine, Err(failure)) },
             Ok(instants) => {
                 match (place, run.seen) {
                     (0, true) => run.watch.begin_unseen(),
@@ -186,11 +191,9 @@ impl SweepTask<'_> {
                 }
                 let before = self.rows.get();
                 let walk = self.args.motion.walk(run.engine, (requested, setup, &instants), &self.measures, run.watch);
-                let moved = each(&FollowedMotion {
-                    stop_at_events: self.args.stop_at_events,
-                    tells_missing: !self.args.what.is_empty(),
-                    ..walk
-                });
+                let stop_at_events = self.args.stop_at_events;
+                let tells_missing = !self.args.what.is_empty();
+                let moved = each(run.engine, Ok(&FollowedMotion { stop_at_events, tells_missing, ..walk }));
                 MotionOutcome { rows: self.rows.get() - before, instants: instants.len(), moved }
             }
         };
@@ -264,8 +267,8 @@ fn csv(motions: &SweepTask<'_>, run: &mut RunningSweep<'_>, out: &mut dyn Write)
     let mut failed = None;
     for (index, choice) in motions.choices.iter().enumerate() {
         let values: Vec<f64> = choice.pairs(model).map(|(_, value)| value).collect();
-        motions.follow((index, choice), run, |walk| {
-            walk.each(&mut |row| match csv.row(values.iter().chain(row.values).copied()) {
+        motions.follow((index, choice), run, |_, walk| {
+            walk?.each(&mut |row| match csv.row(values.iter().chain(row.values).copied()) {
                 Ok(()) => {
                     motions.count(1);
                     ControlFlow::Continue(())
@@ -289,12 +292,13 @@ fn json(motions: &SweepTask<'_>, run: &mut RunningSweep<'_>, out: &mut dyn Write
     let record = |index: usize, write: &mut dyn FnMut(&SweepRecord<'_>)| {
         let run = &mut **shared.borrow_mut();
         let choice = &motions.choices[index];
-        motions.follow((index, choice), run, |walk| {
-            let moved = RefCell::new(None);
+        motions.follow((index, choice), run, |engine, walk| {
+            let (walk, failure) = walk.map_or_else(|failure| (None, Some(failure)), |walk| (Some(walk), None));
+            let moved = RefCell::new(failure.map(Err));
+            let measures: &[Measure] = if motions.unnamed { &[] } else { &motions.measures[1..] };
             let each = |visit: Visit<'_>| {
-                let walk =
-                    FollowedMotion { measures: if motions.unnamed { &[] } else { &motions.measures[1..] }, ..*walk };
-                let walk = FollowedMotion { reported: motions.args.points, ..walk };
+                let Some(walk) = walk else { return };
+                let walk = FollowedMotion { measures, reported: motions.args.points, ..*walk };
                 moved.replace(Some(walk.each(&mut |row| {
                     let motion = row.motion.map(|motion| degrees::motion(model, motion, walk.degrees));
                     let state = degrees::state(model, row.state, walk.degrees);
@@ -312,9 +316,9 @@ fn json(motions: &SweepTask<'_>, run: &mut RunningSweep<'_>, out: &mut dyn Write
             write(&SweepRecord {
                 model,
                 varied: motions.are_several().then(|| choice.pairs(model).collect()),
-                parameters: Parameters::new(model, &walk.engine.parameters()),
+                parameters: Parameters::new(model, &engine.parameters()),
                 units: ResultUnits::of(model).in_degrees(degrees).record(),
-                quantities: if motions.unnamed { &[] } else { &motions.measures[1..] },
+                quantities: measures,
                 walk: &each,
                 ended: &ended,
             });
@@ -339,8 +343,8 @@ fn text(motions: &SweepTask<'_>, run: &mut RunningSweep<'_>) -> String {
     let model = run.engine.model();
     let mut out = String::new();
     for (index, choice) in motions.choices.iter().enumerate() {
-        motions.follow((index, choice), run, |walk| {
-            let moved = walk.with_states()?;
+        motions.follow((index, choice), run, |_, walk| {
+            let moved = walk?.with_states()?;
             let rows = moved.columns.first().map_or(0, Vec::len);
             motions.count(rows);
             if rows > 0 {

@@ -246,10 +246,15 @@ pub(super) fn times(option: &str, text: &str, model: &Model) -> Result<Vec<TimeO
         if let [a, b] = pair
             && a == b
         {
-            return Err(Failure::option(option, format!("the instant {} is given twice in succession", text.trim())));
+            return Err(given_twice(option, text.trim()));
         }
     }
     Ok(times)
+}
+
+/// The error about an instant that follows itself.
+pub(super) fn given_twice(option: &str, instant: &str) -> Failure {
+    Failure::option(option, format!("the instant {instant} is given twice in succession"))
 }
 
 /// If neighbouring `f64` near t differ by more than this, the error about equal instants states the difference.

@@ -86,6 +86,28 @@ fn a_motion_that_does_not_begin_is_not_complete() {
     assert_eq!((ran.status, complete), (Some(1), vec![&Value::from(true), &Value::from(false)]));
 }
 
+/// So does one whose limit cannot be searched for.
+#[test]
+fn a_motion_without_a_limit_to_be_found_is_not_complete() {
+    let ran = kin("fourbar sweep rocker.phi --to limit --vary l1=3,0.4 --steps 2 --format json");
+    let all: Value = serde_json::from_str(&ran.out).expect("JSON");
+    let motions = all["motions"].as_array().expect("a list");
+    let said = |k: usize| (motions[k]["varied"]["l1"].as_f64(), motions[k]["complete"].as_bool());
+    assert_eq!((2, Some(1)), (motions.len(), ran.status), "{}", ran.err);
+    assert_eq!((Some(3.0), Some(false)), said(0));
+    assert_eq!(Some(0.4), said(1).0);
+}
+
+/// A column is not written twice, and an instant is solved once, however it is written.
+#[test]
+fn nothing_is_written_twice() {
+    let text = good("fourbar sweep t rocker.phi --steps 1 --format csv");
+    assert_eq!(Some("t,rocker.phi"), text.lines().next());
+    let said = "--times: the instant 0 is given twice in succession";
+    failed("fourbar sweep rocker.phi --times 0,0turn --format csv", 2, &[said]);
+    good("fourbar sweep rocker.phi --times 0,1turn,0 --format csv");
+}
+
 /// What a command cannot do at the same time is refused, with both options in the message.
 #[test]
 fn options_that_exclude_one_another_are_refused() {
