@@ -5,6 +5,7 @@
 //! redundant ones must agree.
 
 use crate::analysis::by_plan;
+use crate::analysis::singular::is_rank_special;
 use crate::analysis::subsystem_residual::close;
 use crate::equations::Equations;
 use crate::equations::scale::Scale;
@@ -98,7 +99,11 @@ pub(crate) fn finish(
         return Ok(Position { q, iterations: outcome.iterations, residual });
     }
     if let Some(conflict) = given_conflict(equations) {
-        return Err(conflict);
+        // What is out of reach is given at the end of a range, where its row adds no rank either.
+        if !is_rank_special(equations, &q) {
+            return Err(conflict);
+        }
+        equations.evaluate(Subset::POSITION, &q, None)?;
     }
     let (residual, limit) = (equations.phi.get(outcome.worst).copied().unwrap_or(0.0), by_plan::limit(equations, &q));
     if let Some(undefined) = by_plan::undefined(equations, &q) {

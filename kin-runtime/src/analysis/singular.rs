@@ -94,6 +94,12 @@ pub(crate) fn dependent_rows(equations: &Equations<'_>, null_vectors: &nalgebra:
         .collect()
 }
 
+/// True if Φ_q has a higher rank around `q` than at `q`. Leaves `equations` evaluated at another configuration.
+pub(crate) fn is_rank_special(equations: &mut Equations<'_>, q: &[f64]) -> bool {
+    let all: Vec<usize> = (0..equations.rows()).collect();
+    rank_at(equations, q, &all).is_some_and(|rank| rank_nearby(equations, q, rank, &all) > rank)
+}
+
 /// Largest rank of `rows` at assembled configurations around `q`; stops at the first above `rank_at_q`.
 pub(crate) fn rank_nearby(equations: &mut Equations<'_>, q: &[f64], rank_at_q: usize, rows: &[usize]) -> usize {
     let closing = equations.rows_where(|e, row| !e.drives(row) && e.holonomic(row));

@@ -79,10 +79,13 @@ impl FunctionChecks {
         } else {
             check.arguments += 1;
         }
+        // The first comparison counts even if it agrees exactly.
+        let mut is_first = check.arguments == 1;
         for (derivative, Agreement { given, differences, error }) in
             found.into_iter().filter_map(|(d, a)| Some((d, a?)))
         {
-            if error > check.error {
+            if is_first || error > check.error {
+                is_first = false;
                 *check = FunctionCheck { derivative, x, given, differences, error, ..check.clone() };
             }
         }
@@ -225,6 +228,17 @@ mod tests {
         // A derivative that is wrongly given as 0.
         let zero = worst(|x| [x * x, 2.0 * x, 0.0], 0.0, 1.0);
         assert!(zero[0] < 1e-9 && zero[1] > 0.9);
+    }
+
+    #[test]
+    fn an_exact_agreement_shows_the_derivative() {
+        let mut all = FunctionChecks::default();
+        for x in [f64::NAN, 0.5, 2.0] {
+            all.compare("f", &|x| Some([3.0 * x, 3.0, 0.0]), x);
+        }
+        let [found] = &all.finish()[..] else { panic!("one function") };
+        assert_eq!((found.arguments, found.skipped, found.x, found.error), (2, 1, 0.5, 0.0));
+        assert!([found.given, found.differences].iter().all(|slope| (slope - 3.0).abs() < 1e-12), "{found}");
     }
 
     /// No disagreement is reported where rounding dominates on all intervals on which a function is smooth.

@@ -114,7 +114,7 @@ impl ForceModel {
 #[cfg(feature = "std")]
 impl Model {
     /// Whether there are forces of contacts or ropes, which may change their sign.
-    #[cfg(feature = "std")]
+    #[cfg(feature = "cli")]
     pub(crate) fn has_one_sided_forces(&self) -> bool {
         let is_rope = |joint: &super::JointInfo| joint.kind == super::JointKind::Rope;
         self.forces.is_some_and(|forces| {

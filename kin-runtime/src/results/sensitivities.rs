@@ -139,8 +139,9 @@ impl fmt::Display for Deviation {
 impl Sensitivities {
     /// By how much a quantity deviates where every parameter may deviate by its tolerance on either side.
     ///
-    /// `tolerances` has a number for every parameter of [`by`](Self::by), in the unit of the parameter; `derivative`
-    /// selects the derivative of the quantity from those with respect to one parameter.
+    /// `tolerances` has a number for every parameter of [`by`](Self::by), in the unit of the parameter; if there are fewer,
+    /// the others count as exact. `derivative` selects the derivative of the quantity from those with respect to one
+    /// parameter.
     ///
     /// ```
     /// use kin_runtime::{Kinematics, mechanism};

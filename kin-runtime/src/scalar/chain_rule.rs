@@ -16,6 +16,11 @@ macro_rules! functions_by_chain_rule {
             signum |x, y| if x == 0.0 { f64::NAN } else { 0.0 };
         }
 
+        fn hypot(self, other: Self) -> Self {
+            let length = libm::hypot(self.value, other.value);
+            self.chain(length, self.value / length) + other.chain(0.0, other.value / length)
+        }
+
         /// The number of whole turns is the same for variables nearby.
         #[cfg_attr(not(debug_assertions), inline(always))]
         fn nearest(self, reference: Self) -> Self {

@@ -88,6 +88,12 @@ pub trait Scalar:
     }
     /// Square root.
     fn sqrt(self) -> Self;
+    /// The length of the vector (`self`, `other`). A scalar that carries derivatives has none at a vector of length 0 that
+    /// moves, which those of the squares do not show.
+    #[inline]
+    fn hypot(self, other: Self) -> Self {
+        (self * self + other * other).sqrt()
+    }
     /// Exponential.
     fn exp(self) -> Self;
     /// Natural logarithm.

@@ -198,8 +198,6 @@ fn add_recorded(
     let results = measures.iter().zip(weights).filter(|(measure, weight)| **weight != 0.0 && !measure.is_held());
     let results: Option<Vec<(Recorded, f64)>> =
         results.map(|(measure, &weight)| Some((measure.varied(model, varied)?, weight))).collect();
-    // If x² + y² overflows, the derivatives of its root are 0 here; the other way avoids the squares.
-    let results = results.filter(|results| results.iter().all(|(result, _)| result.value().is_finite()));
     let Some(results) = results else { return false };
     accumulate(results, gradient);
     true

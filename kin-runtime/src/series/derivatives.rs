@@ -44,9 +44,9 @@ impl Derivatives {
         Self { t: state.t, inputs: state.inputs.clone(), further, q, by_plan }
     }
 
-    /// The highest order.
+    /// The highest order; 0 also if `q` is empty.
     pub fn order(&self) -> usize {
-        self.q.len() - 1
+        self.q.len().saturating_sub(1)
     }
 
     /// The instant, to hand to other analyses.

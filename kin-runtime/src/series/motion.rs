@@ -83,6 +83,7 @@ fn motion(
     derivatives: &Derivatives,
 ) -> Result<MotionDerivatives, SolveError> {
     length("derivatives of inputs", equations.inputs.len().min(derivatives.further.len()), derivatives.further.len())?;
+    length("orders of q", derivatives.q.len().max(1), derivatives.q.len())?;
     for vector in &derivatives.q {
         equations.check("q", vector)?;
     }

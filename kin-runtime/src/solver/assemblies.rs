@@ -73,6 +73,9 @@ impl dyn AnySolver + '_ {
     /// All ways in which the mechanism closes.
     pub(super) fn closures(&self, at: &Instant<'_>) -> Result<Assemblies, SolveError> {
         let (model, guess) = (self.model(), self.start()?);
+        if !all_finite(&guess) {
+            self.equations_at(at)?.check("guess", &guess)?;
+        }
         let by_plan = self.angles_with_free_turns(at, &guess);
         // `is_sound_plan` checks the instant and the parameters; otherwise `equations_at` does, and a length is needed.
         let is_sound = by_plan.is_some() && self.is_sound_plan(at);

@@ -56,6 +56,7 @@ fn centre(
         equations.check("q_dot", &given.q_dot)?;
     }
     let q: Vec<f64> = guess.iter().map(|g| g.unwrap_or(0.0)).collect();
+    equations.check("guess", &q)?;
     let length = Scale::around(equations, &q).length;
     let model = equations.model;
     let given = options.given.first().map_or(&[][..], |first| &first.inputs);

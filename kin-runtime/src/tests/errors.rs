@@ -71,6 +71,16 @@ fn what_is_given_twice_is_a_conflict() {
     assert_eq!(error, SolveError::UnknownCoordinate { index: 12, coordinates: 12 });
 }
 
+/// The second crank is 0.09 long, at x = 0.45: the coordinate can be given, but not this value.
+#[test]
+fn what_is_given_out_of_reach_is_no_conflict() {
+    for value in [1.0, 0.55, -3.0] {
+        let solver = FiveBar.solver().with_given(3, Signal { value, ..Signal::default() });
+        let error = solver.state(&Instant::at(0.0)).unwrap_err();
+        assert!(matches!(error, SolveError::NotAssembled { .. }), "{value}: {error}");
+    }
+}
+
 #[test]
 fn what_is_not_a_number_is_named() {
     let mechanism = FourBarLoop::default();

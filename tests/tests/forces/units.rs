@@ -178,3 +178,17 @@ fn a_joint_that_is_turned_takes_a_moment() {
     let driven: Vec<String> = Measure::driven(Turned::model()).iter().map(|driven| driven.name().to_owned()).collect();
     assert_eq!(["block.phi", "block.x", "table.phi"], driven[..]);
 }
+
+/// Two motors that move one quantity, and one between them that moves another.
+#[mechanism(allow_redundant)]
+#[coordinates(u, v)]
+#[driver(first: u = t)]
+#[driver(other: v = 2 * t)]
+#[driver(again: u = t)]
+struct Shared;
+
+#[test]
+fn a_quantity_that_several_drivers_move_is_named_once() {
+    let driven: Vec<String> = Measure::driven(Shared::model()).iter().map(|driven| driven.name().to_owned()).collect();
+    assert_eq!(["u", "v"], driven[..]);
+}

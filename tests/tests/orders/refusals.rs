@@ -2,7 +2,7 @@
 
 use kin_runtime::function::FromFn;
 use kin_runtime::series::HigherOrders;
-use kin_runtime::{Instant, Kinematics, Mechanism, Options, Signal, SolveError, mechanism};
+use kin_runtime::{Derivatives, Instant, Kinematics, Mechanism, Options, Signal, SolveError, mechanism};
 
 /// A row with an absolute value whose argument is 0 at t = 1.
 #[mechanism]
@@ -87,7 +87,11 @@ fn inputs_are_known_as_far_as_they_are_given() {
 
     // Up to the second order no derivative of an input is missing.
     assert_eq!(3, solver.derivatives(&state, 2).unwrap().q.len());
-    solver.motion_derivatives(&solver.derivatives(&state, 2).unwrap()).unwrap();
+    let second = solver.derivatives(&state, 2).unwrap();
+    solver.motion_derivatives(&second).unwrap();
+    let nothing = Derivatives { q: Vec::new(), ..second };
+    assert_eq!(0, nothing.order());
+    assert!(matches!(solver.motion_derivatives(&nothing), Err(SolveError::Length(_))));
     assert!(matches!(solver.derivatives_with(&state, 3, &[&[], &[], &[], &[]]), Err(SolveError::Length(_))));
     let bad = solver.derivatives_with(&state, 3, &[&[f64::NAN]]).unwrap_err();
     assert_eq!(SolveError::NonFinite { what: "inputs", index: 0, name: "lift", t: None }, bad);

@@ -3,7 +3,7 @@
 use super::ranges::closures;
 use kin_runtime::function::Polynomial;
 use kin_runtime::planned::LimitKind;
-use kin_runtime::{Instant, Kinematics, Ranges, SolveError, Uncertified, mechanism};
+use kin_runtime::{Instant, Kinematics, Ranges, Signal, SolveError, Uncertified, mechanism};
 use std::f64::consts::PI;
 
 /// An angle that occurs doubled has four directions, and the dyad on it closes only with the two that point to its pivot.
@@ -135,6 +135,43 @@ fn no_range_has_a_negative_length() {
     let refused = Negative.solver().ranges(&Instant::at(-1.0), 1.0).unwrap_err();
     assert!(matches!(refused, SolveError::DegenerateGeometry { joint: "D", .. }), "{refused:?}");
     assert!(Negative.solver().ranges(&Instant::at(-1.0), -0.4).unwrap().is_complete());
+}
+
+/// A rod whose length changes with time as much as with its input.
+#[mechanism]
+#[body(s, y = 0, phi = 0)]
+#[input(u)]
+#[distance(D: ground @ (0.5, 0), s @ (0, 0), length = u - t)]
+#[guess(s.x = 1)]
+struct Kept;
+
+/// Its length is that of the inputs at each time, and the error tells the time.
+#[test]
+fn lengths_in_a_range_are_those_of_the_moving_inputs() {
+    let ranges = |value: f64| {
+        let inputs = [Signal::new(value, 1.0, 0.0)];
+        Kept.solver().ranges(&Instant { t: 0.0, inputs: &inputs }, 30.0)
+    };
+    let all = ranges(0.9).unwrap();
+    assert!(all.is_complete() && all.ranges.len() == 2 && all.limits.is_empty(), "{all}");
+    let refused = ranges(-0.9).unwrap_err();
+    assert!(matches!(refused, SolveError::DegenerateGeometry { joint: "D", t: 0.0, .. }), "{refused:?}");
+}
+
+/// Closures and ranges name it, and do not merely prove nothing.
+#[test]
+fn a_guess_that_is_no_number_is_named() {
+    let solver = Chosen.solver().with_guess(2, f64::NAN);
+    let at = Instant::at(0.0);
+    for error in [
+        solver.assemblies(&at).unwrap_err(),
+        solver.ranges(&at, 1.0).unwrap_err(),
+        solver.cross_check(&Default::default()).unwrap_err(),
+    ] {
+        assert!(matches!(error, SolveError::NonFinite { what: "guess", name: "a.phi", .. }), "{error:?}");
+    }
+    let refused = Chosen.solver().ranges(&at, f64::INFINITY).unwrap_err();
+    assert!(matches!(refused, SolveError::NonFinite { what: "t", .. }), "{refused:?}");
 }
 
 /// A driver that a supplied function prescribes.

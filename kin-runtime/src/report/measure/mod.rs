@@ -219,9 +219,9 @@ impl Measure {
     /// prescribes, or else the one coordinate in its row.
     pub fn driven(model: &'static Model) -> Vec<Self> {
         let rows = model.rows.iter().enumerate().filter(|(_, row)| row.driving);
-        let mut driven: Vec<Self> = rows.filter_map(|(row, _)| Self::named(model, &driven_by(model, row)?)).collect();
-        driven.dedup();
-        driven
+        let names: Vec<String> = rows.filter_map(|(row, _)| driven_by(model, row)).collect();
+        let once = names.iter().enumerate().filter(|(k, name)| !names[..*k].contains(name));
+        once.filter_map(|(_, name)| Self::named(model, name)).collect()
     }
 
     /// A value with its rate and its acceleration.

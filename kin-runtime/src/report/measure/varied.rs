@@ -79,14 +79,14 @@ impl Measure {
             Kind::Speed(index) => {
                 let [x, y] = model.points[index].observables.map(observed);
                 let (x, y) = (x?.rate, y?.rate);
-                Some((x * x + y * y).sqrt())
+                Some(x.hypot(y))
             }
             Kind::Observable(index) => observed(index).and_then(order),
             Kind::Transmission(pair) => transmission(model, &pair, varied),
             Kind::Force(_, Some(Source::Force(index))) => varied.forces.get(index).copied(),
             Kind::Force(_, Some(Source::ForceLength(index))) => {
                 let (x, y) = (*varied.forces.get(index)?, *varied.forces.get(index + 1)?);
-                Some((x * x + y * y).sqrt())
+                Some(x.hypot(y))
             }
             Kind::Time | Kind::Input(_) | Kind::Effort(_) | Kind::Force(..) => None,
         }

@@ -6,7 +6,7 @@ mod by_search;
 use super::Solver;
 use super::any_solver::AnySolver;
 use crate::certificate::Uncertified;
-use crate::equations::geometry;
+use crate::equations::{finite, geometry};
 use crate::error::SolveError;
 use crate::mechanism::Mechanism;
 use crate::model::Model;
@@ -67,8 +67,11 @@ impl<M: Mechanism> Solver<'_, M> {
 impl dyn AnySolver + '_ {
     fn ranges_to(&self, from: &Instant<'_>, to: f64) -> Result<Ranges, SolveError> {
         let guess = self.start()?;
-        self.equations_at(&Instant { t: to, inputs: from.inputs })?;
-        geometry::check(&self.equations_at(from)?)?;
+        let equations = self.equations_at(from)?;
+        equations.check("guess", &guess)?;
+        geometry::check(&equations)?;
+        // What the inputs are at the end, and whether lengths are positive there, the search sees.
+        finite("t", 0, "t", to)?;
         if let Some(why) = self.unproven() {
             return Err(SolveError::NotCertified { t: from.t, why });
         }
