@@ -138,6 +138,7 @@ impl<'m> Tracker<'m> {
     }
 
     fn advance(&mut self, at: &Instant<'_>) -> Result<(), SolveError> {
+        self.follower.fallbacks.clear();
         let Err(error) = self.equations.check_instant(at) else { return self.follow(at) };
         // If time alone makes a length negative, the motion may end at a limit before.
         let by_time = self.equations.model.inputs.is_empty()
@@ -151,7 +152,6 @@ impl<'m> Tracker<'m> {
     /// Follows the branch to an instant that was checked.
     fn follow(&mut self, at: &Instant<'_>) -> Result<(), SolveError> {
         let Self { equations, follower, .. } = self;
-        follower.fallbacks.clear();
         if follower.advance_by_plan(equations, at)? {
             return Ok(());
         }
