@@ -60,7 +60,7 @@ fn hides_motion(graph: &Graph, expression: ExprId, varies: &dyn Fn(ExprId) -> bo
         (_, Some(a)) if is_affine(graph, a) => sinusoid(id).is_some() && arguments.insert(a) && arguments.len() > 1,
         (_, Some(a)) | (Node::Call(_, a), _) => varies(a),
         (Node::Mul(a, b), _) if a != b && (has_sinusoid(a) && varies(b) || has_sinusoid(b) && varies(a)) => true,
-        (node, _) => add_degree(node, id, varies(id), &mut degrees) > 5 || is_other_curve(graph, id, varies),
+        (node, _) => add_degree((id, node), varies, &mut degrees) > 5 || is_other_curve(graph, id, varies),
     })
 }
 
@@ -74,10 +74,10 @@ fn turning_argument(graph: &Graph, id: ExprId) -> Option<ExprId> {
 }
 
 /// Adds the degree of a polynomial to those of its operands, and returns it; 0 for all other expressions.
-fn add_degree(node: Node, id: ExprId, varies: bool, degrees: &mut IdMap<u32>) -> u32 {
+fn add_degree((id, node): (ExprId, Node), varies: &dyn Fn(ExprId) -> bool, degrees: &mut IdMap<u32>) -> u32 {
     let of = |id: ExprId| degrees.or(id, 0);
     let degree = match node {
-        Node::Symbol(_) => u32::from(varies),
+        Node::Symbol(_) => u32::from(varies(id)),
         Node::Neg(a) | Node::Opaque(a) | Node::Div(a, _) => of(a),
         Node::Add(a, b) | Node::Sub(a, b) => of(a).max(of(b)),
         Node::Mul(a, b) => of(a).saturating_add(of(b)),
