@@ -150,6 +150,20 @@ fn members_of_a_family_are_written_once() {
 }
 
 #[test]
+fn linear_systems_have_their_unknowns() {
+    let text = sheet(quote! {
+        #[coordinates(u, v)]
+        #[constraint(a: (x̄ + t) * u + cos(t) * v = 1)]
+        #[constraint(b: t * u + (x̄ - t) * v = x̄)]
+        struct Two { x̄: f64 }
+    })
+    .text();
+    for line in ["u (x̄ + t) + v cos t = 1\n", "t u + v (x̄ − t) "] {
+        assert!(text.contains(line), "{line}\n{text}");
+    }
+}
+
+#[test]
 fn members_with_other_numbers_are_written_by_themselves() {
     let text = sheet(quote! {
         #[coordinates(u[4])]
