@@ -64,11 +64,11 @@ fn hides_motion(graph: &Graph, expression: ExprId, varies: &dyn Fn(ExprId) -> bo
     })
 }
 
-/// The argument of a sine, a cosine or a rotated vector.
+/// The argument of a sine or cosine, or the angle of a vector that turns with time or an input.
 fn turning_argument(graph: &Graph, id: ExprId) -> Option<ExprId> {
     match graph.node(id) {
         Node::Call(Function::Sin | Function::Cos, a) => Some(a),
-        Node::RotX(r) | Node::RotY(r) => Some(r.angle),
+        Node::RotX(r) | Node::RotY(r) if graph.depends(r.angle).is_rheonomic() => Some(r.angle),
         _ => None,
     }
 }
