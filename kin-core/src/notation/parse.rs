@@ -140,13 +140,13 @@ impl<'t> FormulaParser<'t> {
                 if self.take(')') { Ok(inner) } else { self.error("`)`") }
             }
             Some(c) if c.is_ascii_digit() => Ok(FormulaTree::Number(self.number()?)),
-            Some(c) if c.is_alphabetic() || c == '_' => self.named(),
+            Some(c) if is_of_name(c) => self.named(),
             _ => self.error("a number, a name or `(`"),
         }
     }
 
     fn named(&mut self) -> Read {
-        let within = |c: char| c.is_alphanumeric() || matches!(c, '_' | '.' | '[' | ']' | '#');
+        let within = |c: char| is_of_name(c) || c.is_ascii_digit() || matches!(c, '.' | '[' | ']' | '#');
         let length = self.rest().find(|c| !within(c)).unwrap_or(self.rest().len());
         let name = &self.rest()[..length];
         self.at += length;
@@ -185,6 +185,12 @@ impl<'t> FormulaParser<'t> {
         self.at += length;
         Ok(value)
     }
+}
+
+/// True for letters and the marks that names may have above them, as in x̄: all that is not ASCII, except for the ellipsis
+/// of a text that was cut off.
+fn is_of_name(c: char) -> bool {
+    c.is_ascii_alphabetic() || c == '_' || !c.is_ascii() && c != '…'
 }
 
 /// The product a·b without nested products, with the sign moved to the front.

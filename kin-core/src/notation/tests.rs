@@ -125,6 +125,13 @@ fn a_factor_of_1_has_no_place_beside_a_number_of_many_digits() {
     assert_eq!(formula.write(Notation::Unicode), "0.011111111111111112 a");
 }
 
+#[test]
+fn names_may_have_marks_above_their_letters() {
+    for (text, unicode) in [("x̄*φ̂.phi_dot - 2", "x̄ φ̇_φ̂ − 2"), ("℘[2]", "℘₂")] {
+        assert_eq!(all(text)[0], unicode);
+    }
+}
+
 /// A factor behind a slash would seem to be below it, also if it is a sum that is broken into lines.
 #[test]
 fn a_fraction_before_a_broken_sum_is_in_brackets() {

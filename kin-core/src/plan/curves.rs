@@ -6,7 +6,7 @@
 
 use super::tree::{Block, BlockPart, Core, SolutionMethod};
 use crate::constraint::ConstraintRow;
-use crate::expr::{Depends, ExprId, Graph, Node, Symbol};
+use crate::expr::{Depends, ExprId, Graph, IdMap, Node, Symbol};
 use crate::program::{Program, Slot, lower};
 use crate::vocabulary::Function;
 use std::collections::{BTreeMap, BTreeSet};
@@ -39,7 +39,7 @@ pub(super) fn has_curves(graph: &Graph, expressions: &[ExprId]) -> bool {
 fn is_other_curve(graph: &Graph, id: ExprId, varies: &dyn Fn(ExprId) -> bool) -> bool {
     match graph.node(id) {
         Node::Supplied(_, _, a) | Node::Powf(a, _) => varies(a),
-        Node::Powi(a, n) => n.abs() > 2 && varies(a),
+        Node::Powi(a, n) => !(0..=2).contains(&n) && varies(a),
         Node::Div(_, b) => varies(b),
         Node::Atan2(y, x) => varies(y) || varies(x),
         _ => false,
@@ -49,23 +49,42 @@ fn is_other_curve(graph: &Graph, id: ExprId, varies: &dyn Fn(ExprId) -> bool) ->
 /// True if the value of an expression may change and return although its rate and acceleration vanish at both ends.
 ///
 /// One sinusoid of an affine argument cannot, nor can its square: rate and acceleration of a sin x never vanish together.
-/// The sum of two can, as sin³ x = ¾ sin x − ¼ sin 3x shows.
+/// The sum of two can, as sin³ x = ¾ sin x − ¼ sin 3x shows; so can vectors that turn with bodies held at two such angles. A
+/// polynomial that changes and returns in this way has three zeros at each end, so that its degree is at least 6.
 fn hides_motion(graph: &Graph, expression: ExprId, varies: &dyn Fn(ExprId) -> bool) -> bool {
-    let mut arguments = BTreeSet::new();
+    let (mut arguments, mut degrees) = (BTreeSet::new(), IdMap::default());
     // The argument of a sinusoid, unless it turns no faster than the bodies.
-    let sinusoid = |id: ExprId| match graph.node(id) {
-        Node::Call(Function::Sin | Function::Cos, a) if varies(a) && !is_sum_of_angles(graph, a) => Some(a),
-        _ => None,
-    };
+    let sinusoid = |id: ExprId| turning_argument(graph, id).filter(|&a| varies(a) && !is_sum_of_angles(graph, a));
     let has_sinusoid = |id: ExprId| graph.reachable([id]).into_iter().any(|id| sinusoid(id).is_some());
-    graph.reachable([expression]).into_iter().any(|id| match graph.node(id) {
-        Node::Call(Function::Sin | Function::Cos, a) if is_affine(graph, a) => {
-            sinusoid(id).is_some() && arguments.insert(a) && arguments.len() > 1
-        }
-        Node::Call(_, a) => varies(a),
-        Node::Mul(a, b) if a != b => has_sinusoid(a) && varies(b) || has_sinusoid(b) && varies(a),
-        _ => is_other_curve(graph, id, varies),
+    graph.reachable([expression]).into_iter().any(|id| match (graph.node(id), turning_argument(graph, id)) {
+        (_, Some(a)) if is_affine(graph, a) => sinusoid(id).is_some() && arguments.insert(a) && arguments.len() > 1,
+        (_, Some(a)) | (Node::Call(_, a), _) => varies(a),
+        (Node::Mul(a, b), _) if a != b && (has_sinusoid(a) && varies(b) || has_sinusoid(b) && varies(a)) => true,
+        (node, _) => add_degree((id, node), varies, &mut degrees) > 5 || is_other_curve(graph, id, varies),
     })
+}
+
+/// The argument of a sine or cosine, or the angle of a vector that turns with time or an input.
+fn turning_argument(graph: &Graph, id: ExprId) -> Option<ExprId> {
+    match graph.node(id) {
+        Node::Call(Function::Sin | Function::Cos, a) => Some(a),
+        Node::RotX(r) | Node::RotY(r) if graph.depends(r.angle).is_rheonomic() => Some(r.angle),
+        _ => None,
+    }
+}
+
+/// Adds the degree of a polynomial to those of its operands, and returns it; 0 for all other expressions.
+fn add_degree((id, node): (ExprId, Node), varies: &dyn Fn(ExprId) -> bool, degrees: &mut IdMap<u32>) -> u32 {
+    let of = |id: ExprId| degrees.or(id, 0);
+    let degree = match node {
+        Node::Symbol(_) => u32::from(varies(id)),
+        Node::Neg(a) | Node::Opaque(a) | Node::Div(a, _) => of(a),
+        Node::Add(a, b) | Node::Sub(a, b) => of(a).max(of(b)),
+        Node::Mul(a, b) => of(a).saturating_add(of(b)),
+        _ => 0,
+    };
+    degrees.insert(id, degree);
+    degree
 }
 
 /// The parts of rows that hide motion and depend on time and inputs alone or on a single coordinate, or are curves over

@@ -246,8 +246,10 @@ impl<'a> TermReader<'a> {
             }
         }
         multiples.retain(|_, times| *times != 0);
-        let multiples: Vec<(u32, i32)> =
-            multiples.into_iter().map(|(k, times)| Some((k, i32::try_from(times).ok()?))).collect::<Option<_>>()?;
+        let multiples: Vec<(u32, i32)> = multiples
+            .into_iter()
+            .map(|(k, times)| Some((k, i16::try_from(times).ok()?.into())))
+            .collect::<Option<_>>()?;
         // cos(θ + δ) = cos δ cos θ − sin δ sin θ.
         let (cos, sin) = (self.graph.cos(known), self.graph.sin(known));
         let minus_sin = self.graph.neg(sin);
@@ -293,7 +295,7 @@ impl<'a> TermReader<'a> {
         Some(out)
     }
 
-    /// a · b; `None` if one of the forms has a rest or the product has too many terms.
+    /// a · b; `None` if one of the forms has a rest or the product has too many terms or too high powers.
     pub(super) fn product(&mut self, a: &TermSum, b: &TermSum) -> Option<TermSum> {
         if a.rest.is_some() || b.rest.is_some() || a.terms.len() * b.terms.len() > 4 * MAX_TERMS {
             return None;
@@ -301,7 +303,7 @@ impl<'a> TermReader<'a> {
         let mut out = TermSum::default();
         for (key_a, pair_a) in &a.terms {
             for (key_b, pair_b) in &b.terms {
-                let powers = multiplied(&key_a.powers, &key_b.powers);
+                let powers = multiplied(&key_a.powers, &key_b.powers)?;
                 for part in self.product_of_angles((&key_a.angle, *pair_a), (&key_b.angle, *pair_b)) {
                     let terms = part.terms.into_iter();
                     let terms = terms.map(|(key, pair)| (TermKey { powers: powers.clone(), ..key }, pair)).collect();
@@ -379,10 +381,13 @@ fn plus(graph: &mut Graph, a: ExprId, b: ExprId, factor: f64) -> ExprId {
     }
 }
 
-fn multiplied(a: &[(u32, u8)], b: &[(u32, u8)]) -> Vec<(u32, u8)> {
+fn multiplied(a: &[(u32, u8)], b: &[(u32, u8)]) -> Option<Vec<(u32, u8)>> {
     let mut powers: BTreeMap<u32, u8> = a.iter().copied().collect();
-    b.iter().for_each(|&(k, n)| *powers.entry(k).or_default() += n);
-    powers.into_iter().collect()
+    for &(k, n) in b {
+        let power = powers.entry(k).or_default();
+        *power = power.checked_add(n)?;
+    }
+    Some(powers.into_iter().collect())
 }
 
 impl TermSum {

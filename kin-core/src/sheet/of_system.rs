@@ -50,12 +50,15 @@ impl Sheet {
     }
 }
 
-/// The shape of a member of a family: the texts of its residuals without digits, which are equal for members that
-/// differ only in indices.
+/// The shape of a member of a family: the texts of its residuals without indices, which are equal for members that
+/// differ only in these.
 fn shape(system: &KinematicSystem, joint: &JointInstance) -> Vec<String> {
-    let without_digits = |text: String| text.chars().filter(|c| !c.is_ascii_digit()).collect::<String>();
+    let without_indices = |text: String| {
+        let parts = text.split('[').enumerate();
+        parts.map(|(k, part)| part.trim_start_matches(|c: char| k > 0 && c.is_ascii_digit())).collect::<String>()
+    };
     let rows = joint.first_row..joint.first_row + joint.rows;
-    rows.map(|row| without_digits(system.set.show(residual(system, row)))).collect()
+    rows.map(|row| without_indices(system.set.show(residual(system, row)))).collect()
 }
 
 fn residual(system: &KinematicSystem, row: usize) -> crate::expr::ExprId {

@@ -102,13 +102,13 @@ impl StepLine {
 
 /// The product row · unknowns as a formula.
 fn product(row: &[ShownFormula], unknowns: &[String]) -> ShownFormula {
-    let term = |(entry, name): (&ShownFormula, &String)| match entry {
-        ShownFormula::Formula(entry) if entry.is_zero() => None,
-        ShownFormula::Formula(FormulaTree::Number(1.0)) => Some((false, FormulaTree::Name(Name::new(name)))),
-        ShownFormula::Formula(entry) => {
-            Some((false, FormulaTree::Product(vec![entry.clone(), FormulaTree::Name(Name::new(name))])))
-        }
-        ShownFormula::Text(text) => Some((false, FormulaTree::Name(Name::new(text)))),
+    let term = |(entry, name): (&ShownFormula, &String)| {
+        let entry = match entry {
+            ShownFormula::Formula(entry) if entry.is_zero() => return None,
+            ShownFormula::Formula(entry) => entry.clone(),
+            ShownFormula::Text(text) => FormulaTree::Name(Name::new(&format!("`({text})`"))),
+        };
+        Some((false, FormulaTree::Product(vec![entry, FormulaTree::Name(Name::new(name))])))
     };
     let terms: Vec<(bool, FormulaTree)> = row.iter().zip(unknowns).filter_map(term).collect();
     ShownFormula::Formula(if terms.is_empty() { FormulaTree::Number(0.0) } else { FormulaTree::Sum(terms).tidied() })

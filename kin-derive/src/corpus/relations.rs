@@ -245,4 +245,11 @@ pub(super) const CASES: &[Case] = &[
         counts: [3, 3, 3, 1],
         fault: "",
     },
+    Case {
+        name: "a power of a high degree",
+        parameters: "a",
+        attributes: "coordinates(u); define(s = u.powi(4).powi(4)); constraint(row: s.powi(4).powi(4) + u = a)",
+        counts: [1, 1, 1, 0],
+        fault: "",
+    },
 ];

@@ -150,6 +150,34 @@ fn members_of_a_family_are_written_once() {
 }
 
 #[test]
+fn linear_systems_have_their_unknowns() {
+    let text = sheet(quote! {
+        #[coordinates(u, v)]
+        #[constraint(a: (x̄ + t) * u + cos(t) * v = 1)]
+        #[constraint(b: t * u + (x̄ - t) * v = x̄)]
+        struct Two { x̄: f64 }
+    })
+    .text();
+    for line in ["u (x̄ + t) + v cos t = 1\n", "t u + v (x̄ − t) "] {
+        assert!(text.contains(line), "{line}\n{text}");
+    }
+}
+
+#[test]
+fn members_with_other_numbers_are_written_by_themselves() {
+    let text = sheet(quote! {
+        #[coordinates(u[4])]
+        #[constraint(step[i in 0..3]: u[i + 1] = u[i] + 0.25 * i)]
+        #[driver(drive: u[0] = t)]
+        struct Steps;
+    })
+    .text();
+    for number in ["0.25", "0.5"] {
+        assert!(text.contains(&format!("− {number} = 0")), "{number}\n{text}");
+    }
+}
+
+#[test]
 fn of_large_mechanisms_the_rest_is_named() {
     let rows = (0..300_usize).map(|k| {
         let (row, q) = (quote::format_ident!("row{k}"), quote::format_ident!("q{k}"));

@@ -67,6 +67,20 @@ struct Redundant {
     k: f64,
 }
 
+/// The same by two bodies that are held at angles of time: sin³ x = ¾ sin x − ¼ sin 3x.
+#[mechanism]
+#[body(one, x = 0.8, y = 0, phi = k * t - pi / 2)]
+#[body(two, origin = one @ (0.75 * a, 0), phi = 3 * k * t + pi / 2)]
+#[body(arm, x = 0, y = 0)]
+#[body(slider, y = 0, phi = 0)]
+#[point_on_line(push: slider @ (0, 0), two @ (0.25 * a, 0), axis = (0, 1))]
+#[distance(rod: arm @ (0.2, 0), slider @ (0, 0), length = 0.7)]
+#[guess(arm.phi = 1, slider.x = 0.8)]
+struct Held {
+    a: f64,
+    k: f64,
+}
+
 /// Every way from one of these times to the next ends at the dead centre, and passes no instant beyond it.
 pub(crate) fn ends_at<M: Kinematics + Sync>(mechanism: &M, times: &[f64], limit: f64) {
     let name = format!("{}, {} steps to {}", M::model().name, times.len() - 1, times.last().expect("times"));
@@ -134,6 +148,7 @@ fn a_lobe_of_a_cam_within_a_step_is_found() {
             ends_at(&Wave { a, k }, &times, first(a, k, 3));
             ends_at(&Driven { a, k }, &times, first(a, k, 3));
             ends_at(&Redundant { a, k }, &times, first(a, k, 3));
+            ends_at(&Held { a, k }, &times, first(a, k, 3));
         }
         for times in grids(k, -1.0) {
             ends_at(&Cubed { a: -a, k }, &times, -first(a, k, 3));
@@ -269,4 +284,8 @@ fn steps_are_looked_into_only_where_functions_may_hide_motion() {
         Driven::KNOWN_VALUES_CURVE,
     ];
     assert_eq!([true; 8], seen);
+    driven!(Cubic: (t * (w * t - a) * (t - w)));
+    driven!(Products: (a * t * t * t * (w - t) * (w - t) * (w - t)));
+    driven!(Inverse: (a * pow(1 + pow(w * t, 2), -1)));
+    const { assert!(!Cubic::KNOWN_VALUES_CURVE && Products::KNOWN_VALUES_CURVE && Inverse::KNOWN_VALUES_CURVE) };
 }
