@@ -114,12 +114,8 @@ pub(super) fn run(args: &SweepArgs, engine: &mut dyn Engine, session: &mut Sessi
     let wanted = ledger.take(quantities(model, &args.what));
     let (task, (choices, wanted)) = ledger.close(task.zip(choices.zip(wanted)))?;
     let unnamed = wanted.is_empty();
-    let mut measures = Measure::standard(model, args.points);
-    if !unnamed {
-        measures.truncate(1);
-        let named = wanted.into_iter().filter(|measure| measure.name() != measures[0].name()).collect::<Vec<_>>();
-        measures.extend(named);
-    }
+    let time = Measure::standard(model, false).into_iter().take(1);
+    let measures = if unnamed { Measure::standard(model, args.points) } else { time.chain(wanted).collect() };
     let motions = SweepTask { args, task, choices, measures, unnamed, rows: Cell::new(0) };
     let (output, watch) = (&motions.task.output, session.watch());
     let streams = output.form != Form::Text;
