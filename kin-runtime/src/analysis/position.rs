@@ -99,7 +99,8 @@ pub(crate) fn finish(
         return Ok(Position { q, iterations: outcome.iterations, residual });
     }
     if let Some(conflict) = given_conflict(equations) {
-        // What is out of reach is given at the end of a range, where its row adds no rank either.
+        // For a value out of reach the iteration ends where the coordinate cannot grow or shrink further. There its row
+        // adds no rank, but it does nearby; the row of a coordinate that others determine adds none anywhere.
         if !is_rank_special(equations, &q) {
             return Err(conflict);
         }
