@@ -30,40 +30,73 @@ const AT_BOUND: f64 = 1e-6;
 /// Search for dimensions that give a wanted motion
 #[derive(Clone, Debug, clap::Args)]
 pub(super) struct DesignArgs {
-    /// Parameters that may vary: NAME=LOW..HIGH, or NAME for half to twice its value
+    /// Parameters that may vary; a NAME alone: half to twice its value
     #[arg(long, value_name = "NAME=LOW..HIGH")]
     free: Vec<String>,
     /// Two parameters that stay equal: NAME=OTHER, where OTHER is free
     #[arg(long, value_name = "NAME=NAME")]
     equal: Vec<String>,
-    /// A path: this point is to pass through positions: POINT=FILE, csv with the columns x,y or t,x,y
-    #[arg(long, value_name = "POINT=FILE")]
+    /// A path: the positions in a file that this point passes through
+    #[arg(
+        long,
+        value_name = "POINT=FILE",
+        long_help = "\
+A path: this point is to pass through positions: POINT=FILE, csv with the
+columns x,y or t,x,y"
+    )]
     path: Vec<String>,
-    /// In which direction paths without t may be traversed: forward, backward, either
-    #[arg(long, value_name = "DIRECTION", default_value = "forward")]
+    /// Paths without t: forward, backward or either
+    #[arg(
+        long,
+        value_name = "DIRECTION",
+        default_value = "forward",
+        long_help = "\
+In which direction paths without t may be traversed: forward, backward, either"
+    )]
     direction: String,
-    /// A quantity over time: NAME=FILE, csv with the columns t,value or t,NAME
+    /// A quantity over time: csv with the columns t,value or t,NAME
     #[arg(long, value_name = "NAME=FILE")]
     function: Vec<String>,
-    /// A quantity whose greatest absolute value over a turn is minimised
+    /// A quantity whose greatest magnitude over a turn is minimised
     #[arg(long, value_name = "NAME")]
     peak: Vec<String>,
-    /// It must move through a full turn [of this driver], and no dyad may come nearer to a dead centre than a tenth of its links
-    #[arg(long, value_name = "DRIVER", num_args = 0..=1, default_missing_value = "")]
+    /// It must move through a full turn [of this driver]
+    #[arg(
+        long,
+        value_name = "DRIVER",
+        num_args = 0..=1,
+        default_missing_value = "",
+        long_help = "\
+It must move through a full turn [of this driver], and no dyad may come nearer
+to a dead centre than a tenth of its links"
+    )]
     turns: Option<String>,
-    /// Lengths of a four-bar that must satisfy Grashof's condition: GROUND,CRANK,COUPLER,ROCKER
-    #[arg(long, value_name = "LENGTHS")]
+    /// Lengths of a four-bar that must satisfy Grashof's condition
+    #[arg(
+        long,
+        value_name = "LENGTHS",
+        long_help = "\
+Lengths of a four-bar that must satisfy Grashof's condition:
+GROUND,CRANK,COUPLER,ROCKER"
+    )]
     grashof: Option<String>,
-    /// Which link of --grashof is the shortest: ground, crank, coupler or rocker
-    #[arg(long, value_name = "LINK", default_value = "crank", requires = "grashof")]
+    /// Which link of --grashof is the shortest
+    #[arg(
+        long,
+        value_name = "LINK",
+        default_value = "crank",
+        requires = "grashof",
+        long_help = "\
+Which link of --grashof is the shortest: ground, crank, coupler or rocker"
+    )]
     shortest: String,
-    /// A quantity that stays within a range over the whole turn: NAME=LOW..HIGH
+    /// A quantity that stays within LOW..HIGH over the whole turn
     #[arg(long, value_name = "NAME=LOW..HIGH")]
     range: Vec<String>,
-    /// Transmission angles at JOINT stay between ANGLE and 180° - ANGLE over the whole turn
+    /// Transmission angles of JOINT stay from ANGLE to 180° - ANGLE
     #[arg(long, value_name = "JOINT>ANGLE")]
     transmission: Vec<String>,
-    /// How long a turn takes [default: one turn of the driven crank, or 1]
+    /// How long a turn takes [default: that of the driven crank, or 1]
     #[arg(long, value_name = "T")]
     period: Option<f64>,
     /// Random designs to begin with

@@ -22,8 +22,13 @@ use crate::present::number::{plain, rounded};
 pub(super) struct ForcesArgs {
     #[command(flatten)]
     at: AtArgs,
-    /// Where redundant joints share a load, the least forces; where drivers leave the motion open, the smallest q̇ and q̈
-    #[arg(long)]
+    /// The least forces and rates where these are left open
+    #[arg(
+        long,
+        long_help = "\
+Where redundant joints share a load, the least forces; where drivers leave the
+motion open, the smallest q̇ and q̈"
+    )]
     least_norm: bool,
     #[command(flatten)]
     output: OutputArgs,
@@ -46,8 +51,8 @@ operand, at the joint's point; the other body receives the opposite. Shaking is 
 mechanism exerts on the ground, its moment about the origin. Units follow the parameters.
 
 A note reports contacts whose normal force is negative and ropes that would have to push (`sweep`
-finds when they lift off and go slack). At a dead centre forces do not exist; the error names the joints and
-drivers whose forces grow without bounds.",
+finds when they lift off and go slack). At a dead centre forces do not exist; the error names the
+joints and drivers whose forces grow without bounds.",
 };
 
 pub(super) fn run(args: &ForcesArgs, engine: &mut dyn Engine, session: &mut Session<'_>) -> Result<(), Failure> {

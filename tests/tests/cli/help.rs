@@ -5,6 +5,26 @@ use crate::{failed, good, kin};
 const MECHANISMS: [&str; 3] = ["fourbar", "leg", "underdriven"];
 const COMMANDS: [&str; 10] =
     ["", "info", "solve", "sweep", "extremes", "check", "equations", "animate", "plot", "completions"];
+const MORE_COMMANDS: [&str; 5] = ["forces", "sensitivities", "design", "modes", "limits"];
+
+/// The first line of a help text that does not fit the screen. The first line of all is the documentation of the mechanism;
+/// the option for inputs is appended to every example.
+fn too_long(text: &str) -> Option<&str> {
+    text.lines().skip(1).find(|line| line.chars().count() > 100 && !line.contains("--input '"))
+}
+
+/// The help of commands that have no example for some mechanisms fits the screen as well.
+#[test]
+fn help_of_more_commands_fits_the_screen() {
+    for mechanism in ["fourbar", "leg", "eccentric"] {
+        for command in MORE_COMMANDS {
+            for help in ["-h", "--help"] {
+                let line = format!("{mechanism} {command} {help}");
+                assert_eq!(too_long(&good(&line)), None, "{line}");
+            }
+        }
+    }
+}
 
 #[test]
 fn help_fits_the_screen_and_has_examples() {
@@ -14,11 +34,7 @@ fn help_fits_the_screen_and_has_examples() {
                 let line = format!("{mechanism} {command} {help}");
                 let text = good(&line);
                 assert!(text.contains("\nExamples:\n  several"), "{line}: {text}");
-                // The first line is the documentation of the mechanism; the option for inputs is appended to every
-                // example.
-                let mut lines = text.lines().skip(1);
-                let long = lines.find(|l| l.chars().count() > 100 && !l.contains("--input '"));
-                assert_eq!(long, None, "{line}");
+                assert_eq!(too_long(&text), None, "{line}");
                 assert!(!text.contains('\u{1b}'), "{line}: colours in a pipe");
             }
         }
@@ -59,10 +75,7 @@ fn examples_run() {
     let (mut tried, mut failed) = (0, Vec::new());
     for mechanism in ["fourbar", "leg", "underdriven", "limits", "redundant", "cam", "ends", "teeth"] {
         // The programs of the examples try all commands of all mechanisms, optimised.
-        let more: &[&str] = match mechanism {
-            "fourbar" | "leg" => &["forces", "sensitivities", "design", "modes", "limits"],
-            _ => &[],
-        };
+        let more: &[&str] = if ["fourbar", "leg"].contains(&mechanism) { &MORE_COMMANDS } else { &[] };
         for command in COMMANDS.iter().chain(more) {
             let help = good(&format!("{mechanism} {command} --help"));
             // Commands that draw have no example for a mechanism without anything to draw.

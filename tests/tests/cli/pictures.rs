@@ -9,6 +9,7 @@ fn a_slider_that_is_held_has_a_rail_and_a_block() {
     let ran = kin(&format!("with_units animate --steps 3 --input turn=0.5 --out {}", picture.display()));
     assert_eq!((Some(0), ""), (ran.status, ran.err.as_str()));
     let svg = std::fs::read_to_string(&picture).expect("a picture");
+    std::fs::remove_file(&picture).expect("it is there");
     let last = |part: &str| svg.rfind(part).unwrap_or_else(|| panic!("no {part} in {svg}"));
     // The pin of the slider is drawn after the block.
     assert!(last("<rect x=\"-9\"") < last("<circle cx=\"0\" cy=\"0\" r=\"3\""));

@@ -67,8 +67,8 @@ Derivatives are exact; instant, inputs and assembly mode are held. Units are tho
 quantity by those of the parameter.
 
 With names of quantities (those of `sweep`), or with --from, --to, --steps or --times, it says
-of every quantity which parameter matters most and when; with --tolerance the greatest deviations and
-when. Its csv and json have the numbers of all instants, and `plot --tolerance` draws them.",
+of every quantity which parameter matters most and when; with --tolerance the greatest deviations
+and when. Its csv and json have the numbers of all instants, and `plot --tolerance` draws them.",
 };
 
 pub(in crate::cli) fn run(
