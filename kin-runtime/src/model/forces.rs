@@ -2,7 +2,7 @@
 
 use super::{Frame, OperationCount};
 #[cfg(feature = "std")]
-use super::{Level, Model};
+use super::{JointInfo, JointKind, Level, Model};
 
 /// Number of entries before the multipliers: shaking (3), inertia (3), energies (3), powers (3), the rate of the total
 /// energy.
@@ -116,10 +116,16 @@ impl Model {
     /// Whether there are forces of contacts or ropes, which may change their sign.
     #[cfg(feature = "cli")]
     pub(crate) fn has_one_sided_forces(&self) -> bool {
-        let is_rope = |joint: &super::JointInfo| joint.kind == super::JointKind::Rope;
+        let is_rope = |joint: &JointInfo| joint.kind == JointKind::Rope;
         self.forces.is_some_and(|forces| {
             forces.reactions.iter().any(|reaction| reaction.has_normal) || self.joints.iter().any(is_rope)
         })
+    }
+
+    /// The row of the rope of this name; none for other joints.
+    pub(crate) fn rope_row(&self, name: &str) -> Option<usize> {
+        let named = |joint: &&JointInfo| joint.kind == JointKind::Rope && joint.name == name;
+        self.joints.iter().find(named).map(|rope| rope.first_row)
     }
 
     /// The row whose effort has this name: a driving row, or one of velocity level that prescribes a speed. None for a

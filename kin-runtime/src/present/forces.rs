@@ -58,6 +58,13 @@ pub(crate) fn text(forces: &Forces, degrees: bool) -> String {
             .right("tangential", contacts().map(|r| known_or_none(r.tangential, false)));
         out += &section("Contacts: positive normal forces press, negative ones would pull", &table);
     }
+    let ropes = || forces.reactions.iter().filter(|r| r.tension.is_some());
+    if ropes().next().is_some() {
+        let table = Table::new()
+            .words("rope", ropes().map(|r| r.name))
+            .right("tension", ropes().map(|r| known_or_none(r.tension, true)));
+        out += &section("Ropes: negative tensions would push", &table);
+    }
     let couples: Vec<_> =
         forces.reactions.iter().flat_map(|r| r.couples.iter().map(move |couple| (r.name, couple))).collect();
     if !couples.is_empty() {

@@ -57,7 +57,8 @@ pub struct VelocityRatio {
     pub second: Vec<f64>,
     /// Its own share of q̇: k ḟ, or k u̇.
     pub q_dot: Vec<f64>,
-    /// Its own share of q̈, with all others constant: k f̈ + l ḟ², or k ü + l u̇².
+    /// Its own share of q̈, with all others constant: k f̈ + l ḟ², or k ü + l u̇². A row that mixes q with time, as
+    /// `s.phi * t = 1` does, adds −2 k Φ_qt q̇ with the share of q̇ above.
     pub q_ddot: Vec<f64>,
 }
 
@@ -94,12 +95,14 @@ pub(crate) fn velocity_ratios(equations: &mut Equations<'_>, state: &State) -> R
             Ok([first, respond(equations, factor, &bend)?])
         })?;
         let distance = distance_of(&distances, row);
+        let q_dot = nu[row] * &first;
+        let mixed = mixed_part(equations, &state.q, q_dot.as_slice(), row)?;
         drivers.push(VelocityRatio {
             row: Some(row),
             name: equations.row_name(row),
             joint: Some(equations.joint_name(row)),
-            q_dot: (nu[row] * &first).as_slice().to_vec(),
-            q_ddot: (at_rest[row] * &first + nu[row] * nu[row] * &second).as_slice().to_vec(),
+            q_ddot: ((at_rest[row] + mixed) * &first + nu[row] * nu[row] * &second).as_slice().to_vec(),
+            q_dot: q_dot.as_slice().to_vec(),
             second: match distance {
                 Some(f) => (4.0 * f * f * second + 2.0 * &first).as_slice().to_vec(),
                 None => second.as_slice().to_vec(),
@@ -250,6 +253,12 @@ fn distance_of(distances: &[(usize, f64)], row: usize) -> Option<f64> {
 fn gamma(equations: &mut Equations<'_>, q: &[f64], q_dot: &[f64]) -> Result<DVector<f64>, SolveError> {
     equations.evaluate(Subset::GAMMA, q, Some(q_dot))?;
     Ok(equations.gamma.clone())
+}
+
+/// −2 Φ_qt q̇ of a row that mixes q with time or inputs: the part of γ that is odd in q̇; 0 where nothing moves.
+fn mixed_part(equations: &mut Equations<'_>, q: &[f64], q_dot: &[f64], row: usize) -> Result<f64, SolveError> {
+    let back: Vec<f64> = q_dot.iter().map(|rate| -rate).collect();
+    Ok(0.5 * (gamma(equations, q, q_dot)?[row] - gamma(equations, q, &back)?[row]))
 }
 
 /// x with Φ_q x = right.

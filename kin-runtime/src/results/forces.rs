@@ -1,6 +1,6 @@
 //! Forces at one instant: efforts of drivers, reactions of joints, springs, shaking, energies and powers.
 
-use crate::model::{Frame, JointInfo, JointKind};
+use crate::model::Frame;
 use core::fmt;
 
 /// The force of a contact or a rope below this, relative to the largest force, is a rounding error.
@@ -60,6 +60,9 @@ pub struct Reaction {
     /// axis, or in the direction of growing ψ. Rolling needs a coefficient of friction of at least |tangential| /
     /// normal.
     pub tangential: Option<f64>,
+    /// Of a rope: its tension, the same along all of it, negative where it would have to push. It is λ of the rope's row, the
+    /// Φ of which is a length.
+    pub tension: Option<f64>,
     /// False where redundant rows share the load in a way that equilibrium alone does not determine.
     pub determined: bool,
 }
@@ -245,7 +248,7 @@ impl Forces {
     /// The ropes that would have to push, each with its tension, which is negative: a real rope is slack there. A tension that
     /// redundant rows leave undetermined does not count.
     pub fn slack_ropes(&self) -> impl Iterator<Item = (&'static str, f64)> + '_ {
-        let ropes = self.reactions.iter().zip(self.one_sided()).filter(|(reaction, _)| reaction.normal.is_none());
+        let ropes = self.reactions.iter().zip(self.one_sided()).filter(|(reaction, _)| reaction.tension.is_some());
         ropes.filter_map(|(reaction, force)| Some((reaction.name, force.filter(|&tension| tension < 0.0)?)))
     }
 
@@ -254,17 +257,8 @@ impl Forces {
     pub(crate) fn one_sided(&self) -> impl Iterator<Item = Option<f64>> + '_ {
         let size = |reaction: &Reaction| reaction.force.map_or(0.0, |[x, y]| x.hypot(y));
         let largest = self.reactions.iter().map(size).fold(0.0, f64::max);
-        let forces = self.reactions.iter().map(|reaction| reaction.normal.or_else(|| self.tension(reaction)));
+        let forces = self.reactions.iter().map(|reaction| reaction.normal.or(reaction.tension));
         forces.map(move |force| force.map(|f| if f.abs() <= ROUNDING * largest { 0.0 } else { f }))
-    }
-
-    /// The tension of a rope, if this is one and its tension is determined or of least norm: λ of its row, which is its
-    /// length.
-    fn tension(&self, reaction: &Reaction) -> Option<f64> {
-        reaction.force?;
-        let named = |joint: &&JointInfo| joint.kind == JointKind::Rope && joint.name == reaction.name;
-        let rope = self.model.joints.iter().find(named)?;
-        self.multipliers.get(rope.first_row).copied()
     }
 
     /// The name of the body that something acts on, or `ground`.
@@ -325,7 +319,8 @@ impl fmt::Display for Reaction {
         self.couples.iter().try_for_each(|(_, couple)| write!(f, " couple {couple}"))?;
         self.generalized.iter().try_for_each(|value| write!(f, " generalized force {value}"))?;
         self.normal.map_or(Ok(()), |normal| write!(f, " normal {normal}"))?;
-        self.tangential.map_or(Ok(()), |tangential| write!(f, " tangential {tangential}"))
+        self.tangential.map_or(Ok(()), |tangential| write!(f, " tangential {tangential}"))?;
+        self.tension.map_or(Ok(()), |tension| write!(f, " tension {tension}"))
     }
 }
 

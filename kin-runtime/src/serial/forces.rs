@@ -57,6 +57,8 @@ struct ReactionRecord<'a> {
     normal: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     tangential: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    tension: Option<f64>,
     #[serde(skip_serializing_if = "is_true")]
     determined: bool,
 }
@@ -101,9 +103,22 @@ impl<'a> ForcesRecord<'a> {
         let reaction = |r: &'a Reaction| {
             let torques = r.couples.iter().map(|(frame, couple)| (forces.body(*frame), *couple)).collect();
             let (on, generalized) = (r.on.map(|frame| forces.body(frame)), r.generalized.first());
-            let (point, force, moment) = (r.point, r.force, r.moment);
-            let (normal, tangential, determined) = (r.normal, r.tangential, r.determined);
-            (r.name, ReactionRecord { on, point, force, moment, torques, generalized, normal, tangential, determined })
+            let &Reaction { point, force, moment, normal, tangential, tension, determined, .. } = r;
+            (
+                r.name,
+                ReactionRecord {
+                    on,
+                    point,
+                    force,
+                    moment,
+                    torques,
+                    generalized,
+                    normal,
+                    tangential,
+                    tension,
+                    determined,
+                },
+            )
         };
         let spring = |s: &SpringForce| {
             let value_if = |wanted: bool, value: f64| (s.turns == wanted).then_some(value);

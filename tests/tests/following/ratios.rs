@@ -72,3 +72,18 @@ fn an_input_has_its_share_of_the_acceleration() {
     assert_eq!((ratio.first[0], ratio.second[0]), (3.0, 2.0));
     assert_eq!((ratio.q_dot[0], ratio.q_ddot[0]), (6.0, 17.0));
 }
+
+/// s t = 1 mixes the coordinate with time: s = 1/t, ṡ = −1/t², s̈ = 2/t³.
+#[mechanism]
+#[coordinates(s)]
+#[constraint(product: s * t = 1)]
+struct Product;
+
+#[test]
+fn a_row_that_mixes_a_coordinate_with_time_has_its_whole_share() {
+    let state = Product.state_at(&Instant::at(2.0)).unwrap();
+    let ratio = Product.solver().velocity_ratios(&state).unwrap().drivers[0].clone();
+    assert_eq!((state.q_dot[0], state.q_ddot[0]), (-0.25, 0.25));
+    assert_eq!((ratio.first[0], ratio.second[0]), (0.5, 0.0));
+    assert_eq!((ratio.q_dot[0], ratio.q_ddot[0]), (-0.25, 0.25));
+}

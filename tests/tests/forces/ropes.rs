@@ -1,6 +1,6 @@
 //! Where ropes go slack, and where they are taut again.
 
-use kin_runtime::{Kinematics, State, mechanism};
+use kin_runtime::{Kinematics, Measure, Mechanism, State, mechanism};
 
 /// A load of mass 2 on a rope whose length vibrates: its tension is m (g + ÿ) with ÿ = a ω² sin ωt.
 #[mechanism]
@@ -53,6 +53,27 @@ fn a_rope_goes_slack_where_its_load_falls_as_fast_as_it_is_let_down() {
     let slow = Hoist { omega: 31.0, ..hoist };
     let states = slow.solver().sweep(&period(31.0, 24, 0.4)).unwrap().states;
     assert!(slow.solver().contact_changes(&states).unwrap().is_empty());
+}
+
+/// m (g + ÿ) at every instant, also where the rope would have to push: in the reaction, as a quantity with a sign, and its
+/// derivative with respect to the amplitude.
+#[test]
+fn a_tension_has_a_sign() {
+    let hoist = Hoist::default();
+    let solver = hoist.solver();
+    let tension = [Measure::named(Hoist::model(), "stay.tension").expect("a quantity")];
+    let amplitude = Hoist::model().parameters.iter().position(|parameter| parameter.name == "a").expect("a parameter");
+    let mut signs = [false; 2];
+    for state in solver.sweep(&period(40.0, 24, 0.0)).unwrap().states {
+        let wave = 1600.0 * (40.0 * state.t).sin();
+        let expected = 2.0 * (9.81 + 0.01 * wave);
+        let near = |found: f64, expected: f64| assert!((found - expected).abs() < 1e-9, "{found} {expected}");
+        near(solver.forces(&state).unwrap().reaction("stay").unwrap().tension.unwrap(), expected);
+        near(solver.measure(&state, &tension).unwrap()[0], expected);
+        near(solver.measure_sensitivities(&state, &tension, &[amplitude]).unwrap()[0][0], 2.0 * wave);
+        signs[usize::from(expected > 0.0)] = true;
+    }
+    assert_eq!([true; 2], signs);
 }
 
 /// A load across its guide leaves the rope without tension: rounding errors are no changes.

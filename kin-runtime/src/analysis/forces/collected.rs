@@ -29,7 +29,11 @@ pub(crate) fn collected(model: &'static Model, info: &ForceModel, state: &State,
         model,
         efforts: info.efforts.iter().map(effort).chain(of_given).collect(),
         inputs: Vec::new(),
-        reactions: info.reactions.iter().map(|reaction| reaction_of(reaction, values, determined, &shown)).collect(),
+        reactions: info
+            .reactions
+            .iter()
+            .map(|reaction| reaction_of(model, reaction, values, determined, &shown))
+            .collect(),
         springs: info
             .springs
             .iter()
@@ -56,7 +60,7 @@ pub(crate) fn collected(model: &'static Model, info: &ForceModel, state: &State,
     }
 }
 
-fn reaction_of(info: &ReactionInfo, values: &[f64], determined: &[bool], shown: &[bool]) -> Reaction {
+fn reaction_of(model: &Model, info: &ReactionInfo, values: &[f64], determined: &[bool], shown: &[bool]) -> Reaction {
     let mut index = info.place;
     let mut next = |count: usize| {
         index += count;
@@ -89,6 +93,11 @@ fn reaction_of(info: &ReactionInfo, values: &[f64], determined: &[bool], shown: 
         },
         normal: normal.filter(|&index| known(&[index])).map(|index| values[index]),
         tangential: tangential.filter(|&index| known(&[index])).map(|index| values[index]),
+        tension: model
+            .rope_row(info.name)
+            .map(|row| TOTALS + row)
+            .filter(|&index| shown[index])
+            .map(|index| values[index]),
         determined: all.iter().all(|&index| determined[index]),
     }
 }

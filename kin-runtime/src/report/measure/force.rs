@@ -2,6 +2,7 @@
 
 use super::{Dimension, Source, driven_dimension};
 use crate::forces::Forces;
+use crate::model::forces::TOTALS;
 use crate::model::{ForceModel, ForceUnits, Frame, Model};
 
 /// The columns of forces: the name, the dimension and where the number comes from, none where no closed form gives it. Empty
@@ -108,6 +109,10 @@ fn visit(
             let source = reaction.normal().map(|index| Source::Force(index + 1));
             let value = found.and_then(|found| found.tangential).unwrap_or(f64::NAN);
             f(format!("{name}.tangential"), force, source, value);
+        }
+        if let Some(row) = model.rope_row(name) {
+            let value = found.and_then(|found| found.tension).unwrap_or(f64::NAN);
+            f(format!("{name}.tension"), force, Some(Source::Force(TOTALS + row)), value);
         }
     }
     for (k, spring) in info.springs.iter().enumerate() {
