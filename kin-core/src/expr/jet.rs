@@ -281,16 +281,7 @@ fn of_function(graph: &mut Graph, f: Function, e: ExprId, a: ExprId, jet: &Jet) 
                 graph.mul_all([minus_two, a, square])
             })
         }
-        Function::Sqrt => {
-            // f′ = 1/(2√a), f″ = −f′²/√a.
-            let half = graph.number(0.5);
-            let first = graph.div(half, e);
-            compose(graph, jet, first, |graph| {
-                let square = graph.square(first);
-                let quotient = graph.div(square, e);
-                graph.neg(quotient)
-            })
-        }
+        Function::Sqrt => square_root(graph, e, jet),
         Function::Exp => compose(graph, jet, e, |_| e),
         Function::Ln => {
             let one = graph.number(1.0);
@@ -305,6 +296,22 @@ fn of_function(graph: &mut Graph, f: Function, e: ExprId, a: ExprId, jet: &Jet) 
             compose(graph, jet, first, Graph::zero)
         }
     }
+}
+
+/// The derivatives of e = √a: ė = (ȧ/2)/e, ë = (ä/2 − ė²)/e, which follow from e² = a. A sum of squares has the factor 2 in
+/// its derivatives, which cancels.
+fn square_root(graph: &mut Graph, e: ExprId, jet: &Jet) -> Jet {
+    let one = graph.number(1.0);
+    let inverse = graph.div(one, e);
+    let divided = |graph: &mut Graph, id: ExprId| {
+        let half = graph.half_of(id);
+        graph.mul(inverse, half)
+    };
+    let gradient = jet.gradient.iter().map(|&(k, entry)| (k, divided(graph, entry))).collect();
+    let [partial_t, rate] = [jet.partial_t, jet.rate].map(|id| divided(graph, id));
+    let (half, square) = (graph.half_of(jet.rest), graph.square(rate));
+    let difference = graph.sub(half, square);
+    Jet { gradient, partial_t, rate, rest: graph.mul(inverse, difference) }
 }
 
 /// The derivatives of e = atan2(y, x), with d = x² + y²: ė = (x ẏ − y ẋ)/d, ë = (x ÿ − y ẍ − 2ė (x ẋ + y ẏ))/d.

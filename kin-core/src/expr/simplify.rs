@@ -14,6 +14,9 @@ use crate::vocabulary::Function;
 /// and nested squares can have exponentially many factors.
 const MAX_FACTORS: usize = 24;
 
+/// Maximum number of nodes among which factors 2 are looked for, since nested products can have exponentially many terms.
+const MAX_VISITS: usize = 1000;
+
 /// Classes of factors, in the order in which they appear in a product.
 const STATIC: u8 = 0;
 const MOVING: u8 = 1;
@@ -215,6 +218,38 @@ impl Graph {
     fn half(&self, id: ExprId) -> Option<ExprId> {
         match self.node(id) {
             Node::Mul(two, a) if self.literal(two) == Some(2.0) => Some(a),
+            _ => None,
+        }
+    }
+
+    /// a/2, where a factor 2 cancels if every term has one.
+    pub(super) fn half_of(&mut self, a: ExprId) -> ExprId {
+        let mut visits = MAX_VISITS;
+        self.without_two(a, &mut visits).unwrap_or_else(|| {
+            let half = self.number(0.5);
+            self.mul(half, a)
+        })
+    }
+
+    /// a/2 if every term of a has a factor that can be halved, and no more than `visits` nodes are looked at.
+    fn without_two(&mut self, a: ExprId, visits: &mut usize) -> Option<ExprId> {
+        *visits = visits.checked_sub(1)?;
+        match self.node(a) {
+            Node::Number(bits) => Some(self.number(0.5 * bits.value())),
+            Node::Neg(a) => self.without_two(a, visits).map(|half| self.neg(half)),
+            Node::Add(a, b) if a == b => Some(a),
+            Node::Add(a, b) => {
+                let (a, b) = (self.without_two(a, visits)?, self.without_two(b, visits)?);
+                Some(self.add(a, b))
+            }
+            Node::Sub(a, b) => {
+                let (a, b) = (self.without_two(a, visits)?, self.without_two(b, visits)?);
+                Some(self.sub(a, b))
+            }
+            Node::Mul(a, b) => match self.without_two(a, visits) {
+                Some(half) => Some(self.mul(half, b)),
+                None => self.without_two(b, visits).map(|half| self.mul(a, half)),
+            },
             _ => None,
         }
     }
