@@ -23,7 +23,7 @@ pub(crate) fn text(input: TokenStream) -> String {
     let (_, Ok(lowered)) = analyse(args.stream(), tokens.collect()) else { return String::new() };
     let Ok((system, structure)) = derive_equations(&lowered) else { return String::new() };
     let plan = kin_core::plan::plan_with_formulas(&system, structure.rank);
-    let sections = kin_core::sheet::Sheet::of_system(&lowered.mechanism, &system, &plan).docs();
+    let sections = kin_core::sheet::Sheet::of_system(&lowered.mechanism, &system, &plan).docs(&lowered.docs.rows);
     // Lists of items show the first paragraph of the documentation, which must not be a heading.
     let first = if lowered.docs.mechanism.is_empty() { "A planar mechanism." } else { "" };
     format!("{first}{sections}")

@@ -20,8 +20,8 @@ impl Sheet {
     /// Sections for the documentation of the struct, to stand after the user's own text.
     ///
     /// Of a family only one member is written, with the names of the others; beyond 200 000 bytes joints are only
-    /// named.
-    pub fn docs(&self) -> String {
+    /// named. `texts` are what the user wrote about joints, by name; a text about a family stands at each of its members.
+    pub fn docs(&self, texts: &[(String, String)]) -> String {
         let mut out =
             format!("\n\n# Equations\n\n<style>{STYLE}{OWN}</style>\n<div class=\"kin-sheet\">\n{}", self.q());
         let mut named: Vec<&str> = Vec::new();
@@ -30,7 +30,7 @@ impl Sheet {
                 named.push(&joint.name);
                 named.extend(joint.alike.iter().map(String::as_str));
             } else {
-                out.push_str(&section(joint));
+                out.push_str(&section(joint, texts));
             }
         }
         if !named.is_empty() {
@@ -98,7 +98,10 @@ const OWN: &str = "\
 .kin-sheet h4 span{font-weight:400;opacity:.75;margin-left:.5em}\
 .kin-sheet details{margin:0 0 .4rem}";
 
-fn section(joint: &Joint) -> String {
+fn section(joint: &Joint, texts: &[(String, String)]) -> String {
+    let name = joint.name.split('[').next();
+    let text = texts.iter().find(|(documented, _)| Some(documented.as_str()) == name);
+    let text = text.map_or_else(String::new, |(_, text)| format!("<p>{}</p>\n", escaped(text)));
     let first = table(joint.rows.iter().map(|row| row_equation(row, MathMl, WIDTH)));
     let folded: String = joint.rows.iter().map(|row| table(derivatives(row, MathMl, WIDTH).into_iter())).collect();
     let alike = match joint.alike.as_slice() {
@@ -113,7 +116,7 @@ fn section(joint: &Joint) -> String {
         false => "Derivatives",
     };
     format!(
-        "<h4>{}<span>{}</span></h4>\n{}{first}<details><summary>{summary}</summary>\n{folded}</details>\n{alike}",
+        "<h4>{}<span>{}</span></h4>\n{text}{}{first}<details><summary>{summary}</summary>\n{folded}</details>\n{alike}",
         escaped(&joint.name),
         escaped(&joint.what),
         own_equations(joint)

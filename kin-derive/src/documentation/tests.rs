@@ -97,6 +97,18 @@ fn a_pendulum_with_a_spring() {
     }));
 }
 
+/// What is written before the name of a joint stands at its equations.
+#[test]
+fn a_joint_is_described_in_its_words() {
+    let docs = documented(quote! {
+        #[bodies(crank)]
+        #[revolute(/** The pivot, l < 1 */ O: ground @ (0, 0), crank @ (0, 0))]
+        #[driver(drive: crank.phi = t)]
+        struct Crank;
+    });
+    assert!(docs.contains("</h4>\n<p>The pivot, l &lt; 1</p>\n"), "{docs}");
+}
+
 /// Markdown ends an HTML block at a blank line, and treats four spaces as code.
 #[test]
 fn every_mechanism_is_well_formed_html_that_markdown_leaves_alone() {
