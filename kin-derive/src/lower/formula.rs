@@ -67,7 +67,7 @@ impl Lowerer<'_> {
                             "`dot` inside `dot` is an acceleration; rates are allowed here, accelerations are not";
                         return self.refuse(name.span(), message);
                     }
-                    Allow::Parameters | Allow::Signals | Allow::Scalars | Allow::Everything => {
+                    Allow::Parameters | Allow::Signals | Allow::RightSide | Allow::Scalars | Allow::Everything => {
                         let message = format!(
                             "`dot` is a rate, and {} cannot contain rates; `dot(…)` is allowed only in `nonholonomic`, \
                              `force` and `torque`: `#[nonholonomic(N: dot(a.x) = v)]`",
@@ -371,7 +371,11 @@ impl Lowerer<'_> {
                 format!("numbers, parameters, `t`, inputs and {} only", quoted(words, "and"))
             }
         };
-        self.report.error_between(first, last, format!("{found}; {} takes {right}", scope.place));
+        let equation = match scope.allow {
+            Allow::RightSide => "; `constraint(N: left = right)` is an equation of coordinates",
+            _ => "",
+        };
+        self.report.error_between(first, last, format!("{found}; {} takes {right}{equation}", scope.place));
         None
     }
 }

@@ -104,6 +104,7 @@ impl Lowerer<'_> {
             }
             OperandType::SideOfRates => Scope { place: "an equation", allow: Allow::Rates, range },
             OperandType::Radius | OperandType::Constant => Scope { place: &place, allow: Allow::Parameters, range },
+            _ if slot.written == Written::Right => Scope { place: &place, allow: Allow::RightSide, range },
             _ => Scope { place: &place, allow: Allow::Signals, range },
         };
         self.formula(expr, &scope)

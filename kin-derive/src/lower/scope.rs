@@ -10,6 +10,8 @@ pub(super) enum Allow {
     Parameters,
     /// In addition t and inputs.
     Signals,
+    /// The same, on the right-hand side of a row that a `constraint` can express with coordinates.
+    RightSide,
     /// In addition scalar coordinates.
     Scalars,
     /// In addition all coordinates.
@@ -24,7 +26,7 @@ impl Allow {
     pub(super) const fn class(self) -> Class {
         match self {
             Self::Parameters => Class::Constant,
-            Self::Signals => Class::Signal,
+            Self::Signals | Self::RightSide => Class::Signal,
             Self::Scalars => Class::Scalar,
             Self::Everything | Self::InsideDot | Self::Rates => Class::Coordinate,
         }
