@@ -204,3 +204,45 @@ fn ranges_are_told_in_any_unit() {
         assert!(!range.contains(b - a - 1e-3) && !range.contains(b + a + 1e-3), "{value}: {why}");
     }
 }
+
+/// A parallelogram with a third crank, which a ram lifts through the position in which it lies flat. Where the input is 0,
+/// nothing moves by it in the first or second order.
+#[mechanism(allow_redundant)]
+#[bodies(first, second, platform)]
+#[input(slow)]
+#[revolute(A: ground @ (0, 0), first @ (0, 0))]
+#[revolute(B: ground @ (2, 0), second @ (0, 0))]
+#[revolute(C: first @ (1, 0), platform @ (0, 0))]
+#[revolute(D: second @ (1, 0), platform @ (2, 0))]
+#[distance(third: ground @ (1, 0.5), platform @ (1, 0.5), length = 1)]
+#[distance(ram: ground @ (0, -3), first @ (1, 0), length = 3 + slow.powi(3))]
+#[guess(first.phi = -0.17, second.phi = -0.17)]
+struct Lifted;
+
+/// A range is that of the motion in time: limits that redundant rows lead through do not end it, nor does an input whose
+/// rates vanish count as one that moves nothing.
+#[test]
+fn a_range_goes_through_limits_of_the_kept_rows_and_begins_at_rest() {
+    for start in [0.0, 0.2, 0.7] {
+        let inputs = constant(&[start]);
+        let range = Lifted.solver().range_of(&Instant { t: 0.0, inputs: &inputs }, Lifted::slow).expect("it closes");
+        assert!((range.least + 1.0).abs() < 1e-9 && (range.greatest - 1.0).abs() < 1e-9, "{start}: {range}");
+    }
+    let [low, high] = [constant(&[-0.5]), constant(&[0.9])];
+    let mut planned = Lifted.solver().planned(&Instant { t: 0.0, inputs: &low }).expect("it closes");
+    for t in [0.0, 1.0] {
+        let ahead = planned.at(&Instant { t, inputs: &high }).expect("it is lifted").q()[2];
+        assert!((10.0 + 6.0 * ahead.sin() - 3.729_f64.powi(2)).abs() < 1e-12, "{t}: {ahead}");
+        planned.at(&Instant { t, inputs: &low }).expect("it is lowered");
+    }
+}
+
+/// The smooth path of the input leads beyond the range, the straight one does not.
+#[test]
+fn a_path_that_is_not_taken_leaves_no_limit() {
+    let raised = Raised::default();
+    let (from, to) = ([Signal::new(1.25, 0.56, -0.84)], [Signal::new(1.39, -0.28, -0.84)]);
+    let mut planned = raised.solver().planned(&Instant { t: 0.0, inputs: &from }).expect("it closes");
+    planned.at(&Instant { t: 1.0, inputs: &to }).expect("the straight path is within the range");
+    assert_eq!(None, planned.q_at_limit());
+}

@@ -69,9 +69,8 @@ impl<M: Mechanism> PlanFollower<M> {
             let rates = [tried.q_dot.as_ref(), tried.q_ddot.as_ref()];
             let step = natural_step(rates, follower.weights.as_ref(), Control::USUAL.rotation);
             if !step.is_finite() && reach == 0.0 {
-                // The input turns no body, or moves nothing at all.
-                let moves = rates[0].iter().any(|rate| *rate != 0.0);
-                reach = if moves { 1.0 + from.abs() } else { return nowhere };
+                // The input turns no body, or moves nothing, at least here.
+                reach = 1.0 + from.abs();
             } else {
                 reach = f64::max(GROWTH * reach, if step.is_finite() { STRETCH * step } else { 0.0 });
             }

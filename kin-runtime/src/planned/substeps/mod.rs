@@ -186,8 +186,10 @@ impl<M: Mechanism> PlanFollower<M> {
     ) -> Result<f64, Rejection> {
         let mut good = self.solve_at(mechanism, course, next, inputs)?;
         let t = course.at(next, inputs.as_mut());
-        if !good && !course.is_frozen() {
+        if !good {
             good = self.retry_in_other_modes(mechanism, &Instant { t, inputs: inputs.as_ref() })?;
+            // On a frozen course the rates are those in time as yet.
+            good = good && (!course.is_frozen() || self.solve_at(mechanism, course, next, inputs)?);
         }
         if !good {
             return Err(self.fault());

@@ -225,6 +225,8 @@ impl<M: Mechanism> PlanFollower<M> {
             Ok(()) => {
                 let nearest = self.measure();
                 self.accept(at, nearest, false);
+                // Another course may have ended at a limit before.
+                self.q_at_limit = None;
                 let q = self.state().q;
                 self.measure_turns(mechanism, at, &q);
                 Ok(())
@@ -264,7 +266,6 @@ impl<M: Mechanism> PlanFollower<M> {
 
     /// Solves at an instant that is unrelated to the last one.
     fn solve_anew(&mut self, mechanism: &M, at: &Instant<'_>) -> Result<(), PlanError> {
-        self.q_at_limit = None;
         let before = (self.branch.modes, self.turns, self.weights);
         let good = self.solve_in_modes(mechanism, at)? || self.retry_in_other_modes(mechanism, at)?;
         if !good {
