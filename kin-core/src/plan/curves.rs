@@ -17,6 +17,9 @@ pub struct KnownCurves {
     /// Whether a coordinate may move between two configurations otherwise than these show: a row contains a function of
     /// time, of an input, or of a coordinate for which the plan does not iterate on the row, and more than one sinusoid.
     pub hide_motion: bool,
+    /// Whether an input enters by a sinusoid, or a product of inputs enters: it may then change and return between two values
+    /// of the inputs, and only rates along the path of the inputs show it.
+    pub inputs_curve: bool,
     /// The curves that can be enclosed over a step: functions of time and inputs alone or of a single coordinate, and curves
     /// over curves, as a radius over the angle of a point; where velocities are integrated, functions of several variables,
     /// too, and the functions of which these consist; then the arguments of supplied functions.
@@ -271,19 +274,33 @@ pub(super) fn known_curves(
     plan: Option<(&Block, &[BTreeSet<usize>])>,
 ) -> KnownCurves {
     let hide_motion = known_values_curve(graph, rows, plan);
+    let inputs_curve = inputs_curve(graph, rows);
     // Velocities that are integrated hide motion, too.
     let is_integrated = rows.iter().any(|row| row.velocity.is_some());
     if !hide_motion && !is_integrated {
-        return KnownCurves::default();
+        return KnownCurves { inputs_curve, ..KnownCurves::default() };
     }
     let (formulas, supplied) = enclosable(graph, rows, is_integrated);
     let all = formulas.into_iter().chain(supplied.iter().map(|(_, argument)| *argument));
     let outputs: Vec<_> = all.enumerate().map(|(k, id)| (Slot::Entry(k), id)).collect();
     KnownCurves {
         hide_motion,
+        inputs_curve,
         program: lower(graph, &outputs),
         supplied: supplied.into_iter().map(|(function, _)| function).collect(),
     }
+}
+
+/// True if a row contains a sinusoid of an input, or a product of inputs. Squares do not count: that of a length, which is not
+/// negative, is as steady as the length.
+fn inputs_curve(graph: &Graph, rows: &[ConstraintRow]) -> bool {
+    let varies = |id: ExprId| graph.depends(id).on(Depends::INPUT);
+    let within = graph.reachable(rows.iter().map(|row| row.phi));
+    within.into_iter().any(|id| match (graph.node(id), turning_argument(graph, id)) {
+        (_, Some(argument)) => varies(argument),
+        (Node::Mul(a, b), _) => a != b && varies(a) && varies(b),
+        _ => false,
+    })
 }
 
 /// True if a row contains a function that may hide motion, of time, of an input, or of a coordinate for which the plan does

@@ -121,6 +121,7 @@ fn mechanism(
     let curving = plan.iterates_on_curves.then(|| quote! { const ROWS_CURVE: bool = true; });
     let (known_curves, in_curves) = (plan.known_curves.program.outputs.len(), &plan.known_curves.supplied);
     let hiding = plan.known_curves.hide_motion.then(|| quote! { const KNOWN_VALUES_CURVE: bool = true; });
+    let bent = plan.known_curves.inputs_curve.then(|| quote! { const INPUTS_CURVE: bool = true; });
     let in_curves =
         (!in_curves.is_empty()).then(|| quote! { const FUNCTIONS_IN_CURVES: &'static [usize] = &[#(#in_curves),*]; });
     let constraints_with = method(
@@ -178,6 +179,7 @@ fn mechanism(
             #turning #distances #within
             #curving
             #hiding
+            #bent
             #in_curves
             type Parameters<__T: __kin::Scalar> = [__T; #p];
             type Inputs<__T: __kin::Scalar> = [__kin::Signal<__T>; #u];

@@ -13,7 +13,7 @@ use super::lists::{Margins, Modes};
 use super::narrow_curves::{Resolution, narrow_curves_are_followed};
 use super::parts::Span;
 use super::predict::{largest_turn, turned};
-use crate::course::{Between, Course, kind};
+use crate::course::{Between, Course, PathShape, kind};
 use crate::mechanism::{LengthError, Mechanism};
 use crate::model::Model;
 use crate::plan::{Depth, Plan, Solved};
@@ -69,6 +69,13 @@ pub(crate) fn certainty_within<M: Mechanism, V: Compare>(
     let certainty = least_or_nan(least_or_nan(margin - V::from_f64(Plan::SMALLEST_MARGIN), allowed - away), lengths);
     // Distances may not show that a coordinate is not finite.
     Ok(certainty + zero_if_finite(found.as_ref()))
+}
+
+/// True if the rates of the first instant do not belong to the path of inputs that curve or, at a fixed time, of any: an input
+/// jumps, or moves otherwise than its rates say.
+pub(crate) fn leaves_its_rates<M: Mechanism>(path: &Between<'_>) -> bool {
+    let is_left = path.is_frozen() || M::INPUTS_CURVE && path.kind == PathShape::Straight;
+    is_left && path.from.inputs.iter().zip(path.to.inputs).any(|(before, now)| before.value != now.value)
 }
 
 /// True if `is_near` is true wherever known functions may have a narrow feature within a step.
@@ -132,10 +139,8 @@ impl<M: Mechanism> PlanFollower<M> {
     ) -> Result<bool, LengthError> {
         let from = Instant { t: self.t, inputs: self.inputs.as_ref() };
         let between = Between { kind: kind(&from, at), from, to: *at };
-        if course.is_none() && between.is_frozen() {
-            // An input may have jumped; the rates in time do not belong to its path.
-            let mut inputs = from.inputs.iter().zip(at.inputs);
-            return Ok(inputs.all(|(before, now)| before.value == now.value));
+        if course.is_none() && (between.is_frozen() || leaves_its_rates::<M>(&between)) {
+            return Ok(!leaves_its_rates::<M>(&between));
         }
         let before = (self.state(), &self.branch.modes);
         let course = course.unwrap_or(&between);

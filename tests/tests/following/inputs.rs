@@ -1,7 +1,10 @@
 //! Mechanisms that depend on time and on inputs; the inputs are functions of time, or jump at a fixed time. A jump is
 //! followed along the inputs alone, without the contribution of time to the rates.
 
+use kin_runtime::batch::{Column, Modes, Motions, Sweeps, always, sweep};
 use kin_runtime::{Instant, Kinematics, Mechanism, Options, PlanError, Refusal, Signal, SolveError, mechanism};
+use kin_tests::mechanisms::MeasuredExcavator;
+use std::f64::consts::TAU;
 
 /// A double crank whose crank angle is a function of time plus an input.
 #[mechanism]
@@ -145,3 +148,54 @@ fn a_jump_of_an_input_is_no_limit_of_the_mechanism() {
 #[distance(lift: ground @ (0.5, -0.2), boom @ (1.0, 0.1), length = cylinder)]
 #[guess(boom.phi = 0.7)]
 struct Lifted;
+
+/// A boom that a crank moves by a rod; the crank is held at the angle of an input.
+#[mechanism]
+#[body(crank, x = 0.6, y = 0, phi = turn)]
+#[body(boom, x = 0, y = 0)]
+#[input(turn)]
+#[distance(rod: crank @ (0.45, 0), boom @ (0.8, 0), length = 0.2)]
+#[guess(boom.phi = -0.4)]
+struct Cranked;
+
+/// A boom on a rod whose length is longest where the input is 0.
+#[mechanism]
+#[body(boom, x = 0, y = 0)]
+#[input(turn)]
+#[distance(rod: ground @ (0.6, 0), boom @ (1, 0), length = 0.9 + 0.9 * cos(turn))]
+#[guess(boom.phi = 0.7)]
+struct Cosine;
+
+/// Rates that are not those of the path tell nothing of an input that enters by its sine: the same place on the other side
+/// of a dead centre is not reached.
+#[test]
+fn an_input_does_not_turn_past_a_limit_to_where_all_looks_the_same() {
+    fn ends<M: Kinematics + Sync>(mechanism: &M, [low, high]: [f64; 2]) {
+        let name = M::model().name;
+        for (t, rate) in [(0.0, 0.0), (1.0, 0.0), (-1.0, 0.0), (0.0, 2.4)] {
+            let (from, to) = ([Signal::new(low, rate, 0.0)], [Signal::constant(high)]);
+            let [from, to] = [Instant { t: 0.0, inputs: &from }, Instant { t, inputs: &to }];
+            let solver = mechanism.solver();
+            let mut planned = solver.planned(&from).unwrap();
+            let start: Vec<Column<'_>> = planned.q().iter().map(|q| Column::Shared(*q)).collect();
+            let error = planned.at(&to).map(|_| ()).unwrap_err();
+            assert!(matches!(error, PlanError::Limit { .. }), "{name} {t} {rate}: {error}");
+            let error = solver.tracker(&from).unwrap().update(&to).map(|_| ()).unwrap_err();
+            assert!(error.limit().is_some(), "{name} {t} {rate}: {error}");
+            let (values, rates) = ([low, high], [rate, 0.0]);
+            let inputs = [Signal::new(Column::Each(&values), Column::Each(&rates), Column::Shared(0.0))];
+            let modes = Modes::OfStart;
+            let sweeps = Sweeps { parameters: &[], times: &[0.0, t], inputs: &inputs, modes, start: &start };
+            let mut out = Motions::new(1, ());
+            sweep(mechanism, &sweeps, &mut out, &always, |(), _| ()).unwrap();
+            let end = out.ends().next().flatten();
+            assert_eq!(Some(1), end.map(|end| end.instant), "{name} {t} {rate}");
+        }
+    }
+    // Around 0 the pin of the crank is 1.05 from the foot of the boom, which reaches up to 1 with the rod; and the other rod is
+    // 1.8 long, but its ends are at most 1.6 apart.
+    ends(&Cranked, [-1.5, TAU - 1.5]);
+    ends(&Cosine, [-1.2, 1.2]);
+    const { assert!(Cranked::INPUTS_CURVE && Cosine::INPUTS_CURVE && !MeasuredExcavator::INPUTS_CURVE) };
+    const { assert!(!Swing::INPUTS_CURVE && !Cosine::KNOWN_VALUES_CURVE) };
+}

@@ -152,7 +152,7 @@ impl<M: Mechanism> BlockMotion<M> {
         if self.rows_turn_alone {
             least = least.least(self.certainty_of_rows(mechanism, at, h, &control));
         }
-        if M::KNOWN_VALUES_CURVE {
+        if M::KNOWN_VALUES_CURVE || M::INPUTS_CURVE {
             least = least.least(self.certainty_within(mechanism, at, t, allowed));
         }
         if M::LENGTHS > 0 {

@@ -4,7 +4,7 @@ use super::{BlockMotion, BlockSolution};
 use crate::course::{Between, Course, kind};
 use crate::mechanism::Mechanism;
 use crate::planned::follower::Control;
-use crate::planned::hidden_motion::{CourseStep, certainty_within, curves_are_followed};
+use crate::planned::hidden_motion::{CourseStep, certainty_within, curves_are_followed, leaves_its_rates};
 use crate::planned::inputs::write_lane_of_inputs;
 use crate::planned::interior::IRREGULAR_FRACTIONS;
 use crate::planned::predict::largest_turn;
@@ -63,9 +63,9 @@ impl<M: Mechanism> BlockMotion<M> {
         let from = Instant { t: self.t, inputs: self.inputs.as_ref() };
         let to = Instant { t, inputs: inputs.as_ref() };
         let course = Between { kind: kind(&from, &to), from, to };
-        if course.is_frozen() {
-            let mut inputs = from.inputs.iter().zip(to.inputs);
-            return Octet::from_f64(if inputs.all(|(before, now)| before.value == now.value) { 1.0 } else { -1.0 });
+        let leaves = leaves_its_rates::<M>(&course);
+        if leaves || course.is_frozen() || !M::KNOWN_VALUES_CURVE {
+            return Octet::from_f64(if leaves { -1.0 } else { 1.0 });
         }
         let (accepted, tried) = (self.poses(), &self.poses[1 - self.good]);
         let ends = [accepted.q.as_ref(), accepted.q_dot.as_ref(), tried.q.as_ref(), tried.q_dot.as_ref()];

@@ -323,7 +323,8 @@ impl<M: Mechanism> PlanFollower<M> {
         let state = &self.states[self.accepted];
         if !is_expected
             || !self.rows_are_followed(mechanism, at, state, (self.inputs.as_ref(), at.t - self.t), control)?
-            || M::KNOWN_VALUES_CURVE && !self.hides_nothing_until(mechanism, at, course, control)?
+            || (M::KNOWN_VALUES_CURVE || M::INPUTS_CURVE)
+                && !self.hides_nothing_until(mechanism, at, course, control)?
         {
             return Ok(false);
         }
