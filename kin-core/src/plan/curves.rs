@@ -5,7 +5,7 @@
 //! fall between two places at which it has the same value and the same rates, as sin³(8θ) does between θ = 0 and θ = π/8.
 
 use super::tree::{Block, BlockPart, Core, SolutionMethod};
-use crate::constraint::ConstraintRow;
+use crate::constraint::{ConstraintRow, RowMeaning};
 use crate::expr::{Depends, ExprId, Graph, IdMap, Node, Symbol};
 use crate::program::{Program, Slot, lower};
 use crate::vocabulary::Function;
@@ -17,8 +17,8 @@ pub struct KnownCurves {
     /// Whether a coordinate may move between two configurations otherwise than these show: a row contains a function of
     /// time, of an input, or of a coordinate for which the plan does not iterate on the row, and more than one sinusoid.
     pub hide_motion: bool,
-    /// Whether an input enters by a sinusoid, or a product of inputs enters: it may then change and return between two values
-    /// of the inputs, and only rates along the path of the inputs show it.
+    /// Whether an input enters by a sinusoid, or a product or square of inputs enters: it may then change and return between
+    /// two values of the inputs, and only rates along the path of the inputs show it.
     pub inputs_curve: bool,
     /// The curves that can be enclosed over a step: functions of time and inputs alone or of a single coordinate, and curves
     /// over curves, as a radius over the angle of a point; where velocities are integrated, functions of several variables,
@@ -291,15 +291,18 @@ pub(super) fn known_curves(
     }
 }
 
-/// True if a row contains a sinusoid of an input, or a product of inputs. Squares do not count: that of a length, which is not
-/// negative, is as steady as the length.
+/// True if a row contains a sinusoid of an input, or a product of inputs. The square of a length, which is not negative, is as
+/// steady as the length.
 fn inputs_curve(graph: &Graph, rows: &[ConstraintRow]) -> bool {
     let varies = |id: ExprId| graph.depends(id).on(Depends::INPUT);
-    let within = graph.reachable(rows.iter().map(|row| row.phi));
-    within.into_iter().any(|id| match (graph.node(id), turning_argument(graph, id)) {
-        (_, Some(argument)) => varies(argument),
-        (Node::Mul(a, b), _) => a != b && varies(a) && varies(b),
-        _ => false,
+    rows.iter().any(|row| {
+        let has_squares = row.meaning == RowMeaning::SquaredDistance;
+        graph.reachable([row.phi]).into_iter().any(|id| match (graph.node(id), turning_argument(graph, id)) {
+            (_, Some(argument)) => varies(argument),
+            (Node::Mul(a, b), _) => varies(a) && varies(b) && !(has_squares && a == b),
+            (Node::Powi(a, _), _) => varies(a) && !has_squares,
+            _ => false,
+        })
     })
 }
 

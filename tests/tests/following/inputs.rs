@@ -166,6 +166,17 @@ struct Cranked;
 #[guess(boom.phi = 0.7)]
 struct Cosine;
 
+/// A boom that a motor turns by the square of the input, with a rod to a slider.
+#[mechanism]
+#[body(boom, x = 0, y = 0)]
+#[bodies(slider)]
+#[input(turn)]
+#[translational(guide: ground @ (0, 0), slider @ (0, 0), axis = (1, 0))]
+#[distance(rod: slider @ (0, 0), boom @ (1, 0), length = 0.9)]
+#[driver(drive: boom.phi = 1.5 - turn * turn)]
+#[guess(slider.x = 1.6)]
+struct Squared;
+
 /// Rates that are not those of the path tell nothing of an input that enters by its sine: the same place on the other side
 /// of a dead centre is not reached.
 #[test]
@@ -193,9 +204,10 @@ fn an_input_does_not_turn_past_a_limit_to_where_all_looks_the_same() {
         }
     }
     // Around 0 the pin of the crank is 1.05 from the foot of the boom, which reaches up to 1 with the rod; and the other rod is
-    // 1.8 long, but its ends are at most 1.6 apart.
+    // 1.8 long, but its ends are at most 1.6 apart. The third boom would be higher than its rod is long.
     ends(&Cranked, [-1.5, TAU - 1.5]);
     ends(&Cosine, [-1.2, 1.2]);
-    const { assert!(Cranked::INPUTS_CURVE && Cosine::INPUTS_CURVE && !MeasuredExcavator::INPUTS_CURVE) };
-    const { assert!(!Swing::INPUTS_CURVE && !Cosine::KNOWN_VALUES_CURVE) };
+    ends(&Squared, [-0.9, 0.9]);
+    const { assert!(Cranked::INPUTS_CURVE && Cosine::INPUTS_CURVE && Squared::INPUTS_CURVE) };
+    const { assert!(!MeasuredExcavator::INPUTS_CURVE && !Swing::INPUTS_CURVE && !Cosine::KNOWN_VALUES_CURVE) };
 }
