@@ -17,8 +17,8 @@ pub struct KnownCurves {
     /// Whether a coordinate may move between two configurations otherwise than these show: a row contains a function of
     /// time, of an input, or of a coordinate for which the plan does not iterate on the row, and more than one sinusoid.
     pub hide_motion: bool,
-    /// Whether an input enters by a sinusoid, or a product or square of inputs enters: it may then change and return between
-    /// two values of the inputs, and only rates along the path of the inputs show it.
+    /// Whether a row contains a sinusoid of an input, or a product or power of what inputs change, which may change and return
+    /// between two values of the inputs; only rates along the path of the inputs show it.
     pub inputs_curve: bool,
     /// The curves that can be enclosed over a step: functions of time and inputs alone or of a single coordinate, and curves
     /// over curves, as a radius over the angle of a point; where velocities are integrated, functions of several variables,
@@ -291,16 +291,19 @@ pub(super) fn known_curves(
     }
 }
 
-/// True if a row contains a sinusoid of an input, or a product of inputs. The square of a length, which is not negative, is as
-/// steady as the length.
+/// True if a row contains a sinusoid of an input, or a product or power of what inputs change. The square of a prescribed
+/// length alone does not count: a length is not negative, and so its square is as steady as the length.
 fn inputs_curve(graph: &Graph, rows: &[ConstraintRow]) -> bool {
     let varies = |id: ExprId| graph.depends(id).on(Depends::INPUT);
     rows.iter().any(|row| {
-        let has_squares = row.meaning == RowMeaning::SquaredDistance;
+        let square_of_length = match (row.meaning, graph.node(row.phi)) {
+            (RowMeaning::SquaredDistance, Node::Sub(_, square)) => Some(square),
+            _ => None,
+        };
         graph.reachable([row.phi]).into_iter().any(|id| match (graph.node(id), turning_argument(graph, id)) {
             (_, Some(argument)) => varies(argument),
-            (Node::Mul(a, b), _) => varies(a) && varies(b) && !(has_squares && a == b),
-            (Node::Powi(a, _), _) => varies(a) && !has_squares,
+            (Node::Mul(a, b), _) => varies(a) && varies(b) && Some(id) != square_of_length,
+            (Node::Powi(a, _), _) => varies(a),
             _ => false,
         })
     })

@@ -71,8 +71,8 @@ pub(crate) fn certainty_within<M: Mechanism, V: Compare>(
     Ok(certainty + zero_if_finite(found.as_ref()))
 }
 
-/// True if the rates of the first instant do not belong to the path of inputs that curve or, at a fixed time, of any: an input
-/// jumps, or moves otherwise than its rates say.
+/// True if an input moves otherwise than the rates at the first instant say, so that these tell nothing of the motion between
+/// both: at a fixed time any input that jumps, and where inputs curve also one whose rates do not fit its values.
 pub(crate) fn leaves_its_rates<M: Mechanism>(path: &Between<'_>) -> bool {
     let is_left = path.is_frozen() || M::INPUTS_CURVE && path.kind == PathShape::Straight;
     is_left && path.from.inputs.iter().zip(path.to.inputs).any(|(before, now)| before.value != now.value)
@@ -139,8 +139,9 @@ impl<M: Mechanism> PlanFollower<M> {
     ) -> Result<bool, LengthError> {
         let from = Instant { t: self.t, inputs: self.inputs.as_ref() };
         let between = Between { kind: kind(&from, at), from, to: *at };
-        if course.is_none() && (between.is_frozen() || leaves_its_rates::<M>(&between)) {
-            return Ok(!leaves_its_rates::<M>(&between));
+        let leaves = leaves_its_rates::<M>(&between);
+        if course.is_none() && (leaves || between.is_frozen()) {
+            return Ok(!leaves);
         }
         let before = (self.state(), &self.branch.modes);
         let course = course.unwrap_or(&between);

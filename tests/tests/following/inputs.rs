@@ -177,8 +177,27 @@ struct Cosine;
 #[guess(slider.x = 1.6)]
 struct Squared;
 
-/// Rates that are not those of the path tell nothing of an input that enters by its sine: the same place on the other side
-/// of a dead centre is not reached.
+/// A boom on a rod whose length is a polynomial, longest where the input is 0.
+#[mechanism]
+#[body(boom, x = 0, y = 0)]
+#[input(turn)]
+#[distance(rod: ground @ (0.6, 0), boom @ (1, 0), length = 1.8 - turn * turn)]
+#[guess(boom.phi = 0.7)]
+struct Parabola;
+
+/// A rod leans on a cart at the input and lifts a rider on a vertical guide; a boom with a stay follows up to 0.62.
+#[mechanism]
+#[body(rider, x = 0, phi = 0)]
+#[body(cart, x = turn, y = 0, phi = 0)]
+#[body(boom, x = 0.5, y = 0)]
+#[input(turn)]
+#[distance(rod: cart @ (0, 0), rider @ (0, 0), length = 1)]
+#[distance(stay: rider @ (0, 0), boom @ (0.3, 0), length = 0.5)]
+#[guess(rider.y = 0.5, boom.phi = 1.0)]
+struct Lift;
+
+/// Rates that are not those of the path tell nothing of an input that enters by its sine or square: the same place on the other
+/// side of a dead centre is not reached.
 #[test]
 fn an_input_does_not_turn_past_a_limit_to_where_all_looks_the_same() {
     fn ends<M: Kinematics + Sync>(mechanism: &M, [low, high]: [f64; 2]) {
@@ -203,11 +222,15 @@ fn an_input_does_not_turn_past_a_limit_to_where_all_looks_the_same() {
             assert_eq!(Some(1), end.map(|end| end.instant), "{name} {t} {rate}");
         }
     }
-    // Around 0 the pin of the crank is 1.05 from the foot of the boom, which reaches up to 1 with the rod; and the other rod is
-    // 1.8 long, but its ends are at most 1.6 apart. The third boom would be higher than its rod is long.
+    // Around 0 the pin of the crank is 1.05 from the foot of the boom, which reaches up to 1 with the rod.
     ends(&Cranked, [-1.5, TAU - 1.5]);
+    // Both rods are 1.8 long there, and their ends at most 1.6 apart.
     ends(&Cosine, [-1.2, 1.2]);
+    ends(&Parabola, [-0.9, 0.9]);
+    // The boom would be higher than its rod is long.
     ends(&Squared, [-0.9, 0.9]);
+    // The rod would lift the rider to 1.
+    ends(&Lift, [-0.9, 0.9]);
     const { assert!(Cranked::INPUTS_CURVE && Cosine::INPUTS_CURVE && Squared::INPUTS_CURVE) };
     const { assert!(!MeasuredExcavator::INPUTS_CURVE && !Swing::INPUTS_CURVE && !Cosine::KNOWN_VALUES_CURVE) };
 }

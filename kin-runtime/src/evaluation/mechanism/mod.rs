@@ -44,8 +44,8 @@ pub trait Mechanism: Sized {
     /// Whether a coordinate may move between two configurations otherwise than these show: a row contains a function of
     /// time, of an input, or of a coordinate for which the plan does not iterate on the row, and more than one sinusoid.
     const KNOWN_VALUES_CURVE: bool = false;
-    /// Whether an input enters by a sinusoid, or a product or square of inputs enters, which may change and return between
-    /// two values of the inputs.
+    /// Whether a row contains a sinusoid of an input, or a product or power of what inputs change, which may change and return
+    /// between two values of the inputs.
     const INPUTS_CURVE: bool = false;
 
     /// The supplied functions whose arguments [`known_curves_with`](Self::known_curves_with) writes, in their order.
