@@ -138,7 +138,7 @@ impl fmt::Display for Limit {
         }
         let Some(at) = self.locks_at() else {
             let singular = step.info().singular;
-            return match (step.closes(), *margin < 0.0) {
+            return match (step.closes(), *margin < -Plan::SMALLEST_MARGIN) {
                 (true, true) => write!(f, "{step} cannot close"),
                 (true, false) => write!(f, "{step} is at its limit: {singular}"),
                 (false, _) => write!(f, "{step} is singular: {singular}"),

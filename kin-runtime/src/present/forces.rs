@@ -1,5 +1,6 @@
 //! Forces as text tables.
 
+use super::number::Style;
 use super::table::Table;
 use super::text::section;
 use crate::forces::{Effort, Forces, Reaction, Wrench};
@@ -32,21 +33,21 @@ pub(crate) fn text(forces: &Forces, degrees: bool) -> String {
         let efforts = || efforts.iter();
         let table = Table::new()
             .words(heading, efforts().map(|e| e.name))
-            .right("effort", efforts().map(|e| known(e.effort)))
+            .right("effort", column(efforts().map(|e| (e.effort, true))))
             .numbers("rate", efforts().map(|e| e.rate))
-            .right("power", efforts().map(|e| known(e.effort.map(|effort| effort * rate(e)))));
+            .right("power", column(efforts().map(|e| (e.effort.map(|effort| effort * rate(e)), true))));
         out += &section(title, &table);
     }
     let held = || forces.reactions.iter().filter(|r| r.on.is_some());
     if held().next().is_some() {
-        let component = |c: usize| move |r: &Reaction| known_or_none(r.force.map(|force| force[c]), r.point.is_some());
+        let component = |c: usize| move |r: &Reaction| (r.force.map(|force| force[c]), r.point.is_some());
         let table = Table::new()
             .words("joint", held().map(|r| r.name))
             .words("on", held().map(|r| r.on.map_or("", |frame| forces.body(frame))))
-            .right("force x", held().map(component(0)))
-            .right("force y", held().map(component(1)))
-            .right("|force|", held().map(|r| known_or_none(r.force.map(|[x, y]| x.hypot(y)), r.point.is_some())))
-            .right("moment", held().map(|r| known_or_none(r.moment, !r.determined)));
+            .right("force x", column(held().map(component(0))))
+            .right("force y", column(held().map(component(1))))
+            .right("|force|", column(held().map(|r| (r.force.map(|[x, y]| x.hypot(y)), r.point.is_some()))))
+            .right("moment", column(held().map(|r| (r.moment, !r.determined))));
         out += &section("Joints: what they exert on a body, and the opposite on the other", &table);
     }
     let contacts = || forces.reactions.iter().filter(|r| r.normal.is_some());
@@ -54,15 +55,15 @@ pub(crate) fn text(forces: &Forces, degrees: bool) -> String {
         let table = Table::new()
             .words("contact", contacts().map(|r| r.name))
             .words("on", contacts().map(|r| r.on.map_or("", |frame| forces.body(frame))))
-            .right("normal", contacts().map(|r| known_or_none(r.normal, true)))
-            .right("tangential", contacts().map(|r| known_or_none(r.tangential, false)));
+            .right("normal", column(contacts().map(|r| (r.normal, true))))
+            .right("tangential", column(contacts().map(|r| (r.tangential, false))));
         out += &section("Contacts: positive normal forces press, negative ones would pull", &table);
     }
     let ropes = || forces.reactions.iter().filter(|r| r.tension.is_some());
     if ropes().next().is_some() {
         let table = Table::new()
             .words("rope", ropes().map(|r| r.name))
-            .right("tension", ropes().map(|r| known_or_none(r.tension, true)));
+            .right("tension", column(ropes().map(|r| (r.tension, true))));
         out += &section("Ropes: negative tensions would push", &table);
     }
     let couples: Vec<_> =
@@ -115,10 +116,12 @@ pub(crate) fn text(forces: &Forces, degrees: bool) -> String {
     out + &section("Shaking, energy and power", &table)
 }
 
-fn known(value: Option<f64>) -> String {
-    value.map_or_else(|| "undetermined".to_owned(), super::number::rounded)
-}
-
-fn known_or_none(value: Option<f64>, is_there: bool) -> String {
-    if value.is_none() && !is_there { String::new() } else { known(value) }
+/// The cells of a column of numbers, all in one style; a number that is not known is undetermined, or else not there.
+fn column(values: impl Iterator<Item = (Option<f64>, bool)> + Clone) -> Vec<String> {
+    let style = Style::of(values.clone().filter_map(|(value, _)| value));
+    let cell = |(value, is_there): (Option<f64>, bool)| match value {
+        Some(value) => style.write(value),
+        None => (if is_there { "undetermined" } else { "" }).to_owned(),
+    };
+    values.map(cell).collect()
 }

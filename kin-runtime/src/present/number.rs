@@ -36,6 +36,7 @@ impl Style {
             return unusual(value);
         }
         match self {
+            Self::Exponent if value == 0.0 => "0".to_owned(),
             Self::Exponent => format!("{value:.5e}"),
             Self::Fixed(decimals) => {
                 let text = format!("{value:.decimals$}");
@@ -139,6 +140,7 @@ mod tests {
     #[test]
     fn extreme_numbers_have_an_exponent() {
         assert_eq!(Style::of([1e15]).write(1e15), "1.00000e15");
+        assert_eq!(["0", "0"], [0.0, -0.0].map(|zero| Style::of([1e15]).write(zero)));
         assert_eq!(plain(1e-17), "1e-17");
         assert_eq!(plain(1e300), "1e300");
     }
