@@ -93,7 +93,7 @@ words! {
     RollingOnDisc "rolling",
     /// (A_i v̂)·(r_Q − r_P) − p/(2π) (φ_b − φ_i) − e.
     Screw "screw",
-    /// Σ |r_{k+1} − r_k| − e.
+    /// Σ |r_{k+1} − r_k| − e; between two points |r_Q − r_P|² − e².
     Rope "rope",
     /// A free-form holonomic row.
     Constraint "constraint",

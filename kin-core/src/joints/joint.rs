@@ -11,6 +11,8 @@ use crate::vectors::{Equation, NamedJoint};
 pub(crate) enum Reaction {
     /// A force at the joint's point and a couple on the body of the second operand, and their opposites on the first.
     OnSecond,
+    /// As `OnSecond`, by a rope, whose tension has a sign.
+    Tension,
     /// Couples only, on every body whose angle appears in the rows.
     Couples,
     /// A force on the body of the second operand, and couples on the other bodies.

@@ -167,7 +167,7 @@ impl ReactionWriter<'_, '_> {
             list.extend(reaction.moment);
             list.extend(reaction.couples.iter().map(|(_, couple)| *couple));
             list.extend(&reaction.generalized);
-            list.extend(reaction.normal.iter().chain(&reaction.tangential));
+            list.extend(reaction.normal.iter().chain(&reaction.tangential).chain(&reaction.tension));
         }
         for spring in springs {
             spring.place = list.len();

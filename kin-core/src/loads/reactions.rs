@@ -48,6 +48,8 @@ pub struct ReactionForce {
     pub normal: Option<ExprId>,
     /// For rolling without slipping: the component along the axis of the line, or in the direction of increasing ψ.
     pub tangential: Option<ExprId>,
+    /// For ropes: the tension, negative if the rope would have to push.
+    pub tension: Option<ExprId>,
 }
 
 /// Writes efforts and reactions.
@@ -114,12 +116,7 @@ impl ReactionWriter<'_, '_> {
             let driving: Vec<usize> = rows.filter(supplies).collect();
             for &row in &driving {
                 let name = if driving.len() == 1 { &joint.name } else { &self.system.set.rows[row].name };
-                let length = match self.system.set.rows[row].meaning {
-                    RowMeaning::SquaredDistance => joint.quantities.first().map(|quantity| quantity.observable),
-                    _ => None,
-                };
-                let length = length.map(|observable| self.system.set.observables[observable].value);
-                let (name, numbers) = (name.clone(), self.effort(row, length));
+                let (name, numbers) = (name.clone(), self.effort(row, self.squared_length(joint, row)));
                 efforts.push(Effort { name, place: 0, numbers });
             }
         }
@@ -131,6 +128,13 @@ impl ReactionWriter<'_, '_> {
             }
         }
         efforts
+    }
+
+    /// The length ℓ whose square a row of this joint contains, if it contains one.
+    fn squared_length(&self, joint: &JointInstance, row: usize) -> Option<ExprId> {
+        let is_squared = self.system.set.rows[row].meaning == RowMeaning::SquaredDistance;
+        let length = joint.quantities.first().filter(|_| is_squared)?;
+        Some(self.system.set.observables[length.observable].value)
     }
 
     /// −λ and −Φ_t; for a row that contains the square of the length ℓ, −2 ℓ λ and −Φ_t/(2 ℓ).
@@ -200,7 +204,7 @@ impl ReactionWriter<'_, '_> {
                 reaction.generalized = reaction.rows.iter().map(|&row| graph.neg(self.multipliers[row])).collect();
             }
             Reaction::Couples => reaction.couples = self.couples(&reaction.rows, None, None),
-            Reaction::OnSecond | Reaction::OnSecondAndCouples => {
+            Reaction::OnSecond | Reaction::Tension | Reaction::OnSecondAndCouples => {
                 let frame = on?;
                 reaction.on = on;
                 let wrench = self.wrench(&reaction.rows, frame);
@@ -216,6 +220,11 @@ impl ReactionWriter<'_, '_> {
                     None => reaction.moment = Some(wrench[2]),
                 }
             }
+        }
+        if kind == Reaction::Tension {
+            // What lengthens the rope opposes its tension.
+            let [effort, _] = self.effort(joint.first_row, self.squared_length(joint, joint.first_row));
+            reaction.tension = Some(self.bodies.a.graph.neg(effort));
         }
         Some(reaction)
     }

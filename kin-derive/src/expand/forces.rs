@@ -31,12 +31,13 @@ pub(super) fn forces(
         let (has_force, has_moment) = (reaction.force.is_some(), reaction.moment.is_some());
         let couples = reaction.couples.iter().map(|(body, _)| frame(*body));
         let generalized = reaction.generalized.len();
-        let (has_normal, has_tangential) = (reaction.normal.is_some(), reaction.tangential.is_some());
+        let [has_normal, has_tangential, has_tension] =
+            [reaction.normal, reaction.tangential, reaction.tension].map(|component| component.is_some());
         quote! {
             __kin::ReactionInfo {
                 name: #name, on: #on, place: #place, has_force: #has_force, has_moment: #has_moment,
                 couples: &[#(#couples),*], generalized: #generalized,
-                has_normal: #has_normal, has_tangential: #has_tangential,
+                has_normal: #has_normal, has_tangential: #has_tangential, has_tension: #has_tension,
             }
         }
     });

@@ -2,7 +2,7 @@
 //! silently keep the positive distance instead.
 
 use crate::error::{Degeneracy, SolveError};
-use crate::model::{JointInfo, JointKind, Model, Role};
+use crate::model::{JointInfo, Model, Role};
 
 /// A distance that a joint keeps.
 #[derive(Clone, Copy, Debug)]
@@ -24,7 +24,8 @@ pub(super) fn kept_lengths(model: &'static Model) -> Vec<KeptLength> {
         let value = joint.geometry.iter().find(|geometry| geometry.role == Role::Value)?;
         let row = joint.first_row;
         let moves = model.rows.get(row).is_some_and(|row| row.rheonomic);
-        let is_squared = joint.kind != JointKind::Rope;
+        // The row of a rope over several points contains the distances themselves.
+        let is_squared = joint.geometry.iter().all(|geometry| geometry.role != Role::Via);
         Some(KeptLength { joint: joint.name, row, offset: value.offset, is_squared, moves })
     };
     model.joints.iter().filter(|joint| joint.keeps_distance()).filter_map(length_of).collect()

@@ -2,7 +2,7 @@
 
 use super::{Frame, OperationCount};
 #[cfg(feature = "std")]
-use super::{JointInfo, JointKind, Level, Model};
+use super::{Level, Model};
 
 /// Number of entries before the multipliers: shaking (3), inertia (3), energies (3), powers (3), the rate of the total
 /// energy.
@@ -116,16 +116,8 @@ impl Model {
     /// Whether there are forces of contacts or ropes, which may change their sign.
     #[cfg(feature = "cli")]
     pub(crate) fn has_one_sided_forces(&self) -> bool {
-        let is_rope = |joint: &JointInfo| joint.kind == JointKind::Rope;
-        self.forces.is_some_and(|forces| {
-            forces.reactions.iter().any(|reaction| reaction.has_normal) || self.joints.iter().any(is_rope)
-        })
-    }
-
-    /// The row of the rope of this name; none for other joints.
-    pub(crate) fn rope_row(&self, name: &str) -> Option<usize> {
-        let named = |joint: &&JointInfo| joint.kind == JointKind::Rope && joint.name == name;
-        self.joints.iter().find(named).map(|rope| rope.first_row)
+        let is_one_sided = |reaction: &ReactionInfo| reaction.has_normal || reaction.has_tension;
+        self.forces.is_some_and(|forces| forces.reactions.iter().any(is_one_sided))
     }
 
     /// The row whose effort has this name: a driving row, or one of velocity level that prescribes a speed. None for a
@@ -156,6 +148,12 @@ impl ReactionInfo {
     pub fn normal(&self) -> Option<usize> {
         self.has_normal.then_some(self.couples() + self.couples.len() + self.generalized)
     }
+
+    /// The index of the tension of a rope.
+    pub fn tension(&self) -> Option<usize> {
+        let contact = usize::from(self.has_normal) + usize::from(self.has_tangential);
+        self.has_tension.then_some(self.couples() + self.couples.len() + self.generalized + contact)
+    }
 }
 
 /// A driver: the numbers at `place` are its effort and the rate of the quantity that it drives.
@@ -169,7 +167,7 @@ pub struct EffortInfo {
 }
 
 /// A joint. The numbers from `place` on are point and force (4 numbers, if it has a force), the moment, couples,
-/// generalized forces, and the normal and the tangential component of a contact force.
+/// generalized forces, the normal and the tangential component of a contact force, and the tension of a rope.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ReactionInfo {
     /// Its name; `b.x`, `b.y`, `b.phi` or `b.origin` for a held coordinate of a body b or its carried origin.
@@ -190,6 +188,8 @@ pub struct ReactionInfo {
     pub has_normal: bool,
     /// Its bodies roll on one another, and the force has a tangential component.
     pub has_tangential: bool,
+    /// It is a rope, and has a tension.
+    pub has_tension: bool,
 }
 
 /// A mass and its moment of inertia: two numbers from `place` on.

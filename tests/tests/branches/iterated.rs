@@ -11,12 +11,13 @@ use kin_tests::random::Random;
 use std::f64::consts::PI;
 use std::fmt::Debug;
 
-/// Two cranks and a rope between their pins, which stays as long as the distance of the pivots.
+/// Two cranks and a rope between their pins, which stays as long as the distance of the pivots. It comes along the first
+/// crank: a rope between two points alone would have a closed form.
 #[mechanism]
 #[bodies(a, b)]
 #[revolute(O: ground @ (0, 0), a @ (0, 0))]
 #[revolute(P: ground @ (d, 0), b @ (0, 0))]
-#[rope(K: a @ (r, 0), b @ (r, 0), length = d)]
+#[rope(K: a @ (0, 0), a @ (r, 0), b @ (r, 0), length = r + d)]
 #[driver(drive: a.phi = start + speed * t)]
 #[guess(a.phi = start, b.phi = start)]
 #[derive(Clone, Debug)]

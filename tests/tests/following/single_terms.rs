@@ -29,10 +29,11 @@ struct Table {
     lift: Sequence,
 }
 
-/// A load that is hauled along a vertical guide, 0.5 beside the drum of the rope, to the height of the drum.
+/// A load that is hauled along a vertical guide, 0.5 beside the drum of the rope, to the height of the drum. The rope is a
+/// formula, which is solved by iteration.
 #[mechanism]
 #[body(load, x = 0.5 * s, phi = 0)]
-#[rope(R: ground @ (0, 0), load @ (0, 0), length = s * (1 - 0.1 * t))]
+#[constraint(R: distance(ground @ (0, 0), load @ (0, 0)) = s * (1 - 0.1 * t))]
 #[guess(load.y = -s)]
 struct Hauled {
     s: f64,

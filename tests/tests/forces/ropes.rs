@@ -1,6 +1,6 @@
 //! Where ropes go slack, and where they are taut again.
 
-use kin_runtime::{Kinematics, Measure, Mechanism, State, mechanism};
+use kin_runtime::{Instant, Kinematics, Measure, Mechanism, State, mechanism};
 
 /// A load of mass 2 on a rope whose length vibrates: its tension is m (g + ÿ) with ÿ = a ω² sin ωt.
 #[mechanism]
@@ -74,6 +74,38 @@ fn a_tension_has_a_sign() {
         signs[usize::from(expected > 0.0)] = true;
     }
     assert_eq!([true; 2], signs);
+}
+
+/// A rope between two points has the closed form of a distance; over a pulley it is solved by iteration, and has the same
+/// tension.
+#[test]
+fn a_rope_between_two_points_has_a_closed_form() {
+    #[mechanism]
+    #[bodies(load)]
+    #[translational(way: ground @ (0, 0), load @ (0, 0), axis = (0, 1))]
+    #[rope(stay: ground @ (1, 2), ground @ (0, 2), load @ (0, 0), length = 2 + 0.01*sin(40*t))]
+    #[guess(load.y = 1)]
+    #[gravity(0, -9.81)]
+    #[mass(load @ (0, 0), mass = 2)]
+    struct OverPulley;
+
+    let closed_and_iterated =
+        [Hoist::model(), OverPulley::model()].map(|model| [model.plan.modes.len(), model.plan.iterations]);
+    assert_eq!([[1, 0], [0, 1]], closed_and_iterated);
+    for t in period(40.0, 24, 0.0) {
+        let [straight, bent] = [forces_at(&Hoist::default(), t), forces_at(&OverPulley, t)];
+        for (a, b) in straight.into_iter().zip(bent) {
+            assert!((a - b).abs() < 1e-9, "{t}: {a} {b}");
+        }
+    }
+}
+
+/// The tension of the rope, its effort, and the force on its last point.
+fn forces_at<M: Kinematics>(hoist: &M, t: f64) -> [f64; 4] {
+    let forces = hoist.solver().forces(&hoist.state_at(&Instant::at(t)).unwrap()).unwrap();
+    let stay = forces.reaction("stay").unwrap();
+    let [x, y] = stay.force.unwrap();
+    [stay.tension.unwrap(), forces.effort("stay").unwrap(), x, y]
 }
 
 /// A load across its guide leaves the rope without tension: rounding errors are no changes.

@@ -3,12 +3,12 @@
 
 use kin_runtime::{Assemblies, Instant, Kinematics, mechanism};
 
-/// A platform on two legs and a rope.
+/// A platform on two legs and a rope over a pulley.
 #[mechanism]
 #[bodies(p)]
 #[distance(c1: ground @ (0, 0), p @ (0, 0), length = 0.5)]
 #[distance(c2: ground @ (1, 0), p @ (0.5, 0), length = 0.6)]
-#[rope(c3: ground @ (0.4, 1), p @ (0.3, 0.3), length = 0.65)]
+#[rope(c3: ground @ (0.4, 2), ground @ (0.4, 1), p @ (0.3, 0.3), length = 1.65)]
 #[guess(p.x = 0.3, p.y = 0.4, p.phi = 0.1)]
 struct OnRope;
 

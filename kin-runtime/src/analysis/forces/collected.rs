@@ -29,11 +29,7 @@ pub(crate) fn collected(model: &'static Model, info: &ForceModel, state: &State,
         model,
         efforts: info.efforts.iter().map(effort).chain(of_given).collect(),
         inputs: Vec::new(),
-        reactions: info
-            .reactions
-            .iter()
-            .map(|reaction| reaction_of(model, reaction, values, determined, &shown))
-            .collect(),
+        reactions: info.reactions.iter().map(|reaction| reaction_of(reaction, values, determined, &shown)).collect(),
         springs: info
             .springs
             .iter()
@@ -60,7 +56,7 @@ pub(crate) fn collected(model: &'static Model, info: &ForceModel, state: &State,
     }
 }
 
-fn reaction_of(model: &Model, info: &ReactionInfo, values: &[f64], determined: &[bool], shown: &[bool]) -> Reaction {
+fn reaction_of(info: &ReactionInfo, values: &[f64], determined: &[bool], shown: &[bool]) -> Reaction {
     let mut index = info.place;
     let mut next = |count: usize| {
         index += count;
@@ -70,7 +66,8 @@ fn reaction_of(model: &Model, info: &ReactionInfo, values: &[f64], determined: &
     let moment = info.has_moment.then(|| next(1));
     let couples: Vec<usize> = info.couples.iter().map(|_| next(1)).collect();
     let generalized: Vec<usize> = (0..info.generalized).map(|_| next(1)).collect();
-    let [normal, tangential] = [info.has_normal, info.has_tangential].map(|is_present| is_present.then(|| next(1)));
+    let [normal, tangential, tension] =
+        [info.has_normal, info.has_tangential, info.has_tension].map(|is_present| is_present.then(|| next(1)));
     let known = |places: &[usize]| places.iter().all(|&index| shown[index]);
     let pair = |index: usize| [values[index], values[index + 1]];
     let all: Vec<usize> = (info.place..index).collect();
@@ -93,11 +90,7 @@ fn reaction_of(model: &Model, info: &ReactionInfo, values: &[f64], determined: &
         },
         normal: normal.filter(|&index| known(&[index])).map(|index| values[index]),
         tangential: tangential.filter(|&index| known(&[index])).map(|index| values[index]),
-        tension: model
-            .rope_row(info.name)
-            .map(|row| TOTALS + row)
-            .filter(|&index| shown[index])
-            .map(|index| values[index]),
+        tension: tension.filter(|&index| known(&[index])).map(|index| values[index]),
         determined: all.iter().all(|&index| determined[index]),
     }
 }

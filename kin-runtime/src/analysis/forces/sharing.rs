@@ -149,7 +149,8 @@ fn weights(model: &Model, info: &ForceModel, scale: &Scale) -> (DVector<f64>, Ve
         next(usize::from(reaction.has_moment) + reaction.couples.len(), 1.0, true);
         let rows = (0..model.rows.len()).filter(|row| model.joints[model.rows[*row].joint].name == reaction.name);
         rows.take(reaction.generalized).for_each(|row| next(1, of_row(row), false));
-        next(usize::from(reaction.has_normal) + usize::from(reaction.has_tangential), scale.length, false);
+        let one_sided = [reaction.has_normal, reaction.has_tangential, reaction.has_tension];
+        next(one_sided.map(usize::from).iter().sum(), scale.length, false);
     }
     (weights, counted)
 }

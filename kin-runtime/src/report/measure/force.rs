@@ -2,7 +2,6 @@
 
 use super::{Dimension, Source, driven_dimension};
 use crate::forces::Forces;
-use crate::model::forces::TOTALS;
 use crate::model::{ForceModel, ForceUnits, Frame, Model};
 
 /// The columns of forces: the name, the dimension and where the number comes from, none where no closed form gives it. Empty
@@ -110,9 +109,9 @@ fn visit(
             let value = found.and_then(|found| found.tangential).unwrap_or(f64::NAN);
             f(format!("{name}.tangential"), force, source, value);
         }
-        if let Some(row) = model.rope_row(name) {
-            let value = found.and_then(|found| found.tension).unwrap_or(f64::NAN);
-            f(format!("{name}.tension"), force, Some(Source::Force(TOTALS + row)), value);
+        if reaction.has_tension {
+            let source = reaction.tension().map(Source::Force);
+            f(format!("{name}.tension"), force, source, found.and_then(|found| found.tension).unwrap_or(f64::NAN));
         }
     }
     for (k, spring) in info.springs.iter().enumerate() {
