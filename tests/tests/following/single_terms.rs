@@ -29,14 +29,16 @@ struct Table {
     lift: Sequence,
 }
 
-/// A load that is hauled along a vertical guide, 0.5 beside the drum of the rope, to the height of the drum. The rope is a
-/// formula, which is solved by iteration.
+/// A load that is hauled along a vertical guide, x beside the drum of the rope, to the height of the drum. The rope is a
+/// formula with a part of the constant length c, which is solved by iteration.
 #[mechanism]
-#[body(load, x = 0.5 * s, phi = 0)]
-#[constraint(R: distance(ground @ (0, 0), load @ (0, 0)) = s * (1 - 0.1 * t))]
+#[body(load, x = x * s, phi = 0)]
+#[constraint(R: distance(ground @ (0, 0), load @ (0, 0)) + c * s = s * (1 - 0.1 * t + c))]
 #[guess(load.y = -s)]
 struct Hauled {
     s: f64,
+    x: f64,
+    c: f64,
 }
 
 /// A scalar on a bell-shaped hill, up to its top.
@@ -69,8 +71,30 @@ fn ends_at_its_dead_centre<M: Mechanism>(mechanism: &M, what: &str) {
 #[test]
 fn loads_and_scalars_end_at_their_dead_centres_in_every_unit() {
     for s in [1.0, 1e-3, 1e3, 1e6] {
-        ends_at_its_dead_centre(&Hauled { s }, "rope");
+        ends_at_its_dead_centre(&Hauled { s, x: 0.5, c: 0.0 }, "rope");
         ends_at_its_dead_centre(&Hill { s }, "hill");
+    }
+}
+
+/// Where the only coordinate vanishes at the limit, and no joint tells how large the mechanism is.
+#[test]
+fn a_load_at_the_height_of_its_drum_is_at_a_dead_centre() {
+    for s in [1.0, 1e-3, 1e4] {
+        for k in 0..30 {
+            let hauled = Hauled { s, x: 0.2 + 0.02 * f64::from(k), c: 0.1 * f64::from(k) };
+            let end = 10.0 * (1.0 - hauled.x);
+            for before in [0.1, 1e-2, 1e-3, 1e-4] {
+                let state =
+                    hauled.state_at(&Instant::at(end - before)).unwrap_or_else(|error| panic!("{s} {k}: {error}"));
+                let length = hauled.x + 0.1 * before;
+                let y = -(length * length - hauled.x * hauled.x).sqrt();
+                assert!((state.q[0] / s - y).abs() < 1e-9, "{s} {k} {before}: {} {y}", state.q[0] / s);
+            }
+            let error = hauled.solver().sweep(&[0.0, 0.7 * end, end + 1.0]).expect_err("it ends");
+            let limit = error.source.limit().expect("a limit");
+            assert_eq!(limit.kind(), Some(LimitKind::DeadCentre), "{s} {k}: {error}");
+            assert!(limit.at().is_some_and(|t| (t - end).abs() < 1e-13), "{s} {k}: {error}");
+        }
     }
 }
 

@@ -27,27 +27,35 @@ impl Scale {
     pub(crate) fn around(equations: &mut Equations<'_>, q: &[f64]) -> Self {
         let distance_rows = kept_distances(equations);
         let curves: Vec<usize> = equations.rows_of_implicit_curves().collect();
-        Self::from_samples(equations, q, &distance_rows, &curves)
+        let length = size_of_joints(equations).unwrap_or(1.0);
+        Self::from_samples(equations, (q, length), &distance_rows, &curves)
     }
 
     /// The scales at the current instant, from configurations around `q` in which distances may be far from those that
-    /// joints keep. Rows of small distances have the scale of large ones, so that they do not dominate a residual.
+    /// joints keep. Rows of small distances have the scale of large ones, so that they do not dominate a residual. Where no
+    /// joint has a size, as between points that formulas mention, the typical length is the largest length of `q`, if that
+    /// exceeds 1: a guess tells how large the mechanism is, but not how far it moves, so that the scale of an assembled
+    /// configuration is not taken from it.
     pub(crate) fn before_assembly(equations: &mut Equations<'_>, q: &[f64]) -> Self {
-        Self::from_samples(equations, q, &[], &[])
+        let of_guess = || {
+            let lengths = equations.model.coordinates.iter().zip(q).filter(|(of, _)| of.kind.is_length());
+            lengths.map(|(_, q)| q.abs()).filter(|l| l.is_finite()).fold(1.0, f64::max)
+        };
+        let length = size_of_joints(equations).unwrap_or_else(of_guess);
+        Self::from_samples(equations, (q, length), &[], &[])
     }
 
-    /// The scales from samples around `q`. The `distance_rows` are d² − e² with a constant e: their entries are as
+    /// The scales from samples around `q` for the typical `length`. The `distance_rows` are d² − e² with a constant e: their entries are as
     /// large as d, which is e in every solution, but larger in most samples where e is small compared with the rest of
     /// the mechanism.
     /// Of the rows `curves` of implicit curves, the samples near q show how large the entries are beside the curve.
     fn from_samples(
         equations: &mut Equations<'_>,
-        q: &[f64],
+        (q, length): (&[f64], f64),
         distance_rows: &[(usize, f64)],
         curves: &[usize],
     ) -> Self {
         let (s, n) = (equations.rows(), equations.coordinates());
-        let length = typical_length(equations);
         let spread: Vec<f64> = (0..n).map(|k| spread(equations, k, q[k], length)).collect();
         let entries = equations.model.constraint_pattern.entries;
         let mut sizes = typical_sizes(equations, (q, &spread), distance_rows);
@@ -165,9 +173,9 @@ impl Scale {
 
 /// A typical distance of joints from the origins of their bodies: of moving bodies, or else of the ground, or else the
 /// radii, curves and kept distances, which come last because radii of gears may be numbers of teeth.
-fn typical_length(equations: &Equations<'_>) -> f64 {
+fn size_of_joints(equations: &Equations<'_>) -> Option<f64> {
     let at = Instant { t: equations.t, inputs: &equations.inputs };
-    let Ok(numbers) = equations.system.geometry(&at) else { return 1.0 };
+    let numbers = equations.system.geometry(&at).ok()?;
     let mut lengths = [Vec::new(), Vec::new(), Vec::new()];
     for geometry in equations.model.joints.iter().flat_map(|j| j.geometry) {
         let part = |k: usize| numbers.get(geometry.offset + k).copied().unwrap_or(0.0);
@@ -185,7 +193,7 @@ fn typical_length(equations: &Equations<'_>) -> f64 {
         lengths[2].extend(points.map(|point| point.r[0].hypot(point.r[1])));
     }
     let found = lengths.map(|mut lengths| median_of_nonzero(&mut lengths));
-    found.into_iter().find(|&l| l > 0.0 && l.is_finite()).unwrap_or(1.0)
+    found.into_iter().find(|&l| l > 0.0 && l.is_finite())
 }
 
 /// The rows d² − e² of a distance d with a constant e, and e.

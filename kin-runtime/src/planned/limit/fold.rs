@@ -244,11 +244,13 @@ fn longest_arm<M: Mechanism>(mechanism: &M, parameters: &[f64], at: &Instant<'_>
     arms.filter(|arm| arm.is_finite()).fold(0.0, f64::max)
 }
 
-/// Writes the weights that convert coordinates to radians: lengths count relative to the largest of q or to the longest
-/// arm, whichever is larger, since the coordinates of a platform may all be near 0.
-fn write_weights(model: &Model, q: &[f64], arm: f64, weights: &mut [f64]) {
-    let lengths = model.coordinates.iter().zip(q).filter(|(coordinate, _)| coordinate.kind.is_length());
-    let largest = lengths.fold(arm, |largest, (_, q)| f64::max(largest, q.abs()));
+/// Writes the weights that convert coordinates to radians: lengths count relative to the largest of q, now and where the
+/// course began, or to the longest arm, since the coordinates of a platform may all be near 0, and so may that of a load at
+/// the height of its pulley.
+fn write_weights(model: &Model, [q, at_start]: [&[f64]; 2], arm: f64, weights: &mut [f64]) {
+    let both = model.coordinates.iter().zip(q.iter().zip(at_start));
+    let lengths = both.filter(|(coordinate, _)| coordinate.kind.is_length());
+    let largest = lengths.fold(arm, |largest, (_, (q, at_start))| largest.max(q.abs()).max(at_start.abs()));
     for ((to, coordinate), q) in weights.iter_mut().zip(model.coordinates).zip(q) {
         *to = match coordinate.kind.is_length() {
             true if largest > 0.0 => 1.0 / largest,
@@ -274,7 +276,7 @@ impl<M: Mechanism> PlanFollower<M> {
             (M::Coordinates::<f64>::filled(0.0), M::Inputs::<f64>::filled(Signal::constant(0.0)));
         let t = course.at(blocked.interval[0], inputs.as_mut());
         let arm = longest_arm(mechanism, parameters, &Instant { t, inputs: inputs.as_ref() }, blocked.state.q);
-        write_weights(M::model(), blocked.state.q.as_ref(), arm, weights.as_mut());
+        write_weights(M::model(), [blocked.state.q.as_ref(), self.state().q.as_ref()], arm, weights.as_mut());
         let mut curve = SolutionCurve { equations: &mut equations, weights, weight_of_s: 0.0 };
         let ([start, end], place) = (course.ends(), (blocked.state.q, blocked.interval[0]));
         let sign = 1.0_f64.copysign(end - start);
