@@ -126,6 +126,21 @@ fn a_factor_of_1_has_no_place_beside_a_number_of_many_digits() {
 }
 
 #[test]
+fn rounding_errors_of_decimal_numbers_are_not_shown() {
+    for (text, shown) in [
+        ("0.04000000000000001*a", "0.04 a"),
+        ("0.30000000000000004 - 2.9999999999999996*a", "0.3 − 3 a"),
+        ("5000000000000001*a", "5000000000000001 a"),
+        ("0.3333333333333333*a", "0.3333333333333333 a"),
+        ("0.1234567890123 + 1.000000000001*a", "0.1234567890123 + 1.000000000001 a"),
+        ("0.9999999999999999*a", "a"),
+    ] {
+        let formula = FormulaTree::parse(text).expect("a formula").tidied();
+        assert_eq!(formula.write(Notation::Unicode), shown, "{text}");
+    }
+}
+
+#[test]
 fn names_may_have_marks_above_their_letters() {
     for (text, unicode) in [("x̄*φ̂.phi_dot - 2", "x̄ φ̇_φ̂ − 2"), ("℘[2]", "℘₂")] {
         assert_eq!(all(text)[0], unicode);

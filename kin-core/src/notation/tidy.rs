@@ -1,6 +1,6 @@
 //! Simplifies the form of formulas: redundant brackets and double signs are removed, equal terms and factors
-//! collected, several fractions combined into one, multiples of π and fractions of parameters recognised, functions
-//! placed last.
+//! collected, several fractions combined into one, multiples of π and fractions of parameters recognised, rounding errors
+//! of products of decimal numbers removed, functions placed last.
 //!
 //! Nothing is expanded or cancelled, so the formula still shows the operations that were derived.
 
@@ -25,7 +25,7 @@ impl FormulaTree {
     /// Puts signs, terms and factors in order.
     fn ordered(self) -> Self {
         match self {
-            Self::Number(value) => of_pi(value).unwrap_or(self),
+            Self::Number(value) => of_pi(value).unwrap_or(Self::Number(without_rounding(value))),
             Self::Name(_) => self,
             Self::Minus(a) => match a.ordered() {
                 Self::Sum(terms) => sum(vec![(true, Self::Sum(terms))]),
@@ -147,6 +147,14 @@ fn counted(terms: Vec<(bool, FormulaTree)>) -> Vec<(bool, FormulaTree)> {
 /// True for a number with few digits.
 fn is_short(value: f64) -> bool {
     value.abs().to_string().len() <= 7
+}
+
+/// The number with at most twelve significant digits that is within four rounding errors of this one, or this one: the
+/// product 0.2·0.2 is 0.04 and not 0.04000000000000001. Integers have no rounding errors.
+fn without_rounding(value: f64) -> f64 {
+    let short: f64 = format!("{value:.11e}").parse().unwrap_or(value);
+    let is_rounded = value.fract() != 0.0 && (short - value).abs() <= 4.0 * f64::EPSILON * value.abs();
+    if is_rounded { short } else { value }
 }
 
 /// The number as p π/q with small integers p and q, if it equals that value to the last digit.
