@@ -25,22 +25,28 @@ pub(super) struct Guess<'g> {
 impl Guess<'_> {
     /// Writes the mode of every group, in the order of the plan. `room` is for what `closed` writes in both modes of a
     /// group. `None` where the guess does not determine it.
+    ///
+    /// What one group decides holds for all later ones, so that the next group compares the closures found by then with
+    /// one more: k groups take k + 1 solutions of the plan.
     pub(super) fn write_modes(&self, modes: &mut [f64], room: [&mut [f64]; 2], closed: &mut Closed<'_>) -> Option<()> {
-        let [plus, minus] = room;
+        let [mut plus, mut minus] = room;
         let plan = &self.model.plan;
         if !self.starts_iterations() || self.modes.iter().any(|(_, index, _)| index.is_none()) {
             return None;
         }
-        for (index, mode) in plan.modes.iter().enumerate() {
-            if let Some((.., sign)) = self.modes.iter().rev().find(|(_, place, _)| *place == Some(index)) {
-                modes[index] = sign.value();
-                continue;
-            }
+        let wanted = |index: usize| self.modes.iter().rev().find(|(_, place, _)| *place == Some(index));
+        for (index, mode) in modes.iter_mut().enumerate() {
+            *mode = wanted(index).map_or(1.0, |(.., sign)| sign.value());
+        }
+        let mut is_closed = false;
+        for (index, mode) in plan.modes.iter().enumerate().filter(|(index, _)| wanted(*index).is_none()) {
             let steps = self.steps_of(mode.step)?;
-            for (q, sign) in [(&mut *plus, 1.0), (&mut *minus, -1.0)] {
-                modes[index] = sign;
-                closed(modes, q)?;
+            if !is_closed {
+                closed(modes, plus)?;
+                is_closed = true;
             }
+            modes[index] = -1.0;
+            closed(modes, minus)?;
             let farther: f64 = steps.iter().map(|step| self.farther(step.coordinates, plus, minus)).sum();
             // False for NaN, too.
             let is_decided = farther.abs() > UNDECIDED;
@@ -48,6 +54,9 @@ impl Guess<'_> {
                 return None;
             }
             modes[index] = -farther.signum();
+            if farther > 0.0 {
+                core::mem::swap(&mut plus, &mut minus);
+            }
         }
         Some(())
     }
