@@ -78,7 +78,7 @@ impl ChosenClosures {
         let all = proven.then(|| engine.assemblies(setup, first.t).ok()).flatten();
         let all = all.filter(|all| all.undecided.is_empty());
         match all {
-            Some(all) if (0..all.found.len()).any(|k| all.name(k) != all.found[k].name()) => {
+            Some(all) if all.names().iter().zip(&all.found).any(|(name, found)| *name != found.name()) => {
                 Self::searched(setup, first, &all, most)
             }
             all => {

@@ -8,15 +8,17 @@ use crate::assembly::{Assemblies, Assembly, Undecided};
 use crate::certificate::Certificate;
 use crate::model::Model;
 
+/// Largest number of closures in a text.
+const MAX_LISTED_CLOSURES: usize = 64;
 /// Largest number of undecided cases that are listed one by one.
 const MAX_LISTED_DOUBTS: usize = 8;
 
 /// All closures, for JSON.
 pub(crate) fn records(all: &Assemblies) -> Vec<Record> {
-    let record = |(k, assembly): (usize, &Assembly)| {
+    let record = |(name, assembly): (String, &Assembly)| {
         let certificate = assembly.certificate.as_ref();
         record! {
-            mode: all.name(k),
+            mode: name,
             q: assembly.q,
             q_dot: assembly.q_dot,
             q_ddot: assembly.q_ddot,
@@ -26,29 +28,38 @@ pub(crate) fn records(all: &Assemblies) -> Vec<Record> {
             why: certificate.err().map(ToString::to_string),
         }
     };
-    all.found.iter().enumerate().map(record).collect()
+    all.names().into_iter().zip(&all.found).map(record).collect()
 }
 
-/// All closures, one in a column.
+/// The closures, one in a column; of very many only the first.
 pub(crate) fn text(model: &Model, all: &Assemblies) -> String {
     let number = |k: usize| (k + 1).to_string();
     let certified = |assembly: &Assembly| match &assembly.certificate {
         Ok(certificate) => magnitude(certificate.radius()),
         Err(_) => "no".to_owned(),
     };
+    let listed = &all.found[..all.found.len().min(MAX_LISTED_CLOSURES)];
     let closures = Table::new()
-        .right("", (0..all.found.len()).map(number))
-        .words("modes", (0..all.found.len()).map(|k| all.name(k)))
-        .right("certified within", all.found.iter().map(certified));
+        .right("", (0..listed.len()).map(number))
+        .words("modes", all.names().into_iter().take(listed.len()))
+        .right("certified within", listed.iter().map(certified));
     let names = model.coordinates.iter().map(|coordinate| coordinate.name);
     let coordinates =
-        all.found.iter().enumerate().fold(Table::new().words("coordinate", names), |table, (k, assembly)| {
+        listed.iter().enumerate().fold(Table::new().words("coordinate", names), |table, (k, assembly)| {
             table.numbers(&number(k), assembly.q.iter().copied())
         });
     let found = match all.found.len() {
         0 if all.undecided.is_empty() => "\nIt does not close.\n".to_owned(),
         0 => "\nIt is undecided whether it closes.\n".to_owned(),
-        k => format!("\nIt closes in {}.\n", count(k, "way")),
+        k => {
+            let is_unfinished = |undecided: &Undecided| matches!(undecided, Undecided::Unfinished { .. });
+            let at_least = if all.undecided.iter().any(is_unfinished) { "at least " } else { "" };
+            let some = match listed.len() {
+                most if most < k => format!(" The first {most} are listed; --format json has all that were found."),
+                _ => String::new(),
+            };
+            format!("\nIt closes in {at_least}{}.{some}\n", count(k, "way"))
+        }
     };
     let searched = Table::new()
         .words("searched", all.searched.iter().map(|(name, _)| *name))
@@ -68,4 +79,34 @@ pub(crate) fn doubts(all: &Assemblies) -> String {
     let more = lines.len().saturating_sub(MAX_LISTED_DOUBTS);
     let text = lines.into_iter().take(MAX_LISTED_DOUBTS).collect::<Vec<_>>().join("\n");
     if more > 0 { format!("{text}\n  and {more} more") } else { text }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Mechanism;
+    use crate::certificate::Uncertified;
+    use crate::fixture::PlannedFourBar;
+
+    #[test]
+    fn of_very_many_closures_the_first_are_listed() {
+        let assembly = Assembly {
+            q: vec![0.0; 9],
+            q_dot: vec![0.0; 9],
+            q_ddot: vec![0.0; 9],
+            modes: Vec::new(),
+            certificate: Err(Uncertified::Malformed),
+        };
+        let of =
+            |count| Assemblies { found: vec![assembly.clone(); count], undecided: Vec::new(), searched: Vec::new() };
+        let [few, many] = [64, 70].map(|count| text(PlannedFourBar::model(), &of(count)));
+        assert!(few.contains("\nIt closes in 64 ways.\n") && few.contains("closure=64"), "{few}");
+        assert!(
+            many.contains("\nIt closes in 70 ways. The first 64 are listed; --format json has all that were found.\n")
+        );
+        assert!(many.contains("closure=64") && !many.contains("closure=65"), "{many}");
+        assert_eq!(70, records(&of(70)).len());
+        let unfinished = Assemblies { undecided: vec![Undecided::Unfinished { seen: 9 }], ..of(2) };
+        assert!(text(PlannedFourBar::model(), &unfinished).contains("\nIt closes in at least 2 ways.\n"));
+    }
 }

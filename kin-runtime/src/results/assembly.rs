@@ -5,6 +5,7 @@ use crate::planned::Sign;
 use crate::scalar::Interval;
 use crate::text::{rounded, separated};
 use core::fmt;
+use std::collections::BTreeMap;
 
 /// One way in which a mechanism closes.
 #[derive(Clone, Debug, PartialEq)]
@@ -76,12 +77,23 @@ impl Assemblies {
     /// The name of a closure, by its index in `found`, as the option `--mode` takes it: its [modes](Assembly::name) if
     /// no other closure has the same, otherwise its number, `closure=1` for the first.
     pub fn name(&self, index: usize) -> String {
-        let name = self.found.get(index).map(Assembly::name).unwrap_or_default();
-        match self.found.iter().filter(|found| found.name() == name).count() {
-            1 if !name.is_empty() => name,
-            _ => format!("closure={}", index + 1),
-        }
+        self.names().into_iter().nth(index).unwrap_or_else(|| numbered(index))
     }
+
+    /// The names of all closures, in the order of `found`.
+    pub(crate) fn names(&self) -> Vec<String> {
+        let names: Vec<String> = self.found.iter().map(Assembly::name).collect();
+        let mut counts: BTreeMap<&str, usize> = BTreeMap::new();
+        names.iter().for_each(|name| *counts.entry(name).or_default() += 1);
+        let is_unique = |name: &str| !name.is_empty() && counts.get(name) == Some(&1);
+        let name = |(index, name): (usize, &String)| if is_unique(name) { name.clone() } else { numbered(index) };
+        names.iter().enumerate().map(name).collect()
+    }
+}
+
+/// The name of a closure whose modes are those of another one, too.
+fn numbered(index: usize) -> String {
+    format!("closure={}", index + 1)
 }
 
 impl fmt::Display for Undecided {
@@ -100,7 +112,7 @@ impl fmt::Display for Undecided {
             Self::Region { coordinates } => {
                 separated(f, coordinates, |f, (name, interval)| write!(f, "{name} in {interval}"))
             }
-            Self::Unfinished { seen } => write!(f, "the rest of a search that ended after {seen} boxes"),
+            Self::Unfinished { seen } => write!(f, "the rest of a search that ended after {seen} cases"),
         }
     }
 }
@@ -133,9 +145,9 @@ impl fmt::Display for Assemblies {
         for (name, within) in self.searched.iter().filter(|(_, within)| !is_turn(within)) {
             write!(f, ", with {name} from {} to {}", rounded(within.lower()), rounded(within.upper()))?;
         }
-        for (index, assembly) in self.found.iter().enumerate() {
+        for (name, assembly) in self.names().iter().zip(&self.found) {
             f.write_str("\n  ")?;
-            named(f, &self.name(index), assembly)?;
+            named(f, name, assembly)?;
         }
         self.undecided.iter().try_for_each(|undecided| write!(f, "\n  undecided: {undecided}"))
     }
